@@ -1,0 +1,26 @@
+# Writes OUTPUT: a function NAMESPACE::FUNCTION() returning the FILES ('|' between them) as {name, text}.
+string(REPLACE "|" ";" files "${FILES}")
+set(rows "")
+set(count 0)
+foreach(file IN LISTS files)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" text)
+  # A raw string literal may hold at most 65536 characters; longer data is cut into pieces that the compiler joins.
+  string(LENGTH "${text}" length)
+  set(literal "")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} 12000 piece)
+    string(APPEND literal "\nR\"~~~(${piece})~~~\"")
+    math(EXPR at "${at} + 12000")
+  endwhile()
+  if(literal STREQUAL "")
+    set(literal "\"\"")
+  endif()
+  string(APPEND rows "    {\"${name}\", ${literal}},\n")
+  math(EXPR count "${count} + 1")
+endforeach()
+file(WRITE "${OUTPUT}.new" "#include \"simulator/base/embedded.h\"\n\n#include <array>\n\nnamespace ${NAMESPACE} {\n
+std::span<const hallux::EmbeddedText> ${FUNCTION}() noexcept {
+  static constexpr std::array<hallux::EmbeddedText, ${count}> files{{\n${rows}  }};\n  return files;\n}\n\n}  // namespace ${NAMESPACE}\n")
+file(COPY_FILE "${OUTPUT}.new" "${OUTPUT}" ONLY_IF_DIFFERENT)

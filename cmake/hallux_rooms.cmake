@@ -1,0 +1,57 @@
+# How every room is built: one language standard, one set of warnings, one rule of floating point.
+
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(hallux_rules INTERFACE)
+target_include_directories(hallux_rules INTERFACE "${PROJECT_SOURCE_DIR}")
+# No contraction to fused multiply-add: the same input gives the same bits on every x86-64 machine.
+target_compile_options(hallux_rules INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)
+target_compile_definitions(hallux_rules INTERFACE GLM_FORCE_EXPLICIT_CTOR)
+if(HALLUX_SANITIZER STREQUAL "address")
+  target_compile_options(hallux_rules INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(hallux_rules INTERFACE -fsanitize=address,undefined)
+elseif(HALLUX_SANITIZER STREQUAL "thread")
+  target_compile_options(hallux_rules INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(hallux_rules INTERFACE -fsanitize=thread)
+elseif(NOT HALLUX_SANITIZER STREQUAL "")
+  message(FATAL_ERROR "HALLUX_SANITIZER is '${HALLUX_SANITIZER}'; it must be empty, address or thread")
+endif()
+
+# hallux_room(NAME SOURCES file... USES library...): a library whose headers are named from the repository root.
+function(hallux_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES" ${ARGN})
+  add_library(${name} STATIC ${ROOM_SOURCES})
+  target_link_libraries(${name} PUBLIC hallux_rules ${ROOM_USES})
+endfunction()
+
+# hallux_test(NAME LABEL fast|slow|machine SOURCES file... USES library...): one GoogleTest program, each case a CTest test.
+function(hallux_test name)
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 600)
+  endif()
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE hallux_rules ${TEST_USES} GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT ${TEST_TIMEOUT})
+endfunction()
+
+# hallux_embed(TARGET NAMESPACE FUNCTION file...): compiles data files into a table {name, text}.
+function(hallux_embed target namespace function)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
+  set(inputs ${ARGN})
+  list(TRANSFORM inputs PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE paths)
+  string(JOIN "|" joined ${paths})
+  add_custom_command(OUTPUT "${output}"
+    COMMAND "${CMAKE_COMMAND}" "-DFILES=${joined}" "-DOUTPUT=${output}" "-DNAMESPACE=${namespace}"
+            "-DFUNCTION=${function}" -P "${PROJECT_SOURCE_DIR}/cmake/embed.cmake"
+    DEPENDS ${paths} "${PROJECT_SOURCE_DIR}/cmake/embed.cmake" VERBATIM)
+  target_sources(${target} PRIVATE "${output}")
+endfunction()

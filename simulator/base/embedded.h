@@ -1,0 +1,14 @@
+/// A data file compiled into the program (see cmake/embed.cmake), so that one binary carries all it needs.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace hallux {
+
+struct EmbeddedText {
+  std::string_view name;  ///< file name without folder
+  std::string_view text;
+};
+
+}  // namespace hallux

@@ -1,0 +1,45 @@
+/// The section of a solid by a kerf: which parts of the bone the kerf's slab crosses, and when each is covered.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simulator/cutting/cut_solid.h"
+#include "simulator/cutting/kerf.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::simulator {
+
+/// One closed contour of the section at the kerf's middle plane, in the kerf's plane; counter-clockwise around bone.
+using Contour = std::vector<Vec2>;
+
+/// A connected part of the slab: the skin between the kerf's two planes belongs together, and so does what it encloses.
+struct SectionRegion {
+  std::vector<Contour> contours;  ///< at the middle plane: outer ones counter-clockwise, holes clockwise; may be empty
+  Vec2 min_mm{0.0, 0.0}, max_mm{0.0, 0.0};  ///< extent of the slab's part, in the kerf's plane
+  double area_mm2 = 0.0;                    ///< at the middle plane, holes taken off
+};
+
+struct Section {
+  KerfPlane plane;
+  std::vector<SectionRegion> regions;  ///< largest first
+};
+
+/// The contact slice.
+/// needs   solid is closed; bvh was built over solid.mesh
+/// errors  none: a plane that misses gives no regions
+Section slice_section(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane);
+
+/// For each node of a field the region whose slab part touches the node's cells, or -1: when every node of a region is
+/// open, the field covers that region wholly.
+struct SectionMask {
+  FieldGrid grid;
+  std::vector<std::int16_t> region_of_node;  ///< row by row: index v * u_count + u
+  std::vector<std::int32_t> node_count;      ///< per region
+  std::vector<std::uint8_t> fits_grid;       ///< per region: false where it reaches beyond the grid
+};
+
+SectionMask mask_section(const Section& section, const CutSolid& solid, const Bvh& bvh,
+                         const FieldGrid& grid);
+
+}  // namespace hallux::simulator

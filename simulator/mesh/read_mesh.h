@@ -1,0 +1,37 @@
+/// Reads STL (binary and text), OBJ and PLY (text and binary) from files that nobody vouches for.
+///
+/// Every count is compared with the bytes that are there before memory is taken, and with MeshLimits.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "simulator/mesh/indexed_mesh.h"
+#include "simulator/mesh/mesh_error.h"
+
+namespace hallux::simulator {
+
+struct MeshLimits {
+  std::size_t bytes = std::size_t{512} << 20U;
+  std::size_t triangles = 5'000'000;
+  std::size_t points = 5'000'000;
+};
+
+enum class MeshFormat { Stl, Obj, Ply };
+
+/// The mesh in the file, in the file's own units taken as millimetres; STL corners with equal coordinates become one point.
+/// ensures the mesh is closed, manifold and outward (see check_closed_solid)
+/// errors  MeshError naming the file, the place and the mend
+IndexedMesh read_mesh(const std::filesystem::path& file, const MeshLimits& limits = {});
+
+/// The same from bytes in memory; `name` stands in the messages. Does not check that the mesh is closed.
+IndexedMesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string_view name,
+                       const MeshLimits& limits = {});
+
+/// errors  MeshError unless each directed edge occurs once with its opposite, all coordinates are finite, there is at
+///         least one triangle, and the enclosed volume is positive; the sentence counts the faults and places the first
+void check_closed_solid(const IndexedMesh& mesh, std::string_view name);
+
+}  // namespace hallux::simulator

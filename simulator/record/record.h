@@ -1,0 +1,163 @@
+/// What leaves the room: device states, commands, tool samples and cut events, as the integers that are kept.
+///
+/// Every number is rounded to its quantum before the step uses it, so the record is exact: what is recorded is what
+/// cut, and a replay can be compared bit by bit. Tick t covers the simulated time from t to t + 1 milliseconds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "simulator/base/digest.h"
+#include "simulator/base/transform.h"
+
+namespace hallux::simulator {
+
+/// Raised by hand whenever the same input may give another output; committed with the golden hashes.
+inline constexpr std::int32_t engine_version = 1;
+
+/// A pose in whole quanta: translation in micrometres, quaternion (w, x, y, z) in millionths.
+struct QuantisedPose {
+  std::array<std::int32_t, 3> translation_um{};
+  std::array<std::int32_t, 4> rotation_micro{1000000, 0, 0, 0};
+
+  friend bool operator==(const QuantisedPose&, const QuantisedPose&) = default;
+};
+
+/// The nearest pose in whole quanta; the quaternion's sign is chosen so that its first non-zero part is positive.
+QuantisedPose quantise(const RigidTransform& pose) noexcept;
+/// The rigid transform meant by the quanta; its quaternion is normalised again.
+RigidTransform transform_from(const QuantisedPose& pose) noexcept;
+
+/// What a device says at one tick: the handle's pose in the world (foot frame) and its switches.
+struct DeviceState {
+  QuantisedPose world_from_handle;
+  std::uint32_t switches = 0;  ///< bits of Switch
+  std::uint32_t faults = 0;    ///< bits of DeviceFault, set by the loop; each ramps the force to zero
+
+  friend bool operator==(const DeviceState&, const DeviceState&) = default;
+};
+
+enum class Switch : std::uint32_t { SawRuns = 1U << 0U, Irrigates = 1U << 1U };
+
+enum class DeviceFault : std::uint32_t {
+  Lost = 1U << 0U,       ///< no state came
+  NotFinite = 1U << 1U,  ///< the device said NaN or infinity
+  Jumped = 1U << 2U      ///< moved faster than a hand can
+};
+
+enum class CommandKind : std::int32_t {
+  Start = 1,     ///< begins the attempt's clock
+  Pause = 2,     ///< the tool is safe, nothing cuts
+  Resume = 3,
+  StepDone = 4,  ///< argument: index of the operation step declared done
+  PickUp = 5,    ///< argument: piece to take out of the wound
+  Finish = 6,    ///< the operator declares the operation done
+  ApplyJob = 7,  ///< argument: job id; detail: tick of the state it was computed from
+  Abandon = 8
+};
+
+/// A decision applied at a tick: of the operator, the loop, or a job that is ready.
+struct Command {
+  CommandKind kind = CommandKind::Start;
+  std::int32_t argument = 0;
+  std::int64_t detail = 0;
+
+  friend bool operator==(const Command&, const Command&) = default;
+};
+
+inline constexpr std::size_t commands_per_tick = 4;
+
+/// Everything the step may depend on at one tick; one line of the input tape.
+struct TapeLine {
+  std::int64_t tick = 0;  ///< first tick this line covers
+  DeviceState device;
+  std::uint8_t ticks = 1;          ///< simulated ticks this line covers: 1, or 2 to 3 after missed ones
+  std::uint8_t command_count = 0;  ///< used entries of `commands`
+  std::array<Command, commands_per_tick> commands{};
+
+  friend bool operator==(const TapeLine&, const TapeLine&) = default;
+};
+
+enum class ToolStatus : std::uint32_t {
+  Running = 1U << 0U,      ///< the attempt's clock runs
+  SawOn = 1U << 1U,
+  InContact = 1U << 2U,    ///< teeth touch bone
+  Cutting = 1U << 3U,      ///< teeth advance in bone
+  InKerf = 1U << 4U,       ///< the blade is held by a frozen plane
+  Irrigated = 1U << 5U,
+  ForceLimited = 1U << 6U,
+  Faulted = 1U << 7U
+};
+
+/// The tool as it was after the constraint, at the end of one tick, in the world (foot frame).
+struct ToolSample {
+  std::int64_t tick = 0;
+  QuantisedPose world_from_tool;  ///< origin at the middle of the tooth line, +x from handle to teeth, z blade normal
+  std::array<std::int32_t, 3> force_mn{};  ///< on the hand, world frame, simulated newtons in millinewton
+  std::uint32_t status = 0;                ///< bits of ToolStatus
+  std::int32_t kerf = -1;                  ///< index of the kerf the blade is in, or -1
+
+  friend bool operator==(const ToolSample&, const ToolSample&) = default;
+};
+
+enum class CutEventKind : std::int32_t {
+  Started = 1,
+  Scratch = 2,         ///< teeth touched bone without the plane being frozen; value: depth [um]
+  Contact = 3,         ///< first touch of a stroke
+  PlaneFrozen = 4,     ///< subject: kerf; pose: bone_from_tool at freezing
+  SectionKnown = 5,    ///< subject: kerf; the contact job was applied; value: section area [um2 / 1000]
+  Breakthrough = 6,    ///< subject: kerf; the teeth left bone at the far side
+  SectionCovered = 7,  ///< subject: kerf; the field covers a section wholly
+  PieceFreed = 8,      ///< subject: piece; value: volume [mm3 / 1000]
+  PieceRemoved = 9,    ///< subject: piece
+  StepDone = 10,       ///< subject: operation step
+  Paused = 11,
+  Resumed = 12,
+  Fault = 13,          ///< value: bits of DeviceFault
+  Finished = 14,
+  Abandoned = 15,
+  KerfRefused = 16     ///< the touch asked for more kerfs than an attempt may have
+};
+
+/// Something that happened once, at the end of one tick.
+struct CutEvent {
+  std::int64_t tick = 0;
+  CutEventKind kind = CutEventKind::Started;
+  std::int32_t subject = -1;
+  std::int64_t value = 0;
+  QuantisedPose pose;  ///< bone_from_tool for cutting events, identity otherwise
+
+  friend bool operator==(const CutEvent&, const CutEvent&) = default;
+};
+
+/// An attempt as it can be computed again: all that came in and all that came out, in order of ticks.
+struct Recording {
+  std::int32_t engine = engine_version;
+  std::vector<TapeLine> tape;
+  std::vector<ToolSample> samples;
+  std::vector<CutEvent> events;
+};
+
+/// The golden hash: a digest of every output of a recording.
+Digest digest_outputs(const Recording& recording) noexcept;
+
+/// The integers of one row in the order in which they are digested and packed; `count` is fixed per type.
+inline constexpr std::size_t tape_columns = 11 + 3 * commands_per_tick;
+inline constexpr std::size_t sample_columns = 13;
+inline constexpr std::size_t event_columns = 11;
+std::array<std::int64_t, tape_columns> columns_of(const TapeLine& line) noexcept;
+std::array<std::int64_t, sample_columns> columns_of(const ToolSample& sample) noexcept;
+std::array<std::int64_t, event_columns> columns_of(const CutEvent& event) noexcept;
+TapeLine tape_line_from(const std::array<std::int64_t, tape_columns>& columns) noexcept;
+ToolSample tool_sample_from(const std::array<std::int64_t, sample_columns>& columns) noexcept;
+CutEvent cut_event_from(const std::array<std::int64_t, event_columns>& columns) noexcept;
+
+constexpr bool has(std::uint32_t bits, Switch bit) noexcept {
+  return (bits & static_cast<std::uint32_t>(bit)) != 0;
+}
+constexpr bool has(std::uint32_t bits, ToolStatus bit) noexcept {
+  return (bits & static_cast<std::uint32_t>(bit)) != 0;
+}
+
+}  // namespace hallux::simulator
