@@ -1,4 +1,4 @@
-#include "simulator/operation/kerf_set.h"
+#include "simulator/cutting/kerf_set.h"
 
 #include <cmath>
 
@@ -9,11 +9,13 @@ KerfSet::KerfSet(const BladeSize& blade, const RigidTransform& world_from_bone,
     : blade_(blade),
       bone_from_world_(inverse(world_from_bone)),
       planes_(static_cast<std::size_t>(kerf_limit)),
+      kerf_from_bone_(static_cast<std::size_t>(kerf_limit)),
       fields_(static_cast<std::size_t>(kerf_limit), KerfField(grid)) {}
 
 std::int32_t KerfSet::freeze(const QuantisedPose& bone_from_tool) noexcept {
   if (count_ == kerf_limit) return -1;
   planes_[index(count_)] = {transform_from(bone_from_tool), blade_.kerf_mm};
+  kerf_from_bone_[index(count_)] = inverse(planes_[index(count_)].bone_from_kerf);
   return count_++;
 }
 
@@ -36,9 +38,8 @@ FieldWindow KerfSet::follow(const ToolSample& sample) noexcept {
 
 bool KerfSet::is_open(const Vec3& point_in_bone_mm) const noexcept {
   for (std::int32_t kerf = 0; kerf < count_; ++kerf) {
-    const KerfPlane& kerf_plane = planes_[index(kerf)];
-    const Vec3 local = transform_point(inverse(kerf_plane.bone_from_kerf), point_in_bone_mm);
-    const bool in_slab = std::abs(local.z) <= 0.5 * kerf_plane.thickness_mm;
+    const Vec3 local = transform_point(kerf_from_bone_[index(kerf)], point_in_bone_mm);
+    const bool in_slab = std::abs(local.z) <= 0.5 * planes_[index(kerf)].thickness_mm;
     if (in_slab && fields_[index(kerf)].is_open(Vec2{local.x, local.y})) return true;
   }
   return false;

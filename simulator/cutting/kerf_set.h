@@ -25,6 +25,9 @@ class KerfSet {
   const KerfPlane& plane(std::int32_t kerf) const noexcept { return planes_[index(kerf)]; }
   const KerfField& field(std::int32_t kerf) const noexcept { return fields_[index(kerf)]; }
   const BladeSize& blade() const noexcept { return blade_; }
+  const RigidTransform& kerf_from_bone(std::int32_t kerf) const noexcept {
+    return kerf_from_bone_[index(kerf)];
+  }
 
   /// Freezes the next kerf to the recorded pose of the tool; its number, or -1 where the limit is reached.
   /// thread  haptic; allocates nothing
@@ -42,6 +45,7 @@ class KerfSet {
   BladeSize blade_;
   RigidTransform bone_from_world_;
   std::vector<KerfPlane> planes_;
+  std::vector<RigidTransform> kerf_from_bone_;
   std::vector<KerfField> fields_;
   std::int32_t count_ = 0;
   std::int32_t last_kerf_ = -1;
