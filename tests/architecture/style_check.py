@@ -17,7 +17,6 @@ TEXT = CODE + (".py", ".sh", ".txt", ".md", ".cmake", ".json", ".sql", "")
 MAX_SOURCE_LINES = 500
 MAX_FUNCTION_LINES = 70
 FILE_NAME = re.compile(r"^[a-z0-9_]+(\.[a-z0-9_]+)*$")
-FREE_NAMES = {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE"}
 MACHINE_PATH = re.compile(r"(?<![\w.$}])/(home|root|work|Users|mnt)/\w")
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 MACRO = re.compile(r"^\s*#\s*define\s+(\w+)")
@@ -104,8 +103,7 @@ def main():
     for file in files_of(root):
         path = file.relative_to(root).as_posix()
         count += 1
-        if file.suffix in CODE + (".py", ".sql", ".txt") and file.name not in FREE_NAMES \
-                and not FILE_NAME.match(file.name):
+        if file.suffix in CODE + (".py", ".sql") and not FILE_NAME.match(file.name):
             findings.append((path, "a file's name is snake_case"))
         if file.suffix not in TEXT or lies_in_planted(path):
             continue
