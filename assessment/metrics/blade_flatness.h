@@ -1,0 +1,29 @@
+/// How straight the blade was led, from its poses while it cut.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "simulator/base/vector.h"
+
+namespace hallux::assessment {
+
+/// A point of the tooth line (an end or its middle) at one tick of cutting.
+struct ToothPoint {
+  Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
+  std::int64_t tick = 0;
+};
+
+struct Flatness {
+  double flatness_mm =
+      0.0;                ///< 97.5th minus 2.5th percentile of the distances from their own plane
+  std::int64_t tick = 0;  ///< of the point furthest from that plane
+  Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
+};
+
+/// errors  nothing where the points lie on a line or are fewer than three
+/// source  docs/metrics.md: the walls of a planar kerf are flat by construction, so the wall cannot tell
+std::optional<Flatness> measure_flatness(std::span<const ToothPoint> points);
+
+}  // namespace hallux::assessment

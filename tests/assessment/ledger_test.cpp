@@ -1,0 +1,205 @@
+#include "assessment/ledger.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <numeric>
+#include <string>
+
+namespace hallux::assessment {
+namespace {
+
+using database::LedgerKind;
+using database::LedgerLine;
+using database::ScoreCard;
+using scenarios::Gate;
+using scenarios::Rubric;
+using scenarios::RubricItem;
+
+RubricItem item(const std::string& id, const std::string& group, std::int64_t weight_milli) {
+  RubricItem made;
+  made.id = id;
+  made.group = group;
+  made.metric = id + "_mm";
+  made.cut = "cut";
+  made.unit = "mm";
+  made.weight_milli = weight_milli;
+  made.zero = 1.0;
+  return made;
+}
+
+Gate gate(const std::string& metric, double limit, std::int64_t cap_milli) {
+  Gate made;
+  made.name = "gate " + metric;
+  made.metric = metric;
+  made.cut = "cut";
+  made.limit = limit;
+  made.cap_milli = cap_milli;
+  return made;
+}
+
+Measurement measured(const std::string& metric, double value) {
+  Measurement made;
+  made.metric = metric;
+  made.cut = "cut";
+  made.value = value;
+  return made;
+}
+
+/// Accuracy 60, efficiency 40; a value of v loses the share v of its item.
+Rubric two_groups() {
+  Rubric rubric;
+  rubric.groups = {{"accuracy", "Accuracy", 60000, ""}, {"efficiency", "Efficiency", 40000, ""}};
+  rubric.items = {item("a", "accuracy", 60000), item("e", "efficiency", 40000)};
+  return rubric;
+}
+
+std::int64_t sum_of_losses(const ScoreCard& card) {
+  std::int64_t sum = 0;
+  for (const LedgerLine& line : card.ledger) sum += line.points_lost_milli;
+  return sum;
+}
+
+std::int64_t sum_of_shown_losses(const ScoreCard& card) {
+  return std::accumulate(card.shown_losses_milli.begin(), card.shown_losses_milli.end(),
+                         std::int64_t{0});
+}
+
+TEST(Ledger, ScoresWhatWasEarnedOfWhatCouldBeMeasured) {
+  const std::vector<Measurement> measurements{measured("a_mm", 0.25)};
+  const ScoreCard card = balance(two_groups(), measurements);
+  EXPECT_EQ(card.rubric_milli, 100000);
+  EXPECT_EQ(card.measured_milli, 60000);
+  EXPECT_EQ(card.earned_milli, 45000);
+  EXPECT_EQ(card.score_milli, 75000);
+  ASSERT_EQ(card.groups.size(), 2U);
+  EXPECT_EQ(card.groups[1].measured_milli, 0);
+}
+
+TEST(Ledger, AnItemWhoseCutWasNotMadeLosesAllOfIt) {
+  std::vector<Measurement> measurements{measured("a_mm", 0.0)};
+  measurements[0].is_measured = false;
+  const ScoreCard card = balance(two_groups(), measurements);
+  EXPECT_EQ(card.measured_milli, 60000);
+  EXPECT_EQ(card.score_milli, 0);
+  EXPECT_EQ(sum_of_losses(card), 60000);
+}
+
+TEST(Ledger, NothingMeasuredIsScoreNoughtWithoutLosses) {
+  const ScoreCard card = balance(two_groups(), {});
+  EXPECT_EQ(card.measured_milli, 0);
+  EXPECT_EQ(card.score_milli, 0);
+  EXPECT_TRUE(card.ledger.empty());
+}
+
+TEST(Ledger, SpeedEarnsNothingWithoutAccuracy) {
+  const std::vector<Measurement> measurements{measured("a_mm", 1.0), measured("e_mm", 0.0)};
+  const ScoreCard card = balance(two_groups(), measurements);
+  EXPECT_EQ(card.score_milli, 0);
+  ASSERT_EQ(card.ledger.size(), 3U);
+  EXPECT_EQ(card.ledger[2].kind, LedgerKind::Damping);
+  EXPECT_EQ(card.ledger[2].points_lost_milli, 40000);
+}
+
+TEST(Ledger, HalfOfTheNeededAccuracyHalvesEfficiency) {
+  const std::vector<Measurement> measurements{measured("a_mm", 0.7), measured("e_mm", 0.5)};
+  const ScoreCard card = balance(two_groups(), measurements);
+  EXPECT_EQ(card.ledger[2].points_lost_milli, 10000);
+  EXPECT_EQ(card.earned_milli, 18000 + 10000);
+  EXPECT_EQ(card.groups[1].earned_milli, 10000);
+}
+
+TEST(Ledger, SixTenthsOfTheAccuracyDampNothing) {
+  const std::vector<Measurement> measurements{measured("a_mm", 0.4), measured("e_mm", 0.0)};
+  const ScoreCard card = balance(two_groups(), measurements);
+  EXPECT_EQ(card.ledger[2].points_lost_milli, 0);
+  EXPECT_EQ(card.earned_milli, 36000 + 40000);
+}
+
+TEST(Ledger, TheLowestTriggeredCapTakesWhatStandsAboveIt) {
+  Rubric rubric = two_groups();
+  rubric.gates = {gate("g_mm", 1.0, 69000), gate("h_mm", 1.0, 59000), gate("i_mm", 1.0, 10000)};
+  const std::vector<Measurement> measurements{measured("a_mm", 0.0), measured("g_mm", 1.5),
+                                              measured("h_mm", 1.5), measured("i_mm", 1.0)};
+  const ScoreCard card = balance(rubric, measurements);
+  EXPECT_EQ(card.score_milli, 59000);
+  EXPECT_TRUE(card.gates[0].is_triggered);
+  EXPECT_TRUE(card.gates[1].is_triggered);
+  EXPECT_FALSE(card.gates[2].is_triggered);
+  ASSERT_EQ(card.ledger.size(), 3U);
+  EXPECT_EQ(card.ledger[1].item, "gate h_mm");
+  EXPECT_EQ(card.ledger[1].points_lost_milli, 60000 * 41 / 100);
+  EXPECT_EQ(card.ledger[2].points_lost_milli, 0);
+}
+
+TEST(Ledger, AGateOfACutThatWasNotMadeStaysShut) {
+  Rubric rubric = two_groups();
+  rubric.gates = {gate("g_mm", 1.0, 0)};
+  std::vector<Measurement> measurements{measured("a_mm", 0.0), measured("g_mm", 9.0)};
+  measurements[1].is_measured = false;
+  EXPECT_EQ(balance(rubric, measurements).score_milli, 100000);
+}
+
+TEST(Ledger, ScalingGivesTheRestToTheLargestRemainders) {
+  const std::vector<std::int64_t> thirds{1, 1, 1, 0};
+  const std::vector<std::int64_t> scaled = scale_to_total(thirds, 100, 3, 100);
+  EXPECT_EQ(scaled, (std::vector<std::int64_t>{34, 33, 33, 0}));
+}
+
+double any_value() { return static_cast<double>(*rc::gen::inRange(0, 1500)) / 1000.0; }
+
+/// Weights, measurements and gates of every kind, with what cannot be measured among them.
+ScoreCard any_card() {
+  Rubric rubric;
+  std::vector<Measurement> measurements;
+  for (const std::string group : {"accuracy", "safety", "efficiency"}) {
+    rubric.groups.push_back({group, group, *rc::gen::inRange(0, 50000), ""});
+    for (int count = *rc::gen::inRange(0, 4); count > 0; --count) {
+      const std::string id = group + std::to_string(count);
+      rubric.items.push_back(item(id, group, *rc::gen::inRange(0, 20000)));
+      if (*rc::gen::inRange(0, 4) == 0) continue;
+      measurements.push_back(measured(id + "_mm", any_value()));
+      measurements.back().is_measured = *rc::gen::inRange(0, 6) != 0;
+    }
+  }
+  for (int count = *rc::gen::inRange(0, 3); count > 0; --count) {
+    const std::string metric = "gate" + std::to_string(count);
+    rubric.gates.push_back(gate(metric, any_value(), *rc::gen::inRange(0, 100001)));
+    measurements.push_back(measured(metric, any_value()));
+  }
+  return balance(rubric, measurements);
+}
+
+TEST(Ledger, EarnedAndLostAreMeasuredExactly) {
+  rc::check([] {
+    const ScoreCard card = any_card();
+    RC_ASSERT(card.earned_milli + sum_of_losses(card) == card.measured_milli);
+    RC_ASSERT(card.earned_milli >= 0 && card.score_milli >= 0 && card.score_milli <= 100000);
+  });
+}
+
+TEST(Ledger, ShownLossesAddUpToWhatTheScoreLacks) {
+  rc::check([] {
+    const ScoreCard card = any_card();
+    RC_ASSERT(card.shown_losses_milli.size() == card.ledger.size());
+    const std::int64_t lacking = card.measured_milli == 0 ? 0 : 100000 - card.score_milli;
+    RC_ASSERT(sum_of_shown_losses(card) == lacking);
+    for (std::size_t index = 0; index < card.ledger.size(); ++index) {
+      RC_ASSERT(card.shown_losses_milli[index] >= 0);
+      const bool is_loss = card.ledger[index].points_lost_milli > 0;
+      RC_ASSERT(is_loss || card.shown_losses_milli[index] == 0);
+    }
+  });
+}
+
+TEST(Ledger, NoScoreStandsAboveATriggeredCap) {
+  rc::check([] {
+    const ScoreCard card = any_card();
+    for (const database::GateResult& result : card.gates) {
+      RC_ASSERT(!result.is_triggered || card.score_milli <= result.cap_milli);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace hallux::assessment

@@ -1,0 +1,117 @@
+#include "assessment/sentences.h"
+
+#include <gtest/gtest.h>
+
+#include "assessment/ledger.h"
+
+namespace hallux::assessment {
+namespace {
+
+using database::ScoreCard;
+using scenarios::Scenario;
+
+scenarios::RubricItem item(const std::string& id, const std::string& metric,
+                           std::int64_t weight_milli, double full, double zero) {
+  scenarios::RubricItem made;
+  made.id = id;
+  made.title = "Title of " + id;
+  made.group = "accuracy";
+  made.metric = metric;
+  made.cut = "eminence";
+  made.unit = metric.ends_with("_deg") ? "deg" : "mm";
+  made.weight_milli = weight_milli;
+  made.full = full;
+  made.zero = zero;
+  return made;
+}
+
+Scenario silver_like() {
+  Scenario scenario;
+  scenario.cuts.resize(1);
+  scenario.cuts[0].name = "eminence";
+  scenario.rubric.groups = {{"accuracy", "Accuracy", 50000, ""}};
+  scenario.rubric.items = {
+      item("A1", "angle_deg", 16000, 1.0, 8.0), item("A2", "location_mm", 16000, 0.5, 3.0),
+      item("A3", "depth_mm", 10000, 0.5, 2.5), item("A4", "step_mm", 5000, 0.2, 1.5)};
+  return scenario;
+}
+
+Measurement measured(const std::string& metric, double value, const std::string& direction) {
+  Measurement made;
+  made.metric = metric;
+  made.cut = "eminence";
+  made.value = value;
+  made.direction = direction;
+  return made;
+}
+
+ScoreCard explained(const Scenario& scenario, const std::vector<Measurement>& measurements) {
+  ScoreCard card = balance(scenario.rubric, measurements);
+  explain(card, scenario, measurements);
+  return card;
+}
+
+TEST(Sentences, SayTheNumberTheTargetAndTheLoss) {
+  const ScoreCard card = explained(silver_like(), {measured("angle_deg", 4.2, "dorsal")});
+  EXPECT_EQ(card.ledger[0].text,
+            "The face is tilted 4.2 deg, deepest at its dorsal edge (full points to 1 deg): "
+            "7.3 of 16 points lost.");
+}
+
+TEST(Sentences, SayWhatWasRight) {
+  const ScoreCard card = explained(silver_like(), {measured("depth_mm", 0.3, "")});
+  EXPECT_EQ(card.ledger[0].text,
+            "At the depth landmark the face is 0.30 mm from the planned depth (full points to "
+            "0.5 mm): all 10 points.");
+}
+
+TEST(Sentences, TheThreeGreatestLossesComeFirst) {
+  const ScoreCard card = explained(
+      silver_like(), {measured("angle_deg", 2.0, ""), measured("location_mm", 3.0, "lateral"),
+                      measured("depth_mm", 1.0, ""), measured("step_mm", 1.5, "medial")});
+  ASSERT_EQ(card.sentences.size(), 3U);
+  EXPECT_EQ(card.sentences[0], card.ledger[1].text);
+  EXPECT_EQ(card.sentences[1], card.ledger[3].text);
+  EXPECT_EQ(card.sentences[2], card.ledger[2].text);
+}
+
+TEST(Sentences, SayWhyNothingCouldBeMeasured) {
+  Measurement absent = measured("angle_deg", 0.0, "");
+  absent.is_measured = false;
+  const ScoreCard card = explained(silver_like(), {absent});
+  EXPECT_EQ(card.sentences.at(0),
+            "Title of A1 could not be measured because the cut was not made: 16 of 16 points "
+            "lost.");
+  const ScoreCard empty = explained(silver_like(), {});
+  EXPECT_EQ(empty.sentences.at(0), "Nothing of this attempt could be measured, so its score is 0.");
+}
+
+TEST(Sentences, SayThatACutIsUnfinished) {
+  Measurement unfinished = measured("location_mm", 1.0, "");
+  unfinished.is_unfinished = true;
+  const ScoreCard card = explained(silver_like(), {unfinished});
+  EXPECT_TRUE(card.ledger[0].text.starts_with("Unfinished cut. The face lies up to 1.00 mm"));
+}
+
+TEST(Sentences, AGateSaysItsLimitItsCapAndWhatItTook) {
+  Scenario scenario = silver_like();
+  scenarios::Gate gate;
+  gate.name = "past_sulcus";
+  gate.title = "Past the sulcus";
+  gate.metric = "past_landmark_mm";
+  gate.cut = "eminence";
+  gate.unit = "mm";
+  gate.limit = 1.0;
+  gate.cap_milli = 59000;
+  scenario.rubric.gates = {gate};
+  const ScoreCard card =
+      explained(scenario, {measured("angle_deg", 0.0, ""), measured("past_landmark_mm", 1.4, "")});
+  EXPECT_EQ(card.ledger[1].text,
+            "Past the sulcus: 1.40 mm (limit 1 mm), so the score is capped at 59: 6.6 points "
+            "lost.");
+  EXPECT_EQ(card.gates[0].text,
+            "Past the sulcus: 1.40 mm, above the limit of 1 mm; the score is capped at 59.");
+}
+
+}  // namespace
+}  // namespace hallux::assessment
