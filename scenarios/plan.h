@@ -18,10 +18,11 @@ struct ReferenceFace {
 struct PlannedCut {
   std::string name;
   ReferenceFace face;
-  Vec3 axis{1.0, 0.0, 0.0};             ///< unit direction in the face, distal
+  Vec3 axis{1.0, 0.0, 0.0};  ///< unit direction in the face, distal
   Vec3 depth_point_in_bone_mm{0.0, 0.0, 0.0};
   Vec3 exit_point_in_bone_mm{0.0, 0.0, 0.0};
-  double depth_mm = 0.0;  ///< planned signed distance of the face from the depth point, towards the waste
+  double depth_mm =
+      0.0;  ///< planned signed distance of the face from the depth point, towards the waste
 };
 
 struct Plan {

@@ -1,0 +1,192 @@
+#include "scenarios/scenario.h"
+
+#include <fstream>
+
+#include "scenarios/check_references.h"
+#include "scenarios/json_node.h"
+#include "scenarios/read_rubric.h"
+#include "simulator/base/units.h"
+
+namespace hallux::scenarios {
+namespace {
+
+constexpr std::size_t title_bytes_max = 120;
+constexpr std::size_t text_bytes_max = 4000;
+constexpr std::size_t origin_bytes_max = 1000;
+
+std::string read_origin(const JsonNode& node) {
+  return node.at("origin").text(1, origin_bytes_max);
+}
+
+std::string read_title(const JsonNode& node) { return node.at("title").text(1, title_bytes_max); }
+
+SourceNote read_source(const JsonNode& node) {
+  node.expect_keys({"key", "text"});
+  return {.key = node.at("key").text(1, 64), .text = node.at("text").text(1, origin_bytes_max)};
+}
+
+PatientRequest read_patient(const JsonNode& node) {
+  node.expect_keys({"bone", "length_mm", "eminence_mm", "edge_mm", "origin"});
+  return {.bone = node.at("bone").one_of({"first_metatarsal"}),
+          .length_mm = node.at("length_mm").number(40.0, 90.0),
+          .eminence_mm = node.at("eminence_mm").number(0.0, 8.0),
+          .edge_mm = node.at("edge_mm").number(0.2, 2.0),
+          .origin = read_origin(node)};
+}
+
+/// The widest blades of the forefoot and hindfoot saws bound the ranges.
+SawBlade read_blade(const JsonNode& node) {
+  node.expect_keys(
+      {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"});
+  const SawBlade blade{.name = node.at("name").text(1, title_bytes_max),
+                       .size = {.width_mm = node.at("width_mm").number(2.0, 30.0),
+                                .depth_mm = node.at("depth_mm").number(5.0, 90.0),
+                                .kerf_mm = node.at("kerf_mm").number(0.1, 2.0)},
+                       .cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0),
+                       .thickness_mm = node.at("thickness_mm").number(0.1, 2.0),
+                       .origin = read_origin(node)};
+  if (blade.thickness_mm > blade.size.kerf_mm) {
+    node.at("kerf_mm").refuse_value("give at least the blade's thickness_mm");
+  }
+  return blade;
+}
+
+LandmarkPlane read_face(const JsonNode& node) {
+  node.expect_keys({"through", "axis_from", "axis_to", "offset_mm", "frontal_tilt_deg"});
+  LandmarkPlane face{
+      .through = node.at("through").name(),
+      .axis_from = node.at("axis_from").name(),
+      .axis_to = node.at("axis_to").name(),
+      .offset_mm = node.at("offset_mm").number(-30.0, 30.0),
+      .frontal_tilt_rad = radian_from_degree(node.at("frontal_tilt_deg").number(-45.0, 45.0))};
+  if (face.axis_from == face.axis_to) {
+    node.at("axis_to").refuse_value("give another landmark than axis_from");
+  }
+  return face;
+}
+
+ReferenceCut read_cut(const JsonNode& node) {
+  node.expect_keys({"name", "title", "face", "waste_side", "approach", "depth_landmark",
+                    "exit_landmark", "origin"});
+  return {.name = node.at("name").name(),
+          .title = read_title(node),
+          .face = read_face(node.at("face")),
+          .waste_side = node.at("waste_side").one_of({"medial", "lateral"}),
+          .approach = node.at("approach").one_of({"dorsal", "plantar"}),
+          .depth_landmark = node.at("depth_landmark").name(),
+          .exit_landmark = node.at("exit_landmark").name(),
+          .origin = read_origin(node)};
+}
+
+StepKind read_step_kind(const JsonNode& node) {
+  const std::string kind = node.one_of({"verify", "cut", "remove", "finish"});
+  if (kind == "verify") return StepKind::Verify;
+  if (kind == "cut") return StepKind::Cut;
+  if (kind == "remove") return StepKind::Remove;
+  return StepKind::Finish;
+}
+
+OperationStep read_step(const JsonNode& node) {
+  node.expect_keys({"kind", "title", "text"}, {"cut"});
+  return {.kind = read_step_kind(node.at("kind")),
+          .title = read_title(node),
+          .text = node.at("text").text(1, text_bytes_max),
+          .cut = node.has("cut") ? node.at("cut").name() : std::string()};
+}
+
+DangerZone read_danger_zone(const JsonNode& node) {
+  node.expect_keys({"name", "title", "severity", "from_in_bone_mm", "to_in_bone_mm", "radius_mm",
+                    "checked", "origin"});
+  return {.name = node.at("name").name(),
+          .severity = node.at("severity").one_of({"critical", "major", "minor"}),
+          .from_in_bone_mm = node.at("from_in_bone_mm").vector(-200.0, 200.0),
+          .to_in_bone_mm = node.at("to_in_bone_mm").vector(-200.0, 200.0),
+          .radius_mm = node.at("radius_mm").number(0.1, 20.0),
+          .title = read_title(node),
+          .is_checked = node.at("checked").boolean(),
+          .origin = read_origin(node)};
+}
+
+void read_head(const JsonNode& node, Scenario& scenario) {
+  scenario.format = node.at("format").integer(1, 1);
+  scenario.name = node.at("name").name();
+  scenario.title = read_title(node);
+  scenario.version = node.at("version").integer(1, 1'000'000);
+  scenario.is_reviewed = node.at("reviewed").boolean();
+  scenario.reviewed_by = node.at("reviewed_by").text(0, title_bytes_max);
+  scenario.indication = node.at("indication").text(1, text_bytes_max);
+  scenario.summary = node.at("summary").text(1, text_bytes_max);
+  if (scenario.is_reviewed == scenario.reviewed_by.empty()) {
+    node.at("reviewed_by")
+        .refuse_value(scenario.is_reviewed ? "name the surgeon who signed this version"
+                                           : "leave it empty until \"reviewed\" is true");
+  }
+}
+
+void read_lists(const JsonNode& node, Scenario& scenario) {
+  for (const JsonNode& entry : node.at("sources").list(1, 64)) {
+    scenario.sources.push_back(read_source(entry));
+  }
+  for (const JsonNode& entry : node.at("cuts").list(1, 16)) {
+    scenario.cuts.push_back(read_cut(entry));
+  }
+  for (const JsonNode& entry : node.at("steps").list(3, 64)) {
+    scenario.steps.push_back(read_step(entry));
+  }
+  for (const JsonNode& entry : node.at("danger_zones").list(0, 64)) {
+    scenario.danger_zones.push_back(read_danger_zone(entry));
+  }
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view json, std::string_view name) {
+  const nlohmann::json document = parse_bounded_json(json, name);
+  const JsonNode root(document, name);
+  root.expect_keys({"format", "name", "title", "version", "reviewed", "reviewed_by", "indication",
+                    "summary", "sources", "patient", "blade", "cuts", "steps", "danger_zones",
+                    "rubric"});
+  Scenario scenario;
+  read_head(root, scenario);
+  scenario.patient = read_patient(root.at("patient"));
+  scenario.blade = read_blade(root.at("blade"));
+  read_lists(root, scenario);
+  scenario.rubric = read_rubric(root.at("rubric"));
+  scenario.text = json;
+  check_references(scenario, name);
+  return scenario;
+}
+
+Scenario read_scenario(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw ScenarioError(file.string() + ": there is no such file; name a scenario's JSON file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  // One byte more than is allowed, so that a longer file is refused without reading all of it.
+  std::string text(json_bytes_max + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream.is_open() || stream.bad()) {
+    throw ScenarioError(file.string() + ": cannot be read; check that you may read it");
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return parse_scenario(text, name);
+}
+
+std::string review_label(const Scenario& scenario) {
+  return scenario.is_reviewed ? "reviewed by " + scenario.reviewed_by : "not surgeon-reviewed";
+}
+
+Scenario load_shipped_scenario(std::string_view name) {
+  const std::string file = std::string(name) + ".json";
+  std::string names;
+  for (const EmbeddedText& shipped : shipped_scenarios()) {
+    if (shipped.name == file) return parse_scenario(shipped.text, shipped.name);
+    names += (names.empty() ? "" : ", ");
+    names += shipped.name.substr(0, shipped.name.size() - std::string_view(".json").size());
+  }
+  throw ScenarioError("there is no scenario \"" + std::string(name) + "\"; use one of: " + names);
+}
+
+}  // namespace hallux::scenarios

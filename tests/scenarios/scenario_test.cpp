@@ -1,0 +1,139 @@
+#include "scenarios/scenario.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "simulator/base/units.h"
+
+namespace hallux::scenarios_test {
+std::span<const EmbeddedText> planted_faults() noexcept;
+}
+
+namespace hallux::scenarios {
+namespace {
+
+using nlohmann::json;
+
+json silver_json() { return json::parse(load_shipped_scenario("silver").text); }
+
+std::string refusal_of(std::string_view text) {
+  try {
+    parse_scenario(text, "silver.json");
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scenario, ShippedOnesAreReadableAndNamedLikeTheirFile) {
+  ASSERT_FALSE(shipped_scenarios().empty());
+  for (const EmbeddedText& shipped : shipped_scenarios()) {
+    const Scenario scenario = parse_scenario(shipped.text, shipped.name);
+    EXPECT_EQ(scenario.name + ".json", shipped.name);
+    EXPECT_EQ(scenario.text, shipped.text);
+  }
+}
+
+TEST(Scenario, SilverCutsAlongTheShaftOneMillimetreMedialToTheSulcus) {
+  const Scenario silver = load_shipped_scenario("silver");
+  ASSERT_EQ(silver.cuts.size(), 1U);
+  const ReferenceCut& cut = silver.cuts[0];
+  EXPECT_EQ(cut.name, "eminence");
+  EXPECT_EQ(cut.face.through, "med_sulcus");
+  EXPECT_EQ(cut.face.offset_mm, 1.0);
+  EXPECT_EQ(cut.face.frontal_tilt_rad, radian_from_degree(5.0));
+  EXPECT_EQ(cut.waste_side, "medial");
+  EXPECT_EQ(silver.patient.eminence_mm, 4.0);
+  EXPECT_FALSE(silver.is_reviewed);
+}
+
+TEST(Scenario, SilverWeighsItsFiveAccuracyItemsAndLeavesTheOtherGroupsUnmeasured) {
+  const Rubric rubric = load_shipped_scenario("silver").rubric;
+  ASSERT_EQ(rubric.groups.size(), 5U);
+  ASSERT_EQ(rubric.items.size(), 5U);
+  EXPECT_EQ(rubric.groups[0].weight_milli, 50'000);
+  EXPECT_EQ(rubric.items[0].weight_milli, 16'000);
+  EXPECT_EQ(rubric.items[0].unit, "deg");
+  for (const RubricItem& item : rubric.items) {
+    EXPECT_EQ(item.group, "accuracy");
+    EXPECT_TRUE(item.is_provisional);
+    EXPECT_FALSE(item.origin.empty());
+  }
+  ASSERT_EQ(rubric.gates.size(), 2U);
+  EXPECT_EQ(rubric.gates[0].cap_milli, 59'000);
+  EXPECT_EQ(rubric.gates[1].cap_milli, 69'000);
+}
+
+TEST(Scenario, SaysWhoReviewedItOrThatNobodyDid) {
+  Scenario silver = load_shipped_scenario("silver");
+  EXPECT_EQ(review_label(silver), "not surgeon-reviewed");
+  silver.is_reviewed = true;
+  silver.reviewed_by = "A. Surgeon";
+  EXPECT_EQ(review_label(silver), "reviewed by A. Surgeon");
+}
+
+TEST(Scenario, OfAnUnknownNameSaysWhichThereAre) {
+  try {
+    load_shipped_scenario("gold");
+    FAIL() << "gold is not shipped";
+  } catch (const ScenarioError& error) {
+    EXPECT_STREQ(error.what(), "there is no scenario \"gold\"; use one of: silver");
+  }
+}
+
+TEST(Scenario, WithAPlantedFaultIsRefusedWithFilePathAndMend) {
+  const json silver = silver_json();
+  for (const json& fault : json::parse(scenarios_test::planted_faults()[0].text)) {
+    const std::string sentence = refusal_of(silver.patch(fault.at("patch")).dump());
+    const std::string start = "silver.json: " + fault.at("path").get<std::string>() + ": ";
+    EXPECT_EQ(sentence.substr(0, start.size()), start) << fault.at("name") << "\n" << sentence;
+    EXPECT_NE(sentence.find(fault.at("says").get<std::string>()), std::string::npos)
+        << fault.at("name") << "\n"
+        << sentence;
+    EXPECT_NE(sentence.find("; "), std::string::npos) << sentence;
+  }
+}
+
+TEST(Scenario, TakesABandInPlaceOfALine) {
+  json silver = silver_json();
+  json& item = silver["rubric"]["items"][0];
+  item.erase("full");
+  item.erase("zero");
+  item["band"] = {-1, 0.5, 0.5, 3};
+  const RubricItem read = parse_scenario(silver.dump(), "silver.json").rubric.items[0];
+  EXPECT_TRUE(read.is_band);
+  EXPECT_EQ(read.zero_low, -1.0);
+  EXPECT_EQ(read.full_low, 0.5);
+  EXPECT_EQ(read.full_high, 0.5);
+  EXPECT_EQ(read.zero_high, 3.0);
+}
+
+TEST(Scenario, ReadsFractionsOfAPointAsWholeThousandths) {
+  json silver = silver_json();
+  silver["rubric"]["items"][0]["weight"] = 16.1;
+  silver["rubric"]["items"][1]["weight"] = 15.9;
+  const Rubric rubric = parse_scenario(silver.dump(), "silver.json").rubric;
+  EXPECT_EQ(rubric.items[0].weight_milli, 16'100);
+  EXPECT_EQ(rubric.items[1].weight_milli, 15'900);
+}
+
+TEST(Scenario, InAFileThatIsNotThereIsRefused) {
+  EXPECT_THROW(read_scenario("/nowhere/silver.json"), ScenarioError);
+  EXPECT_THROW(read_scenario("/"), ScenarioError);
+}
+
+RC_GTEST_PROP(Scenario, WithDamagedBytesIsReadOrRefusedButNeverAnythingElse, ()) {
+  std::string text = load_shipped_scenario("silver").text;
+  const int damages = *rc::gen::inRange(1, 6);
+  for (int i = 0; i < damages; ++i) {
+    const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+    text[at] = *rc::gen::arbitrary<char>();
+  }
+  text.resize(*rc::gen::element(text.size(), *rc::gen::inRange<std::size_t>(0, text.size())));
+  refusal_of(text);
+}
+
+}  // namespace
+}  // namespace hallux::scenarios
