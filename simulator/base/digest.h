@@ -22,7 +22,8 @@ class Digester {
  public:
   Digester() noexcept;
   void add_bytes(std::span<const std::byte> bytes) noexcept;
-  void add_text(std::string_view text) noexcept;  ///< its length first, so that "a","bc" differs from "ab","c"
+  void add_text(std::string_view
+                    text) noexcept;  ///< its length first, so that "a","bc" differs from "ab","c"
   void add_int(std::int64_t value) noexcept;
   void add_double(double value) noexcept;  ///< the bits of IEEE 754
   void add_digest(const Digest& digest) noexcept;

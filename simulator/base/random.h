@@ -14,9 +14,9 @@ class Random {
   Random(std::uint64_t seed, std::string_view name) noexcept;
 
   std::uint64_t bits() noexcept;
-  double uniform() noexcept;                          ///< [0, 1)
-  double uniform(double low, double high) noexcept;   ///< [low, high)
-  double normal() noexcept;                           ///< mean 0, standard deviation 1 (Box-Muller)
+  double uniform() noexcept;                         ///< [0, 1)
+  double uniform(double low, double high) noexcept;  ///< [low, high)
+  double normal() noexcept;                          ///< mean 0, standard deviation 1 (Box-Muller)
   /// A normal number drawn again until it lies within `limit` standard deviations.
   double truncated_normal(double mean, double deviation, double limit = 2.5) noexcept;
 

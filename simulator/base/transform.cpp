@@ -35,6 +35,13 @@ Quat normalised(const Quat& rotation) noexcept {
   return Quat{rotation.w / length, rotation.x / length, rotation.y / length, rotation.z / length};
 }
 
+RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to,
+                           double share) noexcept {
+  const double sign = glm::dot(from.rotation, to.rotation) < 0.0 ? -1.0 : 1.0;
+  return {normalised(from.rotation * (1.0 - share) + to.rotation * (sign * share)),
+          from.translation_mm + share * (to.translation_mm - from.translation_mm)};
+}
+
 namespace {
 
 /// Shepperd's choice of the largest component keeps the square root away from zero.

@@ -18,6 +18,9 @@ Vec3 transform_point(const RigidTransform& to_from_from, const Vec3& point_mm) n
 Vec3 transform_direction(const RigidTransform& to_from_from, const Vec3& direction) noexcept;
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c) noexcept;
 RigidTransform inverse(const RigidTransform& a_from_b) noexcept;
+/// The pose a share of the way from one to the other: translations linear, rotations by their normalised sum.
+RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to,
+                           double share) noexcept;
 
 /// The rotation that takes x to `x_axis` and keeps y as near to `y_hint` as it can.
 /// needs   x_axis and y_hint are not parallel and not zero

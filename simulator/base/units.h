@@ -28,7 +28,9 @@ constexpr std::int32_t round_to_int32(double value) noexcept {
 /// The quanta of the record: positions 1 um, unit quaternions and normals 1e-6, forces 1 mN.
 constexpr std::int32_t um_from_mm(double mm) noexcept { return round_to_int32(mm * 1000.0); }
 constexpr double mm_from_um(std::int32_t um) noexcept { return static_cast<double>(um) / 1000.0; }
-constexpr std::int32_t micro_from_unit(double unit) noexcept { return round_to_int32(unit * 1.0e6); }
+constexpr std::int32_t micro_from_unit(double unit) noexcept {
+  return round_to_int32(unit * 1.0e6);
+}
 constexpr double unit_from_micro(std::int32_t micro) noexcept {
   return static_cast<double>(micro) / 1.0e6;
 }

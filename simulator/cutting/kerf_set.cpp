@@ -21,7 +21,8 @@ std::int32_t KerfSet::freeze(const QuantisedPose& bone_from_tool) noexcept {
 
 FieldWindow KerfSet::follow(const ToolSample& sample) noexcept {
   FieldWindow changed;
-  const bool cuts = sample.kerf >= 0 && sample.kerf < count_ && has(sample.status, ToolStatus::SawOn);
+  const bool cuts =
+      sample.kerf >= 0 && sample.kerf < count_ && has(sample.status, ToolStatus::SawOn);
   if (!cuts) {
     last_kerf_ = -1;
     return changed;

@@ -19,7 +19,8 @@ inline constexpr std::int32_t kerf_limit = 4;
 class KerfSet {
  public:
   /// Takes all its memory here.
-  KerfSet(const BladeSize& blade, const RigidTransform& world_from_bone, const FieldGrid& grid = {});
+  KerfSet(const BladeSize& blade, const RigidTransform& world_from_bone,
+          const FieldGrid& grid = {});
 
   std::int32_t count() const noexcept { return count_; }
   const KerfPlane& plane(std::int32_t kerf) const noexcept { return planes_[index(kerf)]; }

@@ -70,10 +70,9 @@ QuantisedPose quantise(const RigidTransform& pose) noexcept {
 }
 
 RigidTransform transform_from(const QuantisedPose& pose) noexcept {
-  return {normalised(Quat{unit_from_micro(pose.rotation_micro[0]),
-                          unit_from_micro(pose.rotation_micro[1]),
-                          unit_from_micro(pose.rotation_micro[2]),
-                          unit_from_micro(pose.rotation_micro[3])}),
+  return {normalised(Quat{
+              unit_from_micro(pose.rotation_micro[0]), unit_from_micro(pose.rotation_micro[1]),
+              unit_from_micro(pose.rotation_micro[2]), unit_from_micro(pose.rotation_micro[3])}),
           Vec3{mm_from_um(pose.translation_um[0]), mm_from_um(pose.translation_um[1]),
                mm_from_um(pose.translation_um[2])}};
 }

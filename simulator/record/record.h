@@ -33,7 +33,7 @@ RigidTransform transform_from(const QuantisedPose& pose) noexcept;
 struct DeviceState {
   QuantisedPose world_from_handle;
   std::uint32_t switches = 0;  ///< bits of Switch
-  std::uint32_t faults = 0;    ///< bits of DeviceFault, set by the loop; each ramps the force to zero
+  std::uint32_t faults = 0;  ///< bits of DeviceFault, set by the loop; each ramps the force to zero
 
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
@@ -47,8 +47,8 @@ enum class DeviceFault : std::uint32_t {
 };
 
 enum class CommandKind : std::int32_t {
-  Start = 1,     ///< begins the attempt's clock
-  Pause = 2,     ///< the tool is safe, nothing cuts
+  Start = 1,  ///< begins the attempt's clock
+  Pause = 2,  ///< the tool is safe, nothing cuts
   Resume = 3,
   StepDone = 4,  ///< argument: index of the operation step declared done
   PickUp = 5,    ///< argument: piece to take out of the wound
@@ -72,7 +72,7 @@ inline constexpr std::size_t commands_per_tick = 4;
 struct TapeLine {
   std::int64_t tick = 0;  ///< first tick this line covers
   DeviceState device;
-  std::uint8_t ticks = 1;          ///< simulated ticks this line covers: 1, or 2 to 3 after missed ones
+  std::uint8_t ticks = 1;  ///< simulated ticks this line covers: 1, or 2 to 3 after missed ones
   std::uint8_t command_count = 0;  ///< used entries of `commands`
   std::array<Command, commands_per_tick> commands{};
 
@@ -80,11 +80,11 @@ struct TapeLine {
 };
 
 enum class ToolStatus : std::uint32_t {
-  Running = 1U << 0U,      ///< the attempt's clock runs
+  Running = 1U << 0U,  ///< the attempt's clock runs
   SawOn = 1U << 1U,
-  InContact = 1U << 2U,    ///< teeth touch bone
-  Cutting = 1U << 3U,      ///< teeth advance in bone
-  InKerf = 1U << 4U,       ///< the blade is held by a frozen plane
+  InContact = 1U << 2U,  ///< teeth touch bone
+  Cutting = 1U << 3U,    ///< teeth advance in bone
+  InKerf = 1U << 4U,     ///< the blade is held by a frozen plane
   Irrigated = 1U << 5U,
   ForceLimited = 1U << 6U,
   Faulted = 1U << 7U
@@ -93,20 +93,23 @@ enum class ToolStatus : std::uint32_t {
 /// The tool as it was after the constraint, at the end of one tick, in the world (foot frame).
 struct ToolSample {
   std::int64_t tick = 0;
-  QuantisedPose world_from_tool;  ///< origin at the middle of the tooth line, +x from handle to teeth, z blade normal
-  std::array<std::int32_t, 3> force_mn{};  ///< on the hand, world frame, simulated newtons in millinewton
-  std::uint32_t status = 0;                ///< bits of ToolStatus
-  std::int32_t kerf = -1;                  ///< index of the kerf the blade is in, or -1
+  QuantisedPose
+      world_from_tool;  ///< origin at the middle of the tooth line, +x from handle to teeth, z blade normal
+  std::array<std::int32_t, 3>
+      force_mn{};            ///< on the hand, world frame, simulated newtons in millinewton
+  std::uint32_t status = 0;  ///< bits of ToolStatus
+  std::int32_t kerf = -1;    ///< index of the kerf the blade is in, or -1
 
   friend bool operator==(const ToolSample&, const ToolSample&) = default;
 };
 
 enum class CutEventKind : std::int32_t {
   Started = 1,
-  Scratch = 2,         ///< teeth touched bone without the plane being frozen; value: depth [um]
-  Contact = 3,         ///< first touch of a stroke
-  PlaneFrozen = 4,     ///< subject: kerf; pose: bone_from_tool at freezing
-  SectionKnown = 5,    ///< subject: kerf; the contact job was applied; value: section area [um2 / 1000]
+  Scratch = 2,      ///< teeth touched bone without the plane being frozen; value: depth [um]
+  Contact = 3,      ///< first touch of a stroke
+  PlaneFrozen = 4,  ///< subject: kerf; pose: bone_from_tool at freezing
+  SectionKnown =
+      5,  ///< subject: kerf; the contact job was applied; value: section area [um2 / 1000]
   Breakthrough = 6,    ///< subject: kerf; the teeth left bone at the far side
   SectionCovered = 7,  ///< subject: kerf; the field covers a section wholly
   PieceFreed = 8,      ///< subject: piece; value: volume [mm3 / 1000]
@@ -114,10 +117,10 @@ enum class CutEventKind : std::int32_t {
   StepDone = 10,       ///< subject: operation step
   Paused = 11,
   Resumed = 12,
-  Fault = 13,          ///< value: bits of DeviceFault
+  Fault = 13,  ///< value: bits of DeviceFault
   Finished = 14,
   Abandoned = 15,
-  KerfRefused = 16     ///< the touch asked for more kerfs than an attempt may have
+  KerfRefused = 16  ///< the touch asked for more kerfs than an attempt may have
 };
 
 /// Something that happened once, at the end of one tick.

@@ -19,9 +19,9 @@ class App;
 namespace hallux::ui {
 
 struct VerbContext {
-  std::ostream& out;    ///< the answer: with --json exactly one JSON value
-  std::ostream& notes;  ///< progress and remarks, stderr; silent with --quiet
-  std::istream& in;     ///< passwords, where stdin is no terminal
+  std::ostream& out;                     ///< the answer: with --json exactly one JSON value
+  std::ostream& notes;                   ///< progress and remarks, stderr; silent with --quiet
+  std::istream& in;                      ///< passwords, where stdin is no terminal
   std::filesystem::path data_directory;  ///< --data, or the XDG data directory
   std::string login;                     ///< --as
   bool json = false;

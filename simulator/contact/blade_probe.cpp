@@ -1,0 +1,73 @@
+#include "simulator/contact/blade_probe.h"
+
+#include <algorithm>
+
+namespace hallux::simulator {
+
+namespace {
+
+/// Steps along a line of the blade are never shorter than this; half of it can pass unseen.
+constexpr double probe_step_mm = 0.25;
+
+Vec3 blade_point(const RigidTransform& bone_from_tool, double back_mm, double along_mm) noexcept {
+  return transform_point(bone_from_tool, Vec3{-back_mm, along_mm, 0.0});
+}
+
+}  // namespace
+
+std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
+                                           const BladeSize& blade, double ahead_mm) noexcept {
+  std::array<Vec3, tooth_count> points{};
+  const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
+  for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+    const double along_mm = (static_cast<double>(tooth) + 0.5) * share_mm - 0.5 * blade.width_mm;
+    points[tooth] = blade_point(bone_from_tool, -ahead_mm, along_mm);
+  }
+  return points;
+}
+
+Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                      double ahead_mm) noexcept {
+  const BladeSize& blade = bone.kerfs.blade();
+  Engagement engaged;
+  const Vec3 middle = blade_point(bone_from_tool, -ahead_mm, 0.0);
+  if (bone.original.clearance_mm(middle) > 0.5 * blade.width_mm) return engaged;
+  const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
+  for (const Vec3& point : tooth_points(bone_from_tool, blade, ahead_mm)) {
+    const Tissue tissue = bone.at(point);
+    if (tissue == Tissue::Cortical) engaged.cortical_mm += share_mm;
+    if (tissue == Tissue::Cancellous) engaged.cancellous_mm += share_mm;
+  }
+  return engaged;
+}
+
+bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                     double side) noexcept {
+  const BladeSize& blade = bone.kerfs.blade();
+  for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
+    const Vec3 point = blade_point(bone_from_tool, back_mm, side * 0.5 * blade.width_mm);
+    double step_mm = probe_step_mm;
+    if (!bone.kerfs.is_open(point)) {
+      const double clearance_mm = bone.original.clearance_mm(point);
+      if (clearance_mm <= 0.0 && is_bone(bone.at(point))) return true;
+      step_mm = std::max(step_mm, clearance_mm);
+    }
+    back_mm += step_mm;
+  }
+  return false;
+}
+
+bool blade_is_in_bone(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
+  const BladeSize& blade = bone.kerfs.blade();
+  for (const double side : {0.0, -0.5, 0.5}) {
+    for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
+      const double clearance_mm =
+          bone.original.clearance_mm(blade_point(bone_from_tool, back_mm, side * blade.width_mm));
+      if (clearance_mm <= 0.0) return true;
+      back_mm += std::max(probe_step_mm, clearance_mm);
+    }
+  }
+  return false;
+}
+
+}  // namespace hallux::simulator

@@ -1,0 +1,28 @@
+/// Questions a blade asks of the bone around it: which teeth stand in what, and whether an edge is free.
+#pragma once
+
+#include <array>
+
+#include "simulator/contact/feed.h"
+#include "simulator/contact/tissue.h"
+#include "simulator/contact/tool_motion.h"
+
+namespace hallux::simulator {
+
+/// The middle of each share of the tooth line, `ahead_mm` in front of it, in the bone frame [mm].
+std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
+                                           const BladeSize& blade, double ahead_mm) noexcept;
+
+/// The engaged width per tissue over the tooth line, asked `ahead_mm` in front of it.
+/// thread  haptic; allocates nothing
+Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                      double ahead_mm) noexcept;
+
+/// Whether standing bone lies on the blade's edge on the side `side` (+1 or -1 along the tooth line).
+bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                     double side) noexcept;
+
+/// Whether any of the blade (middle line or edges) lies within the original bone's outer surface.
+bool blade_is_in_bone(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept;
+
+}  // namespace hallux::simulator

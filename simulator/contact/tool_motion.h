@@ -1,0 +1,85 @@
+/// How the tool follows the hand: freely in air, held by bone at a touch, along the plane in a kerf.
+///
+///     Free ------- teeth meet bone ------> Touching ------ 0.3 mm deep ------> InKerf
+///      ^  <------- teeth clear again ---------'                                   |
+///      |  ------- teeth drop into an open slot, nearly in its plane ------------> |
+///      '----------------------- the blade has left the bone -----------------------'
+///
+/// A spring pulls the tool towards the handle; where bone stops the tool, the stretched spring is the force on the hand.
+/// Only the tooth line cuts. In a kerf the blade slides along its plane: forward by the feed law, backward freely,
+/// sideways and turned only where its edges meet no standing bone; out of the plane it bends a little.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "simulator/contact/feed.h"
+#include "simulator/contact/tissue.h"
+
+namespace hallux::simulator {
+
+/// Constants of the coupling and of the blade in its slot. source  docs/haptics.md
+struct ContactSettings {
+  double cycles_per_minute = 12000.0;
+  double coupling_newton_per_mm = 2.0;
+  double force_limit_newton = 30.0;
+  double freeze_depth_mm = 0.3;  ///< a shallower touch is a scratch
+  double slot_play_mm = 0.1;     ///< out of the plane, before the slot holds the blade
+  double slot_stiffness_newton_per_mm = 10.0;
+  double slot_play_rad = 0.0087;
+  double slot_compliance = 0.1;      ///< share of a tilt beyond the play that bends the blade
+  double rejoin_angle_rad = 0.0087;  ///< half a degree and 0.1 mm: the same plane again
+  double rejoin_offset_mm = 0.1;
+  double capture_angle_rad =
+      0.0873;  ///< a thin blade bends into an open slot within 5 degrees and 0.5 mm
+  double capture_offset_mm = 0.5;
+  std::int32_t capture_teeth = 2;  ///< teeth over the slot that it takes
+};
+
+inline constexpr std::size_t tooth_count = 21;
+
+enum class ToolStage : std::int32_t { Free, Touching, InKerf };
+
+struct ToolState {
+  ToolStage stage = ToolStage::Free;
+  RigidTransform bone_from_tool;
+  std::int32_t kerf = -1;       ///< in InKerf
+  double touch_depth_mm = 0.0;  ///< in Touching: how far the teeth went in
+  double scratch_mm = 0.0;      ///< in Touching: the deepest so far
+  bool was_engaged = false;     ///< teeth stood in bone at the end of the last tick
+};
+
+struct ToolInput {
+  RigidTransform bone_from_handle;
+  bool saw_runs = false;
+  double duration_s = 0.001;
+};
+
+struct ToolOutcome {
+  Engagement engaged;                        ///< before the advance
+  Vec3 force_in_bone_newton{0.0, 0.0, 0.0};  ///< on the hand
+  double advance_mm = 0.0;                   ///< through bone, along the feed direction
+  double scratch_mm = 0.0;                   ///< above 0: a touch ended without a kerf
+  bool began_contact = false;
+  bool wants_freeze = false;   ///< the touch is deep enough for a kerf in the tool's plane
+  bool broke_through = false;  ///< the teeth left bone at the far side
+  bool is_force_limited = false;
+};
+
+/// Moves the tool for one tick towards the handle.
+/// needs   0 < duration_s <= 0.003
+/// errors  none: total, allocates nothing
+/// thread  haptic
+ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+                      const ContactSettings& settings) noexcept;
+
+/// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or an open slot under
+/// enough teeth within capture limits.
+std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                               const ContactSettings& settings) noexcept;
+
+/// Holds the tool to a kerf's plane from now on.
+void enter_kerf(ToolState& tool, std::int32_t kerf, const StandingBone& bone,
+                const ContactSettings& settings) noexcept;
+
+}  // namespace hallux::simulator

@@ -1,0 +1,233 @@
+#include "simulator/loop/attempt_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "simulator/base/units.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds tick_time{1};
+/// Beyond this many ticks in one line the attempt pauses instead of jumping on.
+constexpr std::int64_t ticks_per_line = 3;
+constexpr std::int64_t ticks_per_progress = 512;
+/// A hand does not move farther in one tick: one metre per second.
+constexpr double jump_limit_mm = 20.0;
+
+double microseconds(Clock::duration duration) {
+  return std::chrono::duration<double, std::micro>(duration).count();
+}
+
+/// Exact percentiles of everything it was given; takes its memory beforehand.
+class Spread {
+ public:
+  explicit Spread(std::size_t capacity) { values_us_.reserve(capacity); }
+  void add(Clock::duration duration) noexcept {
+    if (values_us_.size() < values_us_.capacity()) {
+      values_us_.push_back(static_cast<float>(microseconds(duration)));
+    }
+  }
+  void summarise(double& p50_us, double& p99_us, double& max_us) {
+    if (values_us_.empty()) return;
+    std::sort(values_us_.begin(), values_us_.end());
+    const auto at = [&](double share) {
+      return static_cast<double>(
+          values_us_[static_cast<std::size_t>(share * static_cast<double>(values_us_.size() - 1))]);
+    };
+    p50_us = at(0.5);
+    p99_us = at(0.99);
+    max_us = at(1.0);
+  }
+
+ private:
+  std::vector<float> values_us_;
+};
+
+bool is_finite(const RigidTransform& pose) noexcept {
+  return std::isfinite(pose.translation_mm.x) && std::isfinite(pose.translation_mm.y) &&
+         std::isfinite(pose.translation_mm.z) && std::isfinite(pose.rotation.w) &&
+         std::isfinite(pose.rotation.x) && std::isfinite(pose.rotation.y) &&
+         std::isfinite(pose.rotation.z);
+}
+
+/// The attempt while it runs; one object per call of run_attempt.
+class AttemptRun {
+ public:
+  AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels)
+      : setup_(setup),
+        device_(device),
+        channels_(channels),
+        tissue_(setup.bone),
+        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact),
+        step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
+        late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
+    if (setup.pacing == Pacing::RealTime) {
+      jobs_ = std::make_unique<ThreadedJobs>(setup.bone, setup.blade, setup.job_delay);
+    } else {
+      jobs_ = std::make_unique<ImmediateJobs>(setup.bone, setup.blade);
+    }
+  }
+
+  LoopStatistics run(const AttemptProgress& progress) {
+    deadline_ = Clock::now() + tick_time;
+    while (tick_ <= setup_.last_tick && !operation_.is_over()) {
+      if (channels_.recorder_failed.load(std::memory_order_relaxed)) {
+        statistics_.end = AttemptEnd::RecorderFailed;
+        break;
+      }
+      const std::int64_t ticks = setup_.pacing == Pacing::RealTime ? wait_for_tick() : 1;
+      advance(ticks);
+      const bool is_due = statistics_.lines % ticks_per_progress == 0;
+      if (is_due && progress && !progress(fraction_done())) {
+        statistics_.end = AttemptEnd::Cancelled;
+        break;
+      }
+    }
+    if (operation_.is_over()) statistics_.end = AttemptEnd::Finished;
+    channels_.closed.store(true, std::memory_order_release);
+    summarise();
+    return statistics_;
+  }
+
+ private:
+  double fraction_done() const {
+    return static_cast<double>(tick_) /
+           static_cast<double>(std::max<std::int64_t>(1, setup_.last_tick));
+  }
+
+  void summarise() {
+    statistics_.ticks = tick_;
+    step_times_.summarise(statistics_.step_p50_us, statistics_.step_p99_us,
+                          statistics_.step_max_us);
+    late_times_.summarise(statistics_.late_p50_us, statistics_.late_p99_us,
+                          statistics_.late_max_us);
+  }
+
+  /// Sleeps until the next deadline; the ticks that this line must cover.
+  std::int64_t wait_for_tick() {
+    std::this_thread::sleep_until(deadline_);
+    const Clock::duration late = Clock::now() - deadline_;
+    late_times_.add(late);
+    const std::int64_t missed = late / tick_time;
+    const bool is_ring_full = channels_.samples.size() > channels_.samples.capacity() / 8 * 7;
+    if (missed >= ticks_per_line || is_ring_full) return pause_gap();
+    deadline_ += tick_time * (1 + missed);
+    statistics_.missed_ticks += missed;
+    return 1 + missed;
+  }
+
+  /// Simulated time stands still over a gap: the step hears Pause now and Resume at the next line.
+  std::int64_t pause_gap() {
+    ++statistics_.pauses;
+    is_gap_ = true;
+    while (channels_.samples.size() > channels_.samples.capacity() / 2 &&
+           !channels_.recorder_failed.load(std::memory_order_relaxed)) {
+      std::this_thread::sleep_for(tick_time);
+    }
+    deadline_ = Clock::now() + tick_time;
+    return 1;
+  }
+
+  void advance(std::int64_t ticks) {
+    TapeLine line;
+    line.tick = tick_;
+    line.ticks = static_cast<std::uint8_t>(ticks);
+    read_device(tick_ + ticks - 1, line.device);
+    std::array<const JobResult*, commands_per_tick> results{};
+    add_commands(line, results);
+
+    const Clock::time_point before = Clock::now();
+    const StepOutput output = operation_.step({line, results});
+    step_times_.add(Clock::now() - before);
+
+    force_newton_ = Vec3{newton_from_millinewton(output.sample.force_mn[0]),
+                         newton_from_millinewton(output.sample.force_mn[1]),
+                         newton_from_millinewton(output.sample.force_mn[2])};
+    push(channels_.tape, line);
+    for (const CutEvent& event : output.events) push(channels_.events, event);
+    push(channels_.samples, output.sample);
+    CHECK(jobs_->follow(output));
+    tick_ += ticks;
+    ++statistics_.lines;
+  }
+
+  /// Rounds what the device said; what it cannot have meant becomes a fault and the last good pose.
+  void read_device(std::int64_t tick, DeviceState& state) noexcept {
+    RawDeviceState raw;
+    if (!device_.exchange(force_newton_, tick, raw)) {
+      state.faults |= static_cast<std::uint32_t>(DeviceFault::Lost);
+    } else if (!is_finite(raw.world_from_handle)) {
+      state.faults |= static_cast<std::uint32_t>(DeviceFault::NotFinite);
+    } else {
+      const Vec3 way = raw.world_from_handle.translation_mm - last_good_.translation_mm;
+      const bool jumped = has_pose_ && glm::dot(way, way) > jump_limit_mm * jump_limit_mm;
+      if (jumped) state.faults |= static_cast<std::uint32_t>(DeviceFault::Jumped);
+      last_good_ = raw.world_from_handle;
+      has_pose_ = true;
+      state.switches = raw.switches;
+    }
+    state.world_from_handle = quantise(last_good_);
+  }
+
+  void add_commands(TapeLine& line,
+                    std::array<const JobResult*, commands_per_tick>& results) noexcept {
+    const auto add = [&](const Command& command, const JobResult* result) {
+      results[line.command_count] = result;
+      line.commands[line.command_count++] = command;
+    };
+    if (is_resumed_due_) add({CommandKind::Resume, 0, 0}, nullptr);
+    is_resumed_due_ = is_gap_;
+    if (is_gap_) add({CommandKind::Pause, 0, 0}, nullptr);
+    is_gap_ = false;
+    while (line.command_count < commands_per_tick && next_command_ < setup_.commands.size() &&
+           setup_.commands[next_command_].tick <= line.tick) {
+      add(setup_.commands[next_command_++].command, nullptr);
+    }
+    while (line.command_count < commands_per_tick) {
+      const JobResult* result = jobs_->take_ready();
+      if (result == nullptr) break;
+      add({CommandKind::ApplyJob, result->request.id, result->request.tick}, result);
+    }
+  }
+
+  template <typename Value>
+  void push(Ring<Value>& ring, const Value& value) {
+    while (!ring.push(value)) {
+      // In real time the ring is drained before it fills; a recorder that failed drains nothing any more.
+      if (channels_.recorder_failed.load(std::memory_order_relaxed)) return;
+      CHECK(setup_.pacing == Pacing::Virtual);
+      std::this_thread::sleep_for(std::chrono::microseconds{50});
+    }
+  }
+
+  const AttemptSetup& setup_;
+  HapticDevice& device_;
+  AttemptChannels& channels_;
+  TissueMap tissue_;
+  Operation operation_;
+  std::unique_ptr<JobRunner> jobs_;
+  Spread step_times_, late_times_;
+  LoopStatistics statistics_;
+  Clock::time_point deadline_;
+  RigidTransform last_good_;
+  Vec3 force_newton_{0.0, 0.0, 0.0};
+  std::int64_t tick_ = 0;
+  std::size_t next_command_ = 0;
+  bool has_pose_ = false;
+  bool is_gap_ = false;
+  bool is_resumed_due_ = false;
+};
+
+}  // namespace
+
+LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
+                           AttemptChannels& channels, const AttemptProgress& progress) {
+  return AttemptRun(setup, device, channels).run(progress);
+}
+
+}  // namespace hallux::simulator

@@ -1,0 +1,52 @@
+/// The loop of an attempt: the one place with a thread's pace and a clock. Calls the step, feeds jobs and recorder.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "simulator/contact/tool_motion.h"
+#include "simulator/device/haptic_device.h"
+#include "simulator/device/scripted.h"
+#include "simulator/loop/jobs.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/channels.h"
+
+namespace hallux::simulator {
+
+/// RealTime: one tick a millisecond by absolute deadlines; the producer never waits for the recorder.
+/// Virtual: as fast as it goes; the producer waits for room, and a job is ready at the next tick.
+enum class Pacing { RealTime, Virtual };
+
+struct AttemptSetup {
+  const Bone& bone;
+  BladeSize blade;
+  ContactSettings contact;
+  Pacing pacing = Pacing::Virtual;
+  std::vector<HandCommand> commands;  ///< of the scripted operator, ascending
+  std::int64_t last_tick = 0;         ///< the attempt ends after this tick, or after Finish
+  JobDelay job_delay;                 ///< RealTime only
+};
+
+enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
+
+/// Times are wall-clock. Percentiles are exact, over every tick.
+struct LoopStatistics {
+  AttemptEnd end = AttemptEnd::ReachedLastTick;
+  std::int64_t lines = 0;         ///< steps taken
+  std::int64_t ticks = 0;         ///< simulated milliseconds
+  std::int64_t missed_ticks = 0;  ///< RealTime: ticks that came in one line with the next
+  std::int64_t pauses = 0;        ///< RealTime: gaps beyond three ticks, or a full ring
+  double step_p50_us = 0.0, step_p99_us = 0.0, step_max_us = 0.0;
+  double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;  ///< RealTime
+};
+
+/// Called about ten times a second with the fraction done [0, 1]; returning false cancels the attempt.
+using AttemptProgress = std::function<bool(double)>;
+
+/// Runs the attempt on the calling thread until its end, and closes the channels.
+/// ensures every line of the tape, every sample and every event was pushed; none is dropped
+LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
+                           AttemptChannels& channels, const AttemptProgress& progress = {});
+
+}  // namespace hallux::simulator

@@ -1,0 +1,86 @@
+#include "simulator/loop/jobs.h"
+
+#include <chrono>
+
+namespace hallux::simulator {
+
+namespace {
+
+/// A minute of samples at 1 kHz, and their events.
+constexpr std::size_t feed_capacity = 65536;
+constexpr std::size_t ready_capacity = 256;
+/// How long the worker rests when there is nothing to do: a lock on the haptic thread is dearer than a late job.
+constexpr std::chrono::microseconds idle_rest{500};
+
+}  // namespace
+
+bool ImmediateJobs::follow(const StepOutput& output) noexcept {
+  for (const CutEvent& event : output.events) geometry_.follow(event);
+  geometry_.follow(output.sample);
+  for (const JobRequest& request : output.requests) results_.push_back(geometry_.run(request));
+  return true;
+}
+
+const JobResult* ImmediateJobs::take_ready() noexcept {
+  return taken_ < results_.size() ? results_[taken_++].get() : nullptr;
+}
+
+const JobResult* ImmediateJobs::find(std::int32_t job) const noexcept {
+  for (const auto& result : results_) {
+    if (result->request.id == job) return result.get();
+  }
+  return nullptr;
+}
+
+ThreadedJobs::ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay)
+    : geometry_(bone, blade),
+      delay_(delay),
+      random_(delay.seed),
+      feed_(feed_capacity),
+      ready_(ready_capacity),
+      worker_([this](const std::stop_token& stop) { work(stop); }) {}
+
+ThreadedJobs::~ThreadedJobs() = default;
+
+bool ThreadedJobs::follow(const StepOutput& output) noexcept {
+  bool has_room = true;
+  for (const CutEvent& event : output.events) has_room = feed_.push(event) && has_room;
+  has_room = feed_.push(output.sample) && has_room;
+  for (const JobRequest& request : output.requests) has_room = feed_.push(request) && has_room;
+  return has_room;
+}
+
+const JobResult* ThreadedJobs::take_ready() noexcept {
+  const JobResult* result = nullptr;
+  return ready_.pop(result) ? result : nullptr;
+}
+
+void ThreadedJobs::wait_for_delay(const std::stop_token& stop) {
+  if (delay_.limit_ms <= 0) return;
+  auto left = std::chrono::milliseconds{
+      static_cast<std::int64_t>(random_.uniform() * static_cast<double>(delay_.limit_ms))};
+  for (; left.count() > 0 && !stop.stop_requested(); left -= std::chrono::milliseconds{1}) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  }
+}
+
+void ThreadedJobs::work(const std::stop_token& stop) {
+  Feed feed;
+  while (!stop.stop_requested()) {
+    if (!feed_.pop(feed)) {
+      std::this_thread::sleep_for(idle_rest);
+      continue;
+    }
+    if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.follow(*sample);
+    if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.follow(*event);
+    if (const auto* request = std::get_if<JobRequest>(&feed)) {
+      results_.push_back(geometry_.run(*request));
+      wait_for_delay(stop);
+      while (!ready_.push(results_.back().get()) && !stop.stop_requested()) {
+        std::this_thread::sleep_for(idle_rest);
+      }
+    }
+  }
+}
+
+}  // namespace hallux::simulator

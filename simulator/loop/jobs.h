@@ -1,0 +1,77 @@
+/// Where jobs run: at once on the caller's thread (virtual time, replay), or on a worker beside the haptic thread.
+///
+/// Both follow the same outputs in the same order, so the same request gives the same result; only the tick at which it
+/// is ready differs, and that tick is recorded.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "simulator/base/random.h"
+#include "simulator/operation/job.h"
+#include "simulator/record/ring.h"
+#include "simulator/step/step.h"
+
+namespace hallux::simulator {
+
+class JobRunner {
+ public:
+  virtual ~JobRunner() = default;
+  /// Takes over what a step gave out; false where there is no room left (the attempt must pause).
+  /// thread  haptic; allocates nothing on the threaded runner
+  virtual bool follow(const StepOutput& output) noexcept = 0;
+  /// The next result that is ready, or null. Lives as long as the runner.
+  virtual const JobResult* take_ready() noexcept = 0;
+};
+
+/// Runs each job when it is asked for; ready at the next tick.
+class ImmediateJobs final : public JobRunner {
+ public:
+  ImmediateJobs(const Bone& bone, const BladeSize& blade) : geometry_(bone, blade) {}
+
+  bool follow(const StepOutput& output) noexcept override;
+  const JobResult* take_ready() noexcept override;
+  /// The result of that job, or null where none of that number was asked for.
+  const JobResult* find(std::int32_t job) const noexcept;
+  const OperationGeometry& geometry() const noexcept { return geometry_; }
+
+ private:
+  OperationGeometry geometry_;
+  std::vector<std::unique_ptr<const JobResult>> results_;
+  std::size_t taken_ = 0;
+};
+
+/// For tests of late results: each job waits a random time up to the limit before it is ready.
+struct JobDelay {
+  std::uint64_t seed = 0;
+  std::int32_t limit_ms = 0;
+};
+
+/// Runs jobs on a thread of its own, in the order of their requests.
+class ThreadedJobs final : public JobRunner {
+ public:
+  ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay = {});
+  ~ThreadedJobs() override;
+
+  bool follow(const StepOutput& output) noexcept override;
+  const JobResult* take_ready() noexcept override;
+
+ private:
+  using Feed = std::variant<ToolSample, CutEvent, JobRequest>;
+  void work(const std::stop_token& stop);
+  void wait_for_delay(const std::stop_token& stop);
+
+  OperationGeometry geometry_;  ///< worker's
+  JobDelay delay_;
+  Random random_;
+  std::vector<std::unique_ptr<const JobResult>> results_;  ///< worker's
+  Ring<Feed> feed_;
+  Ring<const JobResult*> ready_;
+  std::jthread worker_;
+};
+
+}  // namespace hallux::simulator

@@ -1,0 +1,229 @@
+#include "simulator/step/step.h"
+
+#include <algorithm>
+
+#include "simulator/base/units.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+/// Nodes of a section asked in one step: bounds its time, delays the news of a covered section by milliseconds.
+constexpr std::uint32_t nodes_per_step = 4096;
+/// Pieces announced in one step; more wait for the next.
+constexpr std::size_t pieces_per_step = 2;
+
+std::uint32_t bit(ToolStatus status) noexcept { return static_cast<std::uint32_t>(status); }
+
+std::int64_t thousandths(double value) noexcept {
+  return static_cast<std::int64_t>(value * 1000.0 + 0.5);
+}
+
+bool is_open_at(const KerfField& field, std::int32_t node) noexcept {
+  const std::int32_t u_count = field.grid().u_count;
+  return field.at(node % u_count, node / u_count) > 0.0F;
+}
+
+}  // namespace
+
+Operation::Operation(const TissueMap& tissue, const RigidTransform& world_from_bone,
+                     const BladeSize& blade, const ContactSettings& settings)
+    : tissue_(tissue),
+      world_from_bone_(world_from_bone),
+      bone_from_world_(inverse(world_from_bone)),
+      settings_(settings),
+      kerfs_(blade, world_from_bone) {}
+
+StepOutput Operation::step(const StepInput& input) noexcept {
+  StepOutput output;
+  tick_ = input.line.tick + input.line.ticks - 1;
+  output.sample.tick = tick_;
+  apply_commands(input, output);
+  if (input.line.device.faults != faults_) {
+    faults_ = input.line.device.faults;
+    if (faults_ != 0) note(output, CutEventKind::Fault, -1, faults_);
+  }
+  announce_pieces(output);
+  if (is_running_ && faults_ == 0) {
+    move(input.line, output);
+    watch_sections(output);
+  } else {
+    output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
+  }
+  if (is_running_) output.sample.status |= bit(ToolStatus::Running);
+  if (faults_ != 0) output.sample.status |= bit(ToolStatus::Faulted);
+  return output;
+}
+
+void Operation::note(StepOutput& output, CutEventKind kind, std::int32_t subject,
+                     std::int64_t value) const noexcept {
+  CutEvent event{tick_, kind, subject, value, {}};
+  const bool is_about_cutting = kind == CutEventKind::Scratch || kind == CutEventKind::Contact ||
+                                kind == CutEventKind::PlaneFrozen ||
+                                kind == CutEventKind::Breakthrough;
+  if (is_about_cutting) event.pose = quantise(tool_.bone_from_tool);
+  output.events.push(event);
+}
+
+void Operation::apply_commands(const StepInput& input, StepOutput& output) noexcept {
+  for (std::size_t i = 0; i < input.line.command_count && i < commands_per_tick; ++i) {
+    const Command& command = input.line.commands[i];
+    if (command.kind == CommandKind::Start && !is_running_ && !is_over_) {
+      tool_.bone_from_tool = bone_from_world_ * transform_from(input.line.device.world_from_handle);
+    }
+    apply(command, input.job_results[i], output);
+  }
+}
+
+void Operation::apply(const Command& command, const JobResult* result,
+                      StepOutput& output) noexcept {
+  if (command.kind == CommandKind::ApplyJob) {
+    CHECK(result != nullptr && result->request.id == command.argument);
+    apply_job(*result, output);
+    return;
+  }
+  if (is_over_) return;
+  switch (command.kind) {
+    case CommandKind::Start:
+      is_running_ = true;
+      note(output, CutEventKind::Started);
+      break;
+    case CommandKind::Pause:
+      is_running_ = false;
+      note(output, CutEventKind::Paused);
+      break;
+    case CommandKind::Resume:
+      is_running_ = true;
+      note(output, CutEventKind::Resumed);
+      break;
+    case CommandKind::StepDone:
+      note(output, CutEventKind::StepDone, command.argument);
+      break;
+    case CommandKind::PickUp:
+      pick_up(command.argument, output);
+      break;
+    case CommandKind::Finish:
+    case CommandKind::Abandon:
+      is_running_ = false;
+      is_over_ = true;
+      note(output,
+           command.kind == CommandKind::Finish ? CutEventKind::Finished : CutEventKind::Abandoned);
+      break;
+    case CommandKind::ApplyJob:
+      break;
+  }
+}
+
+void Operation::apply_job(const JobResult& result, StepOutput& output) noexcept {
+  if (result.request.kind == JobKind::Contact) {
+    KerfWatch& watch = watches_[static_cast<std::size_t>(result.request.kerf)];
+    watch.contact = &result;
+    watch.next_node = {};
+    const auto& regions = result.section.regions;
+    note(output, CutEventKind::SectionKnown, result.request.kerf,
+         regions.empty() ? 0 : thousandths(regions.front().area_mm2));
+    return;
+  }
+  pieces_ = &result;
+  announced_ = 0;
+}
+
+void Operation::announce_pieces(StepOutput& output) noexcept {
+  if (pieces_ == nullptr) return;
+  for (std::size_t said = 0; announced_ < pieces_->pieces.size() && said < pieces_per_step;
+       ++announced_) {
+    const PieceBody& piece = pieces_->pieces[announced_];
+    if (!piece.is_new) continue;
+    note(output, CutEventKind::PieceFreed, piece.id, thousandths(piece.volume_mm3));
+    ++said;
+  }
+}
+
+void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
+  if (pieces_ == nullptr || piece <= 0 || removed_count_ == removed_piece_limit) return;
+  for (const PieceBody& body : pieces_->pieces) {
+    if (body.id != piece) continue;
+    const Bvh* const bvh = body.bvh.get();
+    const auto end = removed_pieces_.begin() + static_cast<std::ptrdiff_t>(removed_count_);
+    if (std::find(removed_pieces_.begin(), end, bvh) != end) return;
+    removed_pieces_[removed_count_++] = bvh;
+    note(output, CutEventKind::PieceRemoved, piece);
+    return;
+  }
+}
+
+void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
+  const ToolInput input{bone_from_world_ * transform_from(line.device.world_from_handle),
+                        has(line.device.switches, Switch::SawRuns),
+                        static_cast<double>(line.ticks) * step_s};
+  const ToolOutcome outcome = move_tool(tool_, input, standing(), settings_);
+  report(outcome, output);
+  if (outcome.wants_freeze) freeze(output);
+
+  ToolSample& sample = output.sample;
+  sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
+  // What is recorded is what cuts: the tool goes on from the rounded pose.
+  tool_.bone_from_tool = bone_from_world_ * transform_from(sample.world_from_tool);
+  const Vec3 force_newton = transform_direction(world_from_bone_, outcome.force_in_bone_newton);
+  sample.force_mn = {millinewton_from_newton(force_newton.x),
+                     millinewton_from_newton(force_newton.y),
+                     millinewton_from_newton(force_newton.z)};
+  sample.kerf = tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
+  if (input.saw_runs) sample.status |= bit(ToolStatus::SawOn);
+  if (has(line.device.switches, Switch::Irrigates)) sample.status |= bit(ToolStatus::Irrigated);
+  if (tool_.stage == ToolStage::InKerf) sample.status |= bit(ToolStatus::InKerf);
+  if (outcome.engaged.width_mm() > 0.0) sample.status |= bit(ToolStatus::InContact);
+  if (outcome.advance_mm > 0.0) sample.status |= bit(ToolStatus::Cutting);
+  if (outcome.is_force_limited) sample.status |= bit(ToolStatus::ForceLimited);
+  output.engaged = outcome.engaged;
+  kerfs_.follow(sample);
+}
+
+void Operation::report(const ToolOutcome& outcome, StepOutput& output) noexcept {
+  if (outcome.began_contact) note(output, CutEventKind::Contact, tool_.kerf);
+  if (outcome.scratch_mm > 0.0) {
+    note(output, CutEventKind::Scratch, -1, um_from_mm(outcome.scratch_mm));
+  }
+  if (outcome.broke_through) note(output, CutEventKind::Breakthrough, tool_.kerf);
+}
+
+/// A touch is deep enough: the blade goes on in a kerf that is already there, or in a new one in its own plane.
+void Operation::freeze(StepOutput& output) noexcept {
+  std::int32_t kerf = find_kerf_to_join(tool_.bone_from_tool, standing(), settings_);
+  if (kerf < 0) {
+    kerf = kerfs_.freeze(quantise(tool_.bone_from_tool));
+    if (kerf < 0) {
+      note(output, CutEventKind::KerfRefused);
+      return;
+    }
+    note(output, CutEventKind::PlaneFrozen, kerf);
+    output.requests.push({next_job_++, JobKind::Contact, kerf, tick_});
+  }
+  enter_kerf(tool_, kerf, standing(), settings_);
+}
+
+void Operation::watch_sections(StepOutput& output) noexcept {
+  for (std::int32_t kerf = 0; kerf < kerfs_.count(); ++kerf) {
+    const KerfWatch& watch = watches_[static_cast<std::size_t>(kerf)];
+    if (watch.contact == nullptr) continue;
+    const std::size_t regions = std::min(watch.contact->nodes.size(), watch.next_node.size());
+    for (std::size_t region = 0; region < regions; ++region) watch_region(kerf, region, output);
+  }
+}
+
+/// Walks past the nodes that are open. They never close again, so each node is passed once, and the first closed one
+/// witnesses that the region still stands.
+void Operation::watch_region(std::int32_t kerf, std::size_t region, StepOutput& output) noexcept {
+  KerfWatch& watch = watches_[static_cast<std::size_t>(kerf)];
+  const auto& nodes = watch.contact->nodes[region];
+  std::uint32_t& next = watch.next_node[region];
+  if (next >= nodes.size() || output.requests.is_full()) return;
+  const KerfField& field = kerfs_.field(kerf);
+  const auto last = std::min<std::size_t>(nodes.size(), next + nodes_per_step);
+  while (next < last && is_open_at(field, nodes[next])) ++next;
+  if (next < nodes.size()) return;
+  note(output, CutEventKind::SectionCovered, kerf, static_cast<std::int64_t>(region));
+  output.requests.push({next_job_++, JobKind::Pieces, kerf, tick_});
+}
+
+}  // namespace hallux::simulator

@@ -1,0 +1,106 @@
+/// The heart: one step of an operation. No clock, thread, file, window, random source or allocation.
+///
+/// The loop calls it 1000 times a second; tests and replay call the same function. Everything it may depend on is in
+/// the line of the input tape, and in results of jobs that are themselves functions of earlier lines.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "simulator/base/check.h"
+#include "simulator/contact/tissue.h"
+#include "simulator/contact/tool_motion.h"
+#include "simulator/operation/job.h"
+#include "simulator/record/record.h"
+
+namespace hallux::simulator {
+
+/// A short list with room inside itself.
+template <typename Value, std::size_t Capacity>
+class FixedList {
+ public:
+  bool is_full() const noexcept { return count_ == Capacity; }
+  std::size_t size() const noexcept { return count_; }
+  void push(const Value& value) noexcept {
+    CHECK(count_ < Capacity);
+    values_[count_++] = value;
+  }
+  const Value* begin() const noexcept { return values_.data(); }
+  const Value* end() const noexcept { return values_.data() + count_; }
+
+ private:
+  std::array<Value, Capacity> values_{};
+  std::size_t count_ = 0;
+};
+
+struct StepInput {
+  const TapeLine& line;
+  /// For each command ApplyJob of the line its result, borrowed until the attempt ends; null for other commands.
+  std::array<const JobResult*, commands_per_tick> job_results{};
+};
+
+struct StepOutput {
+  ToolSample sample;
+  FixedList<CutEvent, 16> events;     ///< before the sample, in order
+  FixedList<JobRequest, 2> requests;  ///< to be run on the state after this step
+  Engagement engaged;                 ///< for displays; not recorded
+};
+
+/// How far a kerf's regions are covered: per region the first of its nodes that is still closed.
+struct KerfWatch {
+  const JobResult* contact = nullptr;
+  std::array<std::uint32_t, 32> next_node{};
+};
+
+inline constexpr std::size_t removed_piece_limit = 8;
+
+class Operation {
+ public:
+  /// Takes all its memory here. Borrows `tissue` for its lifetime.
+  Operation(const TissueMap& tissue, const RigidTransform& world_from_bone, const BladeSize& blade,
+            const ContactSettings& settings);
+
+  const KerfSet& kerfs() const noexcept { return kerfs_; }
+  bool is_over() const noexcept { return is_over_; }
+  bool is_running() const noexcept { return is_running_; }
+
+  /// One step.
+  /// needs   line.tick follows the last line; every ApplyJob has its result
+  /// thread  haptic; allocates nothing
+  StepOutput step(const StepInput& input) noexcept;
+
+ private:
+  void apply_commands(const StepInput& input, StepOutput& output) noexcept;
+  void apply(const Command& command, const JobResult* result, StepOutput& output) noexcept;
+  void apply_job(const JobResult& result, StepOutput& output) noexcept;
+  void pick_up(std::int32_t piece, StepOutput& output) noexcept;
+  void move(const TapeLine& line, StepOutput& output) noexcept;
+  void freeze(StepOutput& output) noexcept;
+  void report(const ToolOutcome& outcome, StepOutput& output) noexcept;
+  void watch_sections(StepOutput& output) noexcept;
+  void watch_region(std::int32_t kerf, std::size_t region, StepOutput& output) noexcept;
+  void announce_pieces(StepOutput& output) noexcept;
+  void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
+            std::int64_t value = 0) const noexcept;
+  StandingBone standing() const noexcept {
+    return {tissue_, kerfs_, {removed_pieces_.data(), removed_count_}};
+  }
+
+  const TissueMap& tissue_;
+  RigidTransform world_from_bone_, bone_from_world_;
+  ContactSettings settings_;
+  KerfSet kerfs_;
+  ToolState tool_;
+  std::array<KerfWatch, static_cast<std::size_t>(kerf_limit)> watches_{};
+  std::array<const Bvh*, removed_piece_limit> removed_pieces_{};
+  std::size_t removed_count_ = 0;
+  const JobResult* pieces_ = nullptr;
+  std::size_t announced_ = 0;
+  std::int32_t next_job_ = 0;
+  std::int64_t tick_ = 0;
+  std::uint32_t faults_ = 0;
+  bool is_running_ = false;
+  bool is_over_ = false;
+};
+
+}  // namespace hallux::simulator
