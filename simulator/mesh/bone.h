@@ -34,11 +34,12 @@ struct Landmark {
 
 /// Bone frame: origin at the base facet's centre, x to the head's centre, y dorsal, z lateral; right foot [mm].
 struct Bone {
-  std::string name;       ///< "first_metatarsal"
-  std::string generator;  ///< what made it, with version and parameters; or the file it was read from
-  std::string credit;     ///< source and licence of its shape; empty where there is none to give
-  IndexedMesh outer;      ///< closed, outward
-  IndexedMesh canal;      ///< the marrow as a void: closed, inward-facing; may be empty
+  std::string name;  ///< "first_metatarsal"
+  std::string
+      generator;       ///< what made it, with version and parameters; or the file it was read from
+  std::string credit;  ///< source and licence of its shape; empty where there is none to give
+  IndexedMesh outer;   ///< closed, outward
+  IndexedMesh canal;   ///< the marrow as a void: closed, inward-facing; may be empty
   std::optional<CortexLaw> cortex;  ///< absent: all bone is cortical
   std::vector<Landmark> landmarks;
   RigidTransform world_from_bone;

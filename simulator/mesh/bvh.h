@@ -40,8 +40,9 @@ class Bvh {
       const Vec3& point_mm,
       double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
   /// Negative inside [mm]. Where no surface is within `within_mm` the sign still holds and the size is `within_mm`.
-  double signed_distance_mm(const Vec3& point_mm,
-                            double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
+  double signed_distance_mm(
+      const Vec3& point_mm,
+      double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
   /// By the parity of crossings; agrees with the sign of the distance except on the surface.
   bool contains(const Vec3& point_mm) const noexcept;
   std::optional<RayHit> first_hit(const Vec3& origin_mm, const Vec3& direction) const noexcept;

@@ -10,7 +10,8 @@
 
 namespace hallux::simulator {
 
-using Triangle = std::array<std::uint32_t, 3>;  ///< point indices, counter-clockwise seen from outside
+using Triangle =
+    std::array<std::uint32_t, 3>;  ///< point indices, counter-clockwise seen from outside
 
 struct IndexedMesh {
   std::vector<Vec3> points_mm;

@@ -19,9 +19,13 @@ struct MeshLimits {
   std::size_t points = 5'000'000;
 };
 
+/// A coordinate beyond this is no bone in millimetres, and products of such numbers could overflow.
+inline constexpr double largest_coordinate_mm = 1.0e6;
+
 enum class MeshFormat { Stl, Obj, Ply };
 
-/// The mesh in the file, in the file's own units taken as millimetres; STL corners with equal coordinates become one point.
+/// The mesh in the file, in the file's own units taken as millimetres; STL corners with equal coordinates become one point
+/// and STL triangles that thereby lose a corner are left out; points that no triangle uses are left out.
 /// ensures the mesh is closed, manifold and outward (see check_closed_solid)
 /// errors  MeshError naming the file, the place and the mend
 IndexedMesh read_mesh(const std::filesystem::path& file, const MeshLimits& limits = {});
@@ -30,8 +34,8 @@ IndexedMesh read_mesh(const std::filesystem::path& file, const MeshLimits& limit
 IndexedMesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string_view name,
                        const MeshLimits& limits = {});
 
-/// errors  MeshError unless each directed edge occurs once with its opposite, all coordinates are finite, there is at
-///         least one triangle, and the enclosed volume is positive; the sentence counts the faults and places the first
+/// errors  MeshError unless each directed edge occurs once with its opposite, all coordinates are finite and within
+///         largest_coordinate_mm, there is at least one triangle without a corner twice, and the enclosed volume is positive; the sentence counts the faults and places the first
 void check_closed_solid(const IndexedMesh& mesh, std::string_view name);
 
 }  // namespace hallux::simulator
