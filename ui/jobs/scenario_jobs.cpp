@@ -1,0 +1,178 @@
+#include "ui/jobs/scenario_jobs.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <sstream>
+
+#include "simulator/base/units.h"
+
+namespace hallux::ui {
+namespace {
+
+using namespace scenarios;
+
+/// Landmarks and planes lie where they lie at any edge length; a coarse surface is built in a fraction of the time.
+constexpr double check_edge_mm = 1.0;
+
+/// What was read as a decimal reads the same again, and an angle that went through radians has no tail of digits.
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 std::chars_format::general, 9)
+                       .ptr;
+  return {digits.data(), end};
+}
+
+std::string points_text(std::int64_t milli) {
+  return number_text(static_cast<double>(milli) / 1000.0);
+}
+
+std::string point_text(const Vec3& point_mm) {
+  return number_text(point_mm.x) + " " + number_text(point_mm.y) + " " + number_text(point_mm.z);
+}
+
+std::string_view step_word(StepKind kind) {
+  switch (kind) {
+    case StepKind::Verify:
+      return "verify";
+    case StepKind::Cut:
+      return "cut";
+    case StepKind::Remove:
+      return "remove";
+    case StepKind::Finish:
+      return "finish";
+  }
+  return "";
+}
+
+std::string provisional_text(bool is_provisional) { return is_provisional ? " (provisional)" : ""; }
+
+void write_origin(std::ostream& out, const std::string& origin) {
+  out << "      origin: " << origin << "\n";
+}
+
+void write_means(std::ostream& out, const Scenario& scenario) {
+  const PatientRequest& patient = scenario.patient;
+  out << "\nPatient\n  " << patient.bone << ", length " << number_text(patient.length_mm)
+      << " mm, eminence " << number_text(patient.eminence_mm) << " mm, edge "
+      << number_text(patient.edge_mm) << " mm\n";
+  write_origin(out, patient.origin);
+  const SawBlade& blade = scenario.blade;
+  out << "\nBlade\n  " << blade.name << ": width " << number_text(blade.size.width_mm)
+      << " mm, depth " << number_text(blade.size.depth_mm) << " mm, thickness "
+      << number_text(blade.thickness_mm) << " mm, kerf " << number_text(blade.size.kerf_mm)
+      << " mm, " << number_text(blade.cycles_per_minute) << " cycles/min\n";
+  write_origin(out, blade.origin);
+}
+
+void write_cuts(std::ostream& out, const Scenario& scenario) {
+  out << "\nReference cuts (finished bone faces)\n";
+  for (const ReferenceCut& cut : scenario.cuts) {
+    const LandmarkPlane& face = cut.face;
+    out << "  " << cut.name << ": " << cut.title << "\n      contains the direction "
+        << face.axis_from << " to " << face.axis_to << "; " << number_text(face.offset_mm)
+        << " mm from " << face.through << " towards the waste; frontal tilt "
+        << number_text(degree_from_radian(face.frontal_tilt_rad)) << " deg\n      waste "
+        << cut.waste_side << "; approach " << cut.approach << "; depth at " << cut.depth_landmark
+        << "; flush at " << cut.exit_landmark << "\n";
+    write_origin(out, cut.origin);
+  }
+}
+
+void write_steps(std::ostream& out, const Scenario& scenario) {
+  out << "\nSteps\n";
+  int number = 1;
+  for (const OperationStep& step : scenario.steps) {
+    out << "  " << number++ << ". [" << step_word(step.kind)
+        << (step.cut.empty() ? "" : " " + step.cut) << "] " << step.title << "\n      " << step.text
+        << "\n";
+  }
+}
+
+void write_danger_zones(std::ostream& out, const Scenario& scenario) {
+  out << "\nDanger zones (capsules in the bone frame, mm)\n";
+  for (const DangerZone& zone : scenario.danger_zones) {
+    out << "  " << zone.name << ": " << zone.title << ", " << zone.severity << ", from "
+        << point_text(zone.from_in_bone_mm) << " to " << point_text(zone.to_in_bone_mm)
+        << ", radius " << number_text(zone.radius_mm)
+        << (zone.is_checked ? "" : "; position unchecked") << "\n";
+    write_origin(out, zone.origin);
+  }
+}
+
+void write_item(std::ostream& out, const RubricItem& item) {
+  out << "    " << item.id << " " << item.title << ": " << points_text(item.weight_milli)
+      << " points for " << item.metric << (item.cut.empty() ? "" : " of " + item.cut);
+  if (item.is_band) {
+    out << "; full from " << number_text(item.full_low) << " to " << number_text(item.full_high)
+        << ", none below " << number_text(item.zero_low) << " or above "
+        << number_text(item.zero_high);
+  } else {
+    out << "; full up to " << number_text(item.full) << ", none from " << number_text(item.zero);
+  }
+  out << " " << item.unit << provisional_text(item.is_provisional) << "\n";
+  write_origin(out, item.origin);
+}
+
+void write_rubric(std::ostream& out, const Rubric& rubric) {
+  out << "\nRubric, version " << rubric.version << "\n";
+  for (const RubricGroup& group : rubric.groups) {
+    const bool is_measured =
+        std::any_of(rubric.items.begin(), rubric.items.end(),
+                    [&](const RubricItem& item) { return item.group == group.name; });
+    out << "  " << group.title << ": " << points_text(group.weight_milli) << " points"
+        << (is_measured ? "" : ", not measured yet") << "\n";
+    write_origin(out, group.origin);
+    for (const RubricItem& item : rubric.items) {
+      if (item.group == group.name) write_item(out, item);
+    }
+  }
+  out << "\nGates\n";
+  for (const Gate& gate : rubric.gates) {
+    out << "  " << gate.title << ": " << gate.metric << (gate.cut.empty() ? "" : " of " + gate.cut)
+        << " above " << number_text(gate.limit) << " " << gate.unit << " caps the score at "
+        << points_text(gate.cap_milli) << provisional_text(gate.is_provisional) << "\n";
+    write_origin(out, gate.origin);
+  }
+}
+
+}  // namespace
+
+std::vector<Scenario> list_scenarios() {
+  std::vector<Scenario> shipped;
+  for (const EmbeddedText& file : shipped_scenarios()) {
+    shipped.push_back(parse_scenario(file.text, file.name));
+  }
+  std::sort(shipped.begin(), shipped.end(),
+            [](const Scenario& a, const Scenario& b) { return a.name < b.name; });
+  return shipped;
+}
+
+CheckedScenario check_scenario_file(const std::filesystem::path& file) {
+  CheckedScenario checked;
+  checked.scenario = read_scenario(file);
+  Scenario coarse = checked.scenario;
+  coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, check_edge_mm);
+  checked.plan = plan_on(coarse, make_patient(coarse));
+  return checked;
+}
+
+std::string scenario_sheet(const Scenario& scenario) {
+  std::ostringstream out;
+  out << scenario.title << " (" << scenario.name << "), version " << scenario.version << ", "
+      << review_label(scenario) << "\n\nIndication\n  " << scenario.indication << "\n\nSummary\n  "
+      << scenario.summary << "\n";
+  write_means(out, scenario);
+  write_cuts(out, scenario);
+  write_steps(out, scenario);
+  write_danger_zones(out, scenario);
+  write_rubric(out, scenario.rubric);
+  out << "\nSources named by the origins\n";
+  for (const SourceNote& source : scenario.sources) {
+    out << "  " << source.key << ": " << source.text << "\n";
+  }
+  return out.str();
+}
+
+}  // namespace hallux::ui

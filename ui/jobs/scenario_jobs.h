@@ -1,0 +1,31 @@
+/// What verbs and screens do with scenarios: list the shipped ones, and check a file on the patient it asks for.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenarios/plan.h"
+#include "scenarios/scenario.h"
+
+namespace hallux::ui {
+
+/// The scenarios that come with the program, in the order of their names.
+/// errors  none for a program whose tests pass: the shipped files are read in them
+std::vector<scenarios::Scenario> list_scenarios();
+
+struct CheckedScenario {
+  scenarios::Scenario scenario;
+  scenarios::Plan
+      plan;  ///< on the patient at a coarse edge length: where the planes lie, not what is cut
+};
+
+/// Reads the file and lays each of its planes on its patient, built coarsely. About a second.
+/// errors  ScenarioError naming the file, the place and the mend
+/// thread  any; it is a job: not the render thread
+CheckedScenario check_scenario_file(const std::filesystem::path& file);
+
+/// The whole scenario as readable text: every number with its origin, and whether a surgeon reviewed it.
+std::string scenario_sheet(const scenarios::Scenario& scenario);
+
+}  // namespace hallux::ui
