@@ -18,7 +18,7 @@ struct FaceOrigin {
 };
 
 struct CutSolid {
-  IndexedMesh mesh;                 ///< closed, oriented; may hold several pieces and inward-facing canal shells
+  IndexedMesh mesh;  ///< closed, oriented; may hold several pieces and inward-facing canal shells
   std::vector<FaceOrigin> origins;  ///< one per triangle
 };
 

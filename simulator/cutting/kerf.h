@@ -2,8 +2,10 @@
 ///
 /// Kerf frame: origin and axes of the tool at the moment of freezing, said in the bone frame. x = feed direction,
 /// y = along the tooth line, z = blade normal. The kerf is the slab |z| <= thickness / 2 over the opened region.
-/// The field holds at each node the greatest inside-distance to any blade rectangle that was there: above zero means
-/// opened. `max` makes it monotone and independent of the order and repetition of stamps.
+/// The field holds at each node the greatest inside-distance to any blade that was there, limited to +-2 node spacings:
+/// above zero means opened. `max` makes it monotone and independent of the order and repetition of stamps. The limit is
+/// what makes a stamp cheap: nodes deep inside hold the limit already and are skipped row by row, so that a small motion
+/// costs the rim of the blade and not its area.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +16,9 @@
 namespace hallux::simulator {
 
 struct BladeSize {
-  double width_mm = 10.0;      ///< along the tooth line
-  double depth_mm = 20.0;      ///< from the tooth line back to the collar
-  double kerf_mm = 0.5;        ///< thickness of what is taken away
+  double width_mm = 10.0;  ///< along the tooth line
+  double depth_mm = 20.0;  ///< from the tooth line back to the collar
+  double kerf_mm = 0.5;    ///< thickness of what is taken away
 };
 
 struct KerfPlane {
@@ -60,18 +62,34 @@ class KerfField {
   /// Closes every node again, for another kerf.
   void reset() noexcept;
 
-  /// Raises the field to the inside-distance of the hull of the blade's rectangles at `from` and `to`.
-  /// ensures the field never falls; order and repetition of stamps do not matter
+  /// Raises the field to the inside-distance of the hull of the blade's rectangles (x in [-depth, 0], y within
+  /// +-width/2 of the tool frame) at `from` and `to`.
   /// shape   `changed` becomes the smallest window that holds every node that rose
-  /// errors  none: total, allocates nothing; what lies outside the grid is not opened
+  /// needs   blade sizes above zero, directions of unit length
+  /// ensures the field never falls; order and repetition of stamps do not matter, bit for bit
+  /// errors  none: total, allocates nothing; what lies outside the grid is not opened, poses that are not finite open
+  ///         nothing
   /// thread  haptic (and, on its own copy, jobs)
   /// source  docs/cutting.md; thesis 4.4.2
   void stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
              FieldWindow& changed) noexcept;
 
  private:
+  struct RowSpan {
+    std::int32_t first = 0, last = 0;
+  };
+  struct HullRow;
+
+  bool raise(std::size_t node, float inside_mm) noexcept;
+  void raise_rim(const HullRow& row, std::int32_t first, std::int32_t last,
+                 FieldWindow& changed) noexcept;
+  void fill_deep(std::int32_t v, RowSpan wanted, FieldWindow& changed) noexcept;
+
   FieldGrid grid_;
-  std::vector<float> inside_mm_;
+  float limit_mm_;                ///< stored values lie within +-limit
+  std::vector<float> inside_mm_;  ///< row by row
+  std::vector<RowSpan>
+      deep_;  ///< per row: nodes known to hold the limit; says nothing about the others
 };
 
 }  // namespace hallux::simulator
