@@ -4,7 +4,7 @@
 
 #include <new>
 
-namespace hallux::support {
+namespace hallux::tests {
 
 namespace {
 
@@ -48,9 +48,7 @@ int check_lock(sqlite3_file* file, int* answer) {
 int control_file(sqlite3_file* file, int operation, void* argument) {
   return real_of(file)->pMethods->xFileControl(real_of(file), operation, argument);
 }
-int sector_size(sqlite3_file* file) {
-  return real_of(file)->pMethods->xSectorSize(real_of(file));
-}
+int sector_size(sqlite3_file* file) { return real_of(file)->pMethods->xSectorSize(real_of(file)); }
 int characteristics(sqlite3_file* file) {
   return real_of(file)->pMethods->xDeviceCharacteristics(real_of(file));
 }
@@ -66,11 +64,25 @@ int unmap_shared(sqlite3_file* file, int remove) {
 }
 
 /// Version 2: with shared memory for WAL, without memory mapping, which would go round the shim.
-constexpr sqlite3_io_methods methods{
-    2,            close_file,  read_file,    write_file,      truncate_file, sync_file,
-    size_of_file, lock_file,   unlock_file,  check_lock,      control_file,  sector_size,
-    characteristics, map_shared, lock_shared, fence_shared,   unmap_shared,  nullptr,
-    nullptr};
+constexpr sqlite3_io_methods methods{2,
+                                     close_file,
+                                     read_file,
+                                     write_file,
+                                     truncate_file,
+                                     sync_file,
+                                     size_of_file,
+                                     lock_file,
+                                     unlock_file,
+                                     check_lock,
+                                     control_file,
+                                     sector_size,
+                                     characteristics,
+                                     map_shared,
+                                     lock_shared,
+                                     fence_shared,
+                                     unmap_shared,
+                                     nullptr,
+                                     nullptr};
 
 int open_file(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* flags_out) {
   auto* faulty = static_cast<FaultyVfs*>(vfs->pAppData);
@@ -137,4 +149,4 @@ int FaultyVfs::answer_to_write() noexcept {
   return SQLITE_OK;
 }
 
-}  // namespace hallux::support
+}  // namespace hallux::tests

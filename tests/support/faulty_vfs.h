@@ -9,7 +9,7 @@
 
 struct sqlite3_vfs;
 
-namespace hallux::support {
+namespace hallux::tests {
 
 /// Registered with SQLite under its own name for as long as it lives; passes everything on to the default one.
 class FaultyVfs {
@@ -44,4 +44,4 @@ class FaultyVfs {
   std::atomic<bool> is_read_only_{false};
 };
 
-}  // namespace hallux::support
+}  // namespace hallux::tests

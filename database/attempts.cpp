@@ -1,0 +1,174 @@
+#include "database/attempts.h"
+
+#include <sodium.h>
+
+#include <array>
+
+#include "database/audit.h"
+#include "database/chain.h"
+#include "database/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr std::string_view header_columns =
+    "SELECT a.uuid, a.scenario_version_id, a.person_id, a.hand, a.seed, a.device_class, a.pacing, "
+    "a.stereo_mode, a.bone_digest, a.engine_version, a.started_utc, a.state, a.duration_ticks, "
+    "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli "
+    "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
+    "LEFT JOIN person_detail d ON d.person_id = a.person_id "
+    "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL ";
+
+AttemptId random_attempt_id() {
+  std::array<unsigned char, 16> bytes{};
+  randombytes_buf(bytes.data(), bytes.size());
+  bytes[6] = static_cast<unsigned char>((bytes[6] & 0x0FU) | 0x40U);
+  bytes[8] = static_cast<unsigned char>((bytes[8] & 0x3FU) | 0x80U);
+  constexpr std::string_view digits = "0123456789abcdef";
+  AttemptId id;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (i == 4 || i == 6 || i == 8 || i == 10) id.text.push_back('-');
+    id.text.push_back(digits[bytes[i] >> 4U]);
+    id.text.push_back(digits[bytes[i] & 15U]);
+  }
+  return id;
+}
+
+NewAttempt begun_in(SQLite::Statement& row) {
+  NewAttempt begun;
+  begun.scenario = {row.getColumn(1).getInt64()};
+  if (!row.getColumn(2).isNull()) begun.person = PersonId{row.getColumn(2).getInt64()};
+  begun.hand = row.getColumn(3).getString();
+  begun.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
+  begun.device_class = row.getColumn(5).getString();
+  begun.pacing = row.getColumn(6).getString();
+  begun.stereo_mode = row.getColumn(7).getString();
+  begun.bone = digest_in(row.getColumn(8)).value_or(Digest{});
+  begun.engine = row.getColumn(9).getInt();
+  return begun;
+}
+
+AttemptHeader header_in(SQLite::Statement& row) {
+  AttemptHeader header;
+  header.id = {row.getColumn(0).getString()};
+  header.begun = begun_in(row);
+  header.started_utc = row.getColumn(10).getString();
+  header.state =
+      attempt_state_from(row.getColumn(11).getString()).value_or(AttemptState::Interrupted);
+  if (!row.getColumn(12).isNull()) header.duration_ticks = row.getColumn(12).getInt64();
+  header.quality_json = row.getColumn(13).getString();
+  header.seal = digest_in(row.getColumn(14));
+  header.scenario_name = row.getColumn(15).getString();
+  header.scenario_version = row.getColumn(16).getInt();
+  header.scenario_digest = digest_in(row.getColumn(17)).value_or(Digest{});
+  header.login = row.getColumn(18).getString();
+  if (!row.getColumn(19).isNull()) header.score_milli = row.getColumn(19).getInt64();
+  return header;
+}
+
+void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& attempt) {
+  SQLite::Statement insert{database.connection(),
+                           "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, "
+                           "device_class, pacing, "
+                           "stereo_mode, bone_digest, engine_version, started_utc, state) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'recording')"};
+  insert.bind(1, id.text);
+  insert.bind(2, attempt.scenario.number);
+  if (attempt.person) insert.bind(3, attempt.person->number);
+  insert.bind(4, attempt.hand);
+  insert.bind(5, static_cast<std::int64_t>(attempt.seed));
+  insert.bind(6, attempt.device_class);
+  insert.bind(7, attempt.pacing);
+  insert.bind(8, attempt.stereo_mode);
+  bind_digest(insert, 9, attempt.bone);
+  insert.bind(10, attempt.engine);
+  insert.bind(11, utc_now(database));
+  insert.exec();
+}
+
+bool is_uuid_start(const std::string& text) noexcept {
+  return text.size() >= 4 && text.size() <= 36 &&
+         text.find_first_not_of("0123456789abcdef-") == std::string::npos;
+}
+
+}  // namespace
+
+WriterLease create_attempt(Database& database, const NewAttempt& attempt) {
+  // The lease comes first: a row without one would be taken for an interrupted attempt.
+  WriterLease lease = WriterLease::take(database.directory(), random_attempt_id());
+  in_transaction(database, "begin an attempt (its scenario version and bone must be stored)", [&] {
+    insert_attempt(database, lease.attempt(), attempt);
+    append_audit(database,
+                 {attempt.person, "attempt_begun", "attempt", lease.attempt().text, false, {}, ""});
+  });
+  return lease;
+}
+
+std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter& filter) {
+  std::string where;
+  const auto either = [&where](std::string_view condition) {
+    where += (where.empty() ? "WHERE " : " OR ") + std::string{condition};
+  };
+  if (filter.person) either("a.person_id = ?1");
+  if (filter.cohort) {
+    either(
+        "a.person_id IN (SELECT person_id FROM membership WHERE cohort_id = ?2 "
+        "AND role = 'trainee')");
+  }
+  if (filter.of_nobody) either("a.person_id IS NULL");
+  return translating(database, "list the attempts", [&] {
+    SQLite::Statement rows{database.connection(),
+                           std::string{header_columns} + where + " ORDER BY a.attempt_id DESC"};
+    if (filter.person) rows.bind(1, filter.person->number);
+    if (filter.cohort) rows.bind(2, filter.cohort->number);
+    std::vector<AttemptHeader> headers;
+    while (rows.executeStep()) headers.push_back(header_in(rows));
+    return headers;
+  });
+}
+
+AttemptHeader load_header(Database& database, const AttemptId& id) {
+  return translating(database, "look for an attempt", [&] {
+    std::vector<AttemptHeader> found;
+    if (is_uuid_start(id.text)) {
+      SQLite::Statement row{database.connection(), std::string{header_columns} +
+                                                       "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g' "
+                                                       "LIMIT 2"};
+      row.bind(1, id.text);
+      while (row.executeStep()) found.push_back(header_in(row));
+    }
+    if (found.size() == 1) return found.front();
+    throw DatabaseError{
+        DatabaseErrorKind::NotFound,
+        (found.empty() ? "there is no attempt '" : "more than one attempt begins with '") +
+            id.text + "' in " + database.file().string() +
+            "; `hallux attempts` lists those there are"};
+  });
+}
+
+void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,
+                  const std::string& quality_json, const Digest& last_link) {
+  in_transaction(database, "seal attempt " + id.text, [&] {
+    AttemptHeader header = load_header(database, id);
+    header.duration_ticks = duration_ticks;
+    header.quality_json = quality_json;
+    const Digest seal = seal_of(last_link, header);
+    SQLite::Statement update{database.connection(),
+                             "UPDATE attempt SET state = 'closed', duration_ticks = ?, "
+                             "quality_json = ?, seal = ? WHERE uuid = ? AND state = 'recording'"};
+    update.bind(1, duration_ticks);
+    update.bind(2, quality_json);
+    bind_digest(update, 3, seal);
+    update.bind(4, header.id.text);
+    if (update.exec() != 1) {
+      throw DatabaseError{DatabaseErrorKind::NotFound, "could not seal attempt " + id.text +
+                                                           " in " + database.file().string() +
+                                                           ": it is not being recorded any more"};
+    }
+    append_audit(database, {header.begun.person, "attempt_sealed", "attempt", header.id.text, false,
+                            seal, ""});
+  });
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,40 @@
+/// Attempts: begun, listed, sealed. What is in them is read by database/recordings.h, written by database/recorder.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/connection.h"
+#include "database/records/attempt.h"
+#include "database/records/person.h"
+#include "database/writer_lease.h"
+
+namespace hallux::database {
+
+/// Stores a new attempt in state recording and takes its lease: give it to a Recorder. Where the lease goes away without
+/// a seal, the next opening for writing marks the attempt as interrupted.
+/// errors  DatabaseError: BadInput where the scenario version or the bone is not stored; storage failures
+WriterLease create_attempt(Database& database, const NewAttempt& attempt);
+
+/// Whose attempts a list holds.
+struct AttemptFilter {
+  std::optional<PersonId> person;  ///< of this person
+  std::optional<CohortId> cohort;  ///< of the trainees of this cohort
+  bool of_nobody = false;          ///< the robot's; alone or together with one of the others
+};
+
+/// Newest first; all where the filter asks for nothing.
+std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter& filter = {});
+
+/// `id` may be shortened to at least 4 characters where only one attempt begins with them.
+/// errors  DatabaseError NotFound naming the id
+AttemptHeader load_header(Database& database, const AttemptId& id);
+
+/// Closes an attempt: state, duration, quality and seal, with an audit row that holds the seal.
+/// needs   the writer of the attempt has committed its last window; `last_link` is the link of that
+/// errors  DatabaseError: NotFound where it is not in state recording
+void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,
+                  const std::string& quality_json, const Digest& last_link);
+
+}  // namespace hallux::database

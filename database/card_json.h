@@ -1,0 +1,17 @@
+/// A score card as the JSON text that is kept with its score.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "database/records/score.h"
+
+namespace hallux::database {
+
+/// The same card gives the same bytes. Numbers that are not finite are written as null.
+std::string json_from_card(const ScoreCard& card);
+
+/// errors  DatabaseError Damaged where the text is not a card; null numbers become 0
+ScoreCard card_from_json(std::string_view json);
+
+}  // namespace hallux::database

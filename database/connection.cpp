@@ -1,0 +1,111 @@
+#include "database/connection.h"
+
+#include <sqlite3.h>
+
+#include <system_error>
+#include <vector>
+
+#include "database/files.h"
+#include "database/migrations.h"
+#include "database/sql.h"
+#include "database/writer_lease.h"
+
+namespace hallux::database {
+
+namespace {
+
+std::unique_ptr<SQLite::Database> open_file(const std::filesystem::path& file,
+                                            const OpenOptions& options) {
+  const int flags =
+      (options.access == Access::ReadWrite ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY) |
+      SQLite::OPEN_NOMUTEX;
+  try {
+    return std::make_unique<SQLite::Database>(file.string(), flags, options.busy_timeout_ms,
+                                              options.vfs_name);
+  } catch (const SQLite::Exception& error) {
+    throw translated(error, "open the database", file);
+  }
+}
+
+void configure(Database& database, Access access) {
+  translating(database, "set up the connection", [&] {
+    SQLite::Database& connection = database.connection();
+    sqlite3_db_config(connection.getHandle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    connection.exec("PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON;");
+    if (access == Access::ReadOnly) return;
+    if (sqlite3_db_readonly(connection.getHandle(), "main") == 1) {
+      throw DatabaseError{DatabaseErrorKind::ReadOnly,
+                          "could not open " + database.file().string() +
+                              " for writing: it is read-only; make it writable or name another "
+                              "directory with --data"};
+    }
+    connection.exec("PRAGMA page_size = 4096;");
+    SQLite::Statement mode{connection, "PRAGMA journal_mode = WAL"};
+    mode.executeStep();
+    if (mode.getColumn(0).getString() != "wal") {
+      throw DatabaseError{DatabaseErrorKind::ReadOnly,
+                          "could not set up " + database.file().string() +
+                              ": the file system has no shared memory (a network share?) or is "
+                              "read-only; name a local directory with --data"};
+    }
+    connection.exec("PRAGMA synchronous = FULL;");
+  });
+}
+
+/// An attempt in state recording whose lease nobody holds lost its writer: killed, crashed, or out of power.
+void mark_interrupted_attempts(Database& database) {
+  std::vector<AttemptId> abandoned;
+  translating(database, "look for interrupted attempts", [&] {
+    SQLite::Statement rows{database.connection(),
+                           "SELECT uuid FROM attempt WHERE state = 'recording'"};
+    while (rows.executeStep()) {
+      AttemptId attempt{rows.getColumn(0).getString()};
+      if (!WriterLease::is_held(database.directory(), attempt)) {
+        abandoned.push_back(std::move(attempt));
+      }
+    }
+  });
+  for (const AttemptId& attempt : abandoned) {
+    in_transaction(database, "mark an interrupted attempt", [&] {
+      SQLite::Statement mark{
+          database.connection(),
+          "UPDATE attempt SET state = 'interrupted' WHERE uuid = ? AND state = 'recording'"};
+      mark.bind(1, attempt.text);
+      mark.exec();
+    });
+    WriterLease::clear(database.directory(), attempt);
+  }
+}
+
+}  // namespace
+
+Database::Database(std::filesystem::path directory, const OpenOptions& options)
+    : directory_(std::move(directory)), file_(directory_ / "hallux.db"), options_(options) {
+  if (options.access == Access::ReadWrite) {
+    make_private_directory(directory_);
+    make_private_file(file_);
+  } else if (std::error_code error; !std::filesystem::exists(file_, error)) {
+    throw DatabaseError{DatabaseErrorKind::NotFound,
+                        "there is no database " + file_.string() + "; check --data"};
+  }
+  connection_ = open_file(file_, options);
+}
+
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+Database Database::open(const std::filesystem::path& directory, const OpenOptions& options) {
+  Database database{directory, options};
+  check_schema_is_known(database);
+  configure(database, options.access);
+  if (options.access == Access::ReadWrite) {
+    translating(database, "migrate the schema", [&] { migrate(database); });
+    mark_interrupted_attempts(database);
+  }
+  return database;
+}
+
+Database Database::open_again() const { return open(directory_, options_); }
+
+}  // namespace hallux::database

@@ -1,0 +1,57 @@
+/// The one door to the database file `hallux.db` in a data directory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "database/database_error.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace hallux::database {
+
+/// "HALX": tells our files from other SQLite databases.
+inline constexpr std::int32_t application_id = 0x48414C58;
+
+enum class Access { ReadWrite, ReadOnly };
+
+struct OpenOptions {
+  Access access = Access::ReadWrite;
+  int busy_timeout_ms = 5000;
+  std::string vfs_name;  ///< empty: SQLite's own; tests name one that fails on purpose
+};
+
+/// A connection with the settings that every connection has. One thread at a time may use it.
+class Database {
+ public:
+  /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600), migrates the
+  /// schema, and marks as interrupted the attempts whose writer is gone.
+  /// ensures  WAL, synchronous FULL, foreign keys, busy timeout, no trusted schema; a newer file is not touched
+  /// errors   DatabaseError: ReadOnly, Full, InputOutput, Damaged, Newer, Locked; NotFound where reading finds no file
+  static Database open(const std::filesystem::path& directory, const OpenOptions& options = {});
+
+  /// Another connection to the same file with the same options, for another thread.
+  Database open_again() const;
+
+  Database(Database&&) noexcept;
+  Database& operator=(Database&&) noexcept;
+  ~Database();
+
+  /// For the files of this room only: SQL is written nowhere else.
+  SQLite::Database& connection() noexcept { return *connection_; }
+  const std::filesystem::path& directory() const noexcept { return directory_; }
+  const std::filesystem::path& file() const noexcept { return file_; }
+
+ private:
+  Database(std::filesystem::path directory, const OpenOptions& options);
+
+  std::filesystem::path directory_, file_;
+  OpenOptions options_;
+  std::unique_ptr<SQLite::Database> connection_;
+};
+
+}  // namespace hallux::database

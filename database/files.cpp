@@ -1,0 +1,66 @@
+#include "database/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace hallux::database {
+
+DatabaseError file_error(const std::filesystem::path& file, const char* tried, int error_number) {
+  const std::string start = std::string{"could not "} + tried + " " + file.string() + ": ";
+  const std::string reason =
+      " (" + std::error_code{error_number, std::generic_category()}.message() + ")";
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+      return {DatabaseErrorKind::Full, start + "the disk is full; free some space" + reason};
+    case EROFS:
+    case EACCES:
+    case EPERM:
+    case ENOTDIR:
+    case EEXIST:
+      return {DatabaseErrorKind::ReadOnly,
+              start + "it cannot be written; name another directory with --data" + reason};
+    default:
+      return {DatabaseErrorKind::InputOutput, start + "check the disk" + reason};
+  }
+}
+
+void make_private_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  const bool exists = std::filesystem::is_directory(directory, error);
+  if (!exists) {
+    if (directory.has_parent_path()) {
+      std::filesystem::create_directories(directory.parent_path(), error);
+      if (error) throw file_error(directory.parent_path(), "make the directory", error.value());
+    }
+    if (::mkdir(directory.c_str(), 0700) != 0 && errno != EEXIST) {
+      throw file_error(directory, "make the directory", errno);
+    }
+    if (!std::filesystem::is_directory(directory, error)) {
+      throw file_error(directory, "make the directory", ENOTDIR);
+    }
+    return;
+  }
+  // A directory that already holds other things (a home, /tmp) is not ours to close.
+  if (std::filesystem::is_empty(directory, error) && !error) {
+    ::chmod(directory.c_str(), 0700);
+  }
+}
+
+void make_private_file(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor >= 0) {
+    ::close(descriptor);
+    return;
+  }
+  if (errno != EEXIST) throw file_error(file, "make", errno);
+  // Not opened where it exists: closing it again would drop the POSIX locks of this process's other connections.
+  ::chmod(file.c_str(), 0600);
+}
+
+}  // namespace hallux::database

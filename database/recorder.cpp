@@ -1,0 +1,167 @@
+#include "database/recorder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <iterator>
+#include <optional>
+#include <thread>
+
+#include "database/window_writer.h"
+#include "simulator/base/check.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr std::chrono::milliseconds pause_between_passes{10};
+
+double thread_cpu_s() noexcept {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+/// Pops what was waiting at the call, no more: a producer without pause must not keep the pass from ending.
+template <typename Row>
+std::size_t drain_ring(simulator::Ring<Row>& ring, std::vector<Row>& rows) {
+  const std::size_t waiting = ring.size();
+  Row row;
+  for (std::size_t i = 0; i < waiting && ring.pop(row); ++i) rows.push_back(row);
+  return waiting;
+}
+
+/// Takes the rows before `end_tick` off the front, at most as many as one chunk may hold.
+template <typename Row>
+std::vector<Row> take_before(std::vector<Row>& rows, std::int64_t end_tick) {
+  auto last = std::find_if(rows.begin(), rows.end(),
+                           [end_tick](const Row& row) { return row.tick >= end_tick; });
+  last = std::min(
+      last, rows.begin() + static_cast<std::ptrdiff_t>(std::min(rows.size(), rows_per_chunk_max)));
+  std::vector<Row> taken{rows.begin(), last};
+  rows.erase(rows.begin(), last);
+  return taken;
+}
+
+/// The window of the earliest row that waits.
+std::optional<std::int64_t> first_window(const WindowRows& rows) {
+  std::optional<std::int64_t> first_tick;
+  const auto look_at = [&first_tick](const auto& stream) {
+    if (stream.empty()) return;
+    first_tick = std::min(first_tick.value_or(stream.front().tick), stream.front().tick);
+  };
+  look_at(rows.tape);
+  look_at(rows.samples);
+  look_at(rows.events);
+  if (!first_tick) return std::nullopt;
+  return std::max<std::int64_t>(*first_tick, 0) / window_ticks;
+}
+
+}  // namespace
+
+class Recorder::Writer {
+ public:
+  Writer(Database database, WriterLease lease, simulator::AttemptChannels& channels)
+      : lease_(std::move(lease)),
+        channels_(channels),
+        pen_(std::move(database), lease_.attempt()),
+        thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+  RecorderStatistics drain() {
+    if (thread_.joinable()) thread_.join();
+    if (failure_) std::rethrow_exception(failure_);
+    RecorderStatistics statistics = pen_.statistics();
+    statistics.cpu_s = cpu_s_;
+    return statistics;
+  }
+
+  void seal(const std::string& quality_json) {
+    seal_attempt(pen_.database(), lease_.attempt(), duration_ticks_, quality_json,
+                 pen_.last_link());
+  }
+  const AttemptId& attempt() const noexcept { return lease_.attempt(); }
+
+ private:
+  void run(const std::stop_token& stop) noexcept {
+    const double start_s = thread_cpu_s();
+    try {
+      record(stop);
+    } catch (...) {
+      failure_ = std::current_exception();
+      channels_.recorder_failed.store(true, std::memory_order_release);
+    }
+    cpu_s_ = thread_cpu_s() - start_s;
+  }
+
+  void record(const std::stop_token& stop) {
+    bool is_last_pass = false;
+    while (!is_last_pass) {
+      // Rows of ticks before `safe_tick` were pushed before this pass: the producer had gone beyond them.
+      const std::int64_t safe_tick = newest_tick_;
+      is_last_pass = channels_.closed.load(std::memory_order_acquire) || stop.stop_requested();
+      const bool is_hurried = drain_rings() > channels_.samples.capacity() / 4;
+      commit_windows(safe_tick);
+      if (!is_hurried && !is_last_pass) std::this_thread::sleep_for(pause_between_passes);
+    }
+    commit_windows(std::nullopt);
+  }
+
+  std::size_t drain_rings() {
+    const std::size_t drained = drain_ring(channels_.tape, waiting_.tape) +
+                                drain_ring(channels_.samples, waiting_.samples) +
+                                drain_ring(channels_.events, waiting_.events);
+    if (!waiting_.tape.empty()) {
+      const simulator::TapeLine& line = waiting_.tape.back();
+      newest_tick_ = std::max(newest_tick_, line.tick);
+      duration_ticks_ = std::max(duration_ticks_, line.tick + line.ticks);
+    }
+    if (!waiting_.samples.empty()) {
+      newest_tick_ = std::max(newest_tick_, waiting_.samples.back().tick);
+      duration_ticks_ = std::max(duration_ticks_, waiting_.samples.back().tick + 1);
+    }
+    return drained;
+  }
+
+  /// Commits the windows that end before `safe_tick`, or all of them.
+  void commit_windows(std::optional<std::int64_t> safe_tick) {
+    for (auto seq = first_window(waiting_); seq; seq = first_window(waiting_)) {
+      const std::int64_t window = std::max(*seq, next_window_);
+      const std::int64_t end_tick = (window + 1) * window_ticks;
+      if (safe_tick && end_tick > *safe_tick) return;
+      WindowRows rows{take_before(waiting_.tape, end_tick), take_before(waiting_.samples, end_tick),
+                      take_before(waiting_.events, end_tick)};
+      pen_.commit(window, rows);
+      next_window_ = window + 1;
+    }
+  }
+
+  WriterLease lease_;
+  simulator::AttemptChannels& channels_;
+  WindowWriter pen_;
+  WindowRows waiting_;
+  std::int64_t next_window_ = 0;
+  std::int64_t newest_tick_ = 0;
+  std::int64_t duration_ticks_ = 0;
+  double cpu_s_ = 0.0;
+  std::exception_ptr failure_;
+  std::jthread thread_;  ///< last: started when all above is ready, joined before any of it goes
+};
+
+Recorder::Recorder(const Database& database, WriterLease lease,
+                   simulator::AttemptChannels& channels)
+    : writer_(std::make_unique<Writer>(database.open_again(), std::move(lease), channels)) {}
+
+Recorder::~Recorder() = default;
+
+const AttemptId& Recorder::attempt() const noexcept { return writer_->attempt(); }
+
+RecorderStatistics Recorder::drain() { return writer_->drain(); }
+
+RecorderStatistics Recorder::finish(const std::string& quality_json) {
+  const RecorderStatistics statistics = writer_->drain();
+  writer_->seal(quality_json);
+  return statistics;
+}
+
+}  // namespace hallux::database

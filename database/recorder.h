@@ -1,0 +1,64 @@
+/// Writes an attempt while it happens: one thread that drains the rings, cuts half-second windows and commits each.
+///
+///   ring tape    -> |  window of 500 ticks: up to three chunks  |
+///   ring samples -> |  (tape, samples, events), linked in this  | -> one IMMEDIATE transaction, synchronous FULL
+///   ring events  -> |  order to the chain                       |
+///
+/// Windows are cut by ticks, not by the clock: the same recording gives the same chunks whatever the scheduling. A
+/// window is committed once a later tick was seen in an earlier pass, because then every row of it was pushed. Killing
+/// the process loses the window being filled and what waits for the next pass (10 ms), never a committed one.
+/// source  docs/data_format.md
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "database/attempts.h"
+#include "database/connection.h"
+#include "simulator/record/channels.h"
+
+namespace hallux::database {
+
+inline constexpr std::int64_t window_ticks = 500;
+
+struct RecorderStatistics {
+  std::int64_t bytes = 0;  ///< of packed chunks
+  std::int64_t chunks = 0;
+  std::int64_t rows = 0;  ///< of the three streams together
+  std::int64_t samples = 0;
+  std::int64_t commits = 0;
+  double cpu_s = 0.0;         ///< of the recorder's thread, commits included
+  double commit_s = 0.0;      ///< time spent committing, wall clock
+  double commit_max_s = 0.0;  ///< the longest
+};
+
+class Recorder {
+ public:
+  /// Starts the thread with its own connection to the file of `database`.
+  /// needs   `channels` outlives the recorder; nobody else pops from them
+  /// errors  DatabaseError where the second connection cannot be opened
+  Recorder(const Database& database, WriterLease lease, simulator::AttemptChannels& channels);
+  /// Stops without sealing: what was drained is committed, the attempt is found interrupted at the next opening.
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  const AttemptId& attempt() const noexcept;
+
+  /// Waits until the producer has set channels.closed and all it pushed is committed.
+  /// errors  DatabaseError: why channels.recorder_failed was set; what was committed before stays
+  /// thread  the one that made the recorder
+  RecorderStatistics drain();
+
+  /// Drains, then closes and seals the attempt with its quality (a JSON text) and gives the lease back.
+  /// errors  DatabaseError
+  /// thread  the one that made the recorder
+  RecorderStatistics finish(const std::string& quality_json);
+
+ private:
+  class Writer;
+  std::unique_ptr<Writer> writer_;
+};
+
+}  // namespace hallux::database

@@ -1,0 +1,18 @@
+/// Reads an attempt's recording back, checking the chain link by link as it reads.
+#pragma once
+
+#include "database/connection.h"
+#include "database/records/attempt.h"
+#include "simulator/record/record.h"
+
+namespace hallux::database {
+
+/// All that was committed: of a closed attempt the whole, of an interrupted one up to its last window.
+/// errors  DatabaseError: NotFound; Damaged naming the first chunk whose bytes or link were altered, or the seal
+simulator::Recording load_recording(Database& database, const AttemptId& id);
+
+/// What load_recording does, but keeps no rows longer than a chunk; returns the number of chunks.
+/// errors  as load_recording
+std::int64_t check_recording(Database& database, const AttemptId& id);
+
+}  // namespace hallux::database

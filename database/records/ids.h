@@ -1,0 +1,35 @@
+/// The names of stored rows, as distinct types, so that one is never taken for another.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hallux::database {
+
+/// A random UUID (version 4) in lower-case hexadecimal with dashes.
+struct AttemptId {
+  std::string text;
+  friend auto operator<=>(const AttemptId&, const AttemptId&) = default;
+};
+
+struct PersonId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const PersonId&, const PersonId&) = default;
+};
+
+struct CohortId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const CohortId&, const CohortId&) = default;
+};
+
+struct ScenarioVersionId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const ScenarioVersionId&, const ScenarioVersionId&) = default;
+};
+
+struct ScoreId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const ScoreId&, const ScoreId&) = default;
+};
+
+}  // namespace hallux::database

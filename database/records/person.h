@@ -1,0 +1,27 @@
+/// People and cohorts as they are listed; never a password.
+#pragma once
+
+#include <string>
+
+#include "database/records/ids.h"
+
+namespace hallux::database {
+
+enum class CohortRole { Trainee, Instructor };
+
+struct NewPerson {
+  std::string login;         ///< 2 to 64 of a-z 0-9 . _ -, beginning with a letter
+  std::string display_name;  ///< may be empty: the login is then shown
+  bool is_administrator = false;
+};
+
+struct Person {
+  PersonId id;
+  std::string login;
+  std::string display_name;
+  bool is_administrator = false;
+  bool is_disabled = false;
+  std::string created_utc;
+};
+
+}  // namespace hallux::database

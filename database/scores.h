@@ -1,0 +1,31 @@
+/// Scores: a cache with versions. A new one supersedes the one in force; none is overwritten or deleted.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "database/connection.h"
+#include "database/records/ids.h"
+#include "database/records/score.h"
+
+namespace hallux::database {
+
+struct StoredScore {
+  ScoreId id;
+  std::string stored_utc;
+  bool is_in_force = false;
+  ScoreCard card;
+};
+
+/// Stores the card as the score in force, with an audit row that holds its digest. The same card again stores nothing.
+/// errors  DatabaseError: NotFound; storage failures
+ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card);
+
+/// The score in force; nothing where the attempt was not scored yet.
+/// errors  DatabaseError
+std::optional<StoredScore> load_score(Database& database, const AttemptId& attempt);
+
+/// All scores of an attempt, newest first.
+std::vector<StoredScore> load_scores(Database& database, const AttemptId& attempt);
+
+}  // namespace hallux::database

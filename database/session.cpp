@@ -1,0 +1,114 @@
+#include "database/session.h"
+
+#include "database/audit.h"
+#include "database/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+std::string number_text(PersonId id) { return std::to_string(id.number); }
+
+std::int64_t open_session(Database& database, PersonId person) {
+  return in_transaction(database, "sign in", [&] {
+    SQLite::Statement insert{database.connection(),
+                             "INSERT INTO session (person_id, started_utc) VALUES (?, ?)"};
+    insert.bind(1, person.number);
+    insert.bind(2, utc_now(database));
+    insert.exec();
+    const std::int64_t number = database.connection().getLastInsertRowid();
+    append_audit(database, {person, "signed_in", "session", std::to_string(number), false, {}, ""});
+    return number;
+  });
+}
+
+}  // namespace
+
+Session sign_in(Database& database, std::string_view login, const SecretText& password,
+                const PasswordCost& cost) {
+  std::optional<Person> person = verify_person(database, login, password, cost);
+  if (!person) {
+    append_audit(database, {std::nullopt, "signed_in", "login", "", true, {}, std::string{login}});
+    throw DatabaseError{DatabaseErrorKind::Refused,
+                        "could not sign in as '" + std::string{login} +
+                            "': the login or the password is wrong, or the person is disabled"};
+  }
+  const std::int64_t number = open_session(database, person->id);
+  return {database, std::move(*person), number};
+}
+
+std::optional<TraineeDesk> Session::trainee() {
+  if (load_person(*database_, person_.id).is_disabled) return std::nullopt;
+  return TraineeDesk{*database_, DeskHolder{Role::Trainee, person_.id, std::nullopt}};
+}
+
+std::optional<InstructorDesk> Session::instructor_of(CohortId cohort) {
+  if (load_person(*database_, person_.id).is_disabled) return std::nullopt;
+  if (role_in(*database_, cohort, person_.id) != CohortRole::Instructor) return std::nullopt;
+  return InstructorDesk{*database_, DeskHolder{Role::Instructor, person_.id, cohort}};
+}
+
+std::optional<AdministratorDesk> Session::administrator() {
+  const Person person = load_person(*database_, person_.id);
+  if (person.is_disabled || !person.is_administrator) return std::nullopt;
+  return AdministratorDesk{*database_, person_.id};
+}
+
+void Session::change_password(const SecretText& old_password, const SecretText& new_password,
+                              const PasswordCost& cost) {
+  const DeskHolder holder{Role::Trainee, person_.id, std::nullopt};
+  require(*database_, holder, Action::ChangePassword, Relation::Own, "your password");
+  if (!verify_person(*database_, person_.login, old_password, cost)) {
+    append_audit(*database_,
+                 {person_.id, "password_changed", "person", number_text(person_.id), true, {}, ""});
+    throw DatabaseError{DatabaseErrorKind::Refused,
+                        "could not change the password: the old password is wrong"};
+  }
+  in_transaction(*database_, "change a password", [&] {
+    set_password(*database_, person_.id, new_password, cost);
+    append_audit(
+        *database_,
+        {person_.id, "password_changed", "person", number_text(person_.id), false, {}, ""});
+  });
+}
+
+void Session::sign_out() {
+  in_transaction(*database_, "sign out", [&] {
+    SQLite::Statement update{
+        database_->connection(),
+        "UPDATE session SET ended_utc = ? WHERE session_id = ? AND ended_utc IS NULL"};
+    update.bind(1, utc_now(*database_));
+    update.bind(2, number_);
+    if (update.exec() == 0) return;
+    append_audit(*database_,
+                 {person_.id, "signed_out", "session", std::to_string(number_), false, {}, ""});
+  });
+}
+
+std::optional<OpenHouse> OpenHouse::enter(Database& database) {
+  if (has_people(database)) return std::nullopt;
+  return OpenHouse{database};
+}
+
+PersonId OpenHouse::add_first_administrator(const NewPerson& person, const SecretText& password,
+                                            const PasswordCost& cost) {
+  if (!person.is_administrator) {
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        "the first person must be an administrator; add '" + person.login +
+                            "' as one, or add an administrator before"};
+  }
+  return in_transaction(*database_, "add the first administrator", [&] {
+    if (has_people(*database_)) {
+      throw DatabaseError{DatabaseErrorKind::Refused,
+                          "somebody was added to " + database_->file().string() +
+                              " in the meantime; an administrator must add further people"};
+    }
+    const PersonId id = create_person(*database_, person, password, cost);
+    append_audit(
+        *database_,
+        {std::nullopt, "first_administrator_added", "person", number_text(id), false, {}, ""});
+    return id;
+  });
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,60 @@
+/// Signing in, and the data directory that has no people yet.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "database/desks.h"
+
+namespace hallux::database {
+
+/// Somebody who signed in. Yields the desks they have a right to; must not outlive the Database.
+class Session {
+ public:
+  const Person& person() const noexcept { return person_; }
+
+  /// Everybody's own attempts; nothing for a person disabled since.
+  std::optional<TraineeDesk> trainee();
+  /// Nothing where the person is not an instructor of that cohort.
+  std::optional<InstructorDesk> instructor_of(CohortId cohort);
+  /// Nothing where the person is not an administrator.
+  std::optional<AdministratorDesk> administrator();
+
+  /// errors  DatabaseError: Refused where the old password is wrong; BadInput for a weak new one
+  void change_password(const SecretText& old_password, const SecretText& new_password,
+                       const PasswordCost& cost = {});
+  void sign_out();
+
+ private:
+  friend Session sign_in(Database& database, std::string_view login, const SecretText& password,
+                         const PasswordCost& cost);
+  Session(Database& database, Person person, std::int64_t number)
+      : database_(&database), person_(std::move(person)), number_(number) {}
+
+  Database* database_;
+  Person person_;
+  std::int64_t number_ = 0;
+};
+
+/// Takes as long for an unknown login as for a wrong password, and says the same. Both are written to the audit.
+/// errors  DatabaseError Refused
+Session sign_in(Database& database, std::string_view login, const SecretText& password,
+                const PasswordCost& cost = {});
+
+/// A data directory without people: no sign-in is needed, and whoever is there may add the first administrator.
+class OpenHouse {
+ public:
+  /// Nothing once there are people.
+  static std::optional<OpenHouse> enter(Database& database);
+
+  /// errors  DatabaseError: Refused where somebody was added in the meantime; BadInput where the person is no
+  ///         administrator, or as in database/people.h
+  PersonId add_first_administrator(const NewPerson& person, const SecretText& password,
+                                   const PasswordCost& cost = {});
+
+ private:
+  explicit OpenHouse(Database& database) : database_(&database) {}
+  Database* database_;
+};
+
+}  // namespace hallux::database

@@ -1,0 +1,68 @@
+#include "database/window_writer.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "database/sql.h"
+
+namespace hallux::database {
+
+WindowWriter::WindowWriter(Database database, AttemptId attempt)
+    : database_(std::move(database)), attempt_(std::move(attempt)) {
+  attempt_number_ = translating(database_, "look for attempt " + attempt_.text, [&] {
+    SQLite::Statement row{database_.connection(), "SELECT attempt_id FROM attempt WHERE uuid = ?"};
+    row.bind(1, attempt_.text);
+    if (row.executeStep()) return row.getColumn(0).getInt64();
+    throw DatabaseError{DatabaseErrorKind::NotFound, "there is no attempt " + attempt_.text +
+                                                         " in " + database_.file().string()};
+  });
+}
+
+void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
+  if (rows.tape.empty() && rows.samples.empty() && rows.events.empty()) return;
+  const Digest link_before = last_link_;
+  const RecorderStatistics statistics_before = statistics_;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    in_transaction(database_, "record half a second of attempt " + attempt_.text, [&] {
+      insert_chunk<simulator::TapeLine>(Stream::Tape, seq, rows.tape);
+      insert_chunk<simulator::ToolSample>(Stream::Sample, seq, rows.samples);
+      insert_chunk<simulator::CutEvent>(Stream::Event, seq, rows.events);
+    });
+  } catch (...) {
+    last_link_ = link_before;
+    statistics_ = statistics_before;
+    throw;
+  }
+  const std::chrono::duration<double> spent_s = std::chrono::steady_clock::now() - start;
+  ++statistics_.commits;
+  statistics_.samples += static_cast<std::int64_t>(rows.samples.size());
+  statistics_.commit_s += spent_s.count();
+  statistics_.commit_max_s = std::max(statistics_.commit_max_s, spent_s.count());
+}
+
+template <typename Row>
+void WindowWriter::insert_chunk(Stream stream, std::int64_t seq, std::span<const Row> rows) {
+  if (rows.empty()) return;
+  const std::vector<std::byte> payload = payload_from(rows);
+  const std::vector<std::byte> bytes = packer_.pack(payload);
+  const auto row_count = static_cast<std::int64_t>(rows.size());
+  const ChunkPlace place{stream, seq, rows.front().tick, row_count};
+  last_link_ = link_of(last_link_, attempt_, place, payload);
+  SQLite::Statement insert{database_.connection(),
+                           "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
+                           "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)"};
+  insert.bind(1, attempt_number_);
+  insert.bind(2, seq);
+  insert.bind(3, static_cast<int>(stream));
+  insert.bind(4, place.first_tick);
+  insert.bind(5, row_count);
+  insert.bindNoCopy(6, bytes.data(), static_cast<int>(bytes.size()));
+  bind_digest(insert, 7, last_link_);
+  insert.exec();
+  statistics_.bytes += static_cast<std::int64_t>(bytes.size());
+  statistics_.rows += row_count;
+  ++statistics_.chunks;
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,122 @@
+#include "database/attempts.h"
+
+#include <gtest/gtest.h>
+
+#include "database/assets.h"
+#include "database/recordings.h"
+#include "tests/database/some_database.h"
+
+namespace hallux::database {
+
+namespace {
+
+TEST(Attempts, KeepWhatTheyBeganWith) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  NewAttempt attempt = some_attempt(database);
+  attempt.seed = 0xFFFF'FFFF'FFFF'FFFEULL;
+  const WriterLease lease = create_attempt(database, attempt);
+  const AttemptHeader header = load_header(database, lease.attempt());
+  EXPECT_EQ(header.begun.seed, attempt.seed);
+  EXPECT_EQ(header.begun.hand, "expert");
+  EXPECT_EQ(header.begun.bone, attempt.bone);
+  EXPECT_EQ(header.begun.person, std::nullopt);
+  EXPECT_EQ(header.scenario_name, "silver");
+  EXPECT_EQ(header.state, AttemptState::Recording);
+  EXPECT_EQ(header.duration_ticks, std::nullopt);
+  EXPECT_EQ(header.started_utc.size(), std::string{"2026-01-01T00:00:00.000Z"}.size());
+}
+
+TEST(Attempts, AreListedNewestFirst) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const simulator::Recording recording = some_recording(10);
+  const AttemptId first = record(database, some_attempt(database), recording);
+  const AttemptId second = record(database, some_attempt(database), recording);
+  const auto headers = list_attempts(database);
+  ASSERT_EQ(headers.size(), 2U);
+  EXPECT_EQ(headers[0].id, second);
+  EXPECT_EQ(headers[1].id, first);
+  EXPECT_EQ(headers[0].state, AttemptState::Closed);
+  EXPECT_EQ(headers[0].duration_ticks, 10);
+}
+
+TEST(Attempts, AreFoundByTheBeginningOfTheirName) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const AttemptId id = record(database, some_attempt(database), some_recording(10));
+  EXPECT_EQ(load_header(database, {id.text.substr(0, 8)}).id, id);
+}
+
+TEST(Attempts, ThatAreUnknownAreNamedInTheError) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  for (const std::string name : {"deadbeef", "", "x", "%", "'; DROP TABLE attempt; --"}) {
+    try {
+      load_header(database, {name});
+      ADD_FAILURE() << name;
+    } catch (const DatabaseError& error) {
+      EXPECT_EQ(error.kind(), DatabaseErrorKind::NotFound);
+      EXPECT_NE(std::string{error.what()}.find("'" + name + "'"), std::string::npos);
+    }
+  }
+}
+
+TEST(Attempts, NeedAStoredBone) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  NewAttempt attempt = some_attempt(database);
+  attempt.bone.bytes[0] ^= 1U;
+  EXPECT_THROW(create_attempt(database, attempt), DatabaseError);
+  EXPECT_TRUE(list_attempts(database).empty());
+  EXPECT_TRUE(std::filesystem::is_empty(temporary.data() / "writers"));
+}
+
+TEST(Attempts, OfALiveWriterAreNotMarkedByAnotherOpening) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  AttemptId id;
+  {
+    const WriterLease lease = create_attempt(database, some_attempt(database));
+    id = lease.attempt();
+    Database other = Database::open(temporary.data());
+    EXPECT_EQ(load_header(other, id).state, AttemptState::Recording);
+  }
+  Database later = Database::open(temporary.data());
+  EXPECT_EQ(load_header(later, id).state, AttemptState::Interrupted);
+}
+
+TEST(Attempts, AreSealedOnce) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const AttemptId id = record(database, some_attempt(database), some_recording(10));
+  EXPECT_THROW(seal_attempt(database, id, 99, "{}", Digest{}), DatabaseError);
+  EXPECT_EQ(load_header(database, id).duration_ticks, 10);
+}
+
+TEST(Assets, AreStoredOnceAndReadBackByDigest) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const std::vector<std::byte> bytes(100'000, std::byte{42});
+  const Digest digest = put_asset(database, "bone", bytes);
+  EXPECT_EQ(put_asset(database, "bone", bytes), digest);
+  EXPECT_EQ(get_asset(database, digest), bytes);
+  EXPECT_THROW(get_asset(database, Digest{}), DatabaseError);
+}
+
+TEST(ScenarioVersions, AreTheSameRowForTheSameText) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const ScenarioText text{"akin", 3, "{\"name\": \"akin\"}\n", true};
+  const ScenarioVersionId id = put_scenario_version(database, text);
+  EXPECT_EQ(put_scenario_version(database, text), id);
+  const ScenarioText back = get_scenario_version(database, id);
+  EXPECT_EQ(back.json, text.json);
+  EXPECT_EQ(back.version, 3);
+  EXPECT_TRUE(back.is_reviewed);
+  EXPECT_NE(put_scenario_version(database, {"akin", 3, "{}", true}), id);
+}
+
+}  // namespace
+
+}  // namespace hallux::database

@@ -1,0 +1,179 @@
+#include "database/desks.h"
+
+#include <gtest/gtest.h>
+
+#include "database/audit.h"
+#include "database/session.h"
+#include "tests/database/some_database.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr const char* good_password = "a long enough phrase";
+
+/// A course: root administers, ada and bob are trainees of autumn, eve of spring, kim teaches autumn.
+class Desks : public testing::Test {
+ protected:
+  Desks() {
+    OpenHouse::enter(database)->add_first_administrator({"root", "", true}, secret(good_password),
+                                                        cheap);
+    AdministratorDesk desk = *sign_in_as("root").administrator();
+    for (const char* login : {"ada", "bob", "eve", "kim"}) {
+      desk.add_person({login, "", false}, secret(good_password), cheap);
+    }
+    autumn = desk.add_cohort("autumn");
+    const CohortId spring = desk.add_cohort("spring");
+    desk.enrol(autumn, "ada", CohortRole::Trainee);
+    desk.enrol(autumn, "bob", CohortRole::Trainee);
+    desk.enrol(autumn, "kim", CohortRole::Instructor);
+    desk.enrol(spring, "eve", CohortRole::Trainee);
+  }
+
+  Session sign_in_as(const std::string& login) {
+    return sign_in(database, login, secret(good_password), cheap);
+  }
+  NewAttempt attempt_of(const std::string& login) {
+    NewAttempt attempt = some_attempt(database);
+    attempt.person = find_person(database, login).id;
+    return attempt;
+  }
+  AttemptId recorded_by(const std::string& login) {
+    return record(database, attempt_of(login), some_recording(5));
+  }
+
+  TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  CohortId autumn;
+};
+
+template <typename Work>
+DatabaseErrorKind kind_thrown(Work&& work) {
+  try {
+    work();
+  } catch (const DatabaseError& error) {
+    return error.kind();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return DatabaseErrorKind::InputOutput;
+}
+
+TEST_F(Desks, AreHadByRoleOnly) {
+  Session ada = sign_in_as("ada");
+  EXPECT_TRUE(ada.trainee());
+  EXPECT_FALSE(ada.instructor_of(autumn));
+  EXPECT_FALSE(ada.administrator());
+  Session kim = sign_in_as("kim");
+  EXPECT_TRUE(kim.instructor_of(autumn));
+  EXPECT_FALSE(kim.instructor_of({99}));
+  EXPECT_FALSE(kim.administrator());
+  EXPECT_TRUE(sign_in_as("root").administrator());
+}
+
+TEST_F(Desks, ShowATraineeTheirOwnAttemptsAndTheRobots) {
+  const AttemptId own = recorded_by("ada");
+  const AttemptId other = recorded_by("bob");
+  const AttemptId robot = record(database, some_attempt(database), some_recording(5));
+  TraineeDesk desk = *sign_in_as("ada").trainee();
+  const auto listed = desk.attempts();
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_EQ(listed[0].id, robot);
+  EXPECT_EQ(listed[1].id, own);
+  EXPECT_EQ(desk.recording(own).samples.size(), 5U);
+  EXPECT_EQ(kind_thrown([&] { desk.header(other); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.recording(other); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.score(other); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.store_score(other, {}); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.begin_attempt(attempt_of("bob")); }),
+            DatabaseErrorKind::Refused);
+}
+
+TEST_F(Desks, ShowAnInstructorTheirCohortAndNoOther) {
+  const AttemptId of_cohort = recorded_by("ada");
+  const AttemptId of_other_cohort = recorded_by("eve");
+  InstructorDesk desk = *sign_in_as("kim").instructor_of(autumn);
+  ASSERT_EQ(desk.attempts().size(), 1U);
+  EXPECT_EQ(desk.attempts()[0].id, of_cohort);
+  EXPECT_EQ(desk.recording(of_cohort).samples.size(), 5U);
+  EXPECT_EQ(read_audit(database).back().entry.action, "attempt_viewed");
+  EXPECT_EQ(kind_thrown([&] { desk.recording(of_other_cohort); }), DatabaseErrorKind::Refused);
+  const AuditRow last = read_audit(database).back();
+  EXPECT_TRUE(last.entry.was_refused);
+  EXPECT_EQ(last.entry.actor, find_person(database, "kim").id);
+}
+
+TEST_F(Desks, OfTheHouseHoldOnlyWhatIsNobodys) {
+  const AttemptId of_ada = recorded_by("ada");
+  const AttemptId robot = record(database, some_attempt(database), some_recording(5));
+  HouseDesk desk{database};
+  ASSERT_EQ(desk.attempts().size(), 1U);
+  EXPECT_EQ(desk.attempts()[0].id, robot);
+  EXPECT_EQ(kind_thrown([&] { desk.header(of_ada); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.begin_attempt(attempt_of("ada")); }),
+            DatabaseErrorKind::Refused);
+}
+
+TEST_F(Desks, StopWorkingWhenTheRightToThemEnds) {
+  Session session = sign_in_as("kim");
+  InstructorDesk desk = *session.instructor_of(autumn);
+  sign_in_as("root").administrator()->set_disabled("kim", true);
+  EXPECT_EQ(kind_thrown([&] { desk.attempts(); }), DatabaseErrorKind::Refused);
+  EXPECT_FALSE(session.instructor_of(autumn));
+  EXPECT_FALSE(session.trainee());
+}
+
+TEST_F(Desks, OfAnAdministratorSetPasswords) {
+  AdministratorDesk desk = *sign_in_as("root").administrator();
+  desk.set_password("ada", secret("another long phrase"), cheap);
+  EXPECT_EQ(kind_thrown([&] { sign_in_as("ada"); }), DatabaseErrorKind::Refused);
+  EXPECT_NO_THROW(sign_in(database, "ada", secret("another long phrase"), cheap));
+  EXPECT_EQ(desk.people().size(), 5U);
+}
+
+TEST_F(Desks, SignInSaysTheSameForAWrongPasswordAndAnUnknownLogin) {
+  const auto sentence = [&](const char* login) {
+    try {
+      sign_in(database, login, secret("not the password"), cheap);
+    } catch (const DatabaseError& error) {
+      EXPECT_EQ(error.kind(), DatabaseErrorKind::Refused);
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  std::string known = sentence("ada");
+  EXPECT_EQ(known.replace(known.find("ada"), 3, "zoe"), sentence("zoe"));
+  EXPECT_TRUE(read_audit(database).back().entry.was_refused);
+}
+
+TEST_F(Desks, PasswordsAreChangedByThoseWhoKnowTheOldOne) {
+  Session ada = sign_in_as("ada");
+  EXPECT_EQ(kind_thrown([&] {
+              ada.change_password(secret("not the password"), secret("another long phrase"), cheap);
+            }),
+            DatabaseErrorKind::Refused);
+  ada.change_password(secret(good_password), secret("another long phrase"), cheap);
+  EXPECT_NO_THROW(sign_in(database, "ada", secret("another long phrase"), cheap));
+  ada.sign_out();
+  EXPECT_EQ(read_audit(database).back().entry.action, "signed_out");
+}
+
+TEST(OpenHouse, ClosesWithTheFirstPersonWhoIsAnAdministrator) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  auto house = OpenHouse::enter(database);
+  ASSERT_TRUE(house);
+  EXPECT_EQ(kind_thrown([&] {
+              house->add_first_administrator({"ada", "", false}, secret(good_password), cheap);
+            }),
+            DatabaseErrorKind::BadInput);
+  house->add_first_administrator({"ada", "", true}, secret(good_password), cheap);
+  EXPECT_FALSE(OpenHouse::enter(database));
+  EXPECT_EQ(kind_thrown([&] {
+              house->add_first_administrator({"bob", "", true}, secret(good_password), cheap);
+            }),
+            DatabaseErrorKind::Refused);
+}
+
+}  // namespace
+
+}  // namespace hallux::database

@@ -1,0 +1,116 @@
+#include "tests/database/some_database.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <span>
+#include <stdexcept>
+#include <thread>
+
+#include "database/assets.h"
+#include "simulator/base/random.h"
+
+namespace hallux::database {
+
+namespace {
+
+/// In memory where there is such a place: these tests are about what is kept, not about how fast a disk syncs.
+std::filesystem::path quick_directory() {
+  const std::filesystem::path shared_memory{"/dev/shm"};
+  return ::access(shared_memory.c_str(), W_OK) == 0 ? shared_memory
+                                                    : std::filesystem::temp_directory_path();
+}
+
+}  // namespace
+
+TemporaryDirectory::TemporaryDirectory() {
+  std::string pattern = (quick_directory() / "hallux-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error{"no temporary directory"};
+  path_ = pattern;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+SecretText secret(std::string text) { return SecretText::take(text); }
+
+NewAttempt some_attempt(Database& database) {
+  const std::string bone = "a bone of no shape, but with bytes of its own";
+  NewAttempt attempt;
+  attempt.scenario = put_scenario_version(database, {"silver", 1, "{\"name\": \"silver\"}", false});
+  attempt.bone = put_asset(database, "bone", std::as_bytes(std::span{bone.data(), bone.size()}));
+  attempt.hand = "expert";
+  attempt.seed = 7;
+  return attempt;
+}
+
+simulator::Recording some_recording(std::int64_t ticks) {
+  simulator::Recording recording;
+  Random random{42};
+  Vec3 tip_mm{80.0, 20.0, -3.0};
+  for (std::int64_t tick = 0; tick < ticks; ++tick) {
+    tip_mm += Vec3{0.02 * random.normal(), 0.003 + 0.02 * random.normal(), 0.02 * random.normal()};
+    const Quat rotation = normalised(Quat{1.0, 0.001 * random.normal(), 0.2, 0.1});
+    simulator::TapeLine line;
+    line.tick = tick;
+    line.device.world_from_handle = simulator::quantise({rotation, tip_mm});
+    line.device.switches = tick % 2000 < 1500 ? 1 : 0;
+    if (tick == 0) {
+      line.command_count = 1;
+      line.commands[0] = {simulator::CommandKind::Start, 0, 0};
+    }
+    recording.tape.push_back(line);
+    simulator::ToolSample sample;
+    sample.tick = tick;
+    sample.world_from_tool = line.device.world_from_handle;
+    sample.force_mn = {static_cast<std::int32_t>(random.uniform(-40.0, 40.0)), 2500, 0};
+    sample.status = line.device.switches * 3;
+    sample.kerf = tick > 1000 ? 0 : -1;
+    recording.samples.push_back(sample);
+    if (tick % 250 == 100) {
+      recording.events.push_back(
+          {tick, simulator::CutEventKind::Contact, 1, tick * 3, sample.world_from_tool});
+    }
+  }
+  return recording;
+}
+
+void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels) {
+  const auto push = [&channels](auto& ring, const auto& row) {
+    while (!ring.push(row) && !channels.recorder_failed.load()) std::this_thread::yield();
+  };
+  std::size_t next_event = 0;
+  for (std::size_t i = 0; i < recording.tape.size(); ++i) {
+    push(channels.tape, recording.tape[i]);
+    push(channels.samples, recording.samples[i]);
+    for (; next_event < recording.events.size() &&
+           recording.events[next_event].tick == recording.tape[i].tick;
+         ++next_event) {
+      push(channels.events, recording.events[next_event]);
+    }
+  }
+  channels.closed.store(true);
+}
+
+AttemptId record(Database& database, const NewAttempt& attempt,
+                 const simulator::Recording& recording) {
+  simulator::AttemptChannels channels{4096};
+  Recorder recorder{database, create_attempt(database, attempt), channels};
+  produce(recording, channels);
+  recorder.finish("{}");
+  return recorder.attempt();
+}
+
+void tamper(const Database& database, const std::string& sql) {
+  SQLite::Database other{database.file().string(), SQLite::OPEN_READWRITE, 1000};
+  other.exec(sql);
+}
+
+bool is_same(const simulator::Recording& a, const simulator::Recording& b) {
+  return a.engine == b.engine && a.tape == b.tape && a.samples == b.samples && a.events == b.events;
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,53 @@
+/// Worlds for the tests of this room: an empty data directory, stored bones, recordings of a hand that moves.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "database/attempts.h"
+#include "database/connection.h"
+#include "database/passwords.h"
+#include "database/recorder.h"
+#include "simulator/record/channels.h"
+
+namespace hallux::database {
+
+/// A directory of its own under the system's temporary one; gone with it.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory();
+  ~TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  /// A data directory inside that does not exist yet.
+  std::filesystem::path data() const { return path_ / "data"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The cheapest Argon2id there is: for tests that are not about its cost.
+inline constexpr PasswordCost cheap{1, 8192};
+
+SecretText secret(std::string text);
+
+/// A robot's attempt on a stored bone and a stored scenario.
+NewAttempt some_attempt(Database& database);
+
+/// `ticks` milliseconds of a hand that trembles and saws, with an event each quarter of a second.
+simulator::Recording some_recording(std::int64_t ticks);
+
+/// Pushes a recording as the loop does: tick by tick, waiting for room; sets `closed` at the end.
+void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels);
+
+/// Records and seals `recording` as a new attempt.
+AttemptId record(Database& database, const NewAttempt& attempt,
+                 const simulator::Recording& recording);
+
+/// Runs SQL as somebody with another tool would.
+void tamper(const Database& database, const std::string& sql);
+
+bool is_same(const simulator::Recording& a, const simulator::Recording& b);
+
+}  // namespace hallux::database
