@@ -1,0 +1,58 @@
+#include "simulator/mesh/write_ply.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "simulator/mesh/read_mesh.h"
+#include "tests/support/worlds.h"
+
+namespace hallux::simulator {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for one test, removed at its end.
+class WritePly : public testing::Test {
+ protected:
+  WritePly() { fs::create_directories(folder); }
+  ~WritePly() override { fs::remove_all(folder); }
+
+  fs::path folder =
+      fs::path{testing::TempDir()} /
+      ("hallux_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
+};
+
+TEST_F(WritePly, ReadsBackBitForBit) {
+  const IndexedMesh tube = tests::hollow_tube({});
+  write_ply(tube, folder / "tube.ply");
+  EXPECT_EQ(read_mesh(folder / "tube.ply"), tube);
+}
+
+TEST_F(WritePly, ReplacesAnOldFileAndLeavesNothingBeside) {
+  write_ply(tests::sphere(3.0, 4), folder / "bone.ply");
+  const IndexedMesh block = tests::solid_block(Vec3{1.0, 2.0, 3.0});
+  write_ply(block, folder / "bone.ply");
+  EXPECT_EQ(read_mesh(folder / "bone.ply"), block);
+  EXPECT_EQ(std::distance(fs::directory_iterator{folder}, fs::directory_iterator{}), 1);
+}
+
+TEST_F(WritePly, SaysWhyItCannotWrite) {
+  try {
+    write_ply(tests::solid_block(Vec3{1.0}), folder / "nowhere" / "bone.ply");
+    FAIL() << "must throw";
+  } catch (const MeshError& error) {
+    EXPECT_NE(std::string{error.what()}.find("bone.ply: cannot be written in"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(WritePly, LeavesTheTargetAloneWhenItIsAFolder) {
+  fs::create_directories(folder / "bone.ply" / "kept");
+  EXPECT_THROW(write_ply(tests::solid_block(Vec3{1.0}), folder / "bone.ply"), MeshError);
+  EXPECT_TRUE(fs::exists(folder / "bone.ply" / "kept"));
+  EXPECT_FALSE(fs::exists(folder / "bone.ply.part"));
+}
+
+}  // namespace
+}  // namespace hallux::simulator
