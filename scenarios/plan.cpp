@@ -88,15 +88,17 @@ Plan plan_on(const Scenario& scenario, const Bone& bone) {
   return plan;
 }
 
-Bone make_patient(const Scenario& scenario) {
+Bone make_patient(const Scenario& scenario, const std::function<bool(double)>& progress) {
   const PatientRequest& patient = scenario.patient;
   if (patient.bone != "first_metatarsal") {
     throw ScenarioError(scenario.name + ": patient.bone: there is no bone \"" + patient.bone +
                         "\"; use first_metatarsal");
   }
-  return make_first_metatarsal(first_metatarsal_table(), {.length_mm = patient.length_mm,
-                                                          .eminence_mm = patient.eminence_mm,
-                                                          .edge_mm = patient.edge_mm});
+  return make_first_metatarsal(first_metatarsal_table(),
+                               {.length_mm = patient.length_mm,
+                                .eminence_mm = patient.eminence_mm,
+                                .edge_mm = patient.edge_mm},
+                               progress);
 }
 
 }  // namespace hallux::scenarios

@@ -1,6 +1,7 @@
 /// A scenario's plan on one patient: planes and points in that bone's frame.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,9 @@ struct Plan {
 /// errors  ScenarioError naming the landmark that this bone lacks, or the cut whose plane misses the bone
 Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
 
-/// The patient that the scenario asks for.
+/// The patient that the scenario asks for; `progress` is told the fraction done and may return false to cancel.
 /// errors  ScenarioError (see make_first_metatarsal)
-simulator::Bone make_patient(const Scenario& scenario);
+simulator::Bone make_patient(const Scenario& scenario,
+                             const std::function<bool(double)>& progress = {});
 
 }  // namespace hallux::scenarios

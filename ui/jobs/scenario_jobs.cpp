@@ -149,6 +149,11 @@ std::vector<Scenario> list_scenarios() {
   return shipped;
 }
 
+Scenario load_scenario(const std::string& name_or_file) {
+  const bool is_file = std::filesystem::is_regular_file(name_or_file);
+  return is_file ? read_scenario(name_or_file) : load_shipped_scenario(name_or_file);
+}
+
 CheckedScenario check_scenario_file(const std::filesystem::path& file) {
   CheckedScenario checked;
   checked.scenario = read_scenario(file);

@@ -14,6 +14,10 @@ namespace hallux::ui {
 /// errors  none for a program whose tests pass: the shipped files are read in them
 std::vector<scenarios::Scenario> list_scenarios();
 
+/// A shipped scenario by its name, or the one in the file of that name.
+/// errors  ScenarioError naming the shipped ones where it is neither
+scenarios::Scenario load_scenario(const std::string& name_or_file);
+
 struct CheckedScenario {
   scenarios::Scenario scenario;
   scenarios::Plan

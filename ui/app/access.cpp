@@ -1,0 +1,86 @@
+#include "ui/app/access.h"
+
+#include <termios.h>
+#include <unistd.h>
+
+#include <istream>
+#include <ostream>
+
+#include "database/database_error.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::DatabaseError;
+using database::DatabaseErrorKind;
+
+/// Keeps the terminal from showing what is typed while it lives.
+class SilentTerminal {
+ public:
+  SilentTerminal() {
+    is_silent_ = tcgetattr(STDIN_FILENO, &before_) == 0;
+    if (!is_silent_) return;
+    termios silent = before_;
+    silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+    tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
+  }
+  ~SilentTerminal() {
+    if (is_silent_) tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
+  }
+  SilentTerminal(const SilentTerminal&) = delete;
+  SilentTerminal& operator=(const SilentTerminal&) = delete;
+
+ private:
+  termios before_{};
+  bool is_silent_ = false;
+};
+
+}  // namespace
+
+database::Database open_data(const VerbContext& context, database::Access access) {
+  return database::Database::open(context.data_directory, {access, 5000, {}});
+}
+
+database::SecretText ask_password(const VerbContext& context, const std::string& prompt) {
+  const bool is_terminal = isatty(STDIN_FILENO) != 0;
+  std::string line;
+  if (is_terminal) {
+    context.notes << prompt << ": " << std::flush;
+    const SilentTerminal silent;
+    std::getline(context.in, line);
+    context.notes << "\n";
+  } else {
+    std::getline(context.in, line);
+  }
+  if (!context.in && line.empty()) {
+    throw DatabaseError(
+        DatabaseErrorKind::Refused,
+        prompt + ": none came; type it at a terminal, or send it as a line of stdin");
+  }
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return database::SecretText::take(line);
+}
+
+database::Session sign_in_as(const VerbContext& context, database::Database& database) {
+  if (context.login.empty()) {
+    throw DatabaseError(DatabaseErrorKind::Refused,
+                        "this data directory has people; say who you are with --as LOGIN");
+  }
+  return database::sign_in(database, context.login,
+                           ask_password(context, "Password of " + context.login));
+}
+
+ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
+                         const std::function<ExitCode(database::AttemptDesk&)>& work) {
+  if (context.login.empty()) {
+    database::HouseDesk desk(database);
+    return work(desk);
+  }
+  database::Session session = sign_in_as(context, database);
+  std::optional<database::TraineeDesk> desk = session.trainee();
+  if (!desk) throw DatabaseError(DatabaseErrorKind::Refused, context.login + " has no desk here");
+  return work(*desk);
+}
+
+}  // namespace hallux::ui

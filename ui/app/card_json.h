@@ -1,0 +1,15 @@
+/// A score card as the JSON that `hallux attempt` and `hallux score` answer with. Format: docs/command.md.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "database/records/score.h"
+
+namespace hallux::ui {
+
+/// `score`, `measured_weight`, `groups`, `gates`, and what the score was computed with.
+nlohmann::ordered_json card_summary_json(const database::ScoreCard& card);
+/// `ledger`: one object a line; points_lost are shown points, so they add up to 100 - score.
+nlohmann::ordered_json ledger_json(const database::ScoreCard& card);
+
+}  // namespace hallux::ui

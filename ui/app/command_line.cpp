@@ -1,0 +1,129 @@
+#include "ui/app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "assessment/progress.h"
+#include "database/database_error.h"
+#include "scenarios/scenario_error.h"
+#include "simulator/mesh/mesh_error.h"
+#include "simulator/record/record.h"
+#include "ui/app/interrupt.h"
+#include "ui/app/verb_attempt.h"
+#include "ui/app/verb_cut.h"
+#include "ui/app/verb_replay.h"
+#include "ui/app/verb_scenario.h"
+#include "ui/app/verb_score.h"
+#include "ui/app/verb_user.h"
+#include "ui/app/verb_verify.h"
+#include "ui/jobs/attempt_jobs.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::DatabaseErrorKind;
+
+ExitCode exit_code_of(DatabaseErrorKind kind) {
+  switch (kind) {
+    case DatabaseErrorKind::Refused:
+      return ExitCode::Refused;
+    case DatabaseErrorKind::NotFound:
+    case DatabaseErrorKind::BadInput:
+      return ExitCode::BadInput;
+    default:
+      return ExitCode::Storage;
+  }
+}
+
+/// A stream that swallows what is written to it: --quiet.
+class NullBuffer final : public std::streambuf {
+  int overflow(int letter) override { return letter; }
+};
+
+std::filesystem::path default_data_directory() {
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
+    return std::filesystem::path(data) / "hallux";
+  }
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : ".") / ".local" / "share" / "hallux";
+}
+
+ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
+  const auto fail = [&err](const std::exception& error, ExitCode code) {
+    err << "hallux: " << error.what() << "\n";
+    return code;
+  };
+  try {
+    const ExitCode code = context.chosen();
+    context.out.flush();
+    if (!context.out) {
+      err << "hallux: the answer could not be written to stdout; see where it leads\n";
+      return ExitCode::Storage;
+    }
+    return code;
+  } catch (const database::DatabaseError& error) {
+    return fail(error, exit_code_of(error.kind()));
+  } catch (const Cancelled& error) {
+    return fail(error, ExitCode::Interrupted);
+  } catch (const simulator::MeshError& error) {
+    return fail(error, ExitCode::BadInput);
+  } catch (const scenarios::ScenarioError& error) {
+    return fail(error, ExitCode::BadInput);
+  } catch (const assessment::Cancelled& error) {
+    return fail(error, ExitCode::Interrupted);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(error, ExitCode::Storage);
+  } catch (const std::bad_alloc&) {
+    err << "hallux: the memory of this machine is not enough for this\n";
+    return ExitCode::BadInput;
+  }
+}
+
+void add_verbs(CLI::App& app, VerbContext& context) {
+  add_attempt_verbs(app, context);
+  add_replay_verb(app, context);
+  add_score_verbs(app, context);
+  add_cut_verb(app, context);
+  add_scenario_verb(app, context);
+  add_user_verb(app, context);
+  add_verify_verb(app, context);
+}
+
+}  // namespace
+
+ExitCode run_command_line(int argc, const char* const* argv, std::istream& in, std::ostream& out,
+                          std::ostream& err) {
+  NullBuffer null_buffer;
+  std::ostream notes(err.rdbuf());
+  VerbContext context{out, notes, in, default_data_directory(), {}, false, false, {}};
+
+  CLI::App app("Hallux: a bone-surgery trainer. Scenarios are not surgeon-reviewed.", "hallux");
+  app.fallthrough();
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version",
+                       "hallux, engine version " + std::to_string(simulator::engine_version));
+  app.add_option("--data", context.data_directory, "data directory; the database is DIR/hallux.db");
+  app.add_option("--as", context.login,
+                 "sign in as this person; the password comes from the terminal or stdin");
+  app.add_flag("--json", context.json, "answer with exactly one JSON value on stdout");
+  app.add_flag("--quiet", context.quiet, "no progress on stderr");
+  add_verbs(app, context);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error, out, err);
+    return code == 0 ? ExitCode::Done : ExitCode::WrongUsage;
+  }
+  if (!context.chosen) {
+    err << "hallux: say what to do; the verbs are:\n" << app.help();
+    return ExitCode::WrongUsage;
+  }
+  if (context.quiet) notes.rdbuf(&null_buffer);
+  const InterruptWatch interrupts;
+  return run_chosen(context, err);
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,11 @@
+/// The `hallux` command: understands the line, runs the verb, turns what is thrown into a sentence and an exit code.
+#include <csignal>
+#include <iostream>
+
+#include "ui/app/command_line.h"
+
+int main(int argc, char** argv) {
+  // A closed pipe (hallux ... | head) is an error of writing, not a reason to die in the middle of a transaction.
+  std::signal(SIGPIPE, SIG_IGN);
+  return static_cast<int>(hallux::ui::run_command_line(argc, argv, std::cin, std::cout, std::cerr));
+}

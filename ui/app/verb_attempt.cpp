@@ -1,0 +1,148 @@
+#include "ui/app/verb_attempt.h"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+#include "scenarios/hands/scripted_hand.h"
+#include "simulator/base/units.h"
+#include "ui/app/access.h"
+#include "ui/app/card_json.h"
+#include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/scenario_jobs.h"
+#include "ui/report/score_sheet.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct AttemptOptions {
+  std::string scenario, hand = "expert", pacing = "virtual";
+  std::uint64_t seed = 1;
+};
+
+/// A hand that is none of the names is a file with a motion.
+ScriptedAttempt attempt_from(const AttemptOptions& options) {
+  ScriptedAttempt attempt;
+  attempt.scenario = load_scenario(options.scenario);
+  attempt.hand = options.hand;
+  attempt.seed = options.seed;
+  attempt.pacing =
+      options.pacing == "real-time" ? simulator::Pacing::RealTime : simulator::Pacing::Virtual;
+  if (options.hand == "expert" || options.hand == "novice") return attempt;
+  std::ifstream file(options.hand, std::ios::binary);
+  if (!file) {
+    throw scenarios::ScenarioError(
+        options.hand + ": cannot be read; --hand takes expert, novice, or a readable file");
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  attempt.motion = scenarios::parse_hand_motion(text.str(), options.hand);
+  return attempt;
+}
+
+ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& outcome) {
+  ordered_json answer = {{"attempt", outcome.attempt.text},
+                         {"scenario", attempt.scenario.name},
+                         {"hand", attempt.hand},
+                         {"seed", attempt.seed}};
+  answer.update(card_summary_json(outcome.card));
+  answer["samples"] = outcome.recorder.samples;
+  answer["duration_s"] = second_from_tick(outcome.loop.ticks);
+  answer["quality"] = ordered_json::parse(quality_json(outcome.quality));
+  answer["loop"] = {{"step_us",
+                     {{"p50", outcome.loop.step_p50_us},
+                      {"p99", outcome.loop.step_p99_us},
+                      {"max", outcome.loop.step_max_us}}}};
+  answer["recorder"] = {{"bytes", outcome.recorder.bytes},
+                        {"chunks", outcome.recorder.chunks},
+                        {"cpu_s", outcome.recorder.cpu_s},
+                        {"commit_max_s", outcome.recorder.commit_max_s}};
+  return answer;
+}
+
+ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
+  const ScriptedAttempt attempt = attempt_from(options);
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  const AttemptOutcome outcome = run_scripted_attempt(
+      database, attempt,
+      [&context](const std::string& stage) { return progress_on(context, stage); });
+  if (context.json) {
+    context.out << outcome_json(attempt, outcome).dump(2) << "\n";
+    return ExitCode::Done;
+  }
+  context.out << score_sheet(outcome.card) << "\nattempt " << outcome.attempt.text << "\n";
+  return ExitCode::Done;
+}
+
+ordered_json attempt_json(const database::AttemptHeader& header,
+                          const std::optional<database::StoredScore>& score) {
+  return {{"attempt", header.id.text},
+          {"scenario", header.scenario_name},
+          {"person", header.begun.person ? ordered_json(header.login) : ordered_json()},
+          {"hand", header.begun.hand},
+          {"seed", header.begun.seed},
+          {"started", header.started_utc},
+          {"state", database::name_of(header.state)},
+          {"score", score ? ordered_json(static_cast<double>(score->card.score_milli) / 1000.0)
+                          : ordered_json()}};
+}
+
+void print_attempt(std::ostream& out, const database::AttemptHeader& header,
+                   const std::optional<database::StoredScore>& score) {
+  const std::string who = header.begun.person ? header.login : "robot, " + header.begun.hand;
+  out << header.id.text << "  " << header.started_utc << "  " << std::left << std::setw(12)
+      << header.scenario_name << std::setw(20) << who << std::setw(12)
+      << database::name_of(header.state);
+  if (score) {
+    out << std::fixed << std::setprecision(1)
+        << static_cast<double>(score->card.score_milli) / 1000.0;
+  } else {
+    out << "not scored";
+  }
+  out << "\n";
+}
+
+ExitCode list_attempts_on(const VerbContext& context) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
+    ordered_json rows = ordered_json::array();
+    for (const database::AttemptHeader& header : desk.attempts()) {
+      const std::optional<database::StoredScore> score = desk.score(header.id);
+      if (context.json) rows.push_back(attempt_json(header, score));
+      if (!context.json) print_attempt(context.out, header, score);
+    }
+    if (context.json) context.out << rows.dump(2) << "\n";
+    return ExitCode::Done;
+  });
+}
+
+}  // namespace
+
+void add_attempt_verbs(CLI::App& app, VerbContext& context) {
+  auto options = std::make_shared<AttemptOptions>();
+  CLI::App* attempt = app.add_subcommand(
+      "attempt", "run a scripted attempt through loop, recorder and score; it is the robot's");
+  attempt->add_option("scenario", options->scenario, "a shipped scenario's name, or a file")
+      ->required();
+  attempt->add_option("--hand", options->hand, "expert, novice, or a file with a motion")
+      ->capture_default_str();
+  attempt->add_option("--seed", options->seed, "seed of the hand's errors")->capture_default_str();
+  attempt->add_option("--pacing", options->pacing, "virtual (as fast as it goes) or real-time")
+      ->check(CLI::IsMember({"virtual", "real-time"}))
+      ->capture_default_str();
+  attempt->callback([options, &context] {
+    context.chosen = [options, &context] { return run_attempt_verb(context, *options); };
+  });
+
+  CLI::App* attempts = app.add_subcommand("attempts", "list attempts, newest first");
+  attempts->callback(
+      [&context] { context.chosen = [&context] { return list_attempts_on(context); }; });
+}
+
+}  // namespace hallux::ui

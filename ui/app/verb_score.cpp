@@ -1,0 +1,91 @@
+#include "ui/app/verb_score.h"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <memory>
+#include <ostream>
+
+#include "ui/app/access.h"
+#include "ui/app/card_json.h"
+#include "ui/app/write_file.h"
+#include "ui/jobs/attempt_jobs.h"
+#include "ui/report/html_report.h"
+#include "ui/report/score_sheet.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ReportOptions {
+  std::string attempt;
+  std::filesystem::path output;
+};
+
+StageProgress stages_on(const VerbContext& context) {
+  return [&context](const std::string& stage) { return progress_on(context, stage); };
+}
+
+ExitCode score_on(const VerbContext& context, const std::string& id) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
+    const AttemptMaterial material = load_attempt(database, desk, {id});
+    const database::ScoreCard card = score_attempt(material, stages_on(context));
+    desk.store_score(material.header.id, card);
+    if (context.json) {
+      ordered_json answer = {{"attempt", material.header.id.text},
+                             {"scenario", material.header.scenario_name},
+                             {"state", database::name_of(material.header.state)}};
+      answer.update(card_summary_json(card));
+      answer["ledger"] = ledger_json(card);
+      context.out << answer.dump(2) << "\n";
+    } else {
+      context.out << score_sheet(card);
+    }
+    return ExitCode::Done;
+  });
+}
+
+ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
+    const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
+    const database::ScoreCard card = score_attempt(material, stages_on(context));
+    const std::string page =
+        html_report({material.header, material.scenario, material.bone, material.recording, card});
+    write_file_whole(options.output, page);
+    if (context.json) {
+      context.out << ordered_json{{"attempt", material.header.id.text},
+                                  {"file", options.output.string()},
+                                  {"bytes", page.size()}}
+                         .dump(2)
+                  << "\n";
+    } else {
+      context.out << "report " << options.output.string() << "\n";
+    }
+    return ExitCode::Done;
+  });
+}
+
+}  // namespace
+
+void add_score_verbs(CLI::App& app, VerbContext& context) {
+  auto id = std::make_shared<std::string>();
+  CLI::App* score =
+      app.add_subcommand("score", "score an attempt from what was recorded, and keep the score");
+  score->add_option("attempt", *id, "the attempt's id, or its first characters")->required();
+  score->callback(
+      [id, &context] { context.chosen = [id, &context] { return score_on(context, *id); }; });
+
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* report = app.add_subcommand("report", "write an attempt's report as one HTML page");
+  report->add_option("attempt", options->attempt, "the attempt's id, or its first characters")
+      ->required();
+  report->add_option("-o,--output", options->output, "the file to write")->required();
+  report->callback([options, &context] {
+    context.chosen = [options, &context] { return report_on(context, *options); };
+  });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,151 @@
+#include "ui/app/verb_user.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "database/database_error.h"
+#include "ui/app/access.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::DatabaseError;
+using database::DatabaseErrorKind;
+using nlohmann::ordered_json;
+
+struct UserOptions {
+  std::string login, display_name;
+  bool is_administrator = false;
+  bool enable = false;
+};
+
+/// The desk of an administrator who signed in, kept together with the session that it depends on.
+struct AdministratorVisit {
+  database::Session session;
+  database::AdministratorDesk desk;
+};
+
+AdministratorVisit visit(const VerbContext& context, database::Database& database) {
+  database::Session session = sign_in_as(context, database);
+  std::optional<database::AdministratorDesk> desk = session.administrator();
+  if (!desk) {
+    throw DatabaseError(
+        DatabaseErrorKind::Refused,
+        context.login + " is not an administrator; only administrators manage people");
+  }
+  return {std::move(session), *desk};
+}
+
+void say(const VerbContext& context, const std::string& login, const std::string& what) {
+  if (context.json) {
+    context.out << ordered_json{{"login", login}, {"done", what}}.dump(2) << "\n";
+  } else {
+    context.out << login << ": " << what << "\n";
+  }
+}
+
+ExitCode add_on(const VerbContext& context, const UserOptions& options) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  const database::NewPerson person{options.login, options.display_name, options.is_administrator};
+  if (auto house = database::OpenHouse::enter(database)) {
+    if (!options.is_administrator) {
+      throw DatabaseError(DatabaseErrorKind::BadInput,
+                          "the first person must be an administrator; add --administrator");
+    }
+    house->add_first_administrator(person, ask_password(context, "Password for " + options.login));
+  } else {
+    AdministratorVisit administrator = visit(context, database);
+    administrator.desk.add_person(person, ask_password(context, "Password for " + options.login));
+  }
+  say(context, options.login, "added");
+  return ExitCode::Done;
+}
+
+ExitCode list_on(const VerbContext& context) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  std::vector<database::Person> people;
+  if (!database::OpenHouse::enter(database)) people = visit(context, database).desk.people();
+  ordered_json rows = ordered_json::array();
+  for (const database::Person& person : people) {
+    rows.push_back({{"login", person.login},
+                    {"name", person.display_name},
+                    {"administrator", person.is_administrator},
+                    {"disabled", person.is_disabled},
+                    {"created", person.created_utc}});
+    if (context.json) continue;
+    context.out << person.login << "  " << person.display_name
+                << (person.is_administrator ? "  administrator" : "")
+                << (person.is_disabled ? "  disabled" : "") << "\n";
+  }
+  if (context.json)
+    context.out << rows.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
+  return ExitCode::Done;
+}
+
+ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  const std::string login = options.login.empty() ? context.login : options.login;
+  if (login == context.login || context.login.empty()) {
+    VerbContext own = context;
+    own.login = login;
+    const database::SecretText old_password = ask_password(own, "Password of " + login);
+    database::Session session = database::sign_in(database, login, old_password);
+    session.change_password(old_password, ask_password(own, "New password for " + login));
+  } else {
+    AdministratorVisit administrator = visit(context, database);
+    administrator.desk.set_password(login, ask_password(context, "New password for " + login));
+  }
+  say(context, login, "password changed");
+  return ExitCode::Done;
+}
+
+ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
+  database::Database database = open_data(context, database::Access::ReadWrite);
+  AdministratorVisit administrator = visit(context, database);
+  administrator.desk.set_disabled(options.login, !options.enable);
+  say(context, options.login, options.enable ? "enabled" : "disabled");
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_user_verb(CLI::App& app, VerbContext& context) {
+  CLI::App* user = app.add_subcommand("user",
+                                      "people and their passwords; a password comes from the "
+                                      "terminal, or as a line of stdin: first that "
+                                      "of --as, then the new one");
+  user->require_subcommand(1);
+  auto options = std::make_shared<UserOptions>();
+  const auto choose = [&context, options](CLI::App* verb, auto run) {
+    verb->callback([options, &context, run] {
+      context.chosen = [options, &context, run] { return run(context, *options); };
+    });
+  };
+
+  CLI::App* add =
+      user->add_subcommand("add", "add a person; the first one must be an administrator");
+  add->add_option("login", options->login, "2 to 64 of a-z 0-9 . _ -, beginning with a letter")
+      ->required();
+  add->add_option("--name", options->display_name, "the name that is shown");
+  add->add_flag("--administrator", options->is_administrator, "may manage people and scenarios");
+  choose(add, add_on);
+
+  CLI::App* list = user->add_subcommand("list", "list people");
+  choose(list, [](const VerbContext& chosen, const UserOptions&) { return list_on(chosen); });
+
+  CLI::App* passwd =
+      user->add_subcommand("passwd", "change your password, or set another person's");
+  passwd->add_option("login", options->login, "whose; your own without it");
+  choose(passwd, passwd_on);
+
+  CLI::App* disable =
+      user->add_subcommand("disable", "keep a person from signing in; nothing is deleted");
+  disable->add_option("login", options->login, "who")->required();
+  disable->add_flag("--enable", options->enable, "let the person sign in again");
+  choose(disable, disable_on);
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,49 @@
+#include "ui/app/verb_verify.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "database/verify.h"
+#include "ui/app/access.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ExitCode verify_on(const VerbContext& context) {
+  database::Database database = open_data(context, database::Access::ReadOnly);
+  const database::Verification found = verify(database, progress_on(context, "Verifying"));
+  if (context.json) {
+    context.out << ordered_json{{"whole", found.is_whole()},
+                                {"first_damage", found.first_damage
+                                                     ? ordered_json(*found.first_damage)
+                                                     : ordered_json()},
+                                {"attempts", found.attempts},
+                                {"chunks", found.chunks},
+                                {"scores", found.scores},
+                                {"assets", found.assets},
+                                {"audit_rows", found.audit_rows}}
+                       .dump(2)
+                << "\n";
+  } else if (found.is_whole()) {
+    context.out << "whole: " << found.attempts << " attempts, " << found.chunks << " chunks, "
+                << found.scores << " scores, " << found.assets << " assets, " << found.audit_rows
+                << " audit rows\n";
+  } else {
+    context.out << "damaged: " << *found.first_damage << "\n";
+  }
+  return found.is_whole() ? ExitCode::Done : ExitCode::CheckFailed;
+}
+
+}  // namespace
+
+void add_verify_verb(CLI::App& app, VerbContext& context) {
+  CLI::App* verify = app.add_subcommand(
+      "verify", "check the file and every hash chain; names the first row that was altered");
+  verify->callback([&context] { context.chosen = [&context] { return verify_on(context); }; });
+}
+
+}  // namespace hallux::ui

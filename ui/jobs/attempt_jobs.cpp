@@ -1,0 +1,141 @@
+#include "ui/jobs/attempt_jobs.h"
+
+#include <nlohmann/json.hpp>
+
+#include "assessment/assess.h"
+#include "assessment/progress.h"
+#include "database/assets.h"
+#include "database/recordings.h"
+#include "scenarios/foot/first_metatarsal.h"
+#include "scenarios/hands/scripted_hand.h"
+#include "simulator/device/scripted.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr std::string_view bone_asset = "bone";
+
+simulator::Bone make_patient(const scenarios::Scenario& scenario, const StageProgress& progress) {
+  const auto report = progress("Building the bone");
+  bool is_cancelled = false;
+  try {
+    return scenarios::make_patient(scenario, [&](double fraction) {
+      is_cancelled = report && !report(fraction);
+      return !is_cancelled;
+    });
+  } catch (const scenarios::ScenarioError&) {
+    if (is_cancelled) throw Cancelled("stopped while the bone was being built; nothing was stored");
+    throw;
+  }
+}
+
+database::NewAttempt describe(database::Database& database, const ScriptedAttempt& attempt,
+                              const simulator::Bone& bone) {
+  const scenarios::Scenario& scenario = attempt.scenario;
+  database::NewAttempt begun;
+  begun.scenario = put_scenario_version(
+      database, {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
+  begun.hand = attempt.hand;
+  begun.seed = attempt.seed;
+  begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
+  begun.bone = put_asset(database, bone_asset, encode_bone(bone));
+  return begun;
+}
+
+Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples) {
+  return {loop.lines, received_samples, loop.missed_ticks, loop.pauses, loop.late_p99_us};
+}
+
+}  // namespace
+
+std::string quality_json(const Quality& quality) {
+  return nlohmann::ordered_json{{"expected_samples", quality.expected_samples},
+                                {"received_samples", quality.received_samples},
+                                {"missed_ticks", quality.missed_ticks},
+                                {"pauses", quality.pauses},
+                                {"late_p99_us", quality.late_p99_us},
+                                {"complete", quality.is_complete()}}
+      .dump();
+}
+
+simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario) {
+  simulator::ContactSettings settings;
+  settings.cycles_per_minute = scenario.blade.cycles_per_minute;
+  return settings;
+}
+
+AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
+                                    const StageProgress& progress) {
+  const simulator::Bone bone = make_patient(attempt.scenario, progress);
+  simulator::HandMotion motion =
+      attempt.motion ? *attempt.motion
+                     : make_hand(attempt.scenario, bone, plan_on(attempt.scenario, bone),
+                                 scenarios::hand_skill(attempt.hand), attempt.seed)
+                           .motion;
+  const simulator::AttemptSetup setup{bone,
+                                      attempt.scenario.blade.size,
+                                      contact_settings(attempt.scenario),
+                                      attempt.pacing,
+                                      motion.commands,
+                                      motion.last_tick() + 1,
+                                      {}};
+  simulator::ScriptedDevice device(std::move(motion));
+
+  AttemptOutcome outcome;
+  simulator::AttemptChannels channels;
+  database::HouseDesk desk(database);
+  database::Recorder recorder(database, desk.begin_attempt(describe(database, attempt, bone)),
+                              channels);
+  outcome.attempt = recorder.attempt();
+  outcome.loop = run_attempt(setup, device, channels, progress("Operating"));
+  outcome.recorder = recorder.drain();
+  if (outcome.loop.end == simulator::AttemptEnd::Cancelled) {
+    throw Cancelled("stopped while operating; attempt " + outcome.attempt.text +
+                    " is kept as interrupted");
+  }
+  outcome.quality = quality_of(outcome.loop, outcome.recorder.samples);
+  outcome.recorder = recorder.finish(quality_json(outcome.quality));
+  outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress);
+  desk.store_score(outcome.attempt, outcome.card);
+  return outcome;
+}
+
+AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
+                             const database::AttemptId& id) {
+  AttemptMaterial material;
+  material.header = desk.header(id);
+  const database::ScenarioText text =
+      get_scenario_version(database, material.header.begun.scenario);
+  material.scenario = scenarios::parse_scenario(text.json, text.name);
+  material.bone = simulator::decode_bone(get_asset(database, material.header.begun.bone));
+  material.recording = desk.recording(material.header.id);
+  material.recording.engine = material.header.begun.engine;
+  return material;
+}
+
+std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,
+                                                      const StageProgress& progress) {
+  if (material.header.begun.engine != simulator::engine_version) return std::nullopt;
+  bool is_cancelled = false;
+  const auto report = progress("Replaying");
+  const simulator::ReplayResult result =
+      replay(material.recording, material.bone, material.scenario.blade.size,
+             contact_settings(material.scenario), [&](double fraction) {
+               is_cancelled = report && !report(fraction);
+               return !is_cancelled;
+             });
+  if (is_cancelled) throw Cancelled("stopped while replaying; nothing was changed");
+  return result;
+}
+
+database::ScoreCard score_attempt(const AttemptMaterial& material, const StageProgress& progress) {
+  try {
+    return assessment::assess(material.scenario, material.bone, material.recording,
+                              progress("Scoring"));
+  } catch (const assessment::Cancelled&) {
+    throw Cancelled("stopped while scoring; nothing was changed");
+  }
+}
+
+}  // namespace hallux::ui

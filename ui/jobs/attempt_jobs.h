@@ -1,0 +1,81 @@
+/// What verbs and screens do with attempts: run a scripted one, score it, replay it, gather what a report shows.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "database/attempts.h"
+#include "database/desks.h"
+#include "database/recorder.h"
+#include "scenarios/plan.h"
+#include "simulator/loop/attempt_loop.h"
+#include "simulator/loop/replay.h"
+
+namespace hallux::ui {
+
+/// Thrown where the user stopped a job; what was kept before stays.
+class Cancelled : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Gives the progress function of one stage of a job ("Building the bone"); see progress_on.
+using StageProgress = std::function<std::function<bool(double)>(const std::string& stage)>;
+
+struct ScriptedAttempt {
+  scenarios::Scenario scenario;
+  std::string hand = "expert";                  ///< expert, novice, or the name of the file
+  std::optional<simulator::HandMotion> motion;  ///< from a file; else made for the hand and seed
+  std::uint64_t seed = 1;
+  simulator::Pacing pacing = simulator::Pacing::Virtual;
+};
+
+/// How much of what happened was kept. An attempt with gaps is stored with their count.
+struct Quality {
+  std::int64_t expected_samples = 0, received_samples = 0;
+  std::int64_t missed_ticks = 0, pauses = 0;
+  double late_p99_us = 0.0;
+
+  bool is_complete() const noexcept { return expected_samples == received_samples; }
+};
+std::string quality_json(const Quality& quality);
+
+struct AttemptOutcome {
+  database::AttemptId attempt;
+  database::ScoreCard card;
+  Quality quality;
+  simulator::LoopStatistics loop;
+  database::RecorderStatistics recorder;
+};
+
+/// Makes the patient, runs the hand through loop and recorder, scores what was recorded. The attempt is the robot's.
+/// errors  ScenarioError, MeshError, DatabaseError; Cancelled: what was recorded stays, as interrupted
+AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
+                                    const StageProgress& progress);
+
+/// An attempt as it is computed with: what was operated on, how, and all that was recorded.
+struct AttemptMaterial {
+  database::AttemptHeader header;
+  scenarios::Scenario scenario;
+  simulator::Bone bone;
+  simulator::Recording recording;
+};
+
+/// errors  DatabaseError: NotFound, Refused, Damaged
+AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
+                             const database::AttemptId& id);
+
+/// The contact of a scenario's saw; the same for the attempt and its replay.
+simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario);
+
+/// Nothing where the attempt was made by another engine version: a replay would prove nothing.
+std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,
+                                                      const StageProgress& progress);
+
+/// errors  Cancelled
+database::ScoreCard score_attempt(const AttemptMaterial& material, const StageProgress& progress);
+
+}  // namespace hallux::ui
