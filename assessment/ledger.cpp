@@ -58,8 +58,9 @@ LedgerLine item_line(const RubricItem& item, const Measurement& measurement) {
   place_line(line, measurement);
   line.target = item.full;
   if (item.is_band) line.target = line.value < item.full_low ? item.full_low : item.full_high;
+  const double points = static_cast<double>(points_milli(item, measurement.value));
   const std::int64_t earned_milli =
-      measurement.is_measured ? points_milli(item, measurement.value) : 0;
+      measurement.is_measured ? std::llround(measurement.done_fraction * points) : 0;
   line.points_lost_milli = item.weight_milli - earned_milli;
   return line;
 }

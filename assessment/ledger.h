@@ -1,6 +1,8 @@
 /// From measurements to a score: every point that could be earned is either earned or has a line that says why not.
 ///
-///     items        points of each rubric item that has a measurement; an item whose cut was never made loses all
+///     items        points of each rubric item that has a measurement; an item whose cut was never made loses all,
+///                  and one whose cut was left unfinished earns the share of the section that was opened: else a
+///                  scratch in the right plane would be a perfect cut
 ///     damping      efficiency counts min(1, accuracy fraction / 0.6): speed earns nothing without accuracy
 ///     gates        each triggered cap takes what stands above it; the lowest cap first
 ///     score        100 x earned / measured, where measured is the weight of the items that have a measurement

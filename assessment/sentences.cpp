@@ -92,7 +92,10 @@ std::string item_sentence(const Scenario& scenario, const RubricItem& item, cons
     return prefix + item.title +
            " could not be measured because the cut was not made: " + loss_clause(line) + ".";
   }
-  const std::string unfinished = measurement.is_unfinished ? "Unfinished cut. " : "";
+  const bool is_unfinished = measurement.done_fraction < 1.0;
+  const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
+  const std::string unfinished =
+      is_unfinished ? "Unfinished cut (" + done + " of the section, which counts as much). " : "";
   return prefix + unfinished + metric_clause(item.metric, item.title, measurement, item.unit) +
          " " + target_clause(item) + ": " + loss_clause(line) + ".";
 }

@@ -85,6 +85,12 @@ TEST(Ledger, AnItemWhoseCutWasNotMadeLosesAllOfIt) {
   EXPECT_EQ(sum_of_losses(card), 60000);
 }
 
+TEST(Ledger, AnUnfinishedCutEarnsTheShareThatWasCut) {
+  std::vector<Measurement> measurements{measured("a_mm", 0.5)};
+  measurements[0].done_fraction = 0.1;
+  EXPECT_EQ(balance(two_groups(), measurements).earned_milli, 3000);
+}
+
 TEST(Ledger, NothingMeasuredIsScoreNoughtWithoutLosses) {
   const ScoreCard card = balance(two_groups(), {});
   EXPECT_EQ(card.measured_milli, 0);
@@ -159,6 +165,7 @@ ScoreCard any_card() {
       rubric.items.push_back(item(id, group, *rc::gen::inRange(0, 20000)));
       if (*rc::gen::inRange(0, 4) == 0) continue;
       measurements.push_back(measured(id + "_mm", any_value()));
+      measurements.back().done_fraction = *rc::gen::inRange(0, 2) == 0 ? 1.0 : any_value() / 1.5;
       measurements.back().is_measured = *rc::gen::inRange(0, 6) != 0;
     }
   }

@@ -88,9 +88,10 @@ TEST(Sentences, SayWhyNothingCouldBeMeasured) {
 
 TEST(Sentences, SayThatACutIsUnfinished) {
   Measurement unfinished = measured("location_mm", 1.0, "");
-  unfinished.is_unfinished = true;
+  unfinished.done_fraction = 0.4;
   const ScoreCard card = explained(silver_like(), {unfinished});
-  EXPECT_TRUE(card.ledger[0].text.starts_with("Unfinished cut. The face lies up to 1.00 mm"));
+  EXPECT_TRUE(card.ledger[0].text.starts_with(
+      "Unfinished cut (40 % of the section, which counts as much). The face lies up to 1.00 mm"));
 }
 
 TEST(Sentences, AGateSaysItsLimitItsCapAndWhatItTook) {

@@ -1,0 +1,39 @@
+#include "assessment/assess.h"
+
+#include <iterator>
+#include <utility>
+
+#include "assessment/ledger.h"
+#include "assessment/measure_cut.h"
+#include "assessment/sentences.h"
+
+namespace hallux::assessment {
+
+Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                    const simulator::Recording& recording, const Progress& progress) {
+  // The plan comes first: a scenario that does not fit the bone is refused before the long work.
+  scenarios::Plan plan = plan_on(scenario, bone);
+  Examination examination{
+      std::move(plan), rebuild(bone, scenario.blade.size, recording, progress), {}, {}, {}};
+  for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut) {
+    examination.faces.push_back(faces_of_cut(examination.rebuilt, examination.plan, cut));
+    std::vector<Measurement> made = measure_cut(
+        examination.plan.cuts[cut], examination.faces.back(), examination.rebuilt, bone, recording);
+    std::move(made.begin(), made.end(), std::back_inserter(examination.measurements));
+  }
+  database::ScoreCard& card = examination.card;
+  card = balance(scenario.rubric, examination.measurements);
+  card.scenario = scenario.name;
+  card.scenario_version = scenario.version;
+  card.engine = recording.engine;
+  card.is_reviewed = scenario.is_reviewed;
+  explain(card, scenario, examination.measurements);
+  return examination;
+}
+
+database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                           const simulator::Recording& recording, const Progress& progress) {
+  return examine(scenario, bone, recording, progress).card;
+}
+
+}  // namespace hallux::assessment

@@ -1,0 +1,37 @@
+/// The whole way from a recording to a score card.
+#pragma once
+
+#include <vector>
+
+#include "assessment/measurement.h"
+#include "assessment/progress.h"
+#include "assessment/rebuild/cut_face.h"
+#include "assessment/rebuild/rebuild.h"
+#include "database/records/score.h"
+#include "scenarios/plan.h"
+#include "scenarios/scenario.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/record.h"
+
+namespace hallux::assessment {
+
+/// The score and all that it was computed from, for reports and replays.
+struct Examination {
+  scenarios::Plan plan;
+  RebuiltBone rebuilt;
+  std::vector<std::vector<CutFace>>
+      faces;  ///< per planned cut, the one that counts first; may be empty
+  std::vector<Measurement> measurements;
+  database::ScoreCard card;
+};
+
+/// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
+/// thread  any; the same arguments give the same card
+Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                    const simulator::Recording& recording, const Progress& progress = {});
+
+/// The card alone.
+database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                           const simulator::Recording& recording, const Progress& progress = {});
+
+}  // namespace hallux::assessment

@@ -1,0 +1,33 @@
+/// The finished face that each planned cut left on the bone that is kept.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "assessment/metrics/face_plane.h"
+#include "assessment/rebuild/rebuild.h"
+#include "scenarios/plan.h"
+
+namespace hallux::assessment {
+
+/// One face of one kerf, on the side that the plan keeps.
+struct CutFace {
+  std::int32_t kerf = -1;
+  FacePlane plane;  ///< fitted to the samples; normal to the waste, like the plan's
+  std::vector<Vec3> samples_in_bone_mm;
+  double area_mm2 = 0.0;
+  bool is_finished = false;    ///< false: samples are of what the blade opened before it stopped
+  double done_fraction = 0.0;  ///< of the section, 1 where it is finished
+  std::size_t piece = 0;       ///< that has the face: 0 is the largest; unfinished faces have none
+};
+
+/// The faces of all kerfs that belong to the planned cut `cut`, the one that counts first: finished before unfinished,
+/// on a larger piece before a smaller one (a shaving may carry the face of an earlier kerf), then the greater area. A kerf belongs to the cut whose plan it lies nearest to.
+std::vector<CutFace> faces_of_cut(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
+                                  std::size_t cut);
+
+/// Whether the blade was at the foot of this point on the face's plane.
+bool is_opened_at(const CutFace& face, const RebuiltBone& rebuilt, const Vec3& point_in_bone_mm);
+
+}  // namespace hallux::assessment

@@ -1,0 +1,28 @@
+/// Points on a finished face, spread evenly so that each stands for the same area.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "assessment/rebuild/rebuild.h"
+
+namespace hallux::assessment {
+
+/// Samples lie on a grid in the kerf's plane, made finer until there are enough or the grid is as fine as the field's.
+inline constexpr double sample_step_mm = 0.25;
+inline constexpr std::size_t samples_wanted = 200;
+
+struct FaceSamples {
+  std::vector<Vec3> points_in_bone_mm;
+  double area_mm2 = 0.0;  ///< of the face, as far as samples tell
+};
+
+/// Samples of one wall of a kerf on a piece; empty where the piece has nothing of that wall.
+FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceOrigin& wall,
+                        const simulator::KerfPlane& plane);
+
+/// Samples of what the blade opened inside the bone, at the height of the wall on `side`.
+FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
+                          std::int32_t side);
+
+}  // namespace hallux::assessment

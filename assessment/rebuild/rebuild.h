@@ -1,0 +1,51 @@
+/// From a recording to the bone as it was left: the kerfs from the recorded poses, the solids from the kerfs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "assessment/progress.h"
+#include "simulator/cutting/cut.h"
+#include "simulator/cutting/kerf_set.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/record.h"
+
+namespace hallux::assessment {
+
+/// One kerf of the attempt. `is_removed` and `covered_fraction` have one entry per region of the section.
+struct RebuiltKerf {
+  simulator::Section section;  ///< of the solid as it was when this kerf's turn came
+  std::vector<std::uint8_t> is_touched;
+  std::vector<std::uint8_t> is_removed;  ///< the field covers the region wholly
+  std::vector<double> covered_fraction;  ///< [0, 1], of the region's nodes
+  double removed_mm3 = 0.0;
+  std::int64_t frozen_tick = 0;
+  std::int64_t first_cutting_tick = 0, last_cutting_tick = 0;  ///< frozen_tick where it never cut
+  std::int64_t cutting_samples = 0;
+
+  /// The blade was taken through all that it began: the largest region that it touched is covered.
+  bool is_finished() const noexcept;
+  /// How much of that region the blade opened: 1 where it is finished.
+  double done_fraction() const noexcept;
+};
+
+/// ensures input = sum of pieces + debris + removed, as far as sections integrate exactly
+struct RebuiltBone {
+  simulator::KerfSet fields;  ///< planes and fields, one per entry of `kerfs`
+  std::vector<RebuiltKerf> kerfs;
+  std::vector<simulator::CutSolid> pieces;  ///< largest first, debris left out
+  std::vector<double> piece_volumes_mm3;
+  double input_mm3 = 0.0;
+  double removed_mm3 = 0.0;  ///< by the blade, integrated from sections
+  double debris_mm3 = 0.0;
+  std::int32_t debris_count = 0;
+};
+
+/// needs   recording's samples and events are in the order of their ticks
+/// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order they were frozen
+/// errors  Cancelled
+/// thread  any
+RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& blade,
+                    const simulator::Recording& recording, const Progress& progress = {});
+
+}  // namespace hallux::assessment
