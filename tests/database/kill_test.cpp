@@ -50,7 +50,7 @@ std::int32_t kill_after(const std::filesystem::path& directory, std::int32_t tic
 }
 
 TEST(Kill, LosesAtMostTheCurrentHalfSecondAndNoOlderAttempt) {
-  const TemporaryDirectory temporary;
+  const TemporaryDirectory temporary{Medium::Disk};
   const simulator::Recording older = some_recording(3000);
   AttemptId older_id;
   {

@@ -15,17 +15,16 @@ namespace hallux::database {
 
 namespace {
 
-/// In memory where there is such a place: these tests are about what is kept, not about how fast a disk syncs.
-std::filesystem::path quick_directory() {
-  const std::filesystem::path shared_memory{"/dev/shm"};
-  return ::access(shared_memory.c_str(), W_OK) == 0 ? shared_memory
-                                                    : std::filesystem::temp_directory_path();
+std::filesystem::path place_on(Medium medium) {
+  const std::filesystem::path memory{"/dev/shm"};
+  const bool is_there = medium == Medium::Memory && ::access(memory.c_str(), W_OK) == 0;
+  return is_there ? memory : std::filesystem::temp_directory_path();
 }
 
 }  // namespace
 
-TemporaryDirectory::TemporaryDirectory() {
-  std::string pattern = (quick_directory() / "hallux-XXXXXX").string();
+TemporaryDirectory::TemporaryDirectory(Medium medium) {
+  std::string pattern = (place_on(medium) / "hallux-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error{"no temporary directory"};
   path_ = pattern;
 }

@@ -13,10 +13,15 @@
 
 namespace hallux::database {
 
-/// A directory of its own under the system's temporary one; gone with it.
+enum class Medium {
+  Memory,  ///< where there is such a place: most tests are not about how fast a disk syncs
+  Disk
+};
+
+/// A directory of its own; gone with it.
 class TemporaryDirectory {
  public:
-  TemporaryDirectory();
+  explicit TemporaryDirectory(Medium medium = Medium::Memory);
   ~TemporaryDirectory();
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
