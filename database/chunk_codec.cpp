@@ -4,7 +4,6 @@
 
 #include <array>
 #include <new>
-#include <optional>
 
 #include "simulator/base/check.h"
 
@@ -41,6 +40,12 @@ class VarintReader {
   explicit VarintReader(std::span<const std::byte> bytes) noexcept : rest_(bytes) {}
 
   std::uint64_t take() {
+    // Most differences fit one byte: read those without the loop.
+    if (!rest_.empty() && rest_[0] < std::byte{0x80}) {
+      const auto small = static_cast<std::uint64_t>(rest_[0]);
+      rest_ = rest_.subspan(1);
+      return small;
+    }
     std::uint64_t value = 0;
     for (unsigned i = 0; i < varint_bytes_max; ++i) {
       if (i >= rest_.size()) fail_damaged("a number is cut short");
