@@ -19,6 +19,7 @@ constexpr double flattest_slope = 1.0e-12;
 /// The inside-distance to one edge of the hull: along_u * u + along_v * v + at_origin, u and v counted in nodes [mm].
 struct HullEdge {
   double along_u = 0.0, along_v = 0.0, at_origin = 0.0;
+  double nodes_per_mm = 0.0;  ///< 1 / along_u; 0 where the edge runs along the rows
 };
 
 struct Hull {
@@ -74,8 +75,10 @@ Hull hull_of(const FieldGrid& grid, const BladeSize& blade, const PlanarPose& fr
     const double length_mm = std::sqrt(edge_mm.x * edge_mm.x + edge_mm.y * edge_mm.y);
     if (length_mm < shortest_edge_mm) continue;
     const Vec2 inward(-edge_mm.y / length_mm, edge_mm.x / length_mm);
-    hull.edges[hull.count++] = {inward.x * grid.spacing_mm, inward.y * grid.spacing_mm,
-                                -(inward.x * a_mm.x + inward.y * a_mm.y)};
+    HullEdge& edge = hull.edges[hull.count++];
+    edge = {inward.x * grid.spacing_mm, inward.y * grid.spacing_mm,
+            -(inward.x * a_mm.x + inward.y * a_mm.y), 0.0};
+    if (std::abs(edge.along_u) > flattest_slope) edge.nodes_per_mm = 1.0 / edge.along_u;
   }
   return hull;
 }
@@ -107,7 +110,7 @@ struct KerfField::HullRow {
   const Hull& hull;
   std::int32_t v;
   std::array<double, 8> at_row{};  ///< per edge: the inside-distance at u = 0
-  std::size_t left_edge = 0, right_edge = 0;
+  std::size_t rising_edge = 0, falling_edge = 0, middle_edge = 0;
 
   HullRow(const Hull& hull_in, std::int32_t v_in) noexcept : hull(hull_in), v(v_in) {
     for (std::size_t i = 0; i < hull.count; ++i) {
@@ -121,22 +124,34 @@ struct KerfField::HullRow {
   RowSpan deeper_than(double depth_mm, std::int32_t u_count) noexcept {
     double first = 0.0, last = static_cast<double>(u_count) - 1.0;
     for (std::size_t i = 0; i < hull.count; ++i) {
-      const double slope = hull.edges[i].along_u;
-      if (std::abs(slope) < flattest_slope) {
-        if (at_row[i] < depth_mm) return {};
-        continue;
-      }
-      const double bound = (depth_mm - at_row[i]) / slope;
-      if (slope > 0.0 && bound > first) {
+      const double nodes_per_mm = hull.edges[i].nodes_per_mm;
+      const double bound = (depth_mm - at_row[i]) * nodes_per_mm;
+      if (nodes_per_mm == 0.0 && at_row[i] < depth_mm) return {};
+      if (nodes_per_mm > 0.0 && bound > first) {
         first = bound;
-        left_edge = i;
-      } else if (slope < 0.0 && bound < last) {
+        rising_edge = i;
+      } else if (nodes_per_mm < 0.0 && bound < last) {
         last = bound;
-        right_edge = i;
+        falling_edge = i;
       }
     }
     if (first > last) return {};
-    return {clamped_node(std::ceil(first), u_count), clamped_node(std::floor(last) + 1.0, u_count)};
+    // Conversion cuts towards 0, so for numbers from 0 up it rounds down; the bounds lie within the row.
+    const auto whole = static_cast<std::int32_t>(first);
+    return {static_cast<double>(whole) < first ? whole + 1 : whole,
+            static_cast<std::int32_t>(last) + 1};
+  }
+  /// Finds the edge that is nearest in the middle of a span without deep nodes.
+  void look_at_middle(const RowSpan& span) noexcept {
+    const std::int32_t u = span.first + (span.last - span.first) / 2;
+    for (std::size_t i = 0; i < hull.count; ++i) {
+      if (distance_mm(i, u) < distance_mm(middle_edge, u)) middle_edge = i;
+    }
+  }
+  /// The least over the edges that most likely hold it; the least over all is not more.
+  double likely_inside_mm(std::int32_t u) const noexcept {
+    return std::min(distance_mm(middle_edge, u),
+                    std::min(distance_mm(rising_edge, u), distance_mm(falling_edge, u)));
   }
 };
 
@@ -197,11 +212,10 @@ void KerfField::raise_rim(const HullRow& row, std::int32_t first, std::int32_t l
       static_cast<std::size_t>(row.v) * static_cast<std::size_t>(grid_.u_count);
   for (std::int32_t u = first; u < last; ++u) {
     const std::size_t node = row_start + static_cast<std::size_t>(u);
-    // The least over all edges cannot rise above what is there where one edge alone cannot.
-    const double nearest_mm =
-        std::min(row.distance_mm(row.left_edge, u), row.distance_mm(row.right_edge, u));
-    if (static_cast<float>(nearest_mm) <= inside_mm_[node]) continue;
-    double inside_mm = std::min(nearest_mm, static_cast<double>(limit_mm_));
+    // The least over all edges cannot rise above what is there where the least over some cannot.
+    const double likely_mm = std::min(row.likely_inside_mm(u), static_cast<double>(limit_mm_));
+    if (static_cast<float>(likely_mm) <= inside_mm_[node]) continue;
+    double inside_mm = likely_mm;
     for (std::size_t i = 0; i < row.hull.count; ++i) {
       inside_mm = std::min(inside_mm, row.distance_mm(i, u));
     }
@@ -246,6 +260,7 @@ void KerfField::stamp(const BladeSize& blade, const PlanarPose& from, const Plan
     if (near.first >= near.last) continue;
     const RowSpan deep = HullRow(row).deeper_than(limit_mm, grid_.u_count);
     if (deep.first >= deep.last) {
+      row.look_at_middle(near);
       raise_rim(row, near.first, near.last, changed);
       continue;
     }

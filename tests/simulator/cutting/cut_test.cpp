@@ -199,6 +199,19 @@ TEST(Cut, AVoidInsideTheSlabGoesWithTheBoneAroundIt) {
   EXPECT_EQ(split_pieces(cut.solid).size(), 2U);
 }
 
+TEST(Cut, ABoneThatOverlapsItselfStillClosesAndBalances) {
+  IndexedMesh mesh = solid_block(Vec3(20.0, 8.0, 6.0));
+  append_mesh(mesh, moved(solid_block(Vec3(9.0, 7.0, 12.0)),
+                          {rotation_about(Vec3(1.0, 0.0, 0.0), 0.4), Vec3(4.0, 2.0, 1.0)}));
+  const CutSolid solid = uncut_solid(mesh);
+  for (const double offset_mm : {-0.3, 1.0, 3.9, 4.6}) {
+    const CutOutcome cut =
+        cut_through(solid, plane_through(Vec3(offset_mm, 0.2, 0.1), Vec3(0.5, 0.3, 0.8), 0.7));
+    expect_closed(cut.solid);
+    expect_balance(solid, cut);
+  }
+}
+
 TEST(Cut, WallsStandHalfAKerfFromThePlane) {
   const CutSolid solid = uncut_solid(sphere(9.0, 12));
   const KerfPlane plane = plane_through(Vec3(1.0, 0.5, -0.3), Vec3(0.3, 0.5, 0.7), 0.6);
