@@ -38,13 +38,13 @@ PatientRequest read_patient(const JsonNode& node) {
 SawBlade read_blade(const JsonNode& node) {
   node.expect_keys(
       {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"});
-  const SawBlade blade{.name = node.at("name").text(1, title_bytes_max),
-                       .size = {.width_mm = node.at("width_mm").number(2.0, 30.0),
-                                .depth_mm = node.at("depth_mm").number(5.0, 90.0),
-                                .kerf_mm = node.at("kerf_mm").number(0.1, 2.0)},
-                       .cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0),
-                       .thickness_mm = node.at("thickness_mm").number(0.1, 2.0),
-                       .origin = read_origin(node)};
+  SawBlade blade{.name = node.at("name").text(1, title_bytes_max),
+                 .size = {.width_mm = node.at("width_mm").number(2.0, 30.0),
+                          .depth_mm = node.at("depth_mm").number(5.0, 90.0),
+                          .kerf_mm = node.at("kerf_mm").number(0.1, 2.0)},
+                 .cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0),
+                 .thickness_mm = node.at("thickness_mm").number(0.1, 2.0),
+                 .origin = read_origin(node)};
   if (blade.thickness_mm > blade.size.kerf_mm) {
     node.at("kerf_mm").refuse_value("give at least the blade's thickness_mm");
   }
