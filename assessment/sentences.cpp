@@ -51,12 +51,13 @@ const Wording* wording_of(const std::string& metric) noexcept {
 }
 
 std::string metric_clause(const std::string& metric, const std::string& title,
-                          const Measurement& measurement, const std::string& unit) {
+                          const Measurement& measurement, const std::string& unit, bool is_loss) {
   const std::string value = value_text(measurement.value, unit);
   const Wording* wording = wording_of(metric);
   if (wording == nullptr) return title + ": " + value;
   std::string text = wording->subject + value + wording->tail;
-  const bool has_direction = !measurement.direction.empty() && wording->lean[0] != '\0';
+  // A direction helps to mend a loss; where nothing was lost it would only sound like one.
+  const bool has_direction = is_loss && !measurement.direction.empty() && wording->lean[0] != '\0';
   if (!has_direction) return text;
   text += wording->lean + measurement.direction;
   return metric == "angle_deg" ? text + " edge" : text;
@@ -96,7 +97,9 @@ std::string item_sentence(const Scenario& scenario, const RubricItem& item, cons
   const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
   const std::string unfinished =
       is_unfinished ? "Unfinished cut (" + done + " of the section, which counts as much). " : "";
-  return prefix + unfinished + metric_clause(item.metric, item.title, measurement, item.unit) +
+  return prefix + unfinished +
+         metric_clause(item.metric, item.title, measurement, item.unit,
+                       line.points_lost_milli > 0) +
          " " + target_clause(item) + ": " + loss_clause(line) + ".";
 }
 

@@ -1,0 +1,174 @@
+#include "ui/report/html_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "ui/report/html_text.h"
+#include "ui/report/score_sheet.h"
+
+namespace hallux::ui {
+namespace {
+
+using database::GateResult;
+using database::LedgerLine;
+
+LedgerLine line(const std::string& item, const std::string& text, std::int64_t lost_milli) {
+  LedgerLine made;
+  made.item = item;
+  made.text = text;
+  made.unit = "mm";
+  made.value = 1.25;
+  made.weight_milli = 16000;
+  made.points_lost_milli = lost_milli;
+  made.start_us = 2700000;
+  made.end_us = 61000000;
+  return made;
+}
+
+std::vector<Vec2> circle(double radius_mm) {
+  std::vector<Vec2> points;
+  for (int step = 0; step < 60; ++step) {
+    const double angle_rad = 0.1047 * step;
+    points.emplace_back(radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad));
+  }
+  return points;
+}
+
+ReportMaterial made_up() {
+  ReportMaterial material;
+  material.title = "Silver exostectomy";
+  database::ScoreCard& card = material.card;
+  card.groups = {{"accuracy", 50000, 50000, 40000}, {"safety", 50000, 0, 0}};
+  card.rubric_milli = 100000;
+  card.measured_milli = 50000;
+  card.earned_milli = 40000;
+  card.score_milli = 80000;
+  card.ledger = {line("A1", "The face is tilted.", 10000), line("A2", "The place is right.", 0)};
+  card.shown_losses_milli = {20000, 0};
+  card.sentences = {"The face is tilted."};
+  card.gates = {{"past_sulcus", 59000, false, 0.0, 1.0, "mm", "Past the sulcus: 0.00 mm."}};
+  material.group_titles = {"Accuracy", "Safety"};
+  material.gate_titles = {"Past the sulcus"};
+  material.quality = "Recording complete.";
+  material.face =
+      FacePicture{"distal", "dorsal", "medial", "lateral", {circle(9.0)}, {}, 0.5, {}, true};
+  material.face->dots = {{Vec2{0.0, 0.0}, 0.9}, {Vec2{0.5, 0.0}, -0.9}};
+  material.frontal = FrontalPicture{{circle(9.0), circle(4.0)},
+                                    {Vec2{-5.0, -12.0}, Vec2{-5.0, 12.0}},
+                                    PictureLine{Vec2{-4.0, -12.0}, Vec2{-6.0, 12.0}},
+                                    {"depth landmark", Vec2{-7.0, 4.0}}};
+  material.traces.points = {{0.0, 0.0, {}}, {1.0, 9.5, 3.0}, {2.0, 4.0, {}}};
+  material.traces.marks = {{0.5, "plane frozen"}};
+  return material;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Report, CarriesItsMarksWhereverTheScoreIsSeen) {
+  for (const std::string& text : {html_report(made_up()), score_sheet(made_up())}) {
+    EXPECT_NE(text.find("80.0"), std::string::npos);
+    EXPECT_NE(text.find("machine score, not confirmed"), std::string::npos);
+    EXPECT_NE(text.find("not surgeon-reviewed"), std::string::npos);
+    EXPECT_NE(text.find("partial: measures 50 of 100 points"), std::string::npos);
+    EXPECT_NE(text.find("not measured yet"), std::string::npos);
+  }
+}
+
+TEST(Report, AReviewedAndWholeScoreHasNoSuchMarks) {
+  ReportMaterial material = made_up();
+  material.card.is_reviewed = true;
+  material.card.rubric_milli = material.card.measured_milli;
+  const std::string html = html_report(material);
+  EXPECT_EQ(html.find("not surgeon-reviewed"), std::string::npos);
+  EXPECT_EQ(html.find("partial:"), std::string::npos);
+}
+
+TEST(Report, LoadsNothingAndRunsNothing) {
+  const std::string html = html_report(made_up());
+  EXPECT_NE(html.find("Content-Security-Policy"), std::string::npos);
+  for (const char* door : {"<script", "src=", "href=", "url(", "@import", "http://", "https://"}) {
+    EXPECT_EQ(html.find(door), std::string::npos) << door;
+  }
+}
+
+TEST(Report, WhatPeopleTypedIsTextOnly) {
+  ReportMaterial material = made_up();
+  const std::string hostile = "<img src=x onerror='a'>\"&\x01";
+  material.title = hostile;
+  material.facts = {{hostile, hostile}};
+  material.quality = hostile;
+  material.group_titles = {hostile, hostile};
+  material.card.sentences = {hostile};
+  material.card.ledger[0].text = hostile;
+  material.card.ledger[0].item = hostile;
+  material.card.ledger[0].unit = hostile;
+  material.card.gates[0].text = hostile;
+  material.face->right = hostile;
+  material.traces.marks = {{0.5, hostile}};
+  const std::string html = html_report(material);
+  EXPECT_EQ(html.find("<img"), std::string::npos);
+  EXPECT_EQ(html.find('\x01'), std::string::npos);
+  const std::string sheet = score_sheet(material);
+  EXPECT_EQ(sheet.find('\x01'), std::string::npos);
+}
+
+TEST(Report, EveryTagThatOpensCloses) {
+  const std::string html = html_report(made_up());
+  for (const std::string tag : {"html",       "body", "main",  "header", "section", "div", "figure",
+                                "figcaption", "svg",  "table", "tr",     "td",      "ul",  "ol",
+                                "li",         "dl",   "p",     "span",   "footer",  "text"}) {
+    const std::size_t opened = count_of(html, "<" + tag + ">") + count_of(html, "<" + tag + " ");
+    EXPECT_EQ(opened, count_of(html, "</" + tag + ">")) << tag;
+  }
+}
+
+TEST(Report, TheSameMaterialGivesTheSamePage) {
+  EXPECT_EQ(html_report(made_up()), html_report(made_up()));
+}
+
+TEST(Report, AnEmptyCardStillMakesAPage) {
+  const std::string html = html_report({});
+  EXPECT_NE(html.find("machine score"), std::string::npos);
+  EXPECT_EQ(count_of(html, "<svg"), 0U);
+  EXPECT_NE(score_sheet(ReportMaterial{}).find("Score 0.0 of 100"), std::string::npos);
+}
+
+TEST(Report, ATriggeredGateIsSaidByShapeAndNotByColourAlone) {
+  ReportMaterial material = made_up();
+  material.card.gates[0].is_triggered = true;
+  EXPECT_NE(html_report(material).find("\xE2\x9C\x95"), std::string::npos);
+  EXPECT_NE(score_sheet(material).find("x Past the sulcus"), std::string::npos);
+}
+
+TEST(Report, TheSheetFitsIntoAHundredColumns) {
+  ReportMaterial material = made_up();
+  material.card.ledger[0].text =
+      std::string(40, 'a') + " " + std::string(40, 'b') + " " + std::string(40, 'c') + " deg";
+  const std::string sheet = score_sheet(material);
+  std::size_t start = 0;
+  while (start < sheet.size()) {
+    const std::size_t end = sheet.find('\n', start);
+    std::size_t letters = 0;
+    for (std::size_t at = start; at < end; ++at) {
+      // Bytes that continue a UTF-8 letter take no column.
+      letters += (static_cast<unsigned char>(sheet[at]) & 0xC0U) == 0x80U ? 0 : 1;
+    }
+    EXPECT_LE(letters, 100U) << sheet.substr(start, end - start);
+    start = end + 1;
+  }
+}
+
+TEST(HtmlText, EscapesWhatHasAMeaning) {
+  EXPECT_EQ(escaped("a<b>&\"'"), "a&lt;b&gt;&amp;&quot;&#39;");
+}
+
+}  // namespace
+}  // namespace hallux::ui

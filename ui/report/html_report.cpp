@@ -1,0 +1,121 @@
+#include "ui/report/html_report.h"
+
+#include <span>
+
+#include "assessment/number_text.h"
+#include "simulator/base/embedded.h"
+#include "ui/report/html_text.h"
+#include "ui/report/report_ledger.h"
+#include "ui/report/report_svg.h"
+
+namespace hallux::ui {
+
+/// Made by the build from report.css.
+std::span<const EmbeddedText> report_styles() noexcept;
+
+namespace {
+
+using database::ScoreCard;
+
+std::string style_text() {
+  std::string text;
+  for (const EmbeddedText& file : report_styles()) text += file.text;
+  return text;
+}
+
+std::string head_html(const ReportMaterial& material) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+         "style-src 'unsafe-inline'\">"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+         "<meta name=\"color-scheme\" content=\"light dark\"><title>" +
+         escaped(material.title) + " \xC2\xB7 Hallux</title><style>" + style_text() +
+         "</style></head>";
+}
+
+std::string marks_html(const ScoreCard& card) {
+  std::string html = "<p class=\"marks\"><span class=\"mark\">machine score, not confirmed</span>";
+  if (!card.is_reviewed) html += "<span class=\"mark warn\">not surgeon-reviewed</span>";
+  const std::string partial = partial_text(card);
+  if (!partial.empty()) html += "<span class=\"mark warn\">" + escaped(partial) + "</span>";
+  return html + "</p>";
+}
+
+std::string facts_html(const std::vector<Fact>& facts, const char* css_class) {
+  if (facts.empty()) return "";
+  std::string html = "<dl class=\"" + std::string(css_class) + "\">";
+  for (const Fact& fact : facts) {
+    html += "<div><dt>" + escaped(fact.label) + "</dt><dd>" + escaped(fact.value) + "</dd></div>";
+  }
+  return html + "</dl>";
+}
+
+std::string header_html(const ReportMaterial& material) {
+  return "<header><p class=\"brand\">Hallux</p><h1>" + escaped(material.title) + "</h1>" +
+         marks_html(material.card) + facts_html(material.facts, "facts") + "</header>";
+}
+
+std::string score_html(const ReportMaterial& material) {
+  const double score = static_cast<double>(material.card.score_milli) / 1000.0;
+  std::string html = "<section class=\"result\"><div class=\"score\"><span class=\"value\">" +
+                     assessment::number_text(score, 1) +
+                     "</span><span class=\"of\">of 100</span></div>" + groups_html(material) +
+                     "</section>";
+  if (material.card.sentences.empty()) return html;
+  html += "<section><h2>What cost the most</h2><ol class=\"sentences\">";
+  for (const std::string& sentence : material.card.sentences) {
+    html += "<li>" + escaped(sentence) + "</li>";
+  }
+  return html + "</ol></section>";
+}
+
+std::string face_caption(const FacePicture& picture) {
+  if (picture.dots.empty()) return "The planned face. Nothing was cut here.";
+  const std::string colours = "Blue lies too far " + picture.below + ", vermilion too far " +
+                              picture.above + "; the dashed outline is the planned section.";
+  return picture.is_finished ? "Your face, seen square on. " + colours
+                             : "Unfinished: only what the blade opened is shown. " + colours;
+}
+
+std::string pictures_html(const ReportMaterial& material) {
+  if (!material.face && !material.frontal) return "";
+  std::string html = "<section><h2>Plan against cut</h2><div class=\"pictures\">";
+  if (material.face) {
+    html += "<figure>" + face_svg(*material.face) + "<figcaption>" +
+            escaped(face_caption(*material.face)) + "</figcaption></figure>";
+  }
+  if (material.frontal) {
+    html += "<figure>" + frontal_svg(*material.frontal) +
+            "<figcaption>Section across the bone at the depth landmark, seen along the shaft."
+            "</figcaption></figure>";
+  }
+  return html + "</div></section>";
+}
+
+std::string traces_html(const ReportMaterial& material) {
+  if (material.traces.points.empty()) return "";
+  return "<section><h2>Force and advance</h2><figure class=\"wide\">" + trace_svg(material.traces) +
+         "</figure></section>";
+}
+
+std::string footer_html(const ReportMaterial& material) {
+  std::string html = "<footer>";
+  if (!material.quality.empty()) {
+    html += "<p class=\"quality\">" + escaped(material.quality) + "</p>";
+  }
+  html += facts_html(material.versions, "versions");
+  return html +
+         "<p>Location is the greatest one-sided distance of the face from the plan. Angles are "
+         "between the two normals. A machine score is advice until an instructor confirms it."
+         "</p></footer>";
+}
+
+}  // namespace
+
+std::string html_report(const ReportMaterial& material) {
+  return head_html(material) + "<body><main>" + header_html(material) + score_html(material) +
+         pictures_html(material) + gates_html(material) + ledger_html(material) +
+         traces_html(material) + footer_html(material) + "</main></body></html>\n";
+}
+
+}  // namespace hallux::ui

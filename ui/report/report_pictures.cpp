@@ -1,0 +1,203 @@
+#include "ui/report/report_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "assessment/metrics/face_plane.h"
+#include "simulator/base/units.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using assessment::CutFace;
+using assessment::Examination;
+using assessment::FacePlane;
+using scenarios::PlannedCut;
+using simulator::Bone;
+using simulator::CutEvent;
+using simulator::CutEventKind;
+using simulator::Recording;
+using simulator::ToolSample;
+
+/// The slice is drawn as a line: thin enough to be one, thick enough to meet the mesh cleanly.
+constexpr double slice_mm = 0.01;
+/// Lines of planes reach this far beyond the bone.
+constexpr double line_overhang_mm = 3.0;
+
+const Vec3 distal{1.0, 0.0, 0.0}, dorsal{0.0, 1.0, 0.0}, lateral{0.0, 0.0, 1.0};
+
+std::vector<simulator::Contour> outlines_in(const simulator::CutSolid& solid,
+                                            const simulator::Bvh& bvh,
+                                            const RigidTransform& bone_from_picture) {
+  std::vector<simulator::Contour> outlines;
+  const simulator::Section section = slice_section(solid, bvh, {bone_from_picture, slice_mm});
+  for (const simulator::SectionRegion& region : section.regions) {
+    outlines.insert(outlines.end(), region.contours.begin(), region.contours.end());
+  }
+  return outlines;
+}
+
+Vec2 flat(const RigidTransform& picture_from_bone, const Vec3& point_in_bone_mm) {
+  const Vec3 local = transform_point(picture_from_bone, point_in_bone_mm);
+  return Vec2{local.x, local.y};
+}
+
+/// Right along the cut's axis, up as dorsal as the face allows; the origin lies in the planned face.
+RigidTransform face_frame(const PlannedCut& cut) {
+  Vec3 up = glm::cross(cut.axis, cut.face.normal);
+  if (glm::dot(up, dorsal) < 0.0) up = -up;
+  const Vec3 foot = cut.depth_point_in_bone_mm + cut.depth_mm * cut.face.normal;
+  return {rotation_from_axes(cut.axis, up), foot};
+}
+
+FacePicture face_picture(const PlannedCut& cut, const CutFace& face,
+                         std::vector<simulator::Contour> outlines) {
+  const RigidTransform picture_from_bone = inverse(face_frame(cut));
+  const RigidTransform bone_from_picture = face_frame(cut);
+  FacePicture picture;
+  picture.right = assessment::direction_words(transform_direction(bone_from_picture, distal));
+  picture.up = assessment::direction_words(transform_direction(bone_from_picture, dorsal));
+  picture.above = assessment::direction_words(cut.face.normal);
+  picture.below = assessment::direction_words(-cut.face.normal);
+  picture.planned_outlines = std::move(outlines);
+  picture.is_finished = face.is_finished;
+  const FacePlane planned{cut.face.normal, cut.face.offset_mm};
+  for (const Vec3& sample : face.samples_in_bone_mm) {
+    picture.dots.push_back({flat(picture_from_bone, sample), signed_distance_mm(planned, sample)});
+  }
+  if (!picture.dots.empty()) {
+    picture.dot_mm = std::sqrt(face.area_mm2 / static_cast<double>(picture.dots.size()));
+  }
+  picture.landmarks = {{"depth landmark", flat(picture_from_bone, cut.depth_point_in_bone_mm)},
+                       {"exit", flat(picture_from_bone, cut.exit_point_in_bone_mm)}};
+  return picture;
+}
+
+struct Span {
+  double low = 0.0, high = 0.0;
+};
+
+Span height_of(const std::vector<simulator::Contour>& outlines) {
+  Span span{1.0e9, -1.0e9};
+  for (const simulator::Contour& outline : outlines) {
+    for (const Vec2& point : outline) {
+      span.low = std::min(span.low, point.y);
+      span.high = std::max(span.high, point.y);
+    }
+  }
+  return span;
+}
+
+/// Where a plane crosses the frontal slice, from below the bone to above it; nothing where it runs flat.
+std::optional<PictureLine> line_of(const FacePlane& plane, double x_mm, const Span& height) {
+  if (std::abs(plane.normal.z) < 0.2) return std::nullopt;
+  const auto at = [&](double y_mm) {
+    const double z_mm =
+        (plane.offset_mm - plane.normal.x * x_mm - plane.normal.y * y_mm) / plane.normal.z;
+    return Vec2{z_mm, y_mm};
+  };
+  return PictureLine{at(height.low - line_overhang_mm), at(height.high + line_overhang_mm)};
+}
+
+std::optional<FrontalPicture> frontal_picture(const simulator::CutSolid& solid,
+                                              const simulator::Bvh& bvh, const PlannedCut& cut,
+                                              const CutFace* face) {
+  const Vec3& landmark = cut.depth_point_in_bone_mm;
+  const RigidTransform bone_from_picture{rotation_from_axes(lateral, dorsal),
+                                         Vec3{landmark.x, 0.0, 0.0}};
+  FrontalPicture picture;
+  picture.outlines = outlines_in(solid, bvh, bone_from_picture);
+  if (picture.outlines.empty()) return std::nullopt;
+  const Span height = height_of(picture.outlines);
+  const std::optional<PictureLine> planned =
+      line_of({cut.face.normal, cut.face.offset_mm}, landmark.x, height);
+  if (!planned) return std::nullopt;
+  picture.planned = *planned;
+  if (face != nullptr) picture.actual = line_of(face->plane, landmark.x, height);
+  picture.landmark = {"depth landmark", Vec2{landmark.z, landmark.y}};
+  return picture;
+}
+
+void add_pictures(ReportMaterial& material, const Bone& bone, const Examination& examination) {
+  if (examination.plan.cuts.empty()) return;
+  const PlannedCut& cut = examination.plan.cuts.front();
+  const std::vector<CutFace>& faces = examination.faces.front();
+  const simulator::CutSolid solid = simulator::uncut_solid(solid_of(bone));
+  const simulator::Bvh bvh(solid.mesh);
+  const CutFace none;
+  const CutFace* face = faces.empty() ? nullptr : &faces.front();
+  material.face =
+      face_picture(cut, face == nullptr ? none : *face, outlines_in(solid, bvh, face_frame(cut)));
+  material.frontal = frontal_picture(solid, bvh, cut, face);
+}
+
+std::string mark_text(CutEventKind kind) {
+  switch (kind) {
+    case CutEventKind::PlaneFrozen:
+      return "plane frozen";
+    case CutEventKind::Breakthrough:
+      return "through";
+    case CutEventKind::PieceFreed:
+      return "piece free";
+    default:
+      return "";
+  }
+}
+
+double force_newton_of(const ToolSample& sample) {
+  const Vec3 force{newton_from_millinewton(sample.force_mn[0]),
+                   newton_from_millinewton(sample.force_mn[1]),
+                   newton_from_millinewton(sample.force_mn[2])};
+  return std::sqrt(glm::dot(force, force));
+}
+
+}  // namespace
+
+Traces traces_of(const Recording& recording, const Bone& bone, const simulator::KerfSet& kerfs,
+                 std::size_t points_max) {
+  Traces traces;
+  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
+  const std::size_t count = recording.samples.size();
+  const std::size_t stretch = std::max<std::size_t>(1, (count + points_max - 1) / points_max);
+  for (std::size_t index = 0; index < count; ++index) {
+    const ToolSample& sample = recording.samples[index];
+    if (index % stretch == 0) {
+      traces.points.push_back({second_from_tick(sample.tick), 0.0, std::nullopt});
+    }
+    TracePoint& point = traces.points.back();
+    point.force_newton = std::max(point.force_newton, force_newton_of(sample));
+    if (sample.kerf < 0 || sample.kerf >= kerfs.count()) continue;
+    const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);
+    point.advance_mm = planar_pose(kerfs.plane(sample.kerf), bone_from_tool).tip_mm.x;
+  }
+  for (const CutEvent& event : recording.events) {
+    const std::string text = mark_text(event.kind);
+    if (!text.empty()) traces.marks.push_back({second_from_tick(event.tick), text});
+  }
+  return traces;
+}
+
+ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& bone,
+                               const Recording& recording, const Examination& examination) {
+  ReportMaterial material;
+  material.card = examination.card;
+  material.title = scenario.title;
+  for (const scenarios::RubricGroup& group : scenario.rubric.groups) {
+    material.group_titles.push_back(group.title);
+  }
+  for (const scenarios::Gate& gate : scenario.rubric.gates) {
+    material.gate_titles.push_back(gate.title);
+  }
+  const database::ScoreCard& card = examination.card;
+  material.versions = {
+      {"Scenario", card.scenario + " version " + std::to_string(card.scenario_version)},
+      {"Rubric", "version " + std::to_string(card.rubric_version)},
+      {"Engine", "version " + std::to_string(card.engine)}};
+  add_pictures(material, bone, examination);
+  material.traces = traces_of(recording, bone, examination.rebuilt.fields);
+  return material;
+}
+
+}  // namespace hallux::ui
