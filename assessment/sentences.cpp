@@ -96,7 +96,7 @@ std::string item_sentence(const Scenario& scenario, const RubricItem& item, cons
   const bool is_unfinished = measurement.done_fraction < 1.0;
   const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
   const std::string unfinished =
-      is_unfinished ? "Unfinished cut (" + done + " of the section, which counts as much). " : "";
+      is_unfinished ? "Unfinished cut (" + done + " sawn, so " + done + " of the points). " : "";
   return prefix + unfinished +
          metric_clause(item.metric, item.title, measurement, item.unit,
                        line.points_lost_milli > 0) +

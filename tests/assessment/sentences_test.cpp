@@ -91,7 +91,7 @@ TEST(Sentences, SayThatACutIsUnfinished) {
   unfinished.done_fraction = 0.4;
   const ScoreCard card = explained(silver_like(), {unfinished});
   EXPECT_TRUE(card.ledger[0].text.starts_with(
-      "Unfinished cut (40 % of the section, which counts as much). The face lies up to 1.00 mm"));
+      "Unfinished cut (40 % sawn, so 40 % of the points). The face lies up to 1.00 mm"));
 }
 
 TEST(Sentences, AGateSaysItsLimitItsCapAndWhatItTook) {
