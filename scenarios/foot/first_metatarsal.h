@@ -10,9 +10,10 @@
 namespace hallux::scenarios {
 
 struct BoneRequest {
-  double length_mm = 0.0;      ///< base facet to head along x; 0 keeps the table's own length
-  double eminence_mm = 0.0;    ///< medial prominence beyond the table's datum; 0 keeps the table's own bump
-  double edge_mm = 0.3;        ///< edge length of the outer surface after remeshing
+  double length_mm = 0.0;  ///< base facet to head along x; 0 keeps the table's own length
+  double eminence_mm =
+      0.0;  ///< medial prominence beyond the table's datum; 0 keeps the table's own bump
+  double edge_mm = 0.3;  ///< edge length of the outer surface after remeshing
   bool with_canal = true;
 };
 

@@ -1,0 +1,17 @@
+/// The marrow as a void: everything deeper than the cortex, with rounded ends in the shaft.
+#pragma once
+
+#include "scenarios/foot/remesh.h"
+#include "simulator/mesh/bone.h"
+
+namespace hallux::scenarios {
+
+/// A closed surface that faces inward (towards the marrow), from the true distance to the finished outer surface.
+/// ensures nowhere nearer to `outer` than the cortex law, up to the height of an edge's arc
+/// errors  ScenarioError where the canal is not one part without handles; ScenarioError("cancelled")
+/// source  docs/foot.md, section "Cortex and canal"
+simulator::IndexedMesh make_canal(const simulator::IndexedMesh& outer,
+                                  const simulator::CortexLaw& cortex, double edge_mm,
+                                  const RemeshProgress& progress);
+
+}  // namespace hallux::scenarios
