@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/report/html_text.h"
+#include "ui/report/report_facts.h"
 #include "ui/report/score_sheet.h"
 
 namespace hallux::ui {
@@ -164,6 +165,18 @@ TEST(Report, TheSheetFitsIntoAHundredColumns) {
     EXPECT_LE(letters, 100U) << sheet.substr(start, end - start);
     start = end + 1;
   }
+}
+
+TEST(Report, FactsSayWhoseAttemptItWasAndWhetherItIsWhole) {
+  database::AttemptHeader header;
+  header.begun.hand = "novice";
+  header.begun.seed = 7;
+  header.state = database::AttemptState::Interrupted;
+  ReportMaterial material = made_up();
+  add_attempt_facts(material, header);
+  const std::string html = html_report(material);
+  EXPECT_NE(html.find("robot, novice hand, seed 7"), std::string::npos);
+  EXPECT_NE(html.find("interrupted"), std::string::npos);
 }
 
 TEST(HtmlText, EscapesWhatHasAMeaning) {

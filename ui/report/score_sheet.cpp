@@ -115,10 +115,10 @@ std::string score_sheet(const ReportMaterial& material) {
   return sheet;
 }
 
-std::string score_sheet(const ScoreCard& card, const std::string& title) {
+std::string score_sheet(const ScoreCard& card) {
   ReportMaterial material;
   material.card = card;
-  material.title = title;
+  material.title = card.scenario;
   return score_sheet(material);
 }
 

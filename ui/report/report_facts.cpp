@@ -1,0 +1,54 @@
+#include "ui/report/report_facts.h"
+
+#include "assessment/number_text.h"
+#include "simulator/base/units.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::AttemptHeader;
+using database::AttemptState;
+
+/// Enough of a digest to tell two apart by eye.
+constexpr std::size_t digest_letters = 16;
+
+std::string operator_text(const AttemptHeader& header) {
+  if (!header.login.empty()) return header.login;
+  if (header.begun.person) return "erased person";
+  return "robot, " + header.begun.hand + " hand, seed " + std::to_string(header.begun.seed);
+}
+
+std::string quality_text(const AttemptHeader& header) {
+  switch (header.state) {
+    case AttemptState::Closed:
+      return header.seal ? "The recording is whole: closed and sealed."
+                         : "The recording is closed but has no seal.";
+    case AttemptState::Recording:
+      return "The recording is still going on; this is what was stored so far.";
+    case AttemptState::Interrupted:
+      return "The recording was interrupted; it is valid up to its last stored stretch.";
+    case AttemptState::Void:
+      return "This attempt was set aside by an instructor.";
+  }
+  return "";
+}
+
+}  // namespace
+
+void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header) {
+  material.facts.push_back({"Operator", operator_text(header)});
+  material.facts.push_back({"Started (UTC)", header.started_utc});
+  if (header.duration_ticks) {
+    const std::int64_t duration_us = time_us_from_tick(*header.duration_ticks);
+    material.facts.push_back({"Duration", assessment::moment_text(duration_us)});
+  }
+  material.facts.push_back({"Device", header.begun.device_class});
+  material.facts.push_back({"Stereo", header.begun.stereo_mode});
+  material.versions.push_back({"Attempt", header.id.text});
+  material.versions.push_back(
+      {"Bone", hex_from_digest(header.begun.bone).substr(0, digest_letters)});
+  material.quality = quality_text(header);
+}
+
+}  // namespace hallux::ui

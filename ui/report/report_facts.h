@@ -1,0 +1,12 @@
+/// Who, when and with what: the lines of a report that come from the stored attempt.
+#pragma once
+
+#include "database/records/attempt.h"
+#include "ui/report/report_material.h"
+
+namespace hallux::ui {
+
+/// Adds facts and versions, and says in `quality` whether the recording is whole.
+void add_attempt_facts(ReportMaterial& material, const database::AttemptHeader& header);
+
+}  // namespace hallux::ui
