@@ -5,9 +5,11 @@
 #include <limits>
 
 #include "scenarios/hands/stroke_plan.h"
+#include "scenarios/hands/stroke_timing.h"
 #include "simulator/base/elementary.h"
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
+#include "simulator/contact/tool_motion.h"
 #include "simulator/cutting/section.h"
 
 namespace hallux::scenarios {
@@ -22,10 +24,12 @@ using simulator::Section;
 using simulator::SectionRegion;
 
 constexpr double overlap_mm = 3.0;
-constexpr double hover_mm = 15.0;       ///< in front of the bone between strokes
-constexpr double settle_mm = 2.0;       ///< in front of the bone before sawing
-constexpr double cortex_mm = 2.5;       ///< sawn slowly at both ends
-constexpr std::int64_t key_ticks = 20;  ///< a key every 20 ms carries the wander
+constexpr double hover_mm = 15.0;        ///< in front of the bone between strokes
+constexpr double settle_mm = 2.0;        ///< in front of the bone before sawing
+constexpr double lean_mm_s = 6.0;        ///< how fast a hand builds up its push
+constexpr double beyond_mm = 1.5;        ///< on after the last bone that was expected
+constexpr std::int64_t key_ticks = 20;   ///< a key every 20 ms carries the wander
+constexpr double tilt_spread_rad = 0.5;  ///< of the axis of a tilt about the blade's tooth line
 constexpr double smallest_angle_deg = 0.3;
 constexpr double smallest_location_mm = 0.05;
 
@@ -120,6 +124,26 @@ class MotionWriter {
       write_key();
     }
   }
+  /// Leads the teeth through their expected feed by the way that stretches the coupling to the push.
+  void push_through(const std::vector<FeedMoment>& moments, double coupling_newton_per_mm) {
+    const double duration_s = moments.back().time_s;
+    const auto keys = static_cast<std::int64_t>(duration_s / step_s) / key_ticks + 1;
+    std::size_t next = 0;
+    double lead_mm = 0.0;
+    for (std::int64_t i = 1; i <= keys; ++i) {
+      const double time_s = second_from_tick(i * key_ticks);
+      while (next + 1 < moments.size() && moments[next + 1].time_s <= time_s) ++next;
+      const double wanted_mm = moments[next].push_newton / coupling_newton_per_mm;
+      const double most_mm = lean_mm_s * second_from_tick(key_ticks);
+      lead_mm += std::clamp(wanted_mm - lead_mm, -most_mm, most_mm);
+      feed_mm_ = moments[next].feed_mm + lead_mm;
+      // A hand starts its kerf with care: it wanders once the blade is held by the bone.
+      wander_ =
+          std::clamp(0.4 * (time_s - 2.0), 0.0, std::min(1.0, 0.3 + 0.5 * (duration_s - time_s)));
+      tick_ += key_ticks;
+      write_key();
+    }
+  }
   void wait(double time_s) {
     const auto keys = static_cast<std::int64_t>(time_s / step_s) / key_ticks;
     for (std::int64_t i = 0; i < keys; ++i) {
@@ -177,7 +201,9 @@ AimedFace draw_face(const PlannedCut& cut, const KerfPlane& plan_plane, const Se
   const double location_mm =
       std::max(smallest_location_mm,
                random.truncated_normal(skill.location_mean_mm, skill.location_deviation_mm, 2.0));
-  const double turn_rad = 2.0 * pi * random.uniform();
+  // A hand sees the direction along the bone better than its blade's tilt about that direction.
+  const double turn_rad =
+      0.5 * pi + random.uniform(-1.0, 1.0) * tilt_spread_rad + (random.uniform() < 0.5 ? 0.0 : pi);
   const double side = random.uniform() < 0.5 ? -1.0 : 1.0;
 
   const RigidTransform& bone_from_plan = plan_plane.bone_from_kerf;
@@ -208,18 +234,18 @@ AimedFace draw_face(const PlannedCut& cut, const KerfPlane& plan_plane, const Se
   return aimed;
 }
 
-void write_stroke(MotionWriter& writer, const Stroke& stroke, const HandSkill& skill) {
+void write_stroke(MotionWriter& writer, const Stroke& stroke,
+                  const std::vector<FeedMoment>& moments, const HandSkill& skill) {
+  const double coupling_newton_per_mm = simulator::ContactSettings{}.coupling_newton_per_mm;
   writer.go_to(stroke.first_mm - hover_mm, stroke.along_mm, skill.approach_mm_s);
   writer.set_saw(true);
   writer.go_to(stroke.first_mm - settle_mm, stroke.along_mm, skill.approach_mm_s);
-  writer.wait(0.3);
-  const double entry_mm = stroke.first_mm + cortex_mm;
-  const double exit_mm = std::max(entry_mm, stroke.last_mm - cortex_mm);
-  writer.go_to(entry_mm, stroke.along_mm, skill.cortex_feed_mm_s);
-  writer.go_to(exit_mm, stroke.along_mm, skill.feed_mm_s, 0.0, 1.0);
-  writer.go_to(stroke.last_mm + skill.overtravel_mm, stroke.along_mm, skill.cortex_feed_mm_s, 1.0,
-               0.3);
-  writer.wait(2.0);
+  writer.wait(0.2);
+  writer.go_to(stroke.first_mm, stroke.along_mm, lean_mm_s);
+  writer.push_through(moments, coupling_newton_per_mm);
+  writer.go_to(stroke.last_mm + beyond_mm + skill.push.exit_newton / coupling_newton_per_mm,
+               stroke.along_mm, lean_mm_s, 0.3, 0.3);
+  writer.wait(1.0);
   writer.go_to(stroke.first_mm - hover_mm, stroke.along_mm, skill.approach_mm_s, 0.3, 0.0);
   writer.set_saw(false);
 }
@@ -239,9 +265,7 @@ HandSkill hand_skill(std::string_view name) {
     novice.stroke_jitter_mm = 0.25;
     novice.stroke_jitter_rad = 0.015;
     novice.approach_mm_s = 60.0;
-    novice.cortex_feed_mm_s = 1.2;
-    novice.feed_mm_s = 2.5;
-    novice.overtravel_mm = 6.0;
+    novice.push = {26.0, 26.0, 2.5};
     return novice;
   }
   throw ScenarioError("there is no hand \"" + std::string(name) +
@@ -278,13 +302,17 @@ ScriptedHand make_hand(const Scenario& scenario, const Bone& bone, const Plan& p
   writer.wait(1.0);
   writer.say(CommandKind::StepDone, 0);
   Random jitter(seed, "hand.strokes");
+  const simulator::TissueMap tissue(bone);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     // The first stroke makes the plane; later ones come back to it as well as the hand can.
     if (i > 0) {
       writer.set_jitter(jitter.truncated_normal(0.0, skill.stroke_jitter_mm),
                         jitter.truncated_normal(0.0, skill.stroke_jitter_rad));
     }
-    write_stroke(writer, strokes[i], skill);
+    const std::vector<FeedMoment> moments =
+        predict_feed(strokes[i], std::span(strokes).first(i), section.plane, tissue,
+                     scenario.blade.size.width_mm, scenario.blade.cycles_per_minute, skill.push);
+    write_stroke(writer, strokes[i], moments, skill);
   }
   writer.wait(0.5);
   writer.say(CommandKind::StepDone, 1);

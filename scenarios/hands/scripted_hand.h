@@ -1,14 +1,15 @@
 /// Scripted hands: a plan carried out with the errors of an expert or a novice, drawn from a seed.
 ///
 /// A hand aims its blade at a face that is tilted and shifted against the plan, saws in overlapping strokes from the
-/// approach side, wanders out of the plane while it pushes, and declares each step done. The motion is fixed before it
-/// starts: it feels nothing. The sizes of the errors are the working expectation for freehand cuts in small bones:
+/// approach side with a force it means to keep, wanders out of the plane while it pushes, and declares each step done.
+/// The motion is fixed before it starts, timed by the feed law: it feels nothing. The sizes of the errors are the working expectation for freehand cuts in small bones:
 /// expert 2 to 3 (SD 1.5) degrees and 0.8 (0.5) mm, novice 9 (5) degrees and 3 (1.5) mm; not measured on people.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
+#include "scenarios/hands/stroke_timing.h"
 #include "scenarios/plan.h"
 #include "simulator/device/scripted.h"
 
@@ -23,9 +24,7 @@ struct HandSkill {
   double stroke_jitter_mm = 0.1;  ///< out of the plane from stroke to stroke
   double stroke_jitter_rad = 0.005;
   double approach_mm_s = 30.0;
-  double cortex_feed_mm_s = 0.6;  ///< of the hand, in the first and last millimetres
-  double feed_mm_s = 1.6;
-  double overtravel_mm = 3.0;  ///< of the hand beyond the far surface
+  Push push;  ///< the force it means to keep
 };
 
 /// errors  ScenarioError naming the hands there are

@@ -9,6 +9,9 @@ namespace {
 /// Steps along a line of the blade are never shorter than this; half of it can pass unseen.
 constexpr double probe_step_mm = 0.25;
 
+/// The outer layers of a tooth, as a share of the kerf: a little inside, so that they do not feel the kerf's own walls.
+constexpr double layer_share = 0.45;
+
 Vec3 blade_point(const RigidTransform& bone_from_tool, double back_mm, double along_mm) noexcept {
   return transform_point(bone_from_tool, Vec3{-back_mm, along_mm, 0.0});
 }
@@ -16,25 +19,32 @@ Vec3 blade_point(const RigidTransform& bone_from_tool, double back_mm, double al
 }  // namespace
 
 std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
-                                           const BladeSize& blade, double ahead_mm) noexcept {
+                                           const BladeSize& blade, double ahead_mm,
+                                           double aside_mm) noexcept {
   std::array<Vec3, tooth_count> points{};
   const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
   for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
     const double along_mm = (static_cast<double>(tooth) + 0.5) * share_mm - 0.5 * blade.width_mm;
-    points[tooth] = blade_point(bone_from_tool, -ahead_mm, along_mm);
+    points[tooth] = transform_point(bone_from_tool, Vec3{ahead_mm, along_mm, aside_mm});
   }
   return points;
 }
 
 Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
-                      double ahead_mm) noexcept {
+                      double ahead_mm, TeethMemory& teeth) noexcept {
   const BladeSize& blade = bone.kerfs.blade();
-  Engagement engaged;
-  const Vec3 middle = blade_point(bone_from_tool, -ahead_mm, 0.0);
-  if (bone.original.clearance_mm(middle) > 0.5 * blade.width_mm) return engaged;
   const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
-  for (const Vec3& point : tooth_points(bone_from_tool, blade, ahead_mm)) {
-    const Tissue tissue = bone.at(point);
+  std::array<Tissue, tooth_count> hardest{};
+  for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
+    const double aside_mm = layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
+    const auto points = tooth_points(bone_from_tool, blade, ahead_mm, aside_mm);
+    for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+      const Tissue tissue = bone.at(points[tooth], teeth[layer * tooth_count + tooth]);
+      hardest[tooth] = std::max(hardest[tooth], tissue);
+    }
+  }
+  Engagement engaged;
+  for (const Tissue tissue : hardest) {
     if (tissue == Tissue::Cortical) engaged.cortical_mm += share_mm;
     if (tissue == Tissue::Cancellous) engaged.cancellous_mm += share_mm;
   }

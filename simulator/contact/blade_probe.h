@@ -9,14 +9,15 @@
 
 namespace hallux::simulator {
 
-/// The middle of each share of the tooth line, `ahead_mm` in front of it, in the bone frame [mm].
+/// The middle of each share of the tooth line, `ahead_mm` in front of it and `aside_mm` out of the blade's plane [mm, bone frame].
 std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
-                                           const BladeSize& blade, double ahead_mm) noexcept;
+                                           const BladeSize& blade, double ahead_mm,
+                                           double aside_mm = 0.0) noexcept;
 
-/// The engaged width per tissue over the tooth line, asked `ahead_mm` in front of it.
+/// The engaged width per tissue over the tooth line (the hardest over a tooth's thickness), asked `ahead_mm` in front of it; `teeth` remembers.
 /// thread  haptic; allocates nothing
 Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
-                      double ahead_mm) noexcept;
+                      double ahead_mm, TeethMemory& teeth) noexcept;
 
 /// Whether standing bone lies on the blade's edge on the side `side` (+1 or -1 along the tooth line).
 bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& bone,

@@ -1,6 +1,20 @@
 #include "simulator/contact/tissue.h"
 
+#include <cmath>
+
 namespace hallux::simulator {
+
+namespace {
+
+/// Thicker than any bone: without a law all of it is cortical.
+constexpr double all_cortical_mm = 1.0e6;
+
+double distance_mm(const Vec3& a, const Vec3& b) noexcept {
+  const Vec3 way = a - b;
+  return std::sqrt(glm::dot(way, way));
+}
+
+}  // namespace
 
 TissueMap::TissueMap(const Bone& bone) : outer_(bone.outer), cortex_(bone.cortex) {
   if (!bone.canal.triangles.empty()) canal_.emplace(bone.canal);
@@ -11,23 +25,53 @@ double TissueMap::clearance_mm(const Vec3& point_in_bone_mm) const noexcept {
 }
 
 Tissue TissueMap::at(const Vec3& point_in_bone_mm) const noexcept {
-  const double depth_mm = -clearance_mm(point_in_bone_mm);
-  if (!(depth_mm > 0.0)) return Tissue::None;
-  if (!cortex_) return Tissue::Cortical;
-  if (depth_mm < cortex_thickness_mm(*cortex_, point_in_bone_mm.x)) return Tissue::Cortical;
-  // The canal's shell faces inward: outside of it, seen as a solid, is the bone around the marrow.
-  if (canal_ && canal_->signed_distance_mm(point_in_bone_mm) > 0.0) return Tissue::Marrow;
-  return Tissue::Cancellous;
+  TissueMemory nothing;
+  return at(point_in_bone_mm, nothing);
 }
 
-Tissue StandingBone::at(const Vec3& point_in_bone_mm) const noexcept {
+Tissue TissueMap::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
+  const double cortex_mm =
+      cortex_ ? cortex_thickness_mm(*cortex_, point_in_bone_mm.x) : all_cortical_mm;
+  const double moved_mm = distance_mm(point_in_bone_mm, memory.outer_asked_mm);
+  const auto is_settled = [&](double threshold_mm) {
+    return std::abs(memory.clearance_mm - threshold_mm) > moved_mm;
+  };
+  // Outside, in the cortex or below it: only a threshold within the way since the last search calls for another.
+  if (!memory.knows_outer || !is_settled(0.0) || !is_settled(-cortex_mm)) {
+    memory.clearance_mm = clearance_mm(point_in_bone_mm);
+    memory.outer_asked_mm = point_in_bone_mm;
+    memory.knows_outer = true;
+  }
+  if (!(memory.clearance_mm < 0.0)) return Tissue::None;
+  if (memory.clearance_mm > -cortex_mm) return Tissue::Cortical;
+  return is_marrow(point_in_bone_mm, memory) ? Tissue::Marrow : Tissue::Cancellous;
+}
+
+bool TissueMap::is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
+  if (!canal_) return false;
+  const double moved_mm = distance_mm(point_in_bone_mm, memory.canal_asked_mm);
+  if (!memory.knows_canal || std::abs(memory.canal_mm) <= moved_mm) {
+    // The canal's shell faces inward: outside of it, seen as a solid, is the bone around the marrow.
+    memory.canal_mm = canal_->signed_distance_mm(point_in_bone_mm);
+    memory.canal_asked_mm = point_in_bone_mm;
+    memory.knows_canal = true;
+  }
+  return memory.canal_mm > 0.0;
+}
+
+Tissue StandingBone::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   if (kerfs.is_open(point_in_bone_mm)) return Tissue::None;
-  const Tissue tissue = original.at(point_in_bone_mm);
+  const Tissue tissue = original.at(point_in_bone_mm, memory);
   if (tissue == Tissue::None) return tissue;
   for (const Bvh* piece : removed_pieces) {
     if (piece->signed_distance_mm(point_in_bone_mm) < 0.0) return Tissue::None;
   }
   return tissue;
+}
+
+Tissue StandingBone::at(const Vec3& point_in_bone_mm) const noexcept {
+  TissueMemory nothing;
+  return at(point_in_bone_mm, nothing);
 }
 
 }  // namespace hallux::simulator

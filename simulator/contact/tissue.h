@@ -13,6 +13,15 @@ namespace hallux::simulator {
 
 enum class Tissue : std::uint8_t { None, Marrow, Cancellous, Cortical };
 
+/// What was asked near a point before: distances change by no more than the way since, so most answers need no search.
+/// Part of the state of whoever asks; the answers are the same without it.
+struct TissueMemory {
+  Vec3 outer_asked_mm{0.0, 0.0, 0.0}, canal_asked_mm{0.0, 0.0, 0.0};
+  double clearance_mm = 0.0;  ///< to the outer surface, at outer_asked_mm
+  double canal_mm = 0.0;      ///< to the canal's wall, above 0 in the marrow, at canal_asked_mm
+  bool knows_outer = false, knows_canal = false;
+};
+
 /// The tissues of the original bone. Always asked of the original surface: a cut face is not cortex.
 class TissueMap {
  public:
@@ -20,10 +29,13 @@ class TissueMap {
 
   /// thread  any; allocates nothing
   Tissue at(const Vec3& point_in_bone_mm) const noexcept;
+  Tissue at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
   /// Distance to the original outer surface, negative inside [mm].
   double clearance_mm(const Vec3& point_in_bone_mm) const noexcept;
 
  private:
+  bool is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
+
   Bvh outer_;
   std::optional<Bvh> canal_;
   std::optional<CortexLaw> cortex_;
@@ -37,6 +49,7 @@ struct StandingBone {
 
   /// thread  haptic; allocates nothing
   Tissue at(const Vec3& point_in_bone_mm) const noexcept;
+  Tissue at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
 };
 
 constexpr bool is_bone(Tissue tissue) noexcept {

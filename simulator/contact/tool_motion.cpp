@@ -16,6 +16,8 @@ constexpr double walk_step_mm = 0.1;
 constexpr int walk_steps = 10;
 /// A turn in the kerf's plane below this is not worth asking the bone about.
 constexpr double turn_worth_asking = 0.0005;
+/// A shift aside below the record's quantum likewise [mm].
+constexpr double shift_worth_asking_mm = 0.001;
 /// Backing out further than this ends a touch.
 constexpr double leave_depth_mm = -0.1;
 
@@ -40,12 +42,12 @@ double comply(double deviation, double play, double share) noexcept {
 
 /// Advances along the tool's x towards `wanted_mm`: freely until the teeth stand on bone, then by the feed law.
 double feed(RigidTransform& bone_from_tool, double wanted_mm, const ToolInput& input,
-            const StandingBone& bone, const ContactSettings& settings,
+            const StandingBone& bone, const ContactSettings& settings, TeethMemory& teeth,
             ToolOutcome& outcome) noexcept {
   const Vec3 ahead = axis_x(bone_from_tool);
   double done_mm = 0.0;
   for (int i = 0; i < walk_steps && done_mm < wanted_mm; ++i) {
-    outcome.engaged = engagement(bone_from_tool, bone, probe_ahead_mm);
+    outcome.engaged = engagement(bone_from_tool, bone, probe_ahead_mm, teeth);
     const bool is_engaged = outcome.engaged.width_mm() > 0.0;
     double step_mm = std::min(walk_step_mm, wanted_mm - done_mm);
     if (is_engaged) {
@@ -70,14 +72,12 @@ void move_free(ToolState& tool, const ToolInput& input, const StandingBone& bone
   const RigidTransform& to = input.bone_from_handle;
   const Vec3 way = to.translation_mm - from.translation_mm;
   const double way_mm = std::sqrt(glm::dot(way, way));
-  const double reach_mm = 0.5 * bone.kerfs.blade().width_mm + 1.0;
   tool.bone_from_tool = to;
-  if (bone.original.clearance_mm(to.translation_mm) > reach_mm + way_mm) return;
   const int steps = std::clamp(static_cast<int>(way_mm / walk_step_mm) + 1, 1, walk_steps);
   for (int i = 1; i <= steps; ++i) {
     const double share = std::min(1.0, static_cast<double>(i) / static_cast<double>(steps));
     const RigidTransform pose = interpolate(from, to, share);
-    if (!(engagement(pose, bone, 0.0).width_mm() > 0.0)) continue;
+    if (!(engagement(pose, bone, 0.0, tool.teeth).width_mm() > 0.0)) continue;
     tool.bone_from_tool = pose;
     tool.stage = ToolStage::Touching;
     tool.touch_depth_mm = tool.scratch_mm = 0.0;
@@ -88,9 +88,10 @@ void move_free(ToolState& tool, const ToolInput& input, const StandingBone& bone
 
 void move_touching(ToolState& tool, const ToolInput& input, const StandingBone& bone,
                    const ContactSettings& settings, ToolOutcome& outcome) noexcept {
-  const double engaged_mm = engagement(tool.bone_from_tool, bone, probe_ahead_mm).width_mm();
+  const double engaged_mm =
+      engagement(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth).width_mm();
   const auto is_allowed = [&](const RigidTransform& pose) {
-    return engagement(pose, bone, probe_ahead_mm).width_mm() <= engaged_mm;
+    return engagement(pose, bone, probe_ahead_mm, tool.teeth).width_mm() <= engaged_mm;
   };
   RigidTransform pose = tool.bone_from_tool;
   const RigidTransform turned{input.bone_from_handle.rotation, pose.translation_mm};
@@ -103,12 +104,12 @@ void move_touching(ToolState& tool, const ToolInput& input, const StandingBone& 
   const bool retreats = forward_mm < 0.0;
   if (retreats) pose = moved(pose, forward_mm * ahead);
   const double fed_mm =
-      retreats ? forward_mm : feed(pose, forward_mm, input, bone, settings, outcome);
+      retreats ? forward_mm : feed(pose, forward_mm, input, bone, settings, tool.teeth, outcome);
   tool.bone_from_tool = pose;
   tool.touch_depth_mm += fed_mm;
   tool.scratch_mm = std::max(tool.scratch_mm, tool.touch_depth_mm);
   outcome.wants_freeze = tool.touch_depth_mm >= settings.freeze_depth_mm;
-  const bool is_clear = !(engagement(pose, bone, probe_ahead_mm).width_mm() > 0.0);
+  const bool is_clear = !(engagement(pose, bone, probe_ahead_mm, tool.teeth).width_mm() > 0.0);
   if (is_clear && tool.touch_depth_mm < leave_depth_mm) {
     outcome.scratch_mm = tool.scratch_mm;
     tool.stage = ToolStage::Free;
@@ -133,8 +134,9 @@ RigidTransform bent_pose(const PlanarPose& planar, const RigidTransform& kerf_fr
   const double tilt_x = comply(2.0 * tilt.x, settings.slot_play_rad, settings.slot_compliance);
   const double tilt_y = comply(2.0 * tilt.y, settings.slot_play_rad, settings.slot_compliance);
   const double out_mm = comply(kerf_from_handle.translation_mm.z, settings.slot_play_mm, share);
-  return {normalised(in_plane * Quat{1.0, 0.5 * tilt_x, 0.5 * tilt_y, 0.0}),
-          Vec3{planar.tip_mm.x, planar.tip_mm.y, out_mm}};
+  // The last part keeps the blade's direction in the plane: two small tilts together would turn it a little each tick.
+  const Quat bend{1.0, 0.5 * tilt_x, 0.5 * tilt_y, -0.25 * tilt_x * tilt_y};
+  return {normalised(in_plane * bend), Vec3{planar.tip_mm.x, planar.tip_mm.y, out_mm}};
 }
 
 /// The flat blade at a planar pose, in the bone frame.
@@ -145,21 +147,22 @@ RigidTransform flat_pose(const KerfPlane& plane, const PlanarPose& planar) noexc
 
 /// Turns and shifts the blade in its plane as far as no edge meets standing bone.
 void slide_aside(PlanarPose& planar, const PlanarPose& wanted, const KerfPlane& plane,
-                 const StandingBone& bone) noexcept {
+                 const StandingBone& bone, TeethMemory& teeth) noexcept {
   const double turn =
       planar.direction.x * wanted.direction.y - planar.direction.y * wanted.direction.x;
   if (std::abs(turn) > turn_worth_asking) {
     const PlanarPose turned{planar.tip_mm, wanted.direction};
     const RigidTransform pose = flat_pose(plane, turned);
     const bool is_free = !edge_meets_bone(pose, bone, 1.0) && !edge_meets_bone(pose, bone, -1.0) &&
-                         !(engagement(pose, bone, 0.0).width_mm() > 0.0);
+                         !(engagement(pose, bone, 0.0, teeth).width_mm() > 0.0);
     if (is_free) planar = turned;
   }
   const Vec2 along{-planar.direction.y, planar.direction.x};
   const double shift_mm = glm::dot(wanted.tip_mm - planar.tip_mm, along);
   const PlanarPose shifted{planar.tip_mm + shift_mm * along, planar.direction};
   const double side = shift_mm < 0.0 ? -1.0 : 1.0;
-  if (shift_mm != 0.0 && !edge_meets_bone(flat_pose(plane, shifted), bone, side)) planar = shifted;
+  if (std::abs(shift_mm) < shift_worth_asking_mm) return;
+  if (!edge_meets_bone(flat_pose(plane, shifted), bone, side)) planar = shifted;
 }
 
 bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
@@ -176,12 +179,13 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& b
       bone.kerfs.kerf_from_bone(tool.kerf) * input.bone_from_handle;
   PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
   const PlanarPose wanted = planar_pose(plane, input.bone_from_handle);
-  slide_aside(planar, wanted, plane, bone);
+  slide_aside(planar, wanted, plane, bone, tool.teeth);
 
   const double forward_mm = glm::dot(wanted.tip_mm - planar.tip_mm, planar.direction);
   RigidTransform flat = flat_pose(plane, planar);
-  const double fed_mm =
-      forward_mm < 0.0 ? forward_mm : feed(flat, forward_mm, input, bone, settings, outcome);
+  const double fed_mm = forward_mm < 0.0
+                            ? forward_mm
+                            : feed(flat, forward_mm, input, bone, settings, tool.teeth, outcome);
   planar.tip_mm += fed_mm * planar.direction;
   tool.bone_from_tool = plane.bone_from_kerf * bent_pose(planar, kerf_from_handle, settings);
 
@@ -195,7 +199,8 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& b
   }
 }
 
-/// Teeth that stand over the kerf's open slot, inside the bone as it was.
+/// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before it: a hand lays the
+/// blade back into the line of its cut, also where the bone begins deeper.
 std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const StandingBone& bone,
                              std::int32_t kerf) noexcept {
   const KerfPlane& plane = bone.kerfs.plane(kerf);
@@ -203,8 +208,7 @@ std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const Standin
   std::int32_t count = 0;
   for (const Vec3& point : tooth_points(flat, bone.kerfs.blade(), 0.0)) {
     const Vec3 local = transform_point(bone.kerfs.kerf_from_bone(kerf), point);
-    const bool is_open = bone.kerfs.field(kerf).is_open(Vec2{local.x, local.y});
-    if (is_open && bone.original.clearance_mm(point) < 0.0) ++count;
+    if (bone.kerfs.field(kerf).is_open(Vec2{local.x, local.y})) ++count;
   }
   return count;
 }

@@ -37,6 +37,9 @@ struct ContactSettings {
 };
 
 inline constexpr std::size_t tooth_count = 21;
+/// A tooth takes its kerf's whole thickness: it is asked for bone in its middle and near both sides.
+inline constexpr std::size_t tooth_layers = 3;
+using TeethMemory = std::array<TissueMemory, tooth_count * tooth_layers>;
 
 enum class ToolStage : std::int32_t { Free, Touching, InKerf };
 
@@ -47,6 +50,7 @@ struct ToolState {
   double touch_depth_mm = 0.0;  ///< in Touching: how far the teeth went in
   double scratch_mm = 0.0;      ///< in Touching: the deepest so far
   bool was_engaged = false;     ///< teeth stood in bone at the end of the last tick
+  TeethMemory teeth{};
 };
 
 struct ToolInput {
@@ -73,8 +77,8 @@ struct ToolOutcome {
 ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBone& bone,
                       const ContactSettings& settings) noexcept;
 
-/// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or an open slot under
-/// enough teeth within capture limits.
+/// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or enough teeth over
+/// what was swept there within capture limits.
 std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
                                const ContactSettings& settings) noexcept;
 

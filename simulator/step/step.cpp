@@ -162,8 +162,6 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
 
   ToolSample& sample = output.sample;
   sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
-  // What is recorded is what cuts: the tool goes on from the rounded pose.
-  tool_.bone_from_tool = bone_from_world_ * transform_from(sample.world_from_tool);
   const Vec3 force_newton = transform_direction(world_from_bone_, outcome.force_in_bone_newton);
   sample.force_mn = {millinewton_from_newton(force_newton.x),
                      millinewton_from_newton(force_newton.y),
@@ -176,6 +174,8 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
   if (outcome.advance_mm > 0.0) sample.status |= bit(ToolStatus::Cutting);
   if (outcome.is_force_limited) sample.status |= bit(ToolStatus::ForceLimited);
   output.engaged = outcome.engaged;
+  // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on unrounded, else a feed
+  // below half a micrometre a tick would stand still.
   kerfs_.follow(sample);
 }
 

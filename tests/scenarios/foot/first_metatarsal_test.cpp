@@ -89,7 +89,7 @@ TEST_F(FirstMetatarsal, KeepsItsHeadCentreWhereAnEminenceGrows) {
 }
 
 /// A face along the shaft, tilted 5 degrees, 1 mm medial to the sulcus.
-TEST_F(FirstMetatarsal, LetsACutBesideTheSulcusRunOutFlushWithTheShaft) {
+TEST_F(FirstMetatarsal, LetsACutBesideTheSulcusLeaveTheBoneJustBeforeTheShaft) {
   const Bone& b = bone(4.0);
   const Vec3 along = landmark(b, "shaft_distal") - landmark(b, "shaft_proximal");
   const Vec3 axis = along / std::sqrt(glm::dot(along, along));
@@ -98,7 +98,9 @@ TEST_F(FirstMetatarsal, LetsACutBesideTheSulcusRunOutFlushWithTheShaft) {
   const double tilt_rad = radian_from_degree(5.0);
   const Vec3 normal = std::cos(tilt_rad) * medial + std::sin(tilt_rad) * glm::cross(axis, medial);
   const double offset_mm = glm::dot(normal, landmark(b, "med_sulcus")) + 1.0;
-  EXPECT_NEAR(glm::dot(normal, landmark(b, "shaft_medial")), offset_mm, 0.2);
+  const double room_mm = offset_mm - glm::dot(normal, landmark(b, "shaft_medial"));
+  EXPECT_GT(room_mm, 0.3);
+  EXPECT_LT(room_mm, 0.8);
 }
 
 TEST_F(FirstMetatarsal, StandsInTheFootWithItsHeadBeforeItsBase) {
