@@ -45,8 +45,9 @@ class Bvh {
       double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
   /// By the parity of crossings; agrees with the sign of the distance except on the surface.
   bool contains(const Vec3& point_mm) const noexcept;
+  /// needs   direction has length 1
   std::optional<RayHit> first_hit(const Vec3& origin_mm, const Vec3& direction) const noexcept;
-  /// The triangles that reach into |normal . p - offset| <= half_mm, in ascending order.
+  /// Replaces `triangles` by those that reach into |normal . p - offset| <= half_mm, in ascending order.
   void triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm,
                          std::vector<std::uint32_t>& triangles) const;
 

@@ -18,6 +18,7 @@ using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<SolidTraits>;
 /// Always closed and oriented: it cannot be made from anything else.
 class SolidMesh {
  public:
+  /// ensures every triangle is kept; a point where several fans of triangles touch becomes one point per fan
   /// errors  MeshError (see check_closed_solid), naming `name`
   SolidMesh(const IndexedMesh& mesh, std::string_view name);
 
