@@ -1,7 +1,6 @@
 #include "ui/app/verb_score.h"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 #include <ostream>
 
@@ -10,6 +9,8 @@
 #include "ui/app/write_file.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/report/html_report.h"
+#include "ui/report/report_facts.h"
+#include "ui/report/report_pictures.h"
 #include "ui/report/score_sheet.h"
 
 namespace hallux::ui {
@@ -31,7 +32,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_data(context, database::Access::ReadWrite);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});
-    const database::ScoreCard card = score_attempt(material, stages_on(context));
+    const database::ScoreCard card = score_attempt(material, stages_on(context)).card;
     desk.store_score(material.header.id, card);
     if (context.json) {
       ordered_json answer = {{"attempt", material.header.id.text},
@@ -51,9 +52,10 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   database::Database database = open_data(context, database::Access::ReadWrite);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
-    const database::ScoreCard card = score_attempt(material, stages_on(context));
-    const std::string page =
-        html_report({material.header, material.scenario, material.bone, material.recording, card});
+    ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
+                                           score_attempt(material, stages_on(context)));
+    add_attempt_facts(shown, material.header);
+    const std::string page = html_report(shown);
     write_file_whole(options.output, page);
     if (context.json) {
       context.out << ordered_json{{"attempt", material.header.id.text},

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/assess.h"
 #include "assessment/progress.h"
 #include "database/assets.h"
 #include "database/recordings.h"
@@ -96,7 +95,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   }
   outcome.quality = quality_of(outcome.loop, outcome.recorder.samples);
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
-  outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress);
+  outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress).card;
   desk.store_score(outcome.attempt, outcome.card);
   return outcome;
 }
@@ -129,10 +128,11 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   return result;
 }
 
-database::ScoreCard score_attempt(const AttemptMaterial& material, const StageProgress& progress) {
+assessment::Examination score_attempt(const AttemptMaterial& material,
+                                      const StageProgress& progress) {
   try {
-    return assessment::assess(material.scenario, material.bone, material.recording,
-                              progress("Scoring"));
+    return assessment::examine(material.scenario, material.bone, material.recording,
+                               progress("Scoring"));
   } catch (const assessment::Cancelled&) {
     throw Cancelled("stopped while scoring; nothing was changed");
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "assessment/assess.h"
 #include "database/attempts.h"
 #include "database/desks.h"
 #include "database/recorder.h"
@@ -76,6 +77,7 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
                                                       const StageProgress& progress);
 
 /// errors  Cancelled
-database::ScoreCard score_attempt(const AttemptMaterial& material, const StageProgress& progress);
+assessment::Examination score_attempt(const AttemptMaterial& material,
+                                      const StageProgress& progress);
 
 }  // namespace hallux::ui
