@@ -114,19 +114,21 @@ class AttemptRun {
     const Clock::duration late = Clock::now() - deadline_;
     late_times_.add(late);
     const std::int64_t missed = late / tick_time;
-    const bool is_ring_full = channels_.samples.size() > channels_.samples.capacity() / 8 * 7;
-    if (missed >= ticks_per_line || is_ring_full) return pause_gap();
+    if (missed >= ticks_per_line || is_a_ring_nearly_full()) return pause_gap();
     deadline_ += tick_time * (1 + missed);
     statistics_.missed_ticks += missed;
     return 1 + missed;
+  }
+
+  bool is_a_ring_nearly_full() const noexcept {
+    return channels_.samples.size() > channels_.samples.capacity() / 8 * 7 || !jobs_->has_room();
   }
 
   /// Simulated time stands still over a gap: the step hears Pause now and Resume at the next line.
   std::int64_t pause_gap() {
     ++statistics_.pauses;
     is_gap_ = true;
-    while (channels_.samples.size() > channels_.samples.capacity() / 2 &&
-           !channels_.recorder_failed.load(std::memory_order_relaxed)) {
+    while (is_a_ring_nearly_full() && !channels_.recorder_failed.load(std::memory_order_relaxed)) {
       std::this_thread::sleep_for(tick_time);
     }
     deadline_ = Clock::now() + tick_time;

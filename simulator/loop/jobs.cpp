@@ -50,6 +50,8 @@ bool ThreadedJobs::follow(const StepOutput& output) noexcept {
   return has_room;
 }
 
+bool ThreadedJobs::has_room() const noexcept { return feed_.size() < feed_.capacity() / 8 * 7; }
+
 const JobResult* ThreadedJobs::take_ready() noexcept {
   const JobResult* result = nullptr;
   return ready_.pop(result) ? result : nullptr;

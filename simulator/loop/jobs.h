@@ -21,9 +21,12 @@ namespace hallux::simulator {
 class JobRunner {
  public:
   virtual ~JobRunner() = default;
-  /// Takes over what a step gave out; false where there is no room left (the attempt must pause).
+  /// Takes over what a step gave out; false where there was no room left.
   /// thread  haptic; allocates nothing on the threaded runner
   virtual bool follow(const StepOutput& output) noexcept = 0;
+  /// Whether a second's outputs still find room; without it the attempt must pause.
+  /// thread  haptic
+  virtual bool has_room() const noexcept = 0;
   /// The next result that is ready, or null. Lives as long as the runner.
   virtual const JobResult* take_ready() noexcept = 0;
 };
@@ -34,6 +37,7 @@ class ImmediateJobs final : public JobRunner {
   ImmediateJobs(const Bone& bone, const BladeSize& blade) : geometry_(bone, blade) {}
 
   bool follow(const StepOutput& output) noexcept override;
+  bool has_room() const noexcept override { return true; }
   const JobResult* take_ready() noexcept override;
   /// The result of that job, or null where none of that number was asked for.
   const JobResult* find(std::int32_t job) const noexcept;
@@ -58,6 +62,7 @@ class ThreadedJobs final : public JobRunner {
   ~ThreadedJobs() override;
 
   bool follow(const StepOutput& output) noexcept override;
+  bool has_room() const noexcept override;
   const JobResult* take_ready() noexcept override;
 
  private:

@@ -40,11 +40,15 @@ void OperationGeometry::run_contact(JobResult& result) {
   known.mask = mask_section(known.section, solid_, *bvh_, kerfs_.field(kerf).grid());
   result.section = known.section;
   result.nodes.resize(known.section.regions.size());
+  const auto add = [&](std::int32_t node, std::int32_t region) {
+    const auto index = static_cast<std::size_t>(region);
+    if (known.mask.fits_grid[index]) result.nodes[index].push_back(node);
+  };
   for (std::size_t node = 0; node < known.mask.region_of_node.size(); ++node) {
     const std::int16_t region = known.mask.region_of_node[node];
-    if (region < 0 || !known.mask.fits_grid[static_cast<std::size_t>(region)]) continue;
-    result.nodes[static_cast<std::size_t>(region)].push_back(static_cast<std::int32_t>(node));
+    if (region >= 0) add(static_cast<std::int32_t>(node), region);
   }
+  for (const SharedNode& shared : known.mask.shared_nodes) add(shared.node, shared.region);
 }
 
 void OperationGeometry::run_pieces(JobResult& result) {
