@@ -13,18 +13,19 @@ enum class LedgerKind { Metric, Damping, Gate };
 /// One place where points were won or lost. A line with points_lost_milli 0 is kept: it says what was right.
 struct LedgerLine {
   LedgerKind kind = LedgerKind::Metric;
-  std::string item;      ///< rubric item or gate: "A1"
-  std::string metric;    ///< "angle_deg"
-  std::string group;     ///< "accuracy"
-  std::string unit;      ///< "deg", "mm"
-  double value = 0.0;    ///< rounded to 1e-6 of its unit
-  bool is_measured = true;  ///< false: nothing to measure (no cut was made); value then means nothing
-  double target = 0.0;   ///< where full points begin to be lost, or the gate's limit
-  std::int64_t weight_milli = 0;       ///< rubric points x 1000 that this line could have earned
-  std::int64_t points_lost_milli = 0;  ///< rubric points x 1000
-  std::int64_t start_us = 0, end_us = 0;             ///< the moment of the attempt it is about
-  std::array<double, 3> place_in_bone_mm{};          ///< the patch of bone it is about
-  std::string text;      ///< one sentence with the number, the target and the loss
+  std::string item;    ///< rubric item or gate: "A1"
+  std::string metric;  ///< "angle_deg"
+  std::string group;   ///< "accuracy"
+  std::string unit;    ///< "deg", "mm"
+  double value = 0.0;  ///< rounded to 1e-6 of its unit
+  bool is_measured =
+      true;             ///< false: nothing to measure (no cut was made); value then means nothing
+  double target = 0.0;  ///< where full points begin to be lost, or the gate's limit
+  std::int64_t weight_milli = 0;          ///< rubric points x 1000 that this line could have earned
+  std::int64_t points_lost_milli = 0;     ///< rubric points x 1000
+  std::int64_t start_us = 0, end_us = 0;  ///< the moment of the attempt it is about
+  std::array<double, 3> place_in_bone_mm{};  ///< the patch of bone it is about
+  std::string text;  ///< one sentence with the number, the target and the loss
 };
 
 struct GroupScore {
@@ -45,7 +46,8 @@ struct GateResult {
 
 /// earned_milli + the sum of all points_lost_milli = measured_milli, exactly.
 struct ScoreCard {
-  std::int64_t score_milli = 0;     ///< 0 to 100 000: 100 x earned / measured, rounded to the nearest thousandth
+  std::int64_t score_milli =
+      0;  ///< 0 to 100 000: 100 x earned / measured, rounded to the nearest thousandth
   std::int64_t earned_milli = 0;    ///< rubric points x 1000, after damping and gates
   std::int64_t measured_milli = 0;  ///< rubric points x 1000 that could be measured
   std::int64_t rubric_milli = 0;    ///< rubric points x 1000 in all (100 000)

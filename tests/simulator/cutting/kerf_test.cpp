@@ -127,7 +127,9 @@ TEST(Kerf, AHullOfTwoTurnedBladesHoldsBoth) {
   one.stamp(blade, pose_at(3.0, 1.0, 0.3), pose_at(3.0, 1.0, 0.3), changed);
   const std::vector<float> hull = values_of(both), ends = values_of(one);
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (ends[i] > 0.0F) { ASSERT_GE(hull[i], ends[i] - 1e-6F); }
+    if (ends[i] > 0.0F) {
+      ASSERT_GE(hull[i], ends[i] - 1e-6F);
+    }
   }
 }
 
