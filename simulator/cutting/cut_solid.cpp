@@ -149,6 +149,7 @@ std::vector<CutSolid> split_pieces(const CutSolid& solid) {
     return std::pair(-a.volume_mm3, a.lowest_point) < std::pair(-b.volume_mm3, b.lowest_point);
   });
   std::vector<CutSolid> pieces;
+  pieces.reserve(outward.size());
   for (Piece& piece : outward) pieces.push_back(std::move(piece.solid));
   return pieces;
 }

@@ -85,7 +85,7 @@ IndexedMesh read_mesh(const fs::path& file, const MeshLimits& limits) {
   const std::size_t size = checked_size(file, name, limits);
   const std::optional<MeshFormat> format = format_of(file);
   if (!format) refuse_mesh(name, "is of an unknown kind; meshes are read from .stl, .obj and .ply");
-  const IndexedMesh mesh = parse_mesh(bytes_of(file, name, size), *format, name, limits);
+  IndexedMesh mesh = parse_mesh(bytes_of(file, name, size), *format, name, limits);
   check_closed_solid(mesh, name);
   return mesh;
 }
