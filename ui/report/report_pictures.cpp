@@ -195,7 +195,7 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
       {"Scenario", card.scenario + " version " + std::to_string(card.scenario_version)},
       {"Rubric", "version " + std::to_string(card.rubric_version)},
       {"Engine", "version " + std::to_string(card.engine)}};
-  if (!bone.credit.empty()) material.versions.push_back({"Bone", bone.credit});
+  if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
   add_pictures(material, bone, examination);
   material.traces = traces_of(recording, bone, examination.rebuilt.fields);
   return material;
