@@ -42,7 +42,8 @@ Engagement expected_engagement(double feed_mm, const Stroke& stroke,
     if (is_open(earlier, feed_mm, along_mm, blade.width_mm)) continue;
     Tissue hardest = Tissue::None;
     for (std::size_t layer = 0; layer < simulator::tooth_layers; ++layer) {
-      const double aside_mm = 0.45 * blade.plane.thickness_mm * (static_cast<double>(layer) - 1.0);
+      const double aside_mm = simulator::tooth_layer_share * blade.plane.thickness_mm *
+                              (static_cast<double>(layer) - 1.0);
       const Vec3 point =
           transform_point(blade.plane.bone_from_kerf, Vec3{feed_mm, along_mm, aside_mm});
       hardest =

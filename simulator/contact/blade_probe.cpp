@@ -9,9 +9,6 @@ namespace {
 /// Steps along a line of the blade are never shorter than this; half of it can pass unseen.
 constexpr double probe_step_mm = 0.25;
 
-/// The outer layers of a tooth, as a share of the kerf: a little inside, so that they do not feel the kerf's own walls.
-constexpr double layer_share = 0.45;
-
 Vec3 blade_point(const RigidTransform& bone_from_tool, double back_mm, double along_mm) noexcept {
   return transform_point(bone_from_tool, Vec3{-back_mm, along_mm, 0.0});
 }
@@ -36,7 +33,7 @@ Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& 
   const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
   std::array<Tissue, tooth_count> hardest{};
   for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
-    const double aside_mm = layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
+    const double aside_mm = tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
     const auto points = tooth_points(bone_from_tool, blade, ahead_mm, aside_mm);
     for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
       const Tissue tissue = bone.at(points[tooth], teeth[layer * tooth_count + tooth]);

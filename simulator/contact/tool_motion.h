@@ -39,6 +39,8 @@ struct ContactSettings {
 inline constexpr std::size_t tooth_count = 21;
 /// A tooth takes its kerf's whole thickness: it is asked for bone in its middle and near both sides.
 inline constexpr std::size_t tooth_layers = 3;
+/// Where the outer layers lie, as a share of the kerf: a little inside, so that they do not feel the kerf's own walls.
+inline constexpr double tooth_layer_share = 0.45;
 using TeethMemory = std::array<TissueMemory, tooth_count * tooth_layers>;
 
 enum class ToolStage : std::int32_t { Free, Touching, InKerf };

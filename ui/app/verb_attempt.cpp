@@ -76,7 +76,8 @@ ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& opti
     context.out << outcome_json(attempt, outcome).dump(2) << "\n";
     return ExitCode::Done;
   }
-  context.out << score_sheet(outcome.card) << "\nattempt " << outcome.attempt.text << "\n";
+  context.out << score_sheet(outcome.card, attempt.scenario) << "\nattempt " << outcome.attempt.text
+              << "\n";
   return ExitCode::Done;
 }
 

@@ -42,7 +42,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
       answer["ledger"] = ledger_json(card);
       context.out << answer.dump(2) << "\n";
     } else {
-      context.out << score_sheet(card);
+      context.out << score_sheet(card, material.scenario);
     }
     return ExitCode::Done;
   });

@@ -36,6 +36,16 @@ std::string quality_text(const AttemptHeader& header) {
 
 }  // namespace
 
+void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario) {
+  material.title = scenario.title;
+  for (const scenarios::RubricGroup& group : scenario.rubric.groups) {
+    material.group_titles.push_back(group.title);
+  }
+  for (const scenarios::Gate& gate : scenario.rubric.gates) {
+    material.gate_titles.push_back(gate.title);
+  }
+}
+
 void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header) {
   material.facts.push_back({"Operator", operator_text(header)});
   material.facts.push_back({"Started (UTC)", header.started_utc});

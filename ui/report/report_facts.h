@@ -2,9 +2,14 @@
 #pragma once
 
 #include "database/records/attempt.h"
+#include "scenarios/scenario.h"
 #include "ui/report/report_material.h"
 
 namespace hallux::ui {
+
+/// The scenario's titles: its own, its groups', its gates'.
+/// needs   the card was made with this scenario
+void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario);
 
 /// Adds facts and versions, and says in `quality` whether the recording is whole.
 void add_attempt_facts(ReportMaterial& material, const database::AttemptHeader& header);

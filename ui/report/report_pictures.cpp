@@ -6,6 +6,7 @@
 
 #include "assessment/metrics/face_plane.h"
 #include "simulator/base/units.h"
+#include "ui/report/report_facts.h"
 
 namespace hallux::ui {
 
@@ -183,13 +184,7 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
                                const Recording& recording, const Examination& examination) {
   ReportMaterial material;
   material.card = examination.card;
-  material.title = scenario.title;
-  for (const scenarios::RubricGroup& group : scenario.rubric.groups) {
-    material.group_titles.push_back(group.title);
-  }
-  for (const scenarios::Gate& gate : scenario.rubric.gates) {
-    material.gate_titles.push_back(gate.title);
-  }
+  add_titles(material, scenario);
   const database::ScoreCard& card = examination.card;
   material.versions = {
       {"Scenario", card.scenario + " version " + std::to_string(card.scenario_version)},

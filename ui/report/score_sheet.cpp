@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assessment/number_text.h"
+#include "ui/report/report_facts.h"
 #include "ui/report/report_ledger.h"
 
 namespace hallux::ui {
@@ -115,10 +116,10 @@ std::string score_sheet(const ReportMaterial& material) {
   return sheet;
 }
 
-std::string score_sheet(const ScoreCard& card) {
+std::string score_sheet(const ScoreCard& card, const scenarios::Scenario& scenario) {
   ReportMaterial material;
   material.card = card;
-  material.title = card.scenario;
+  add_titles(material, scenario);
   return score_sheet(material);
 }
 

@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "scenarios/scenario.h"
 #include "ui/report/report_material.h"
 
 namespace hallux::ui {
 
 /// Title, marks, score, groups with bars, gates, ledger; at most 100 columns, UTF-8, no control codes.
 std::string score_sheet(const ReportMaterial& material);
-/// The same without titles: scenario, groups and gates appear by their names.
-std::string score_sheet(const database::ScoreCard& card);
+/// The same from a card, with the titles of its scenario.
+std::string score_sheet(const database::ScoreCard& card, const scenarios::Scenario& scenario);
 
 }  // namespace hallux::ui
