@@ -11,7 +11,7 @@ namespace {
 
 /// How far in front of the teeth bone is asked for: they stand on bone, not in it.
 constexpr double probe_ahead_mm = 0.02;
-/// Free motion is walked in steps of this, at most `walk_steps` a tick; faster hands are held back.
+/// Free motion is walked in steps of this, at most `walk_steps` a tick: the tool of a hand above 1 m/s comes after it.
 constexpr double walk_step_mm = 0.1;
 constexpr int walk_steps = 10;
 /// A turn in the kerf's plane below this is not worth asking the bone about.
@@ -69,14 +69,17 @@ double feed(RigidTransform& bone_from_tool, double wanted_mm, const ToolInput& i
 void move_free(ToolState& tool, const ToolInput& input, const StandingBone& bone,
                ToolOutcome& outcome) noexcept {
   const RigidTransform from = tool.bone_from_tool;
-  const RigidTransform& to = input.bone_from_handle;
-  const Vec3 way = to.translation_mm - from.translation_mm;
+  const Vec3 way = input.bone_from_handle.translation_mm - from.translation_mm;
   const double way_mm = std::sqrt(glm::dot(way, way));
+  constexpr double walk_mm = walk_step_mm * walk_steps;
+  const RigidTransform to = way_mm > walk_mm
+                                ? interpolate(from, input.bone_from_handle, walk_mm / way_mm)
+                                : input.bone_from_handle;
+  const int steps =
+      std::clamp(static_cast<int>(std::min(way_mm, walk_mm) / walk_step_mm) + 1, 1, walk_steps);
   tool.bone_from_tool = to;
-  const int steps = std::clamp(static_cast<int>(way_mm / walk_step_mm) + 1, 1, walk_steps);
   for (int i = 1; i <= steps; ++i) {
-    const double share = std::min(1.0, static_cast<double>(i) / static_cast<double>(steps));
-    const RigidTransform pose = interpolate(from, to, share);
+    const RigidTransform pose = interpolate(from, to, static_cast<double>(i) / steps);
     if (!(engagement(pose, bone, 0.0, tool.teeth).width_mm() > 0.0)) continue;
     tool.bone_from_tool = pose;
     tool.stage = ToolStage::Touching;

@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds tick_time{1};
 /// Beyond this many ticks in one line the attempt pauses instead of jumping on.
 constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
-/// A hand does not move farther in one tick: one metre per second.
+/// A hand does not move farther in one tick: twenty metres per second.
 constexpr double jump_limit_mm = 20.0;
 
 double microseconds(Clock::duration duration) {
