@@ -49,6 +49,8 @@ StepOutput Operation::step(const StepInput& input) noexcept {
     watch_sections(output);
   } else {
     output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
+    kerfs_.follow(
+        output.sample);  // in no kerf: it ends a sweep here as for those who follow the record
   }
   if (is_running_) output.sample.status |= bit(ToolStatus::Running);
   if (faults_ != 0) output.sample.status |= bit(ToolStatus::Faulted);

@@ -1,0 +1,74 @@
+/// The step takes nothing from the heap, whatever happens in it. Jobs do, and run outside of what is counted.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/simulator/step/operation_run.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/worlds.h"
+
+namespace hallux::simulator {
+namespace {
+
+using tests::blade_down;
+using tests::kinds_of;
+
+/// Ten thousand lines: a scratch, two cuts through the block, a piece picked up, a pause and a fault.
+Recording eventful_attempt(const Bone& bone) {
+  tests::OperationRun run(bone, blade_down({6.0, 3.0, 0.0}));
+  run.glide(blade_down({6.0, 0.5, 0.0}), 70);
+  run.glide(blade_down({6.0, 4.0, 0.0}), 60);
+  for (const double x_mm : {6.0, -6.0}) {
+    run.glide(blade_down({x_mm, 4.0, 0.0}), 200);
+    run.glide(blade_down({x_mm, -8.0, 0.0}), 1000);
+    run.hold(1000);
+    run.glide(blade_down({x_mm, 4.0, 0.0}), 200);
+  }
+  run.step({{CommandKind::PickUp, 1, 0}, {CommandKind::Pause, 0, 0}, {CommandKind::Resume, 0, 0}});
+  run.faults = 1;
+  run.hold(5);
+  run.faults = 0;
+  run.glide(blade_down({0.0, 0.0, 0.3}, 0.05), 3000);
+  run.step({{CommandKind::StepDone, 1, 0}});
+  while (run.recording().tape.size() < 10000) run.hold(1);
+  return run.recording();
+}
+
+/// The tape once more through a step of its own; the heap calls of Operation::step alone.
+std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording) {
+  const TissueMap tissue{bone};
+  Operation operation(tissue, bone.world_from_bone, {}, {});
+  ImmediateJobs jobs(bone, {});
+  std::uint64_t allocations = 0;
+  for (const TapeLine& line : recording.tape) {
+    StepInput input{line, {}};
+    for (std::size_t i = 0; i < line.command_count; ++i) {
+      if (line.commands[i].kind == CommandKind::ApplyJob) {
+        input.job_results[i] = jobs.find(line.commands[i].argument);
+      }
+    }
+    const std::uint64_t before = tests::allocations_of_this_thread();
+    const StepOutput output = operation.step(input);
+    allocations += tests::allocations_of_this_thread() - before;
+    jobs.follow(output);
+  }
+  return allocations;
+}
+
+TEST(StepAllocation, TenThousandEventfulStepsTakeNothingFromTheHeap) {
+  const Bone bone = tests::cancellous_bone(tests::solid_block({20.0, 4.0, 6.0}));
+  const Recording recording = eventful_attempt(bone);
+  ASSERT_GE(recording.tape.size(), 10000U);
+  const auto kinds = kinds_of(recording);
+  for (const CutEventKind kind :
+       {CutEventKind::Scratch, CutEventKind::Contact, CutEventKind::PlaneFrozen,
+        CutEventKind::SectionKnown, CutEventKind::Breakthrough, CutEventKind::SectionCovered,
+        CutEventKind::PieceFreed, CutEventKind::PieceRemoved, CutEventKind::StepDone,
+        CutEventKind::Paused, CutEventKind::Fault}) {
+    EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << static_cast<int>(kind);
+  }
+  EXPECT_EQ(allocations_of_steps(bone, recording), 0U);
+}
+
+}  // namespace
+}  // namespace hallux::simulator
