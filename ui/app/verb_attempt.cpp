@@ -133,7 +133,9 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
       ->required();
   attempt->add_option("--hand", options->hand, "expert, novice, or a file with a motion")
       ->capture_default_str();
-  attempt->add_option("--seed", options->seed, "seed of the hand's errors")->capture_default_str();
+  attempt->add_option("--seed", options->seed, "seed of the hand's errors")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   attempt->add_option("--pacing", options->pacing, "virtual (as fast as it goes) or real-time")
       ->check(CLI::IsMember({"virtual", "real-time"}))
       ->capture_default_str();

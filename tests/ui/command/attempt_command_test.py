@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+"""An attempt from its recording to its report, as a script asks for it."""
+
+import html.parser
+import math
+import shutil
+import subprocess
+import unittest
+
+from hallux_command import BAD_INPUT, DONE, PROGRAM, STORAGE, CommandTest, RecordedTest, coarse_silver
+
+CARD_KEYS = {"score", "groups", "gates"}
+LEDGER_KEYS = {"metric", "value", "target", "unit", "points_lost", "start_us", "end_us", "text"}
+NO_MOTION = {"keys": [{"time_s": time_s, "tip_mm": [0, 0, 90], "direction": [1, 0, 0], "normal": [0, 0, 1]}
+                      for time_s in (0, 0.2)]}
+
+
+class Page(html.parser.HTMLParser):
+    """What a page is made of, and where it would look for more."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.links = set(), []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.add(tag)
+        self.links += [value for name, value in attrs if name in ("src", "href", "xlink:href", "action")]
+        self.links += [name for name, _ in attrs if name.startswith("on")]
+
+
+class Attempt(RecordedTest):
+    def test_the_answer_has_the_keys_of_the_contract(self):
+        answer = self.recorded.json()
+        self.assertLessEqual({"attempt", "scenario", "measured_weight", "samples", "duration_s", "quality"} | CARD_KEYS,
+                             answer.keys())
+        self.assertIsInstance(answer["attempt"], str)
+        self.assertEqual(answer["scenario"], "silver")
+        self.assertTrue(0.0 <= answer["score"] <= 100.0)
+        self.assertEqual(answer["measured_weight"], 50.0)
+        self.assertEqual(answer["samples"], round(1000 * answer["duration_s"]))
+        self.assertIs(answer["quality"]["complete"], True)
+        self.assertEqual(answer["quality"]["received_samples"], answer["samples"])
+
+    def test_groups_not_measured_are_shown_as_such(self):
+        groups = {group["name"]: group for group in self.recorded.json()["groups"]}
+        self.assertEqual(sum(group["weight"] for group in groups.values()), 100.0)
+        self.assertEqual(groups["accuracy"]["measured_weight"], 50.0)
+        self.assertEqual(groups["safety"]["measured_weight"], 0.0)
+
+    def test_stdout_is_one_json_value_and_progress_is_on_stderr(self):
+        self.assertIsInstance(self.recorded.json(), dict)
+        for stage in ("Building the bone", "Operating", "Scoring"):
+            self.assertIn(stage, self.recorded.err)
+            self.assertNotIn(stage, self.recorded.out)
+
+    def test_the_list_has_the_keys_of_the_contract(self):
+        rows = self.ask("attempts")
+        self.assertEqual(len(rows), 1)
+        row = rows[0]
+        self.assertLessEqual({"attempt", "scenario", "person", "started", "state", "score"}, row.keys())
+        self.assertEqual((row["attempt"], row["scenario"], row["state"]), (self.attempt, "silver", "closed"))
+        self.assertIsNone(row["person"], "a scripted attempt is the robot's")
+        self.assertEqual(row["score"], self.recorded.json()["score"])
+        self.assertRegex(row["started"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z$")
+
+    def test_replay_is_identical(self):
+        answer = self.ask("replay", self.attempt)
+        self.assertIs(answer["identical"], True)
+        self.assertRegex(answer["bone_hash"], r"^[0-9a-f]{64}$")
+        self.assertEqual(answer["samples"], self.recorded.json()["samples"])
+        self.assertGreater(answer["seconds"], 0.0)
+        self.assertEqual(self.ask("replay", self.attempt)["bone_hash"], answer["bone_hash"])
+
+    def test_losses_of_the_ledger_add_up_to_what_is_missing(self):
+        answer = self.ask("score", self.attempt)
+        self.assertLessEqual(CARD_KEYS | {"ledger"}, answer.keys())
+        for key in CARD_KEYS | {"measured_weight"}:
+            self.assertEqual(answer[key], self.recorded.json()[key])
+        for line in answer["ledger"]:
+            self.assertLessEqual(LEDGER_KEYS, line.keys())
+            self.assertNotEqual(line["text"], "")
+            self.assertLessEqual(0, line["start_us"])
+            self.assertLessEqual(line["start_us"], line["end_us"])
+            self.assertLessEqual(line["end_us"], 1e6 * self.recorded.json()["duration_s"])
+        lost = math.fsum(line["points_lost"] for line in answer["ledger"])
+        self.assertAlmostEqual(lost, 100.0 - answer["score"], delta=1e-9)
+
+    def test_scoring_again_gives_the_same_card(self):
+        self.assertEqual(self.hallux("score", self.attempt, "--json").out, self.hallux("score", self.attempt, "--json").out)
+
+    def test_the_first_characters_of_an_id_name_it(self):
+        self.assertEqual(self.ask("score", self.attempt[:8])["attempt"], self.attempt)
+
+    def test_the_report_is_one_page_that_loads_nothing(self):
+        file = self.folder / "page.html"
+        answer = self.ask("report", self.attempt, "-o", file)
+        text = file.read_text(encoding="utf-8")
+        self.assertEqual(answer["bytes"], len(text.encode("utf-8")))
+        page = Page(text)
+        self.assertIn("svg", page.tags)
+        self.assertFalse({"script", "link", "iframe", "img", "object"} & page.tags)
+        self.assertEqual([link for link in page.links if not link.startswith("#")], [])
+        self.assertNotIn("url(", text)
+        self.assertNotIn("@import", text)
+        self.assertIn("not surgeon-reviewed", text)
+        self.assertEqual(sorted(place.name for place in self.folder.iterdir()), ["data", "here", "home", "page.html", "xdg"])
+
+    def test_a_report_that_cannot_be_written_leaves_nothing(self):
+        self.expect_refusal(STORAGE, ["page.html"], "report", self.attempt, "-o", self.folder / "nowhere" / "page.html")
+        self.assertFalse((self.folder / "nowhere").exists())
+
+    def test_verify_counts_what_is_whole(self):
+        answer = self.ask("verify")
+        self.assertIs(answer["whole"], True)
+        self.assertIsNone(answer["first_damage"])
+        self.assertEqual((answer["attempts"], answer["scores"], answer["assets"]), (1, 1, 1))
+        self.assertGreater(answer["chunks"], 100)
+
+    def test_an_unknown_attempt_is_refused_and_nothing_changes(self):
+        before = self.stored()
+        for verb in (["replay"], ["score"], ["report", "-o", self.folder / "page.html"]):
+            self.expect_refusal(BAD_INPUT, ["no-such", "hallux attempts"], *verb, "no-such")
+        self.assertEqual(self.stored(), before)
+        self.assertFalse((self.folder / "page.html").exists())
+
+    def test_quiet_leaves_only_the_answer(self):
+        for verb in (["replay", self.attempt], ["score", self.attempt], ["attempts"], ["verify"],
+                     ["report", self.attempt, "-o", self.folder / "page.html"]):
+            with self.subTest(verb=verb):
+                loud, silent = self.hallux(*verb), self.hallux(*verb, "--quiet")
+                self.assertEqual(silent.code, DONE, silent)
+                self.assertEqual(silent.err, "")
+                self.assertNotEqual(loud.out, "")
+                self.assertNotEqual(silent.out, "")
+
+    def test_an_attempt_that_cannot_be_made_is_not_begun(self):
+        before = self.stored()
+        beside = self.write("beside.json", coarse_silver(offset_mm=20))
+        self.expect_refusal(BAD_INPUT, ["eminence"], "attempt", beside)
+        self.expect_refusal(BAD_INPUT, ["gold"], "attempt", "gold")
+        self.assertEqual(self.stored(), before)
+
+
+class FreshDirectory(CommandTest):
+    def test_the_shipped_scenario_gives_the_same_score_for_the_same_seed(self):
+        answers = [self.ask("attempt", "silver", "--hand", "novice", "--seed", "7", "--quiet") for _ in range(2)]
+        self.assertNotEqual(answers[0]["attempt"], answers[1]["attempt"])
+        for key in ("score", "groups", "gates", "samples"):
+            self.assertEqual(answers[0][key], answers[1][key])
+        hashes = {self.ask("replay", answer["attempt"])["bone_hash"] for answer in answers}
+        self.assertEqual(len(hashes), 1)
+        self.assertEqual(self.ask("verify")["assets"], 1, "the same bone is stored once")
+
+    def test_expert_and_novice_and_each_seed_differ(self):
+        scenario = self.write("coarse.json", coarse_silver())
+        scores = {(hand, seed): self.ask("attempt", scenario, "--hand", hand, "--seed", seed)["score"]
+                  for hand, seed in (("expert", 1), ("expert", 2), ("novice", 1))}
+        self.assertEqual(len(set(scores.values())), 3)
+
+    def test_an_attempt_that_cuts_nothing_scores_nothing_and_is_kept(self):
+        scenario, hand = self.write("coarse.json", coarse_silver()), self.write("idle.json", NO_MOTION)
+        answer = self.ask("attempt", scenario, "--hand", hand)
+        self.assertEqual(answer["score"], 0.0)
+        ledger = self.ask("score", answer["attempt"])["ledger"]
+        self.assertAlmostEqual(math.fsum(line["points_lost"] for line in ledger), 100.0, delta=1e-9)
+        self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
+        self.assertEqual(self.ask("attempts")[0]["state"], "closed")
+
+    def test_a_fresh_directory_has_no_attempts_and_is_made_for_its_owner_only(self):
+        self.assertEqual(self.ask("attempts"), [])
+        self.assertEqual(self.data.stat().st_mode & 0o777, 0o700)
+        self.assertEqual((self.data / "hallux.db").stat().st_mode & 0o777, 0o600)
+
+    def test_without_data_the_directory_is_that_of_the_environment(self):
+        """The one run without --data; what it makes is taken away before the check that all stayed empty."""
+        subprocess.run([PROGRAM, "attempts"], cwd=self.untouched[2], env=self.environment(), check=True)
+        made = self.untouched[1] / "hallux"
+        self.assertTrue((made / "hallux.db").is_file())
+        shutil.rmtree(made)
+
+    def test_nothing_is_verified_where_there_is_nothing(self):
+        self.expect_refusal(BAD_INPUT, [str(self.data), "--data"], "verify")
+        self.assertFalse(self.data.exists())
+
+    def test_a_scenario_file_that_is_gone_later_changes_nothing(self):
+        file = self.write("coarse.json", coarse_silver())
+        made = self.ask("attempt", file, "--seed", "3")
+        file.unlink()
+        self.assertEqual(self.ask("score", made["attempt"])["score"], made["score"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""People and their passwords: from stdin only, never from the arguments, and never shown."""
+
+import unittest
+
+from hallux_command import BAD_INPUT, DONE, REFUSED, WRONG_USAGE, CommandTest
+
+ADMINISTRATOR, TRAINEE, LATER = "saw bone hinge wire", "medial eminence off", "dorsal to plantar cut"
+
+
+def lines(*passwords):
+    return "".join(password + "\n" for password in passwords)
+
+
+class People(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.ask("user", "add", "ada", "--administrator", "--name", "Ada Müller", stdin=lines(ADMINISTRATOR))
+
+    def tearDown(self):
+        for file in self.data.rglob("*"):
+            if file.is_file():
+                for password in (ADMINISTRATOR, TRAINEE, LATER):
+                    self.assertNotIn(password.encode(), file.read_bytes(), file)
+        super().tearDown()
+
+    def as_ada(self, *arguments, more=(), code=DONE):
+        return self.ask(*arguments, "--as", "ada", stdin=lines(ADMINISTRATOR, *more), code=code)
+
+    def add_ben(self):
+        return self.as_ada("user", "add", "ben", more=[TRAINEE])
+
+    def expect_signs_in(self, login, password):
+        self.assertEqual(self.ask("attempts", "--as", login, stdin=lines(password)), [])
+
+    def expect_refused(self, *arguments, stdin="", says=()):
+        self.expect_refusal(REFUSED, says, *arguments, stdin=stdin)
+
+    def test_the_list_shows_people_and_no_secret(self):
+        self.assertEqual(self.add_ben(), {"login": "ben", "done": "added"})
+        rows = self.as_ada("user", "list")
+        self.assertEqual([(row["login"], row["administrator"], row["disabled"]) for row in rows],
+                         [("ada", True, False), ("ben", False, False)])
+        self.assertEqual(rows[0]["name"], "Ada Müller")
+        self.assertNotIn("argon2", str(rows))
+
+    def test_an_answer_never_holds_a_password(self):
+        said = self.hallux("user", "add", "ben", "--as", "ada", stdin=lines(ADMINISTRATOR, TRAINEE))
+        self.assertEqual(said.code, DONE, said)
+        for password in (ADMINISTRATOR, TRAINEE):
+            self.assertNotIn(password, said.out + said.err)
+
+    def test_a_wrong_password_and_an_unknown_login_are_refused_in_the_same_words(self):
+        wrong = self.hallux("user", "list", "--as", "ada", stdin=lines("not the password"))
+        unknown = self.hallux("user", "list", "--as", "eve", stdin=lines("not the password"))
+        self.assertEqual((wrong.code, unknown.code), (REFUSED, REFUSED))
+        self.assertEqual(wrong.err.replace("ada", "eve"), unknown.err)
+
+    def test_no_password_at_all_is_refused(self):
+        self.expect_refused("user", "list", "--as", "ada", says=["stdin"])
+
+    def test_managing_people_needs_someone_who_signed_in(self):
+        self.expect_refused("user", "list", says=["--as"])
+        self.expect_refused("user", "add", "ben", stdin=lines(TRAINEE), says=["--as"])
+        self.expect_refused("user", "disable", "ada", says=["--as"])
+
+    def test_a_trainee_manages_nobody(self):
+        self.add_ben()
+        for verb in (["list"], ["add", "cyd"], ["disable", "ada"], ["passwd", "ada"]):
+            self.expect_refused("user", *verb, "--as", "ben", stdin=lines(TRAINEE, LATER), says=["ben", "administrator"])
+
+    def test_a_disabled_person_cannot_sign_in_until_enabled(self):
+        self.add_ben()
+        self.as_ada("user", "disable", "ben")
+        self.assertIs(self.as_ada("user", "list")[1]["disabled"], True)
+        self.expect_refused("attempts", "--as", "ben", stdin=lines(TRAINEE))
+        self.as_ada("user", "disable", "ben", "--enable")
+        self.expect_signs_in("ben", TRAINEE)
+
+    def test_the_last_administrator_cannot_be_disabled(self):
+        self.expect_refused("user", "disable", "ada", "--as", "ada", stdin=lines(ADMINISTRATOR), says=["last administrator"])
+        self.expect_signs_in("ada", ADMINISTRATOR)
+
+    def test_people_change_their_own_password(self):
+        self.add_ben()
+        self.ask("user", "passwd", "--as", "ben", stdin=lines(TRAINEE, LATER))
+        self.expect_refused("attempts", "--as", "ben", stdin=lines(TRAINEE))
+        self.expect_signs_in("ben", LATER)
+
+    def test_an_administrator_sets_the_password_of_another(self):
+        self.add_ben()
+        self.as_ada("user", "passwd", "ben", more=[LATER])
+        self.expect_signs_in("ben", LATER)
+
+    def test_a_wrong_old_password_changes_nothing(self):
+        self.expect_refused("user", "passwd", "--as", "ada", stdin=lines("not the password", LATER))
+        self.expect_signs_in("ada", ADMINISTRATOR)
+
+    def test_a_password_that_is_too_short_or_a_login_that_is_taken_is_bad_input(self):
+        self.expect_refusal(BAD_INPUT, [], "user", "add", "ben", "--as", "ada", stdin=lines(ADMINISTRATOR, "short"))
+        self.expect_refusal(BAD_INPUT, ["ada"], "user", "add", "ada", "--as", "ada", stdin=lines(ADMINISTRATOR, LATER))
+        self.expect_refusal(BAD_INPUT, [], "user", "add", "../ben", "--as", "ada", stdin=lines(ADMINISTRATOR, LATER))
+        self.assertEqual(len(self.as_ada("user", "list")), 1)
+
+    def test_an_unknown_person_is_bad_input(self):
+        self.expect_refusal(BAD_INPUT, ["eve"], "user", "disable", "eve", "--as", "ada", stdin=lines(ADMINISTRATOR))
+
+    def test_a_person_sees_none_of_the_robots_attempts_as_their_own(self):
+        self.assertEqual(self.as_ada("attempts"), [])
+
+    def test_the_audit_keeps_numbers_only(self):
+        self.add_ben()
+        rows = self.query("SELECT action, subject_kind, subject_id, outcome FROM audit")
+        self.assertNotIn("ben", str(rows))
+        self.assertIs(self.ask("verify")["whole"], True)
+
+
+class FirstPerson(CommandTest):
+    def test_the_first_person_must_be_an_administrator(self):
+        self.expect_refusal(BAD_INPUT, ["--administrator"], "user", "add", "ada", stdin=lines(ADMINISTRATOR))
+        self.assertEqual(self.ask("user", "list"), [])
+
+    def test_a_password_is_never_an_argument(self):
+        answer = self.hallux("user", "add", "ada", ADMINISTRATOR, "--administrator", stdin=lines(ADMINISTRATOR))
+        self.assertEqual(answer.code, WRONG_USAGE, answer)
+        self.assertFalse(self.data.exists())
+
+    def test_nobody_is_added_without_a_password(self):
+        self.expect_refusal(REFUSED, ["stdin"], "user", "add", "ada", "--administrator")
+        self.assertEqual(self.ask("user", "list"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""`hallux scenario`, and the scenarios that are refused."""
+
+import json
+import unittest
+
+from hallux_command import BAD_INPUT, SILVER, CommandTest, coarse_silver
+
+
+class Scenarios(CommandTest):
+    def tearDown(self):
+        self.assertFalse(self.data.exists(), "looking at scenarios opens no database")
+        super().tearDown()
+
+    def test_the_list_says_whether_a_surgeon_reviewed(self):
+        rows = self.ask("scenario", "list")
+        self.assertEqual([row["name"] for row in rows], ["silver"])
+        self.assertEqual(rows[0]["title"], "Silver exostectomy")
+        self.assertIs(rows[0]["reviewed"], False)
+        self.assertIn("not surgeon-reviewed", self.hallux("scenario", "list").out)
+
+    def test_show_gives_the_scenario_as_it_is_kept(self):
+        shown = self.ask("scenario", "show", "silver")
+        for key, value in json.loads(SILVER.read_text()).items():
+            self.assertEqual(shown[key], value)
+        self.assertIn("not surgeon-reviewed", self.hallux("scenario", "show", "silver").out)
+
+    def test_check_lays_the_planes_on_the_patient(self):
+        checked = self.ask("scenario", "check", SILVER)
+        self.assertEqual(checked["name"], "silver")
+        self.assertIs(checked["reviewed"], False)
+        cut = checked["cuts"][0]
+        self.assertEqual(cut["name"], "eminence")
+        self.assertAlmostEqual(sum(part * part for part in cut["normal"]), 1.0, delta=1e-9)
+        self.assertGreater(cut["depth_mm"], 0.0)
+
+    def test_an_unknown_scenario_is_refused_with_those_there_are(self):
+        for verb in (["scenario", "show"], ["attempt"]):
+            self.expect_refusal(BAD_INPUT, ["gold", "silver"], *verb, "gold")
+
+    def test_an_unknown_key_is_named_with_its_place(self):
+        scenario = coarse_silver(tilt=5)
+        file = self.write("tilted.json", scenario)
+        for verb in (["scenario", "check"], ["attempt"]):
+            self.expect_refusal(BAD_INPUT, ["tilted.json", "cuts[0].face", "tilt"], *verb, file)
+
+    def test_a_plane_that_misses_the_bone_is_refused(self):
+        file = self.write("beside.json", coarse_silver(offset_mm=20))
+        self.expect_refusal(BAD_INPUT, ["silver", "eminence"], "scenario", "check", file)
+
+    def test_a_file_that_is_no_scenario_is_refused(self):
+        for name, text in (("empty.json", ""), ("prose.json", "a saw and a bone"), ("list.json", "[]")):
+            self.expect_refusal(BAD_INPUT, [name], "scenario", "check", self.write(name, text))
+        self.expect_refusal(BAD_INPUT, ["nowhere.json"], "scenario", "check", self.folder / "nowhere.json")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Help and wrong usage: nothing here opens a data directory."""
+
+import unittest
+
+from hallux_command import DONE, WRONG_USAGE, CommandTest
+
+OPTIONS = {
+    ("attempt",): ("scenario", "--hand", "--seed", "--pacing"),
+    ("attempts",): (),
+    ("replay",): ("attempt",),
+    ("score",): ("attempt",),
+    ("report",): ("attempt", "--output"),
+    ("cut",): ("MESH", "--plane", "--kerf", "--sweep", "--output"),
+    ("scenario",): ("list", "check", "show"),
+    ("scenario", "list"): (),
+    ("scenario", "check"): ("FILE",),
+    ("scenario", "show"): ("NAME",),
+    ("user",): ("add", "list", "passwd", "disable"),
+    ("user", "add"): ("login", "--name", "--administrator"),
+    ("user", "list"): (),
+    ("user", "passwd"): ("login",),
+    ("user", "disable"): ("login", "--enable"),
+    ("verify",): (),
+}
+
+WRONG = [
+    [],
+    ["operate"],
+    ["--loud", "attempts"],
+    ["attempt"],
+    ["attempt", "silver", "--seed", "one"],
+    ["attempt", "silver", "--seed", "-1"],
+    ["attempt", "silver", "--seed", "1.5"],
+    ["attempt", "silver", "--pacing", "slow"],
+    ["attempt", "silver", "--hand"],
+    ["attempt", "silver", "gold"],
+    ["attempts", "verify"],
+    ["replay"],
+    ["score"],
+    ["report", "some-attempt"],
+    ["report", "-o", "page.html"],
+    ["cut", "bone.ply", "-o", "out"],
+    ["cut", "bone.ply", "-o", "out", "--plane", "1,0,0,0"],
+    ["cut", "bone.ply", "-o", "out", "--plane", "1,0,0", "--kerf", "0.5"],
+    ["cut", "bone.ply", "--plane", "1,0,0,0", "--kerf", "0.5"],
+    ["scenario"],
+    ["scenario", "check"],
+    ["scenario", "show"],
+    ["user"],
+    ["user", "add"],
+    ["user", "add", "ann", "--password", "a long enough password"],
+    ["user", "disable"],
+]
+
+
+class Usage(CommandTest):
+    def tearDown(self):
+        self.assertFalse(self.data.exists(), "a data directory was made for nothing")
+        super().tearDown()
+
+    def test_help_of_each_verb_names_its_options(self):
+        for verb, options in OPTIONS.items():
+            with self.subTest(verb=verb):
+                answer = self.hallux(*verb, "--help")
+                self.assertEqual(answer.code, DONE, answer)
+                self.assertEqual(answer.err, "")
+                for option in options:
+                    self.assertIn(option, answer.out)
+
+    def test_help_of_the_command_names_its_verbs_and_the_options_of_all(self):
+        answer = self.hallux("--help")
+        self.assertEqual(answer.code, DONE)
+        for verb in OPTIONS:
+            self.assertIn(verb[0], answer.out)
+        for option in ("--data", "--as", "--json", "--quiet", "--version"):
+            self.assertIn(option, answer.out)
+
+    def test_wrong_usage_is_said_on_stderr_only(self):
+        for arguments in WRONG:
+            with self.subTest(arguments=arguments):
+                answer = self.hallux(*arguments)
+                self.assertEqual(answer.code, WRONG_USAGE, answer)
+                self.assertEqual(answer.out, "")
+                self.assertNotEqual(answer.err, "")
+
+    def test_no_verb_at_all_lists_the_verbs(self):
+        answer = self.hallux()
+        for verb in OPTIONS:
+            self.assertIn(verb[0], answer.err)
+
+    def test_the_version_names_the_engine(self):
+        answer = self.hallux("--version")
+        self.assertEqual(answer.code, DONE)
+        self.assertRegex(answer.out, r"engine version \d+")
+
+
+if __name__ == "__main__":
+    unittest.main()
