@@ -250,6 +250,30 @@ void write_stroke(MotionWriter& writer, const Stroke& stroke,
   writer.set_saw(false);
 }
 
+/// What a cut is carried out with.
+struct Sawing {
+  const std::vector<Stroke>& strokes;
+  const KerfPlane& plane;
+  const simulator::TissueMap& tissue;
+  const SawBlade& blade;
+};
+
+void write_cut(MotionWriter& writer, const Sawing& sawing, const HandSkill& skill,
+               std::uint64_t seed) {
+  Random jitter(seed, "hand.strokes");
+  for (std::size_t i = 0; i < sawing.strokes.size(); ++i) {
+    // The first stroke makes the plane; later ones come back to it as well as the hand can.
+    if (i > 0) {
+      writer.set_jitter(jitter.truncated_normal(0.0, skill.stroke_jitter_mm),
+                        jitter.truncated_normal(0.0, skill.stroke_jitter_rad));
+    }
+    const std::vector<FeedMoment> moments = predict_feed(
+        sawing.strokes[i], std::span(sawing.strokes).first(i), sawing.plane, sawing.tissue,
+        sawing.blade.size.width_mm, sawing.blade.cycles_per_minute, skill.push);
+    write_stroke(writer, sawing.strokes[i], moments, skill);
+  }
+}
+
 }  // namespace
 
 HandSkill hand_skill(std::string_view name) {
@@ -274,7 +298,12 @@ HandSkill hand_skill(std::string_view name) {
 
 ScriptedHand make_hand(const Scenario& scenario, const Bone& bone, const Plan& plan,
                        const HandSkill& skill, std::uint64_t seed) {
-  const PlannedCut& cut = plan.cuts.at(0);
+  if (plan.cuts.size() != 1) {
+    throw ScenarioError(scenario.name + ": cuts: the scripted hands carry out one cut, this has " +
+                        std::to_string(plan.cuts.size()) +
+                        "; give a motion of your own with a file");
+  }
+  const PlannedCut& cut = plan.cuts.front();
   const Vec3 feed_hint = -side_direction(scenario.cuts.at(0).approach);
   const double kerf_mm = scenario.blade.size.kerf_mm;
   const Vec3 near = find_landmark(bone, "eminence_apex").value_or(cut.depth_point_in_bone_mm);
@@ -299,28 +328,15 @@ ScriptedHand make_hand(const Scenario& scenario, const Bone& bone, const Plan& p
   MotionWriter writer(bone.world_from_bone * section.plane.bone_from_kerf, skill, seed);
   writer.place(strokes.front().first_mm - 3.0 * hover_mm, strokes.front().along_mm);
   writer.say(CommandKind::Start);
-  writer.wait(1.0);
-  writer.say(CommandKind::StepDone, 0);
-  Random jitter(seed, "hand.strokes");
   const simulator::TissueMap tissue(bone);
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    // The first stroke makes the plane; later ones come back to it as well as the hand can.
-    if (i > 0) {
-      writer.set_jitter(jitter.truncated_normal(0.0, skill.stroke_jitter_mm),
-                        jitter.truncated_normal(0.0, skill.stroke_jitter_rad));
-    }
-    const std::vector<FeedMoment> moments =
-        predict_feed(strokes[i], std::span(strokes).first(i), section.plane, tissue,
-                     scenario.blade.size.width_mm, scenario.blade.cycles_per_minute, skill.push);
-    write_stroke(writer, strokes[i], moments, skill);
+  const Sawing sawing{strokes, section.plane, tissue, scenario.blade};
+  for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
+    const StepKind kind = scenario.steps[step].kind;
+    if (kind == StepKind::Cut) write_cut(writer, sawing, skill, seed);
+    if (kind == StepKind::Remove) writer.say(CommandKind::PickUp, 1);
+    writer.wait(kind == StepKind::Verify ? 1.0 : 0.5);
+    writer.say(CommandKind::StepDone, static_cast<std::int32_t>(step));
   }
-  writer.wait(0.5);
-  writer.say(CommandKind::StepDone, 1);
-  writer.say(CommandKind::PickUp, 1);
-  writer.wait(0.5);
-  writer.say(CommandKind::StepDone, 2);
-  writer.wait(0.5);
-  writer.say(CommandKind::StepDone, 3);
   writer.say(CommandKind::Finish);
   return {writer.finish(), aimed.face, aimed.angle_rad, aimed.location_mm};
 }

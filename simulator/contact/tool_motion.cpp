@@ -84,6 +84,7 @@ void move_free(ToolState& tool, const ToolInput& input, const StandingBone& bone
     tool.bone_from_tool = pose;
     tool.stage = ToolStage::Touching;
     tool.touch_depth_mm = tool.scratch_mm = 0.0;
+    tool.is_refused = false;
     outcome.began_contact = true;
     return;
   }
@@ -106,12 +107,14 @@ void move_touching(ToolState& tool, const ToolInput& input, const StandingBone& 
   if (is_allowed(aside)) pose = aside;
   const bool retreats = forward_mm < 0.0;
   if (retreats) pose = moved(pose, forward_mm * ahead);
-  const double fed_mm =
-      retreats ? forward_mm : feed(pose, forward_mm, input, bone, settings, tool.teeth, outcome);
+  double fed_mm = retreats ? forward_mm : 0.0;
+  if (!retreats && !tool.is_refused) {
+    fed_mm = feed(pose, forward_mm, input, bone, settings, tool.teeth, outcome);
+  }
   tool.bone_from_tool = pose;
   tool.touch_depth_mm += fed_mm;
   tool.scratch_mm = std::max(tool.scratch_mm, tool.touch_depth_mm);
-  outcome.wants_freeze = tool.touch_depth_mm >= settings.freeze_depth_mm;
+  outcome.wants_freeze = !tool.is_refused && tool.touch_depth_mm >= settings.freeze_depth_mm;
   const bool is_clear = !(engagement(pose, bone, probe_ahead_mm, tool.teeth).width_mm() > 0.0);
   if (is_clear && tool.touch_depth_mm < leave_depth_mm) {
     outcome.scratch_mm = tool.scratch_mm;
@@ -148,24 +151,43 @@ RigidTransform flat_pose(const KerfPlane& plane, const PlanarPose& planar) noexc
          RigidTransform{rotation_to(planar.direction), Vec3{planar.tip_mm.x, planar.tip_mm.y, 0.0}};
 }
 
-/// Turns and shifts the blade in its plane as far as no edge meets standing bone.
-void slide_aside(PlanarPose& planar, const PlanarPose& wanted, const KerfPlane& plane,
-                 const StandingBone& bone, TeethMemory& teeth) noexcept {
-  const double turn =
-      planar.direction.x * wanted.direction.y - planar.direction.y * wanted.direction.x;
-  if (std::abs(turn) > turn_worth_asking) {
-    const PlanarPose turned{planar.tip_mm, wanted.direction};
+/// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would meet bone.
+void turn_aside(PlanarPose& planar, const Vec2& wanted, const KerfPlane& plane,
+                const StandingBone& bone, TeethMemory& teeth) noexcept {
+  const double turn = planar.direction.x * wanted.y - planar.direction.y * wanted.x;
+  if (std::abs(turn) < turn_worth_asking) return;
+  const double step = walk_step_mm / bone.kerfs.blade().depth_mm;
+  const int steps = std::clamp(static_cast<int>(std::abs(turn) / step) + 1, 1, walk_steps);
+  const double share = std::min(1.0 / steps, step / std::abs(turn));
+  const Vec2 from = planar.direction;
+  for (int i = 1; i <= steps; ++i) {
+    const Vec2 sum = from + (share * i) * (wanted - from);
+    const double length = std::sqrt(glm::dot(sum, sum));
+    if (!(length > 0.5)) return;  // about to turn round: no way to go is shorter
+    const PlanarPose turned{planar.tip_mm, sum / length};
     const RigidTransform pose = flat_pose(plane, turned);
     const bool is_free = !edge_meets_bone(pose, bone, 1.0) && !edge_meets_bone(pose, bone, -1.0) &&
                          !(engagement(pose, bone, 0.0, teeth).width_mm() > 0.0);
-    if (is_free) planar = turned;
+    if (!is_free) return;
+    planar = turned;
   }
+}
+
+/// Shifts the blade along its tooth line, step by step, until the edge in front would meet bone.
+void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, const KerfPlane& plane,
+                 const StandingBone& bone) noexcept {
   const Vec2 along{-planar.direction.y, planar.direction.x};
-  const double shift_mm = glm::dot(wanted.tip_mm - planar.tip_mm, along);
-  const PlanarPose shifted{planar.tip_mm + shift_mm * along, planar.direction};
-  const double side = shift_mm < 0.0 ? -1.0 : 1.0;
+  const double shift_mm = glm::dot(wanted_tip_mm - planar.tip_mm, along);
   if (std::abs(shift_mm) < shift_worth_asking_mm) return;
-  if (!edge_meets_bone(flat_pose(plane, shifted), bone, side)) planar = shifted;
+  const double side = shift_mm < 0.0 ? -1.0 : 1.0;
+  double left_mm = std::abs(shift_mm);
+  for (int i = 0; i < walk_steps && left_mm > 0.0; ++i) {
+    const double step_mm = std::min(walk_step_mm, left_mm);
+    const PlanarPose shifted{planar.tip_mm + (side * step_mm) * along, planar.direction};
+    if (edge_meets_bone(flat_pose(plane, shifted), bone, side)) return;
+    planar = shifted;
+    left_mm -= step_mm;
+  }
 }
 
 bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
@@ -182,7 +204,8 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& b
       bone.kerfs.kerf_from_bone(tool.kerf) * input.bone_from_handle;
   PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
   const PlanarPose wanted = planar_pose(plane, input.bone_from_handle);
-  slide_aside(planar, wanted, plane, bone, tool.teeth);
+  turn_aside(planar, wanted.direction, plane, bone, tool.teeth);
+  shift_aside(planar, wanted.tip_mm, plane, bone);
 
   const double forward_mm = glm::dot(wanted.tip_mm - planar.tip_mm, planar.direction);
   RigidTransform flat = flat_pose(plane, planar);

@@ -52,6 +52,7 @@ struct ToolState {
   double touch_depth_mm = 0.0;  ///< in Touching: how far the teeth went in
   double scratch_mm = 0.0;      ///< in Touching: the deepest so far
   bool was_engaged = false;     ///< teeth stood in bone at the end of the last tick
+  bool is_refused = false;  ///< in Touching: there is no kerf left, the teeth stay where they are
   TeethMemory teeth{};
 };
 

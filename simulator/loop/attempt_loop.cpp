@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <thread>
 
 #include "simulator/base/units.h"
@@ -18,6 +19,8 @@ constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
 /// A hand does not move farther in one tick: twenty metres per second.
 constexpr double jump_limit_mm = 20.0;
+/// A device that stays where it jumped to for so many ticks is believed.
+constexpr int jumps_believed = 20;
 
 double microseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::micro>(duration).count();
@@ -82,6 +85,7 @@ class AttemptRun {
       }
       const std::int64_t ticks = setup_.pacing == Pacing::RealTime ? wait_for_tick() : 1;
       advance(ticks);
+      if (jobs_->failure()) break;
       const bool is_due = statistics_.lines % ticks_per_progress == 0;
       if (is_due && progress && !progress(fraction_done())) {
         statistics_.end = AttemptEnd::Cancelled;
@@ -90,6 +94,7 @@ class AttemptRun {
     }
     if (operation_.is_over()) statistics_.end = AttemptEnd::Finished;
     channels_.closed.store(true, std::memory_order_release);
+    if (const std::exception_ptr failure = jobs_->failure()) std::rethrow_exception(failure);
     summarise();
     return statistics_;
   }
@@ -121,7 +126,11 @@ class AttemptRun {
   }
 
   bool is_a_ring_nearly_full() const noexcept {
-    return channels_.samples.size() > channels_.samples.capacity() / 8 * 7 || !jobs_->has_room();
+    const auto is_nearly_full = [](const auto& ring) {
+      return ring.size() > ring.capacity() / 8 * 7;
+    };
+    return is_nearly_full(channels_.tape) || is_nearly_full(channels_.samples) ||
+           is_nearly_full(channels_.events) || !jobs_->has_room();
   }
 
   /// Simulated time stands still over a gap: the step hears Pause now and Resume at the next line.
@@ -168,8 +177,9 @@ class AttemptRun {
     } else {
       const Vec3 way = raw.world_from_handle.translation_mm - last_good_.translation_mm;
       const bool jumped = has_pose_ && glm::dot(way, way) > jump_limit_mm * jump_limit_mm;
+      jumps_ = jumped ? jumps_ + 1 : 0;
       if (jumped) state.faults |= static_cast<std::uint32_t>(DeviceFault::Jumped);
-      last_good_ = raw.world_from_handle;
+      if (!jumped || jumps_ >= jumps_believed) last_good_ = raw.world_from_handle;
       has_pose_ = true;
       state.switches = raw.switches;
     }
@@ -182,9 +192,9 @@ class AttemptRun {
       results[line.command_count] = result;
       line.commands[line.command_count++] = command;
     };
-    if (is_resumed_due_) add({CommandKind::Resume, 0, 0}, nullptr);
+    if (is_resumed_due_) add({CommandKind::Resume, paused_by_loop, 0}, nullptr);
     is_resumed_due_ = is_gap_;
-    if (is_gap_) add({CommandKind::Pause, 0, 0}, nullptr);
+    if (is_gap_) add({CommandKind::Pause, paused_by_loop, 0}, nullptr);
     is_gap_ = false;
     while (line.command_count < commands_per_tick && next_command_ < setup_.commands.size() &&
            setup_.commands[next_command_].tick <= line.tick) {
@@ -220,6 +230,7 @@ class AttemptRun {
   Vec3 force_newton_{0.0, 0.0, 0.0};
   std::int64_t tick_ = 0;
   std::size_t next_command_ = 0;
+  int jumps_ = 0;
   bool has_pose_ = false;
   bool is_gap_ = false;
   bool is_resumed_due_ = false;

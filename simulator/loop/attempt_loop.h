@@ -46,6 +46,7 @@ using AttemptProgress = std::function<bool(double)>;
 
 /// Runs the attempt on the calling thread until its end, and closes the channels.
 /// ensures every line of the tape, every sample and every event was pushed; none is dropped
+/// errors  what a job threw (std::bad_alloc), after the channels were closed
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
                            AttemptChannels& channels, const AttemptProgress& progress = {});
 

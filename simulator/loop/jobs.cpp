@@ -14,7 +14,7 @@ constexpr std::chrono::microseconds idle_rest{500};
 
 }  // namespace
 
-bool ImmediateJobs::follow(const StepOutput& output) noexcept {
+bool ImmediateJobs::follow(const StepOutput& output) {
   for (const CutEvent& event : output.events) geometry_.follow(event);
   geometry_.follow(output.sample);
   for (const JobRequest& request : output.requests) results_.push_back(geometry_.run(request));
@@ -42,7 +42,7 @@ ThreadedJobs::ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay de
 
 ThreadedJobs::~ThreadedJobs() = default;
 
-bool ThreadedJobs::follow(const StepOutput& output) noexcept {
+bool ThreadedJobs::follow(const StepOutput& output) {
   bool has_room = true;
   for (const CutEvent& event : output.events) has_room = feed_.push(event) && has_room;
   has_room = feed_.push(output.sample) && has_room;
@@ -66,22 +66,35 @@ void ThreadedJobs::wait_for_delay(const std::stop_token& stop) {
   }
 }
 
+std::exception_ptr ThreadedJobs::failure() const noexcept {
+  return has_failed_.load(std::memory_order_acquire) ? thrown_ : nullptr;
+}
+
 void ThreadedJobs::work(const std::stop_token& stop) {
-  Feed feed;
-  while (!stop.stop_requested()) {
-    if (!feed_.pop(feed)) {
-      std::this_thread::sleep_for(idle_rest);
-      continue;
-    }
-    if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.follow(*sample);
-    if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.follow(*event);
-    if (const auto* request = std::get_if<JobRequest>(&feed)) {
-      results_.push_back(geometry_.run(*request));
-      wait_for_delay(stop);
-      while (!ready_.push(results_.back().get()) && !stop.stop_requested()) {
+  try {
+    Feed feed;
+    while (!stop.stop_requested()) {
+      if (feed_.pop(feed)) {
+        take_in(feed, stop);
+      } else {
         std::this_thread::sleep_for(idle_rest);
       }
     }
+  } catch (...) {
+    thrown_ = std::current_exception();
+    has_failed_.store(true, std::memory_order_release);
+  }
+}
+
+void ThreadedJobs::take_in(const Feed& feed, const std::stop_token& stop) {
+  if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.follow(*sample);
+  if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.follow(*event);
+  const auto* request = std::get_if<JobRequest>(&feed);
+  if (request == nullptr) return;
+  results_.push_back(geometry_.run(*request));
+  wait_for_delay(stop);
+  while (!ready_.push(results_.back().get()) && !stop.stop_requested()) {
+    std::this_thread::sleep_for(idle_rest);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <thread>
 #include <variant>
@@ -22,8 +23,11 @@ class JobRunner {
  public:
   virtual ~JobRunner() = default;
   /// Takes over what a step gave out; false where there was no room left.
-  /// thread  haptic; allocates nothing on the threaded runner
-  virtual bool follow(const StepOutput& output) noexcept = 0;
+  /// errors  std::bad_alloc where jobs run at once; none on the threaded runner, which allocates nothing here
+  /// thread  haptic
+  virtual bool follow(const StepOutput& output) = 0;
+  /// What a job on another thread threw, or nothing; no job runs after it.
+  virtual std::exception_ptr failure() const noexcept { return nullptr; }
   /// Whether a second's outputs still find room; without it the attempt must pause.
   /// thread  haptic
   virtual bool has_room() const noexcept = 0;
@@ -36,7 +40,7 @@ class ImmediateJobs final : public JobRunner {
  public:
   ImmediateJobs(const Bone& bone, const BladeSize& blade) : geometry_(bone, blade) {}
 
-  bool follow(const StepOutput& output) noexcept override;
+  bool follow(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
   const JobResult* take_ready() noexcept override;
   /// The result of that job, or null where none of that number was asked for.
@@ -61,13 +65,15 @@ class ThreadedJobs final : public JobRunner {
   ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay = {});
   ~ThreadedJobs() override;
 
-  bool follow(const StepOutput& output) noexcept override;
+  bool follow(const StepOutput& output) override;
   bool has_room() const noexcept override;
+  std::exception_ptr failure() const noexcept override;
   const JobResult* take_ready() noexcept override;
 
  private:
   using Feed = std::variant<ToolSample, CutEvent, JobRequest>;
   void work(const std::stop_token& stop);
+  void take_in(const Feed& feed, const std::stop_token& stop);
   void wait_for_delay(const std::stop_token& stop);
 
   OperationGeometry geometry_;  ///< worker's
@@ -76,6 +82,8 @@ class ThreadedJobs final : public JobRunner {
   std::vector<std::unique_ptr<const JobResult>> results_;  ///< worker's
   Ring<Feed> feed_;
   Ring<const JobResult*> ready_;
+  std::exception_ptr thrown_;  ///< written before has_failed_ is set
+  std::atomic<bool> has_failed_{false};
   std::jthread worker_;
 };
 

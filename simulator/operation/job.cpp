@@ -65,17 +65,17 @@ void OperationGeometry::run_pieces(JobResult& result) {
   known.mask = mask;
   solid_ = std::move(cut);
   bvh_ = std::make_unique<const Bvh>(solid_.mesh);
-  result.debris_mm3 = debris_mm3_;
+  for (const CutSolid& crumb : debris_) result.debris_mm3 += signed_volume_mm3(crumb.mesh);
   result.removed_mm3 = removed_mm3_;
 }
 
 void OperationGeometry::number_pieces(std::vector<CutSolid> solids, JobResult& result) {
   std::vector<KnownPiece> numbered;
-  debris_mm3_ = 0.0;
+  debris_.clear();
   for (CutSolid& solid : solids) {
     const double volume_mm3 = signed_volume_mm3(solid.mesh);
     if (volume_mm3 < debris_limit_mm3) {
-      debris_mm3_ += volume_mm3;
+      debris_.push_back(std::move(solid));
       continue;
     }
     const auto same = std::find_if(pieces_.begin(), pieces_.end(), [&](const KnownPiece& piece) {
@@ -95,10 +95,12 @@ void OperationGeometry::number_pieces(std::vector<CutSolid> solids, JobResult& r
 void OperationGeometry::take_out(std::int32_t piece) {
   std::erase_if(pieces_, [&](const KnownPiece& known) { return known.id == piece; });
   CutSolid rest;
-  for (const KnownPiece& known : pieces_) {
-    append_mesh(rest.mesh, known.solid.mesh);
-    rest.origins.insert(rest.origins.end(), known.solid.origins.begin(), known.solid.origins.end());
-  }
+  const auto add = [&rest](const CutSolid& solid) {
+    append_mesh(rest.mesh, solid.mesh);
+    rest.origins.insert(rest.origins.end(), solid.origins.begin(), solid.origins.end());
+  };
+  for (const KnownPiece& known : pieces_) add(known.solid);
+  for (const CutSolid& crumb : debris_) add(crumb);
   solid_ = std::move(rest);
   bvh_ = std::make_unique<const Bvh>(solid_.mesh);
 }

@@ -79,8 +79,8 @@ class OperationGeometry {
   std::unique_ptr<const Bvh> bvh_;
   std::vector<KerfSection> sections_;
   std::vector<KnownPiece> pieces_;
+  std::vector<CutSolid> debris_;
   std::int32_t next_piece_ = 1;
-  double debris_mm3_ = 0.0;
   double removed_mm3_ = 0.0;
 };
 

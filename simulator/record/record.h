@@ -33,7 +33,8 @@ RigidTransform transform_from(const QuantisedPose& pose) noexcept;
 struct DeviceState {
   QuantisedPose world_from_handle;
   std::uint32_t switches = 0;  ///< bits of Switch
-  std::uint32_t faults = 0;  ///< bits of DeviceFault, set by the loop; each ramps the force to zero
+  std::uint32_t faults =
+      0;  ///< bits of DeviceFault, set by the loop; each brings the force to zero
 
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
@@ -47,9 +48,9 @@ enum class DeviceFault : std::uint32_t {
 };
 
 enum class CommandKind : std::int32_t {
-  Start = 1,  ///< begins the attempt's clock
-  Pause = 2,  ///< the tool is safe, nothing cuts
-  Resume = 3,
+  Start = 1,     ///< begins the attempt's clock
+  Pause = 2,     ///< the tool is safe, nothing cuts
+  Resume = 3,    ///< argument as Pause: each ends its own
   StepDone = 4,  ///< argument: index of the operation step declared done
   PickUp = 5,    ///< argument: piece to take out of the wound
   Finish = 6,    ///< the operator declares the operation done
@@ -65,6 +66,9 @@ struct Command {
 
   friend bool operator==(const Command&, const Command&) = default;
 };
+
+inline constexpr std::int32_t paused_by_operator = 0;
+inline constexpr std::int32_t paused_by_loop = 1;
 
 inline constexpr std::size_t commands_per_tick = 4;
 

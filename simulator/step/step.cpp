@@ -44,15 +44,15 @@ StepOutput Operation::step(const StepInput& input) noexcept {
     if (faults_ != 0) note(output, CutEventKind::Fault, -1, faults_);
   }
   announce_pieces(output);
-  if (is_running_ && faults_ == 0) {
+  if (is_running() && faults_ == 0) {
     move(input.line, output);
     watch_sections(output);
   } else {
     output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
-    kerfs_.follow(
-        output.sample);  // in no kerf: it ends a sweep here as for those who follow the record
+    // A sample in no kerf ends a sweep, here as for those who follow the record.
+    kerfs_.follow(output.sample);
   }
-  if (is_running_) output.sample.status |= bit(ToolStatus::Running);
+  if (is_running()) output.sample.status |= bit(ToolStatus::Running);
   if (faults_ != 0) output.sample.status |= bit(ToolStatus::Faulted);
   return output;
 }
@@ -70,7 +70,7 @@ void Operation::note(StepOutput& output, CutEventKind kind, std::int32_t subject
 void Operation::apply_commands(const StepInput& input, StepOutput& output) noexcept {
   for (std::size_t i = 0; i < input.line.command_count && i < commands_per_tick; ++i) {
     const Command& command = input.line.commands[i];
-    if (command.kind == CommandKind::Start && !is_running_ && !is_over_) {
+    if (command.kind == CommandKind::Start && !is_started_ && !is_over_) {
       tool_.bone_from_tool = bone_from_world_ * transform_from(input.line.device.world_from_handle);
     }
     apply(command, input.job_results[i], output);
@@ -87,16 +87,14 @@ void Operation::apply(const Command& command, const JobResult* result,
   if (is_over_) return;
   switch (command.kind) {
     case CommandKind::Start:
-      is_running_ = true;
-      note(output, CutEventKind::Started);
+      if (!is_started_) note(output, CutEventKind::Started);
+      is_started_ = true;
       break;
     case CommandKind::Pause:
-      is_running_ = false;
-      note(output, CutEventKind::Paused);
+      pause(true, command, output);
       break;
     case CommandKind::Resume:
-      is_running_ = true;
-      note(output, CutEventKind::Resumed);
+      pause(false, command, output);
       break;
     case CommandKind::StepDone:
       note(output, CutEventKind::StepDone, command.argument);
@@ -106,7 +104,6 @@ void Operation::apply(const Command& command, const JobResult* result,
       break;
     case CommandKind::Finish:
     case CommandKind::Abandon:
-      is_running_ = false;
       is_over_ = true;
       note(output,
            command.kind == CommandKind::Finish ? CutEventKind::Finished : CutEventKind::Abandoned);
@@ -114,6 +111,14 @@ void Operation::apply(const Command& command, const JobResult* result,
     case CommandKind::ApplyJob:
       break;
   }
+}
+
+/// The operator's pause and the loop's gap are two things: the end of a gap does not end a pause.
+void Operation::pause(bool is_now_paused, const Command& command, StepOutput& output) noexcept {
+  const bool was_running = is_running();
+  (command.argument == paused_by_loop ? is_in_gap_ : is_paused_) = is_now_paused;
+  if (was_running && is_now_paused) note(output, CutEventKind::Paused, command.argument);
+  if (!was_running && is_running()) note(output, CutEventKind::Resumed, command.argument);
 }
 
 void Operation::apply_job(const JobResult& result, StepOutput& output) noexcept {
@@ -126,6 +131,7 @@ void Operation::apply_job(const JobResult& result, StepOutput& output) noexcept 
          regions.empty() ? 0 : thousandths(regions.front().area_mm2));
     return;
   }
+  --pieces_jobs_waiting_;
   pieces_ = &result;
   announced_ = 0;
 }
@@ -143,6 +149,8 @@ void Operation::announce_pieces(StepOutput& output) noexcept {
 
 void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
   if (pieces_ == nullptr || piece <= 0 || removed_count_ == removed_piece_limit) return;
+  // The pieces are being numbered anew: which one is meant cannot be known before the job is applied.
+  if (pieces_jobs_waiting_ > 0) return;
   for (const PieceBody& body : pieces_->pieces) {
     if (body.id != piece) continue;
     const Bvh* const bvh = body.bvh.get();
@@ -196,6 +204,7 @@ void Operation::freeze(StepOutput& output) noexcept {
     kerf = kerfs_.freeze(quantise(tool_.bone_from_tool));
     if (kerf < 0) {
       note(output, CutEventKind::KerfRefused);
+      tool_.is_refused = true;
       return;
     }
     note(output, CutEventKind::PlaneFrozen, kerf);
@@ -226,6 +235,7 @@ void Operation::watch_region(std::int32_t kerf, std::size_t region, StepOutput& 
   if (next < nodes.size()) return;
   note(output, CutEventKind::SectionCovered, kerf, static_cast<std::int64_t>(region));
   output.requests.push({next_job_++, JobKind::Pieces, kerf, tick_});
+  ++pieces_jobs_waiting_;
 }
 
 }  // namespace hallux::simulator

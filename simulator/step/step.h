@@ -62,7 +62,10 @@ class Operation {
 
   const KerfSet& kerfs() const noexcept { return kerfs_; }
   bool is_over() const noexcept { return is_over_; }
-  bool is_running() const noexcept { return is_running_; }
+  /// Started, and neither the operator nor the loop has paused it.
+  bool is_running() const noexcept {
+    return is_started_ && !is_over_ && !is_paused_ && !is_in_gap_;
+  }
 
   /// One step.
   /// needs   line.tick follows the last line; every ApplyJob has its result
@@ -73,6 +76,7 @@ class Operation {
   void apply_commands(const StepInput& input, StepOutput& output) noexcept;
   void apply(const Command& command, const JobResult* result, StepOutput& output) noexcept;
   void apply_job(const JobResult& result, StepOutput& output) noexcept;
+  void pause(bool is_now_paused, const Command& command, StepOutput& output) noexcept;
   void pick_up(std::int32_t piece, StepOutput& output) noexcept;
   void move(const TapeLine& line, StepOutput& output) noexcept;
   void freeze(StepOutput& output) noexcept;
@@ -99,7 +103,10 @@ class Operation {
   std::int32_t next_job_ = 0;
   std::int64_t tick_ = 0;
   std::uint32_t faults_ = 0;
-  bool is_running_ = false;
+  std::int32_t pieces_jobs_waiting_ = 0;  ///< asked for, not applied yet
+  bool is_started_ = false;
+  bool is_paused_ = false;  ///< by the operator
+  bool is_in_gap_ = false;  ///< by the loop
   bool is_over_ = false;
 };
 

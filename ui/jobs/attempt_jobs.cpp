@@ -67,11 +67,13 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario)
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress) {
   const simulator::Bone bone = make_patient(attempt.scenario, progress);
-  simulator::HandMotion motion =
-      attempt.motion ? *attempt.motion
-                     : make_hand(attempt.scenario, bone, plan_on(attempt.scenario, bone),
-                                 scenarios::hand_skill(attempt.hand), attempt.seed)
-                           .motion;
+  // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
+  const scenarios::Plan plan = plan_on(attempt.scenario, bone);
+  simulator::HandMotion motion = attempt.motion
+                                     ? *attempt.motion
+                                     : make_hand(attempt.scenario, bone, plan,
+                                                 scenarios::hand_skill(attempt.hand), attempt.seed)
+                                           .motion;
   const simulator::AttemptSetup setup{bone,
                                       attempt.scenario.blade.size,
                                       contact_settings(attempt.scenario),
