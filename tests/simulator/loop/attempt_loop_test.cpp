@@ -1,0 +1,161 @@
+#include "simulator/loop/attempt_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "tests/simulator/loop/recorded_run.h"
+
+namespace hallux::simulator {
+namespace {
+
+constexpr std::int64_t last_tick = 1500;
+
+/// The sawing motion in virtual time.
+struct VirtualAttempt {
+  Bone bone = tests::loop_block();
+  HandMotion motion = tests::sawing_motion(bone, last_tick);
+  AttemptSetup setup{.bone = bone,
+                     .blade = {},
+                     .contact = {},
+                     .commands = motion.commands,
+                     .last_tick = last_tick,
+                     .job_delay = {}};
+  ScriptedDevice device{motion};
+};
+
+TEST(VirtualLoop, PushesEveryLineAndEverySample) {
+  VirtualAttempt attempt;
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
+  EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
+  EXPECT_EQ(run.statistics.lines, last_tick + 1);
+  EXPECT_EQ(run.statistics.ticks, last_tick + 1);
+  EXPECT_EQ(run.statistics.missed_ticks, 0);
+  EXPECT_EQ(run.statistics.pauses, 0);
+  ASSERT_EQ(run.recording.tape.size(), static_cast<std::size_t>(last_tick + 1));
+  ASSERT_EQ(run.recording.samples.size(), run.recording.tape.size());
+  for (std::size_t i = 0; i < run.recording.tape.size(); ++i) {
+    EXPECT_EQ(run.recording.tape[i].tick, static_cast<std::int64_t>(i));
+    EXPECT_EQ(run.recording.tape[i].ticks, 1);
+    EXPECT_EQ(run.recording.samples[i].tick, static_cast<std::int64_t>(i));
+  }
+}
+
+TEST(VirtualLoop, EventsComeInTheOrderOfTheirTicks) {
+  VirtualAttempt attempt;
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
+  const auto& events = run.recording.events;
+  ASSERT_GE(events.size(), 6U);
+  EXPECT_EQ(events.front().kind, CutEventKind::Started);
+  EXPECT_EQ(events.back().kind, CutEventKind::Finished);
+  EXPECT_TRUE(std::is_sorted(events.begin(), events.end(),
+                             [](const CutEvent& a, const CutEvent& b) { return a.tick < b.tick; }));
+}
+
+TEST(VirtualLoop, NothingIsLostThroughRingsMuchSmallerThanTheAttempt) {
+  VirtualAttempt small, large;
+  const tests::RecordedRun narrow = tests::record(small.setup, small.device, 16);
+  const tests::RecordedRun wide = tests::record(large.setup, large.device, 65536);
+  EXPECT_EQ(narrow.recording.tape, wide.recording.tape);
+  EXPECT_EQ(narrow.recording.samples, wide.recording.samples);
+  EXPECT_EQ(narrow.recording.events, wide.recording.events);
+}
+
+TEST(VirtualLoop, AJobIsAppliedAtTheTickAfterItsRequest) {
+  VirtualAttempt attempt;
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
+  int applied = 0;
+  for (const TapeLine& line : run.recording.tape) {
+    for (std::size_t i = 0; i < line.command_count; ++i) {
+      if (line.commands[i].kind != CommandKind::ApplyJob) continue;
+      EXPECT_EQ(line.commands[i].argument, applied);
+      EXPECT_EQ(line.commands[i].detail, line.tick - 1);
+      ++applied;
+    }
+  }
+  EXPECT_EQ(applied, 2);  // the contact, and the pieces
+}
+
+TEST(VirtualLoop, StopsAfterTheLastTickWithoutAFinish) {
+  VirtualAttempt attempt;
+  attempt.setup.commands.pop_back();
+  attempt.setup.last_tick = 99;
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
+  EXPECT_EQ(run.statistics.end, AttemptEnd::ReachedLastTick);
+  EXPECT_EQ(run.recording.samples.size(), 100U);
+}
+
+TEST(VirtualLoop, CommandsBeyondTheRoomOfALineComeInTheNext) {
+  VirtualAttempt attempt;
+  attempt.setup.last_tick = 20;
+  attempt.setup.commands.resize(1);
+  for (std::int32_t step = 0; step < 6; ++step) {
+    attempt.setup.commands.push_back({10, {CommandKind::StepDone, step, 0}});
+  }
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
+  EXPECT_EQ(run.recording.tape[10].command_count, 4);
+  EXPECT_EQ(run.recording.tape[11].command_count, 2);
+  std::int32_t next_step = 0;
+  for (const CutEvent& event : run.recording.events) {
+    if (event.kind != CutEventKind::StepDone) continue;
+    EXPECT_EQ(event.subject, next_step++);
+  }
+  EXPECT_EQ(next_step, 6);
+}
+
+TEST(VirtualLoop, ProgressRisesFromZeroTowardsOne) {
+  VirtualAttempt attempt;
+  std::vector<double> fractions;
+  tests::record(attempt.setup, attempt.device, 4096, [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  ASSERT_GE(fractions.size(), 2U);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GT(fractions.front(), 0.0);
+  EXPECT_LE(fractions.back(), 1.0);
+}
+
+TEST(VirtualLoop, ProgressThatSaysNoCancelsTheAttempt) {
+  VirtualAttempt attempt;
+  const tests::RecordedRun run =
+      tests::record(attempt.setup, attempt.device, 4096, [](double) { return false; });
+  EXPECT_EQ(run.statistics.end, AttemptEnd::Cancelled);
+  EXPECT_LT(run.statistics.lines, last_tick);
+  EXPECT_EQ(run.recording.samples.size(), static_cast<std::size_t>(run.statistics.lines));
+}
+
+TEST(VirtualLoop, ARecorderThatFailedStopsTheAttemptAndTheChannelsAreClosed) {
+  VirtualAttempt attempt;
+  AttemptChannels channels(4096);
+  channels.recorder_failed.store(true);
+  const LoopStatistics statistics = run_attempt(attempt.setup, attempt.device, channels);
+  EXPECT_EQ(statistics.end, AttemptEnd::RecorderFailed);
+  EXPECT_EQ(statistics.lines, 0);
+  EXPECT_TRUE(channels.closed.load());
+}
+
+TEST(VirtualLoop, ARecorderThatFailsWhileTheRingsAreFullDoesNotHoldTheLoop) {
+  VirtualAttempt attempt;
+  AttemptChannels channels(64);
+  std::jthread recorder([&] {
+    while (channels.samples.size() < 64) std::this_thread::yield();
+    channels.recorder_failed.store(true);
+  });
+  const LoopStatistics statistics = run_attempt(attempt.setup, attempt.device, channels);
+  EXPECT_EQ(statistics.end, AttemptEnd::RecorderFailed);
+  EXPECT_LT(statistics.lines, last_tick);
+  EXPECT_TRUE(channels.closed.load());
+}
+
+TEST(VirtualLoop, MeasuresItsSteps) {
+  VirtualAttempt attempt;
+  const LoopStatistics statistics = tests::record(attempt.setup, attempt.device).statistics;
+  EXPECT_GT(statistics.step_p50_us, 0.0);
+  EXPECT_LE(statistics.step_p50_us, statistics.step_p99_us);
+  EXPECT_LE(statistics.step_p99_us, statistics.step_max_us);
+}
+
+}  // namespace
+}  // namespace hallux::simulator

@@ -1,0 +1,131 @@
+/// What the loop makes of a device that misbehaves, and what it sends to one that does not.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "simulator/base/units.h"
+#include "tests/simulator/loop/recorded_run.h"
+
+namespace hallux::simulator {
+namespace {
+
+constexpr std::int64_t last_tick = 600;
+constexpr std::int64_t fault_tick = 300;
+constexpr std::int64_t fault_ticks = 20;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A scripted hand whose words are garbled for a while; remembers the forces it was sent.
+class FaultyDevice final : public HapticDevice {
+ public:
+  using Garble = std::function<bool(RawDeviceState&)>;
+  FaultyDevice(const HandMotion& motion, Garble garble)
+      : hand_(motion), garble_(std::move(garble)) {}
+
+  DeviceDescription description() const override { return hand_.description(); }
+  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                RawDeviceState& state) noexcept override {
+    forces_newton.push_back(force_in_world_newton);
+    hand_.exchange(force_in_world_newton, tick, state);
+    const bool is_garbled = tick >= fault_tick && tick < fault_tick + fault_ticks;
+    return is_garbled ? garble_(state) : true;
+  }
+
+  std::vector<Vec3> forces_newton;
+
+ private:
+  ScriptedDevice hand_;
+  Garble garble_;
+};
+
+struct FaultyAttempt {
+  explicit FaultyAttempt(FaultyDevice::Garble garble) : device(motion, std::move(garble)) {
+    const AttemptSetup setup{.bone = bone,
+                             .blade = {},
+                             .contact = {},
+                             .commands = motion.commands,
+                             .last_tick = last_tick,
+                             .job_delay = {}};
+    recording = tests::record(setup, device).recording;
+  }
+  const ToolSample& sample(std::int64_t tick) const {
+    return recording.samples.at(static_cast<std::size_t>(tick));
+  }
+
+  Bone bone = tests::loop_block();
+  HandMotion motion = tests::sawing_motion(bone, last_tick);
+  FaultyDevice device;
+  Recording recording;
+};
+
+/// While the fault lasts: the last good pose, no force, the tool where it was; one event with its bit; then on again.
+void expect_safe(const FaultyAttempt& attempt, DeviceFault fault) {
+  const auto bits = static_cast<std::uint32_t>(fault);
+  const auto& tape = attempt.recording.tape;
+  const auto& good = tape.at(fault_tick - 1).device.world_from_handle;
+  for (std::int64_t tick = fault_tick; tick < fault_tick + fault_ticks; ++tick) {
+    const TapeLine& line = tape.at(static_cast<std::size_t>(tick));
+    EXPECT_EQ(line.device.faults, bits);
+    EXPECT_EQ(line.device.world_from_handle, good);
+    EXPECT_EQ(attempt.sample(tick).force_mn, (std::array<std::int32_t, 3>{0, 0, 0}));
+    EXPECT_EQ(attempt.sample(tick).world_from_tool, attempt.sample(fault_tick - 1).world_from_tool);
+  }
+  std::vector<CutEvent> faults;
+  for (const CutEvent& event : attempt.recording.events) {
+    if (event.kind == CutEventKind::Fault) faults.push_back(event);
+  }
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].tick, fault_tick);
+  EXPECT_EQ(faults[0].value, bits);
+  EXPECT_EQ(tape.at(fault_tick + fault_ticks).device.faults, 0U);
+  EXPECT_NE(attempt.sample(fault_tick + fault_ticks).force_mn,
+            (std::array<std::int32_t, 3>{0, 0, 0}));
+}
+
+TEST(LoopDevice, ALostDeviceIsAFaultWithTheLastGoodPose) {
+  expect_safe(FaultyAttempt([](RawDeviceState&) { return false; }), DeviceFault::Lost);
+}
+
+TEST(LoopDevice, APositionThatIsNoNumberIsAFault) {
+  const FaultyAttempt attempt([](RawDeviceState& state) {
+    state.world_from_handle.translation_mm.y = nan;
+    return true;
+  });
+  expect_safe(attempt, DeviceFault::NotFinite);
+}
+
+TEST(LoopDevice, ARotationThatIsNoNumberIsAFault) {
+  const FaultyAttempt attempt([](RawDeviceState& state) {
+    state.world_from_handle.rotation.x = std::numeric_limits<double>::infinity();
+    return true;
+  });
+  expect_safe(attempt, DeviceFault::NotFinite);
+}
+
+TEST(LoopDevice, AJumpOfTheHandIsAFault) {
+  const FaultyAttempt attempt([](RawDeviceState& state) {
+    state.world_from_handle.translation_mm.x += 100.0;
+    return true;
+  });
+  EXPECT_EQ(attempt.recording.tape.at(fault_tick).device.faults,
+            static_cast<std::uint32_t>(DeviceFault::Jumped));
+  EXPECT_EQ(attempt.sample(fault_tick).force_mn, (std::array<std::int32_t, 3>{0, 0, 0}));
+}
+
+TEST(LoopDevice, IsSentTheForceOfTheStepBefore) {
+  const FaultyAttempt attempt([](RawDeviceState&) { return true; });
+  ASSERT_EQ(attempt.device.forces_newton.size(), attempt.recording.samples.size());
+  bool was_pushed = false;
+  for (std::size_t i = 1; i < attempt.recording.samples.size(); ++i) {
+    const auto& force_mn = attempt.recording.samples[i - 1].force_mn;
+    const Vec3 expected_newton{newton_from_millinewton(force_mn[0]),
+                               newton_from_millinewton(force_mn[1]),
+                               newton_from_millinewton(force_mn[2])};
+    EXPECT_EQ(attempt.device.forces_newton[i], expected_newton);
+    was_pushed = was_pushed || force_mn[1] != 0;
+  }
+  EXPECT_TRUE(was_pushed);
+}
+
+}  // namespace
+}  // namespace hallux::simulator

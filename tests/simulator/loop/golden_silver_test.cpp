@@ -1,0 +1,32 @@
+/// The shipped Silver operation by the scripted expert, seed 1: patient, plan, hand, step and jobs together.
+#include <gtest/gtest.h>
+
+#include "scenarios/hands/scripted_hand.h"
+#include "simulator/loop/replay.h"
+#include "tests/simulator/loop/golden.h"
+#include "tests/simulator/loop/recorded_run.h"
+
+namespace hallux::simulator {
+namespace {
+
+TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
+  const scenarios::Scenario scenario = scenarios::load_shipped_scenario("silver");
+  const Bone bone = scenarios::make_patient(scenario);
+  const HandMotion motion =
+      make_hand(scenario, bone, plan_on(scenario, bone), scenarios::hand_skill("expert"), 1).motion;
+  const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute};
+  const AttemptSetup setup{.bone = bone,
+                           .blade = scenario.blade.size,
+                           .contact = contact,
+                           .commands = motion.commands,
+                           .last_tick = motion.last_tick() + 1,
+                           .job_delay = {}};
+  ScriptedDevice device(motion);
+  const Recording recording = tests::record(setup, device).recording;
+  tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
+  const ReplayResult result = replay(recording, bone, scenario.blade.size, contact);
+  EXPECT_TRUE(result.is_identical) << result.difference;
+}
+
+}  // namespace
+}  // namespace hallux::simulator

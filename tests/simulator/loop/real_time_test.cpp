@@ -1,0 +1,120 @@
+/// The loop against the clock, with jobs that come late: what is recorded is enough, whatever the timing was.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "simulator/loop/replay.h"
+#include "tests/simulator/loop/recorded_run.h"
+
+namespace hallux::simulator {
+namespace {
+
+tests::RecordedRun record_in_real_time(const Bone& bone, std::int64_t last_tick, JobDelay delay) {
+  const HandMotion motion = tests::sawing_motion(bone, last_tick);
+  const AttemptSetup setup{.bone = bone,
+                           .blade = {},
+                           .contact = {},
+                           .pacing = Pacing::RealTime,
+                           .commands = motion.commands,
+                           .last_tick = last_tick,
+                           .job_delay = delay};
+  ScriptedDevice device(motion);
+  return tests::record(setup, device, 65536);
+}
+
+std::int64_t ticks_on(const std::vector<TapeLine>& tape) {
+  std::int64_t ticks = 0;
+  for (const TapeLine& line : tape) ticks += line.ticks;
+  return ticks;
+}
+
+/// Records `count` runs with late jobs; each must replay to its own outputs. Returns how many tapes differ.
+std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick) {
+  const Bone bone = tests::loop_block();
+  std::set<Digest> tapes;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    const tests::RecordedRun run = record_in_real_time(bone, last_tick, {seed, 500});
+    EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
+    EXPECT_EQ(ticks_on(run.recording.tape), run.statistics.ticks);
+    const ReplayResult result = replay(run.recording, bone, {}, {});
+    EXPECT_TRUE(result.is_identical) << "seed " << seed << ", tick " << result.first_difference_tick
+                                     << ": " << result.difference;
+    EXPECT_EQ(result.outputs, digest_outputs(run.recording)) << "seed " << seed;
+    tapes.insert(tests::digest_of_tape(run.recording));
+  }
+  return tapes.size();
+}
+
+#ifdef HALLUX_LONG_RUNS
+TEST(RealTimeReplay, FiftyRunsWithLateJobsDifferAndEachReplaysToItsOwnHash) {
+  // Two runs share a tape only if both of their jobs come at the same ticks and no tick was ever late.
+  EXPECT_EQ(count_tapes_that_replay(50, 5000), 50U);
+}
+#else
+TEST(RealTimeReplay, RunsWithLateJobsDifferAndEachReplaysToItsOwnHash) {
+  EXPECT_EQ(count_tapes_that_replay(3, 1800), 3U);
+}
+
+TEST(RealTimeLoop, KeepsTheClocksPaceWithoutLosingATick) {
+  const Bone bone = tests::loop_block();
+  const tests::RecordedRun run = record_in_real_time(bone, 1000, {});
+  EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
+  EXPECT_EQ(ticks_on(run.recording.tape), run.statistics.ticks);
+  EXPECT_EQ(run.statistics.lines, static_cast<std::int64_t>(run.recording.tape.size()));
+  EXPECT_EQ(run.recording.samples.size(), run.recording.tape.size());
+  std::int64_t next_tick = 0, missed_ticks = 0;
+  for (const TapeLine& line : run.recording.tape) {
+    EXPECT_EQ(line.tick, next_tick);
+    EXPECT_GE(line.ticks, 1);
+    EXPECT_LE(line.ticks, 3);
+    next_tick += line.ticks;
+    missed_ticks += line.ticks - 1;
+  }
+  EXPECT_EQ(missed_ticks, run.statistics.missed_ticks);
+}
+
+TEST(RealTimeLoop, AGapIsAPauseAndAResumeOnTheTape) {
+  const Bone bone = tests::loop_block();
+  const HandMotion motion = tests::sawing_motion(bone, 300);
+  const AttemptSetup setup{.bone = bone,
+                           .blade = {},
+                           .contact = {},
+                           .pacing = Pacing::RealTime,
+                           .commands = motion.commands,
+                           .last_tick = 300,
+                           .job_delay = {}};
+  /// A device that keeps the loop waiting once, for 50 ms.
+  class StallingDevice final : public HapticDevice {
+   public:
+    explicit StallingDevice(const HandMotion& hand_motion) : hand_(hand_motion) {}
+    DeviceDescription description() const override { return hand_.description(); }
+    bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                  RawDeviceState& state) noexcept override {
+      if (tick >= 100 && !has_stalled_) {
+        has_stalled_ = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds{50});
+      }
+      return hand_.exchange(force_in_world_newton, tick, state);
+    }
+
+   private:
+    ScriptedDevice hand_;
+    bool has_stalled_ = false;
+  } device(motion);
+  const tests::RecordedRun run = tests::record(setup, device, 65536);
+  EXPECT_GE(run.statistics.pauses, 1);
+  const auto count = [&](CutEventKind kind) {
+    return std::count_if(run.recording.events.begin(), run.recording.events.end(),
+                         [&](const CutEvent& event) { return event.kind == kind; });
+  };
+  EXPECT_EQ(count(CutEventKind::Paused), run.statistics.pauses);
+  EXPECT_EQ(count(CutEventKind::Resumed), run.statistics.pauses);
+  EXPECT_TRUE(replay(run.recording, bone, {}, {}).is_identical);
+}
+#endif
+
+}  // namespace
+}  // namespace hallux::simulator

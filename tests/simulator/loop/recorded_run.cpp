@@ -1,0 +1,76 @@
+#include "tests/simulator/loop/recorded_run.h"
+
+#include <chrono>
+#include <thread>
+
+#include "tests/simulator/step/operation_run.h"
+#include "tests/support/worlds.h"
+
+namespace hallux::tests {
+
+using simulator::AttemptChannels;
+using simulator::Bone;
+using simulator::CommandKind;
+using simulator::CutEvent;
+using simulator::HandMotion;
+using simulator::Recording;
+using simulator::TapeLine;
+using simulator::ToolSample;
+
+namespace {
+
+template <typename Value>
+bool take_all(simulator::Ring<Value>& ring, std::vector<Value>& values) {
+  bool took_any = false;
+  for (Value value; ring.pop(value); took_any = true) values.push_back(value);
+  return took_any;
+}
+
+void empty_rings(AttemptChannels& channels, Recording& recording) {
+  for (;;) {
+    // Asked before the rings: what was pushed before closing is then still taken.
+    const bool is_closed = channels.closed.load(std::memory_order_acquire);
+    bool took_any = take_all(channels.tape, recording.tape);
+    took_any = take_all(channels.events, recording.events) || took_any;
+    took_any = take_all(channels.samples, recording.samples) || took_any;
+    if (is_closed && !took_any) return;
+    if (!took_any) std::this_thread::sleep_for(std::chrono::microseconds{200});
+  }
+}
+
+}  // namespace
+
+Bone loop_block() { return cancellous_bone(solid_block({20.0, 4.0, 6.0})); }
+
+HandMotion sawing_motion(const Bone& bone, std::int64_t last_tick) {
+  const auto world_from_handle = [&](double y_mm) {
+    return bone.world_from_bone * blade_down({5.0, y_mm, 0.2}, 0.05);
+  };
+  HandMotion motion;
+  motion.keys = {{0, world_from_handle(3.0), saw_runs},
+                 {last_tick / 10, world_from_handle(-8.0), saw_runs},
+                 {last_tick * 9 / 10, world_from_handle(-9.0), saw_runs},
+                 {last_tick, world_from_handle(5.0), saw_runs}};
+  motion.commands = {{0, {CommandKind::Start, 0, 0}}, {last_tick, {CommandKind::Finish, 0, 0}}};
+  return motion;
+}
+
+RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
+                   std::size_t ring_capacity, const simulator::AttemptProgress& progress) {
+  RecordedRun run;
+  AttemptChannels channels(ring_capacity);
+  std::jthread recorder([&] { empty_rings(channels, run.recording); });
+  run.statistics = run_attempt(setup, device, channels, progress);
+  recorder.join();
+  return run;
+}
+
+Digest digest_of_tape(const Recording& recording) noexcept {
+  Digester digester;
+  for (const TapeLine& line : recording.tape) {
+    for (const std::int64_t value : columns_of(line)) digester.add_int(value);
+  }
+  return digester.finish();
+}
+
+}  // namespace hallux::tests
