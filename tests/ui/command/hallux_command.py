@@ -8,7 +8,9 @@ import hashlib
 import json
 import os
 import pathlib
+import resource
 import shutil
+import signal
 import sqlite3
 import subprocess
 import tempfile
@@ -79,6 +81,15 @@ class CommandTest(unittest.TestCase):
         done = subprocess.run(self.line(arguments), stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.PIPE,
                               text=True, timeout=120, cwd=self.untouched[2], env=self.environment())
         return done.returncode, done.stderr
+
+    def run_with_room(self, file_bytes, *arguments):
+        """Runs it where no file can grow beyond `file_bytes`, which is how a full disk looks to a program."""
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
+        return Answer(subprocess.run(self.line(arguments), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                                     timeout=120, cwd=self.untouched[2], env=self.environment(), preexec_fn=limit,
+                                     restore_signals=False))
 
     def ask(self, *arguments, stdin="", code=DONE):
         """The one JSON value that `hallux ARGUMENTS --json` answers with."""

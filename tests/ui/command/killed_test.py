@@ -4,7 +4,7 @@
 import signal
 import unittest
 
-from hallux_command import DONE, INTERRUPTED, RecordedTest, coarse_silver
+from hallux_command import DONE, INTERRUPTED, STORAGE, RecordedTest, coarse_silver
 
 MOTION_S = 4.0
 LOST_AT_MOST_TICKS = 600
@@ -93,6 +93,18 @@ class KilledBetween(RecordedTest):
         self.assertEqual(process.returncode, INTERRUPTED)
         self.assertEqual(self.stored(), before)
         self.assertEqual([row["state"] for row in self.ask("attempts")], ["closed"])
+
+    def test_a_directory_that_is_full_ends_the_attempt_and_spares_the_older(self):
+        answer = self.run_with_room(self.database().stat().st_size + 200_000, "attempt",
+                                    self.write("coarse.json", coarse_silver()), "--seed", "2", "--quiet")
+        self.assertEqual(answer.code, STORAGE, answer)
+        self.assertEqual((answer.out, len(answer.err.splitlines())), ("", 1), answer)
+        self.assertIn("hallux.db", answer.err)
+        rows = self.ask("attempts")
+        self.assertEqual([row["state"] for row in rows], ["interrupted", "closed"])
+        self.assertIs(self.ask("verify")["whole"], True)
+        for row in rows:
+            self.assertIs(self.ask("replay", row["attempt"])["identical"], True)
 
 
 if __name__ == "__main__":
