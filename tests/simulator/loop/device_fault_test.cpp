@@ -112,6 +112,16 @@ TEST(LoopDevice, AJumpOfTheHandIsAFault) {
   EXPECT_EQ(attempt.sample(fault_tick).force_mn, (std::array<std::int32_t, 3>{0, 0, 0}));
 }
 
+TEST(LoopDevice, ItsPoseIsRoundedBeforeTheStepSeesIt) {
+  const FaultyAttempt attempt([](RawDeviceState&) { return true; });
+  ScriptedDevice hand(attempt.motion);
+  for (const TapeLine& line : attempt.recording.tape) {
+    RawDeviceState raw;
+    hand.exchange({0.0, 0.0, 0.0}, line.tick, raw);
+    EXPECT_EQ(line.device.world_from_handle, quantise(raw.world_from_handle));
+  }
+}
+
 TEST(LoopDevice, IsSentTheForceOfTheStepBefore) {
   const FaultyAttempt attempt([](RawDeviceState&) { return true; });
   ASSERT_EQ(attempt.device.forces_newton.size(), attempt.recording.samples.size());
