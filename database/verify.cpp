@@ -102,8 +102,8 @@ void check_attempts(Database& database, const std::function<bool(double)>& progr
     ++found.attempts;
     const double part = static_cast<double>(found.attempts) / static_cast<double>(headers.size());
     if (progress && !progress(part)) {
-      throw DatabaseError{DatabaseErrorKind::Damaged,
-                          "the check was stopped before attempt " + header.id.text + " was done"};
+      throw VerificationStopped{"the check was stopped after attempt " + header.id.text +
+                                "; no damage was found up to there"};
     }
   }
 }

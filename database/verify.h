@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "database/connection.h"
@@ -22,9 +23,15 @@ struct Verification {
   bool is_whole() const noexcept { return !first_damage.has_value(); }
 };
 
+/// Thrown where `progress` asked to stop: nothing is known of what was not checked yet.
+class VerificationStopped : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// SQLite's own checks, every chunk chain, seal, score, asset, scenario text and the audit chain.
-/// `progress` is told the part done and may return false to stop: the answer then says so as damage.
-/// errors  DatabaseError for storage failures other than damage
+/// `progress` is told the part done and may return false to stop.
+/// errors  DatabaseError for storage failures other than damage; VerificationStopped
 Verification verify(Database& database, const std::function<bool(double)>& progress = {});
 
 }  // namespace hallux::database

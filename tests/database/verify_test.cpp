@@ -91,11 +91,11 @@ TEST(Verify, NamesTheAlteredAuditRow) {
                     "row 2 of the audit"));
 }
 
-TEST(Verify, StopsWhenTold) {
+TEST(Verify, StoppedIsNotDamaged) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
   record(database, some_attempt(database), some_recording(10));
-  EXPECT_FALSE(verify(database, [](double) { return false; }).is_whole());
+  EXPECT_THROW(verify(database, [](double) { return false; }), VerificationStopped);
 }
 
 }  // namespace

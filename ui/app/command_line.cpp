@@ -7,10 +7,12 @@
 
 #include "assessment/progress.h"
 #include "database/database_error.h"
+#include "database/verify.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/record/record.h"
 #include "ui/app/interrupt.h"
+#include "ui/app/terminal_text.h"
 #include "ui/app/verb_attempt.h"
 #include "ui/app/verb_cut.h"
 #include "ui/app/verb_replay.h"
@@ -52,8 +54,9 @@ std::filesystem::path default_data_directory() {
 }
 
 ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
+  // The one place where sentences reach the terminal: what files hold may not command it.
   const auto fail = [&err](const std::exception& error, ExitCode code) {
-    err << "hallux: " << error.what() << "\n";
+    err << "hallux: " << terminal_text(error.what()) << "\n";
     return code;
   };
   try {
@@ -68,6 +71,8 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
     return fail(error, exit_code_of(error.kind()));
   } catch (const Cancelled& error) {
     return fail(error, ExitCode::Interrupted);
+  } catch (const database::VerificationStopped& error) {
+    return fail(error, ExitCode::Interrupted);
   } catch (const simulator::MeshError& error) {
     return fail(error, ExitCode::BadInput);
   } catch (const scenarios::ScenarioError& error) {
@@ -79,6 +84,8 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
   } catch (const std::bad_alloc&) {
     err << "hallux: the memory of this machine is not enough for this\n";
     return ExitCode::BadInput;
+  } catch (const std::exception& error) {
+    return fail(error, ExitCode::BadInput);
   }
 }
 

@@ -11,6 +11,8 @@
 #include "simulator/base/units.h"
 #include "ui/app/access.h"
 #include "ui/app/card_json.h"
+#include "ui/app/terminal_text.h"
+#include "ui/app/write_json.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/scenario_jobs.h"
 #include "ui/report/score_sheet.h"
@@ -35,6 +37,10 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   attempt.pacing =
       options.pacing == "real-time" ? simulator::Pacing::RealTime : simulator::Pacing::Virtual;
   if (options.hand == "expert" || options.hand == "novice") return attempt;
+  if (!is_utf8(options.hand)) {
+    throw scenarios::ScenarioError(
+        options.hand + ": the name is not UTF-8, and it is kept with the attempt; rename the file");
+  }
   std::ifstream file(options.hand, std::ios::binary);
   if (!file) {
     throw scenarios::ScenarioError(
@@ -73,7 +79,7 @@ ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& opti
       database, attempt,
       [&context](const std::string& stage) { return progress_on(context, stage); });
   if (context.json) {
-    context.out << outcome_json(attempt, outcome).dump(2) << "\n";
+    write_json(context.out, outcome_json(attempt, outcome));
     return ExitCode::Done;
   }
   context.out << score_sheet(outcome.card, attempt.scenario) << "\nattempt " << outcome.attempt.text
@@ -96,7 +102,8 @@ ordered_json attempt_json(const database::AttemptHeader& header,
 
 void print_attempt(std::ostream& out, const database::AttemptHeader& header,
                    const std::optional<database::StoredScore>& score) {
-  const std::string who = header.begun.person ? header.login : "robot, " + header.begun.hand;
+  const std::string who =
+      header.begun.person ? header.login : "robot, " + terminal_text(header.begun.hand);
   out << header.id.text << "  " << header.started_utc << "  " << std::left << std::setw(12)
       << header.scenario_name << std::setw(20) << who << std::setw(12)
       << database::name_of(header.state);
@@ -118,7 +125,7 @@ ExitCode list_attempts_on(const VerbContext& context) {
       if (context.json) rows.push_back(attempt_json(header, score));
       if (!context.json) print_attempt(context.out, header, score);
     }
-    if (context.json) context.out << rows.dump(2) << "\n";
+    if (context.json) write_json(context.out, rows);
     return ExitCode::Done;
   });
 }

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "ui/app/write_json.h"
 #include "ui/jobs/cut_mesh.h"
 
 namespace hallux::ui {
@@ -123,7 +124,7 @@ void print_report(std::ostream& out, const CutReport& report) {
 ExitCode cut_on(const VerbContext& context, const CutRequest& request) {
   const CutReport report = cut_mesh(request, progress_on(context, "Cutting"));
   if (context.json) {
-    context.out << report_json(report).dump(2) << "\n";
+    write_json(context.out, report_json(report));
   } else {
     print_report(context.out, report);
   }

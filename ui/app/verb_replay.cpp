@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "ui/app/access.h"
+#include "ui/app/write_json.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
@@ -59,7 +60,7 @@ ExitCode replay_on(const VerbContext& context, const std::string& id) {
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     if (context.json) {
-      context.out << replay_json(material, result, seconds).dump(2) << "\n";
+      write_json(context.out, replay_json(material, result, seconds));
     } else {
       print_replay(context.out, material, result, seconds);
     }

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "ui/app/terminal_text.h"
+#include "ui/app/write_json.h"
 #include "ui/jobs/scenario_jobs.h"
 
 namespace hallux::ui {
@@ -27,7 +29,7 @@ ExitCode list_on(const VerbContext& context) {
   if (context.json) {
     ordered_json rows = ordered_json::array();
     for (const Scenario& scenario : shipped) rows.push_back(summary_json(scenario));
-    context.out << rows.dump(2) << "\n";
+    write_json(context.out, rows);
     return ExitCode::Done;
   }
   for (const Scenario& scenario : shipped) {
@@ -55,13 +57,14 @@ ExitCode check_on(const VerbContext& context, const std::filesystem::path& file)
     for (const scenarios::PlannedCut& cut : checked.plan.cuts) {
       answer["cuts"].push_back(planned_json(cut));
     }
-    context.out << answer.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
+    write_json(context.out, answer);
     return ExitCode::Done;
   }
   const std::size_t cut_count = checked.plan.cuts.size();
-  context.out << file.string() << ": \"" << scenario.name << "\" version " << scenario.version
-              << " can be used: " << cut_count << (cut_count == 1 ? " cut meets" : " cuts meet")
-              << " the bone; " << scenarios::review_label(scenario) << ".\n";
+  context.out << terminal_text(file.string()) << ": \"" << scenario.name << "\" version "
+              << scenario.version << " can be used: " << cut_count
+              << (cut_count == 1 ? " cut meets" : " cuts meet") << " the bone; "
+              << scenarios::review_label(scenario) << ".\n";
   return ExitCode::Done;
 }
 
@@ -70,7 +73,7 @@ ExitCode show_on(const VerbContext& context, const std::string& name) {
   if (context.json) {
     ordered_json answer = ordered_json::parse(scenario.text);
     answer["review"] = scenarios::review_label(scenario);
-    context.out << answer.dump(2) << "\n";
+    write_json(context.out, answer);
   } else {
     context.out << scenario_sheet(scenario);
   }

@@ -6,7 +6,9 @@
 
 #include "ui/app/access.h"
 #include "ui/app/card_json.h"
+#include "ui/app/terminal_text.h"
 #include "ui/app/write_file.h"
+#include "ui/app/write_json.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/report/html_report.h"
 #include "ui/report/report_facts.h"
@@ -40,7 +42,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
                              {"state", database::name_of(material.header.state)}};
       answer.update(card_summary_json(card));
       answer["ledger"] = ledger_json(card);
-      context.out << answer.dump(2) << "\n";
+      write_json(context.out, answer);
     } else {
       context.out << score_sheet(card, material.scenario);
     }
@@ -58,13 +60,11 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
     const std::string page = html_report(shown);
     write_file_whole(options.output, page);
     if (context.json) {
-      context.out << ordered_json{{"attempt", material.header.id.text},
-                                  {"file", options.output.string()},
-                                  {"bytes", page.size()}}
-                         .dump(2)
-                  << "\n";
+      write_json(context.out, ordered_json{{"attempt", material.header.id.text},
+                                           {"file", options.output.string()},
+                                           {"bytes", page.size()}});
     } else {
-      context.out << "report " << options.output.string() << "\n";
+      context.out << "report " << terminal_text(options.output.string()) << "\n";
     }
     return ExitCode::Done;
   });

@@ -7,6 +7,8 @@
 
 #include "database/database_error.h"
 #include "ui/app/access.h"
+#include "ui/app/terminal_text.h"
+#include "ui/app/write_json.h"
 
 namespace hallux::ui {
 
@@ -41,7 +43,7 @@ AdministratorVisit visit(const VerbContext& context, database::Database& databas
 
 void say(const VerbContext& context, const std::string& login, const std::string& what) {
   if (context.json) {
-    context.out << ordered_json{{"login", login}, {"done", what}}.dump(2) << "\n";
+    write_json(context.out, ordered_json{{"login", login}, {"done", what}});
   } else {
     context.out << login << ": " << what << "\n";
   }
@@ -76,12 +78,11 @@ ExitCode list_on(const VerbContext& context) {
                     {"disabled", person.is_disabled},
                     {"created", person.created_utc}});
     if (context.json) continue;
-    context.out << person.login << "  " << person.display_name
+    context.out << person.login << "  " << terminal_text(person.display_name)
                 << (person.is_administrator ? "  administrator" : "")
                 << (person.is_disabled ? "  disabled" : "") << "\n";
   }
-  if (context.json)
-    context.out << rows.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
+  if (context.json) write_json(context.out, rows);
   return ExitCode::Done;
 }
 

@@ -6,6 +6,8 @@
 
 #include "database/verify.h"
 #include "ui/app/access.h"
+#include "ui/app/terminal_text.h"
+#include "ui/app/write_json.h"
 
 namespace hallux::ui {
 
@@ -17,23 +19,21 @@ ExitCode verify_on(const VerbContext& context) {
   database::Database database = open_data(context, database::Access::ReadOnly);
   const database::Verification found = verify(database, progress_on(context, "Verifying"));
   if (context.json) {
-    context.out << ordered_json{{"whole", found.is_whole()},
-                                {"first_damage", found.first_damage
-                                                     ? ordered_json(*found.first_damage)
-                                                     : ordered_json()},
-                                {"attempts", found.attempts},
-                                {"chunks", found.chunks},
-                                {"scores", found.scores},
-                                {"assets", found.assets},
-                                {"audit_rows", found.audit_rows}}
-                       .dump(2)
-                << "\n";
+    write_json(context.out,
+               ordered_json{{"whole", found.is_whole()},
+                            {"first_damage", found.first_damage ? ordered_json(*found.first_damage)
+                                                                : ordered_json()},
+                            {"attempts", found.attempts},
+                            {"chunks", found.chunks},
+                            {"scores", found.scores},
+                            {"assets", found.assets},
+                            {"audit_rows", found.audit_rows}});
   } else if (found.is_whole()) {
     context.out << "whole: " << found.attempts << " attempts, " << found.chunks << " chunks, "
                 << found.scores << " scores, " << found.assets << " assets, " << found.audit_rows
                 << " audit rows\n";
   } else {
-    context.out << "damaged: " << *found.first_damage << "\n";
+    context.out << "damaged: " << terminal_text(*found.first_damage) << "\n";
   }
   return found.is_whole() ? ExitCode::Done : ExitCode::CheckFailed;
 }
