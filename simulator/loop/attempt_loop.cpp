@@ -197,7 +197,7 @@ class AttemptRun {
     if (is_gap_) add({CommandKind::Pause, paused_by_loop, 0}, nullptr);
     is_gap_ = false;
     while (line.command_count < commands_per_tick && next_command_ < setup_.commands.size() &&
-           setup_.commands[next_command_].tick <= line.tick) {
+           setup_.commands[next_command_].tick < line.tick + line.ticks) {
       add(setup_.commands[next_command_++].command, nullptr);
     }
     while (line.command_count < commands_per_tick) {

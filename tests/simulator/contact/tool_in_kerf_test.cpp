@@ -151,6 +151,16 @@ TEST(ToolInKerf, AKerfBeyondTheLimitIsRefusedWithAnEvent) {
   EXPECT_GE(run.events(CutEventKind::KerfRefused).size(), 1U);
 }
 
+TEST(ToolInKerf, ARefusedKerfIsOneEventAndTheTeethGoNoDeeper) {
+  const Bone bone = wide_block();
+  OperationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
+  for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {3.0 * i - 9.0, top_mm - 8.0, 0.0});
+  run.glide(blade_down({9.0, above_mm, 0.0}), 60);
+  run.glide(blade_down({9.0, top_mm - 8.0, 0.0}), 1000);
+  EXPECT_EQ(run.events(CutEventKind::KerfRefused).size(), 1U);
+  EXPECT_GT(run.bone_from_tool().translation_mm.y, top_mm - 0.5);
+}
+
 TEST(ToolInKerf, LeavingTheBoneAtTheFarSideIsABreakThrough) {
   const Bone bone = thin_block();
   OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));

@@ -76,35 +76,42 @@ TEST(RealTimeLoop, KeepsTheClocksPaceWithoutLosingATick) {
   EXPECT_EQ(missed_ticks, run.statistics.missed_ticks);
 }
 
-/// A hand that keeps the loop waiting once, for 50 ms.
+/// Keeps the loop waiting at the ticks from `first` to `last`.
+struct Stall {
+  std::int64_t first_tick = 100, last_tick = 100;
+  std::chrono::microseconds wait{50000};
+};
+
+/// A hand that keeps the loop waiting.
 class StallingDevice final : public HapticDevice {
  public:
-  explicit StallingDevice(const HandMotion& motion) : hand_(motion) {}
+  StallingDevice(const HandMotion& motion, const Stall& stall) : hand_(motion), stall_(stall) {}
   DeviceDescription description() const override { return hand_.description(); }
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 RawDeviceState& state) noexcept override {
-    if (tick >= 100 && !has_stalled_) {
-      has_stalled_ = true;
-      std::this_thread::sleep_for(std::chrono::milliseconds{50});
-    }
+    const bool is_due = tick >= stall_.first_tick && !is_over_;
+    is_over_ = tick >= stall_.last_tick;
+    if (is_due) std::this_thread::sleep_for(stall_.wait);
     return hand_.exchange(force_in_world_newton, tick, state);
   }
 
  private:
   ScriptedDevice hand_;
-  bool has_stalled_ = false;
+  Stall stall_;
+  bool is_over_ = false;
 };
 
-/// 300 ticks of sawing with that hand and these commands.
-tests::RecordedRun record_with_a_stall(const Bone& bone, std::vector<HandCommand> commands) {
+/// Up to 300 ticks of sawing with that hand and these commands.
+tests::RecordedRun record_with_a_stall(const Bone& bone, std::vector<HandCommand> commands,
+                                       const Stall& stall = {}, std::int64_t last_tick = 300) {
   const AttemptSetup setup{.bone = bone,
                            .blade = {},
                            .contact = {},
                            .pacing = Pacing::RealTime,
                            .commands = std::move(commands),
-                           .last_tick = 300,
+                           .last_tick = last_tick,
                            .job_delay = {}};
-  StallingDevice device(tests::sawing_motion(bone, 300));
+  StallingDevice device(tests::sawing_motion(bone, 300), stall);
   return tests::record(setup, device, 65536);
 }
 
@@ -130,6 +137,25 @@ TEST(RealTimeLoop, AGapIsAPauseAndAResumeOnTheTape) {
   }
   EXPECT_LE((static_cast<std::int64_t>(kinds.size()) + 1) / 2, run.statistics.pauses);
   EXPECT_TRUE(replay(run.recording, bone, {}, {}).is_identical);
+}
+
+TEST(RealTimeLoop, ACommandAtTheLastTickIsHeardWhenItsLineCoversMoreTicks) {
+  const Bone bone = tests::loop_block();
+  for (std::int64_t last_tick = 100; last_tick < 106; ++last_tick) {
+    // Each line is late by about a tick, so most cover two or three.
+    const tests::RecordedRun run = record_with_a_stall(
+        bone, {{0, {CommandKind::Start, 0, 0}}, {last_tick, {CommandKind::Finish, 0, 0}}},
+        {.first_tick = 50, .last_tick = 200, .wait = std::chrono::microseconds{2300}}, last_tick);
+    EXPECT_EQ(run.statistics.end, AttemptEnd::Finished) << last_tick;
+  }
+}
+
+TEST(RealTimeLoop, AGapDoesNotResumeWhatTheOperatorPaused) {
+  const Bone bone = tests::loop_block();
+  const tests::RecordedRun run = record_with_a_stall(
+      bone, {{0, {CommandKind::Start, 0, 0}}, {50, {CommandKind::Pause, 0, 0}}});
+  EXPECT_GE(run.statistics.pauses, 1);
+  EXPECT_FALSE(has(run.recording.samples.back().status, ToolStatus::Running));
 }
 #endif
 

@@ -230,6 +230,17 @@ TEST(Step, PausesAndFaultsBreakTheSweepForTheStepAsForThoseWhoFollowTheRecord) {
   EXPECT_EQ(compare_with_record(run, bone).difference_count, 0);
 }
 
+TEST(Step, ResumeBeforeTheStartStartsNothing) {
+  const Bone bone = block();
+  const TissueMap tissue{bone};
+  Operation operation(tissue, bone.world_from_bone, {}, {});
+  TapeLine line;
+  line.command_count = 1;
+  line.commands[0] = command(CommandKind::Resume);
+  const StepOutput output = operation.step({line, {}});
+  EXPECT_FALSE(has_status(output, ToolStatus::Running));
+}
+
 TEST(Step, TheSameInputGivesTheSameOutput) {
   const Bone bone = block();
   OperationRun one(bone, blade_down({0.0, above_mm, 0.0}, 0.2));
