@@ -75,7 +75,7 @@ class ParseGuard {
   void check_depth(int depth) const {
     if (depth < json_depth_max) return;
     refuse(file_, "depth", "lists and objects lie deeper than " + std::to_string(json_depth_max),
-           "see scenarios/schema/scenario.schema.json for the shape of a scenario");
+           "write it flatter");
   }
 
   std::string_view file_;
@@ -98,10 +98,10 @@ std::string text_of_number(double value) {
   return {digits.data(), end};
 }
 
-json parse_bounded_json(std::string_view text, std::string_view file) {
-  if (text.size() > json_bytes_max) {
-    refuse(file, "size", "has more than " + std::to_string(json_bytes_max / 1024) + " KiB",
-           "a scenario is a short text: is this the right file?");
+json parse_bounded_json(std::string_view text, std::string_view file, std::size_t bytes_max) {
+  if (text.size() > bytes_max) {
+    refuse(file, "size", "has more than " + std::to_string(bytes_max / 1024) + " KiB",
+           "is this the right file?");
   }
   try {
     // The parser takes a copy of its callback, so the guard is handed over by reference.

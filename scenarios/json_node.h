@@ -19,7 +19,8 @@ inline constexpr int json_depth_max = 12;
 
 /// The JSON in `text`, read within fixed bounds.
 /// errors  ScenarioError with the line: too long, too deep, not JSON, a key twice in one object
-nlohmann::json parse_bounded_json(std::string_view text, std::string_view file);
+nlohmann::json parse_bounded_json(std::string_view text, std::string_view file,
+                                  std::size_t bytes_max = json_bytes_max);
 
 /// Throws ScenarioError: "FILE: PATH: WHAT; MEND".
 [[noreturn]] void refuse(std::string_view file, std::string_view path, std::string_view what,

@@ -21,6 +21,7 @@
 #include "ui/app/verb_user.h"
 #include "ui/app/verb_verify.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/read_small_file.h"
 
 namespace hallux::ui {
 
@@ -74,6 +75,8 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
   } catch (const database::VerificationStopped& error) {
     return fail(error, ExitCode::Interrupted);
   } catch (const simulator::MeshError& error) {
+    return fail(error, ExitCode::BadInput);
+  } catch (const FileRefused& error) {
     return fail(error, ExitCode::BadInput);
   } catch (const scenarios::ScenarioError& error) {
     return fail(error, ExitCode::BadInput);

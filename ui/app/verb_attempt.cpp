@@ -1,11 +1,9 @@
 #include "ui/app/verb_attempt.h"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iomanip>
 #include <memory>
 #include <ostream>
-#include <sstream>
 
 #include "scenarios/hands/scripted_hand.h"
 #include "simulator/base/units.h"
@@ -14,6 +12,7 @@
 #include "ui/app/terminal_text.h"
 #include "ui/app/write_json.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/read_small_file.h"
 #include "ui/jobs/scenario_jobs.h"
 #include "ui/report/score_sheet.h"
 
@@ -22,6 +21,8 @@ namespace hallux::ui {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr std::size_t hand_mebibytes_max = 16;
 
 struct AttemptOptions {
   std::string scenario, hand = "expert", pacing = "virtual";
@@ -41,14 +42,9 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
     throw scenarios::ScenarioError(
         options.hand + ": the name is not UTF-8, and it is kept with the attempt; rename the file");
   }
-  std::ifstream file(options.hand, std::ios::binary);
-  if (!file) {
-    throw scenarios::ScenarioError(
-        options.hand + ": cannot be read; --hand takes expert, novice, or a readable file");
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  attempt.motion = scenarios::parse_hand_motion(text.str(), options.hand);
+  const std::string text = read_small_file(options.hand, hand_mebibytes_max,
+                                           "--hand takes expert, novice, or a file with a motion");
+  attempt.motion = scenarios::parse_hand_motion(text, options.hand);
   return attempt;
 }
 
@@ -75,6 +71,8 @@ ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& 
 ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
   const ScriptedAttempt attempt = attempt_from(options);
   database::Database database = open_data(context, database::Access::ReadWrite);
+  // The attempt is the robot's all the same; but nobody is told that another's name was good.
+  if (!context.login.empty()) sign_in_as(context, database);
   const AttemptOutcome outcome = run_scripted_attempt(
       database, attempt,
       [&context](const std::string& stage) { return progress_on(context, stage); });

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "simulator/base/units.h"
+#include "ui/jobs/read_small_file.h"
 
 namespace hallux::ui {
 
@@ -19,7 +18,7 @@ using simulator::KerfField;
 using simulator::KerfPlane;
 using simulator::PlanarPose;
 
-constexpr std::uintmax_t bytes_limit = std::uintmax_t{16} << 20U;
+constexpr std::size_t mebibytes_limit = 16;
 constexpr std::size_t pose_limit = 100'000;
 constexpr double length_limit_mm = 10'000.0;
 constexpr double off_plane_limit_mm = 0.01;
@@ -145,17 +144,11 @@ Sweep parse_sweep(std::string_view text, std::string_view name) {
 
 Sweep read_sweep(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  std::ifstream stream(file, std::ios::binary);
-  if (error || !stream) {
-    throw CutInputError(file.string() + ": cannot be read; name a sweep file");
+  try {
+    return parse_sweep(read_small_file(file, mebibytes_limit, "name a sweep file"), name);
+  } catch (const FileRefused& error) {
+    throw CutInputError(error.what());
   }
-  if (size > bytes_limit) {
-    throw CutInputError(name + ": is larger than 16 MiB; thin its poses out");
-  }
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return parse_sweep(text, name);
 }
 
 void stamp_sweep(KerfField& field, const KerfPlane& plane, const Sweep& sweep,
