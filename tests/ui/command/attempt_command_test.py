@@ -143,20 +143,22 @@ class Attempt(RecordedTest):
 
 
 class FreshDirectory(CommandTest):
-    def test_the_shipped_scenario_gives_the_same_score_for_the_same_seed(self):
-        answers = [self.ask("attempt", "silver", "--hand", "novice", "--seed", "7", "--quiet") for _ in range(2)]
-        self.assertNotEqual(answers[0]["attempt"], answers[1]["attempt"])
-        for key in ("score", "groups", "gates", "samples"):
-            self.assertEqual(answers[0][key], answers[1][key])
-        hashes = {self.ask("replay", answer["attempt"])["bone_hash"] for answer in answers}
-        self.assertEqual(len(hashes), 1)
-        self.assertEqual(self.ask("verify")["assets"], 1, "the same bone is stored once")
+    def test_the_shipped_scenario_is_operated_scored_and_proved(self):
+        answer = self.ask("attempt", "silver", "--hand", "novice", "--seed", "7")
+        self.assertEqual((answer["hand"], answer["seed"]), ("novice", 7))
+        self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
 
-    def test_expert_and_novice_and_each_seed_differ(self):
+    def test_the_same_hand_and_seed_give_the_same_and_others_differ(self):
         scenario = self.write("coarse.json", coarse_silver())
-        scores = {(hand, seed): self.ask("attempt", scenario, "--hand", hand, "--seed", seed)["score"]
-                  for hand, seed in (("expert", 1), ("expert", 2), ("novice", 1))}
-        self.assertEqual(len(set(scores.values())), 3)
+        first, again, other_seed, other_hand = (
+            self.ask("attempt", scenario, "--hand", hand, "--seed", seed)
+            for hand, seed in (("expert", 1), ("expert", 1), ("expert", 2), ("novice", 1)))
+        for key in ("score", "groups", "gates", "samples"):
+            self.assertEqual(first[key], again[key])
+        self.assertNotEqual(first["attempt"], again["attempt"])
+        self.assertEqual(len({answer["score"] for answer in (first, other_seed, other_hand)}), 3)
+        self.assertEqual(self.ask("verify")["assets"], 1, "the same bone is stored once")
+        self.assertEqual(*(self.ask("replay", answer["attempt"])["bone_hash"] for answer in (first, again)))
 
     def test_an_attempt_that_cuts_nothing_scores_nothing_and_is_kept(self):
         scenario, hand = self.write("coarse.json", coarse_silver()), self.write("idle.json", NO_MOTION)
