@@ -10,7 +10,7 @@
 namespace hallux::simulator {
 namespace {
 
-constexpr std::int64_t last_tick = 1500;
+constexpr std::int64_t last_tick = 1100;
 
 /// The sawing motion in virtual time.
 struct VirtualAttempt {

@@ -10,8 +10,8 @@
 namespace hallux::simulator {
 namespace {
 
-constexpr std::int64_t last_tick = 600;
-constexpr std::int64_t fault_tick = 300;
+constexpr std::int64_t last_tick = 500;
+constexpr std::int64_t fault_tick = 200;
 constexpr std::int64_t fault_ticks = 10;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -40,14 +40,14 @@ void empty_rings(AttemptChannels& channels, Recording& recording) {
 
 }  // namespace
 
-Bone loop_block() { return cancellous_bone(solid_block({20.0, 4.0, 6.0})); }
+Bone loop_block() { return cancellous_bone(solid_block({20.0, 2.4, 6.0})); }
 
 HandMotion sawing_motion(const Bone& bone, std::int64_t last_tick) {
   const auto world_from_handle = [&](double y_mm) {
     return bone.world_from_bone * blade_down({5.0, y_mm, 0.2}, 0.05);
   };
   HandMotion motion;
-  motion.keys = {{0, world_from_handle(3.0), saw_runs},
+  motion.keys = {{0, world_from_handle(2.0), saw_runs},
                  {last_tick / 10, world_from_handle(-8.0), saw_runs},
                  {last_tick * 9 / 10, world_from_handle(-9.0), saw_runs},
                  {last_tick, world_from_handle(5.0), saw_runs}};

@@ -9,7 +9,7 @@
 
 namespace hallux::tests {
 
-/// A block 20 x 4 x 6 of soft bone, turned and far from the origin.
+/// A block 20 x 2.4 x 6 of soft bone, turned and far from the origin.
 simulator::Bone loop_block();
 
 /// The hand saws once through loop_block() and lifts the blade, in `last_tick` ticks from Start to Finish.
