@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/base/check.h"
 #include "simulator/contact/feed.h"
 #include "simulator/contact/tool_motion.h"
 
@@ -61,6 +62,8 @@ std::vector<FeedMoment> predict_feed(const Stroke& stroke, std::span<const Strok
                                      const simulator::KerfPlane& plane,
                                      const simulator::TissueMap& tissue, double blade_width_mm,
                                      double cycles_per_minute, const Push& push) {
+  CHECK(push.steady_newton > simulator::cortical_threshold_newton &&
+        push.exit_newton > simulator::cortical_threshold_newton);
   const BladeWay blade{plane, tissue, blade_width_mm};
   simulator::TeethMemory memory{};
   std::vector<FeedMoment> moments;

@@ -24,6 +24,7 @@ struct FeedMoment {
 };
 
 /// From the stroke's first bone to its last, every tenth of a millimetre. What earlier strokes opened is not sawn again.
+/// needs   both pushes are above the cortex's threshold force
 std::vector<FeedMoment> predict_feed(const Stroke& stroke, std::span<const Stroke> earlier,
                                      const simulator::KerfPlane& plane,
                                      const simulator::TissueMap& tissue, double blade_width_mm,
