@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <string>
 #include <thread>
 
 #include "simulator/loop/replay.h"
@@ -34,7 +35,7 @@ std::int64_t ticks_on(const std::vector<TapeLine>& tape) {
 /// Records `count` runs with late jobs; each must replay to its own outputs. Returns how many tapes differ.
 std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick) {
   const Bone bone = tests::loop_block();
-  std::set<Digest> tapes;
+  std::set<std::string> tapes;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const tests::RecordedRun run = record_in_real_time(bone, last_tick, {seed, 500});
     EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
@@ -43,7 +44,7 @@ std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick)
     EXPECT_TRUE(result.is_identical) << "seed " << seed << ", tick " << result.first_difference_tick
                                      << ": " << result.difference;
     EXPECT_EQ(result.outputs, digest_outputs(run.recording)) << "seed " << seed;
-    tapes.insert(tests::digest_of_tape(run.recording));
+    tapes.insert(hex_from_digest(tests::digest_of_tape(run.recording)));
   }
   return tapes.size();
 }
