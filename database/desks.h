@@ -36,6 +36,8 @@ class AttemptDesk {
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
+  /// Whether store_score would be allowed; asking is no refusal and is not written to the audit.
+  bool may_store_score(const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
 
  protected:

@@ -5,6 +5,7 @@
 
 #include <istream>
 #include <ostream>
+#include <system_error>
 
 #include "database/database_error.h"
 
@@ -40,6 +41,22 @@ class SilentTerminal {
 
 database::Database open_data(const VerbContext& context, database::Access access) {
   return database::Database::open(context.data_directory, {access, 5000, {}});
+}
+
+database::Database open_kept(const VerbContext& context) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status directory = fs::status(context.data_directory, ignored);
+  const fs::file_status file = fs::status(context.data_directory / "hallux.db", ignored);
+  // A file where the directory should be is said by the database itself.
+  const bool is_missing = file.type() == fs::file_type::not_found &&
+                          (directory.type() == fs::file_type::not_found || is_directory(directory));
+  if (is_missing) {
+    throw DatabaseError(DatabaseErrorKind::NotFound,
+                        "there is no database in " + context.data_directory.string() +
+                            "; run `hallux attempt` first, or name another directory with --data");
+  }
+  return open_data(context, database::Access::ReadWrite);
 }
 
 database::SecretText ask_password(const VerbContext& context, const std::string& prompt) {

@@ -16,6 +16,11 @@ namespace hallux::ui {
 /// errors  DatabaseError; NotFound with the mend where it is opened for reading and there is none yet
 database::Database open_data(const VerbContext& context, database::Access access);
 
+/// The same for verbs that need what was kept before: makes nothing in a directory whose name was mistyped. It is opened for
+/// writing, since a lost writer's attempt becomes interrupted, and sign-ins and refusals are written to the audit.
+/// errors  DatabaseError; NotFound where there is no database yet
+database::Database open_kept(const VerbContext& context);
+
 /// Reads one password: from the terminal without showing it, else one line of stdin.
 /// errors  DatabaseError Refused where there is none
 database::SecretText ask_password(const VerbContext& context, const std::string& prompt);

@@ -115,7 +115,10 @@ ExitCode run_command_line(int argc, const char* const* argv, std::istream& in, s
   app.require_subcommand(0, 1);
   app.set_version_flag("--version",
                        "hallux, engine version " + std::to_string(simulator::engine_version));
-  app.add_option("--data", context.data_directory, "data directory; the database is DIR/hallux.db");
+  app.add_option("--data", context.data_directory, "data directory; the database is DIR/hallux.db")
+      ->check([](const std::string& name) {
+        return std::string(name.empty() ? "must name a directory" : "");
+      });
   app.add_option("--as", context.login,
                  "sign in as this person; the password comes from the terminal or stdin");
   app.add_flag("--json", context.json, "answer with exactly one JSON value on stdout");

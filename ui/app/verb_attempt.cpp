@@ -115,7 +115,7 @@ void print_attempt(std::ostream& out, const database::AttemptHeader& header,
 }
 
 ExitCode list_attempts_on(const VerbContext& context) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     ordered_json rows = ordered_json::array();
     for (const database::AttemptHeader& header : desk.attempts()) {

@@ -51,7 +51,7 @@ void print_replay(std::ostream& out, const AttemptMaterial& material,
 }
 
 ExitCode replay_on(const VerbContext& context, const std::string& id) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});
     const auto before = std::chrono::steady_clock::now();

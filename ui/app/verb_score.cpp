@@ -31,15 +31,21 @@ StageProgress stages_on(const VerbContext& context) {
 }
 
 ExitCode score_on(const VerbContext& context, const std::string& id) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});
+    const bool is_stored = desk.may_store_score(material.header);
+    if (!is_stored) {
+      context.notes << "The score is shown and not kept: only without --as, the robot's attempts "
+                       "are scored anew.\n";
+    }
     const database::ScoreCard card = score_attempt(material, stages_on(context)).card;
-    desk.store_score(material.header.id, card);
+    if (is_stored) desk.store_score(material.header.id, card);
     if (context.json) {
       ordered_json answer = {{"attempt", material.header.id.text},
                              {"scenario", material.header.scenario_name},
-                             {"state", database::name_of(material.header.state)}};
+                             {"state", database::name_of(material.header.state)},
+                             {"stored", is_stored}};
       answer.update(card_summary_json(card));
       answer["ledger"] = ledger_json(card);
       write_json(context.out, answer);
@@ -51,7 +57,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
 }
 
 ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
     ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
