@@ -89,12 +89,15 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   database::Recorder recorder(database, desk.begin_attempt(describe(database, attempt, bone)),
                               channels);
   outcome.attempt = recorder.attempt();
-  outcome.loop = run_attempt(setup, device, channels, progress("Operating"));
+  const auto operating = progress("Operating");
+  outcome.loop = run_attempt(setup, device, channels, operating);
   outcome.recorder = recorder.drain();
   if (outcome.loop.end == simulator::AttemptEnd::Cancelled) {
     throw Cancelled("stopped while operating; attempt " + outcome.attempt.text +
                     " is kept as interrupted");
   }
+  // A hand that is done early, or between two reports, is done.
+  if (operating) operating(1.0);
   outcome.quality = quality_of(outcome.loop, outcome.recorder.samples);
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
   outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress).card;
@@ -127,6 +130,7 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
                return !is_cancelled;
              });
   if (is_cancelled) throw Cancelled("stopped while replaying; nothing was changed");
+  if (report) report(1.0);
   return result;
 }
 

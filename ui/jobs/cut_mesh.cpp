@@ -1,11 +1,15 @@
 #include "ui/jobs/cut_mesh.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
-#include "database/database_error.h"
+#include "database/files.h"
 #include "simulator/cutting/cut.h"
 #include "simulator/mesh/read_mesh.h"
 #include "simulator/mesh/write_ply.h"
@@ -127,54 +131,68 @@ std::vector<IndexedMesh> sort_out_pieces(const CutSolid& solid, CutReport& repor
   return meshes;
 }
 
-[[noreturn]] void refuse_output(const std::string& sentence) {
-  throw database::DatabaseError(database::DatabaseErrorKind::InputOutput, sentence);
-}
-
-/// Files under other names; those still there at the end are removed again.
-class PendingFiles {
+/// A folder of its own within the output folder, so that no file there is in the way; gone at the end.
+class PendingFolder {
  public:
-  PendingFiles() = default;
-  PendingFiles(const PendingFiles&) = delete;
-  PendingFiles& operator=(const PendingFiles&) = delete;
-  ~PendingFiles() {
+  explicit PendingFolder(const fs::path& folder) {
+    std::string name = (folder / ".pieces-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw database::output_error(folder, errno);
+    folder_ = name;
+  }
+  ~PendingFolder() {
     std::error_code ignored;
-    for (const fs::path& file : files_) fs::remove(pending(file), ignored);
+    fs::remove_all(folder_, ignored);
   }
-  void write(const IndexedMesh& mesh, const fs::path& file) {
-    files_.push_back(file);
-    write_ply(mesh, pending(file));
-  }
-  /// Either all files get their names or none.
-  void publish() {
-    for (const fs::path& file : files_) {
-      if (fs::is_directory(file)) {
-        throw fs::filesystem_error("rename", file, std::make_error_code(std::errc::is_a_directory));
-      }
-    }
-    for (const fs::path& file : files_) fs::rename(pending(file), file);
-    files_.clear();
-  }
+  PendingFolder(const PendingFolder&) = delete;
+  PendingFolder& operator=(const PendingFolder&) = delete;
+  const fs::path& path() const noexcept { return folder_; }
 
  private:
-  static fs::path pending(const fs::path& file) { return file.string() + ".new"; }
-  std::vector<fs::path> files_;
+  fs::path folder_;
 };
 
+/// N of "piece-N.ply" as this program writes it, else 0.
+std::size_t piece_number(const std::string& name) {
+  constexpr std::string_view start = "piece-", end = ".ply";
+  std::size_t number = 0;
+  if (name.size() > start.size() + end.size()) {
+    std::from_chars(name.data() + start.size(), name.data() + name.size() - end.size(), number);
+  }
+  return name == std::string(start) + std::to_string(number) + std::string(end) ? number : 0;
+}
+
+/// Pieces of an earlier cut that this one has no pieces for would be taken for its own.
+void remove_stale_pieces(const fs::path& folder, std::size_t piece_count) {
+  std::vector<fs::path> stale;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const bool is_stale = piece_number(entry.path().filename().string()) > piece_count;
+    if (is_stale && entry.is_regular_file()) stale.push_back(entry.path());
+  }
+  for (const fs::path& file : stale) fs::remove(file);
+}
+
+/// Writes all pieces before the first one gets its name.
 void write_pieces(const std::vector<IndexedMesh>& meshes, const CutReport& report,
                   const fs::path& folder) {
   try {
     fs::create_directories(folder);
-    PendingFiles files;
+    const PendingFolder pending(folder);
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      files.write(meshes[i], folder / report.pieces[i].file);
+      write_ply(meshes[i], pending.path() / report.pieces[i].file);
     }
-    files.publish();
+    for (const WrittenPiece& piece : report.pieces) {
+      if (fs::is_directory(folder / piece.file)) {
+        throw database::output_error(folder / piece.file, EISDIR);
+      }
+    }
+    for (const WrittenPiece& piece : report.pieces) {
+      fs::rename(pending.path() / piece.file, folder / piece.file);
+    }
+    remove_stale_pieces(folder, report.pieces.size());
   } catch (const MeshError& error) {
-    refuse_output(error.what());
+    throw database::DatabaseError(database::DatabaseErrorKind::InputOutput, error.what());
   } catch (const fs::filesystem_error& error) {
-    refuse_output(folder.string() + ": cannot be written (" + error.code().message() +
-                  "); choose a folder with room and permission");
+    throw database::output_error(folder, error.code().value());
   }
 }
 

@@ -46,8 +46,9 @@ struct CutReport {
   std::vector<GroupOutcome> cuts;
 };
 
-/// Reads, cuts, checks, and only then writes piece-1.ply ... under other names, which are changed when all are there.
-/// errors  MeshError (CutInputError) for the mesh and the sweeps; DatabaseError where the folder cannot be written;
+/// Reads, cuts, checks, and only then writes piece-1.ply ... into a folder of its own, and moves them when all are there.
+/// A piece-N.ply of an earlier cut with a higher N is removed.
+/// errors  MeshError (CutInputError) for the mesh and the sweeps; DatabaseError where the folder cannot be written (BadInput: made);
 ///         Cancelled. After an error no piece is new.
 /// thread  any; it is a job: not the render thread
 CutReport cut_mesh(const CutRequest& request, const assessment::Progress& progress);
