@@ -88,6 +88,17 @@ TEST_F(Desks, ShowATraineeTheirOwnAttemptsAndTheRobots) {
             DatabaseErrorKind::Refused);
 }
 
+TEST_F(Desks, SayWhetherAScoreMayBeStoredWithoutARefusalInTheAudit) {
+  const AttemptId own = recorded_by("ada");
+  const AttemptId robot = record(database, some_attempt(database), some_recording(5));
+  TraineeDesk desk = *sign_in_as("ada").trainee();
+  const std::size_t audited = read_audit(database).size();
+  EXPECT_TRUE(desk.may_store_score(desk.header(own)));
+  EXPECT_FALSE(desk.may_store_score(desk.header(robot)));
+  EXPECT_TRUE(HouseDesk(database).may_store_score(desk.header(robot)));
+  EXPECT_EQ(read_audit(database).size(), audited);
+}
+
 TEST_F(Desks, ShowAnInstructorTheirCohortAndNoOther) {
   const AttemptId of_cohort = recorded_by("ada");
   const AttemptId of_other_cohort = recorded_by("eve");

@@ -1,0 +1,36 @@
+#include "database/files.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+
+namespace hallux::database {
+
+namespace {
+
+TEST(Files, ANamedOutputThatLeadsNowhereIsBadInputWithItsOwnMend) {
+  for (const int error_number : {ENOENT, EISDIR, ENOTDIR, ENAMETOOLONG}) {
+    const DatabaseError error = output_error("pages/page.html", error_number);
+    EXPECT_EQ(error.kind(), DatabaseErrorKind::BadInput) << error.what();
+    EXPECT_NE(std::string{error.what()}.find("pages/page.html"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string{error.what()}.find("--data"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Files, AFullOrClosedDiskIsAStorageFailureWhateverWasWritten) {
+  for (const int error_number : {ENOSPC, EDQUOT, EROFS, EACCES, EPERM, EIO}) {
+    EXPECT_TRUE(is_storage_failure(output_error("page.html", error_number).kind()));
+    EXPECT_TRUE(is_storage_failure(file_error("hallux.db", "make", error_number).kind()));
+  }
+}
+
+TEST(Files, ADataDirectoryThatCannotBeIsMendedWithData) {
+  for (const int error_number : {ENOENT, EISDIR, ENOTDIR, EEXIST, ENAMETOOLONG, EACCES, EROFS}) {
+    const DatabaseError error = file_error("course", "make the directory", error_number);
+    EXPECT_NE(std::string{error.what()}.find("--data"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+
+}  // namespace hallux::database
