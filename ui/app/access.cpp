@@ -43,15 +43,18 @@ database::Database open_data(const VerbContext& context, database::Access access
   return database::Database::open(context.data_directory, {access, 5000, {}});
 }
 
-database::Database open_kept(const VerbContext& context) {
+bool has_database(const VerbContext& context) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const fs::file_status directory = fs::status(context.data_directory, ignored);
   const fs::file_status file = fs::status(context.data_directory / "hallux.db", ignored);
   // A file where the directory should be is said by the database itself.
-  const bool is_missing = file.type() == fs::file_type::not_found &&
-                          (directory.type() == fs::file_type::not_found || is_directory(directory));
-  if (is_missing) {
+  return file.type() != fs::file_type::not_found ||
+         (directory.type() != fs::file_type::not_found && !is_directory(directory));
+}
+
+database::Database open_kept(const VerbContext& context) {
+  if (!has_database(context)) {
     throw DatabaseError(DatabaseErrorKind::NotFound,
                         "there is no database in " + context.data_directory.string() +
                             "; run `hallux attempt` first, or name another directory with --data");

@@ -16,6 +16,9 @@ namespace hallux::ui {
 /// errors  DatabaseError; NotFound with the mend where it is opened for reading and there is none yet
 database::Database open_data(const VerbContext& context, database::Access access);
 
+/// Whether the data directory holds a database, or something in its place that opening will say.
+bool has_database(const VerbContext& context);
+
 /// The same for verbs that need what was kept before: makes nothing in a directory whose name was mistyped. It is opened for
 /// writing, since a lost writer's attempt becomes interrupted, and sign-ins and refusals are written to the audit.
 /// errors  DatabaseError; NotFound where there is no database yet

@@ -115,6 +115,12 @@ void print_attempt(std::ostream& out, const database::AttemptHeader& header,
 }
 
 ExitCode list_attempts_on(const VerbContext& context) {
+  if (!has_database(context)) {
+    context.notes << "there is no database in " << terminal_text(context.data_directory.string())
+                  << " yet\n";
+    if (context.json) write_json(context.out, ordered_json::array());
+    return ExitCode::Done;
+  }
   database::Database database = open_kept(context);
   return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
     ordered_json rows = ordered_json::array();

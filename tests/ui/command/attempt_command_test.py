@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from hallux_command import BAD_INPUT, DONE, PROGRAM, STORAGE, CommandTest, RecordedTest, coarse_silver
+from hallux_command import BAD_INPUT, DONE, PROGRAM, CommandTest, RecordedTest, coarse_silver
 
 CARD_KEYS = {"score", "groups", "gates"}
 LEDGER_KEYS = {"metric", "value", "target", "unit", "points_lost", "start_us", "end_us", "text"}
@@ -107,7 +107,7 @@ class Attempt(RecordedTest):
         self.assertEqual(sorted(place.name for place in self.folder.iterdir()), ["data", "here", "home", "page.html", "xdg"])
 
     def test_a_report_that_cannot_be_written_leaves_nothing(self):
-        self.expect_refusal(STORAGE, ["page.html"], "report", self.attempt, "-o", self.folder / "nowhere" / "page.html")
+        self.expect_refusal(BAD_INPUT, ["page.html"], "report", self.attempt, "-o", self.folder / "nowhere" / "page.html")
         self.assertFalse((self.folder / "nowhere").exists())
 
     def test_verify_counts_what_is_whole(self):
@@ -169,14 +169,22 @@ class FreshDirectory(CommandTest):
         self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
         self.assertEqual(self.ask("attempts")[0]["state"], "closed")
 
-    def test_a_fresh_directory_has_no_attempts_and_is_made_for_its_owner_only(self):
+    def test_reading_verbs_make_nothing_where_there_is_nothing(self):
+        self.assertEqual(self.ask("attempts"), [])
+        for verb in (["replay", "some-attempt"], ["score", "some-attempt"],
+                     ["report", "some-attempt", "-o", self.folder / "page.html"]):
+            self.expect_refusal(BAD_INPUT, [str(self.data), "hallux attempt", "--data"], *verb)
+            self.assertFalse(self.data.exists())
+
+    def test_a_fresh_directory_is_made_for_its_owner_only(self):
+        self.assertEqual(self.ask("user", "list"), [])
         self.assertEqual(self.ask("attempts"), [])
         self.assertEqual(self.data.stat().st_mode & 0o777, 0o700)
         self.assertEqual((self.data / "hallux.db").stat().st_mode & 0o777, 0o600)
 
     def test_without_data_the_directory_is_that_of_the_environment(self):
         """The one run without --data; what it makes is taken away before the check that all stayed empty."""
-        subprocess.run([PROGRAM, "attempts"], cwd=self.untouched[2], env=self.environment(), check=True)
+        subprocess.run([PROGRAM, "user", "list"], cwd=self.untouched[2], env=self.environment(), check=True)
         made = self.untouched[1] / "hallux"
         self.assertTrue((made / "hallux.db").is_file())
         shutil.rmtree(made)

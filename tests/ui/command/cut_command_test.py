@@ -4,7 +4,7 @@
 import struct
 import unittest
 
-from hallux_command import BAD_INPUT, DONE, STORAGE, WRONG_USAGE, CommandTest
+from hallux_command import BAD_INPUT, DONE, WRONG_USAGE, CommandTest
 from small_meshes import block_ply
 
 ANSWER_KEYS = {"input_mm3", "removed_mm3", "debris_mm3", "debris_pieces", "pieces", "cuts", "frame_ms",
@@ -108,9 +108,9 @@ class Cut(CommandTest):
         answer = self.hallux("cut", self.bone, "--kerf", "0.5", "--plane", "1,0,0,2", "-o", self.out)
         self.assertEqual(answer.code, WRONG_USAGE, answer)
 
-    def test_a_folder_that_cannot_be_made_is_a_storage_error(self):
+    def test_a_file_where_the_folder_should_be_is_bad_input(self):
         self.write("out", "a file where the folder should be")
-        self.expect_refusal(STORAGE, ["out"], "cut", self.bone, "--plane", "1,0,0,2", "--kerf", "0.5", "-o", self.out)
+        self.expect_refusal(BAD_INPUT, ["out"], "cut", self.bone, "--plane", "1,0,0,2", "--kerf", "0.5", "-o", self.out)
 
     def test_the_same_cut_writes_the_same_bytes(self):
         arguments = ["--plane", "0.3,0.9,0.1,1", "--kerf", "0.5"]
