@@ -77,7 +77,7 @@ std::optional<Digest> digest_from_hex(std::string_view hex) noexcept {
     const std::size_t digit = std::string_view{"0123456789abcdef"}.find(hex[i]);
     if (digit == std::string_view::npos) return std::nullopt;
     auto& byte = digest.bytes.at(i / 2);
-    byte = static_cast<std::uint8_t>((byte << 4U) | digit);
+    byte = static_cast<std::uint8_t>((static_cast<std::size_t>(byte) << 4U) | digit);
   }
   return digest;
 }
