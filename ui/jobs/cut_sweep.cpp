@@ -37,7 +37,8 @@ class SweepReader {
   void check_keys(const json& object, std::initializer_list<const char*> keys,
                   const std::string& place) const {
     if (!object.is_object()) refuse(place + " must be an object");
-    for (const auto& [key, value] : object.items()) {
+    for (const auto& item : object.items()) {
+      const std::string& key = item.key();
       const bool is_known =
           std::any_of(keys.begin(), keys.end(), [&](const char* known) { return key == known; });
       if (!is_known) refuse(place + " has an unknown key \"" + key + "\"; remove it");
