@@ -5,6 +5,7 @@
 
 #include "assessment/ledger.h"
 #include "assessment/measure_cut.h"
+#include "assessment/measure_hinge.h"
 #include "assessment/sentences.h"
 
 namespace hallux::assessment {
@@ -19,6 +20,12 @@ Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& 
     examination.faces.push_back(faces_of_cut(examination.rebuilt, examination.plan, cut));
     std::vector<Measurement> made = measure_cut(
         examination.plan.cuts[cut], examination.faces.back(), examination.rebuilt, bone, recording);
+    std::move(made.begin(), made.end(), std::back_inserter(examination.measurements));
+  }
+  const HingeEvidence evidence{examination.plan, examination.rebuilt, examination.faces, bone,
+                               recording};
+  for (const scenarios::PlannedHinge& hinge : examination.plan.hinges) {
+    std::vector<Measurement> made = measure_hinge(hinge, evidence, examination.measurements);
     std::move(made.begin(), made.end(), std::back_inserter(examination.measurements));
   }
   database::ScoreCard& card = examination.card;

@@ -67,7 +67,7 @@ LedgerLine item_line(const RubricItem& item, const Measurement& measurement) {
 
 void add_items(ScoreCard& card, const Rubric& rubric, std::span<const Measurement> measurements) {
   for (const RubricItem& item : rubric.items) {
-    const Measurement* measurement = find_measurement(measurements, item.metric, item.cut);
+    const Measurement* measurement = find_measurement(measurements, item);
     GroupScore* group = find_group(card, item.group);
     if (measurement == nullptr || group == nullptr) continue;
     card.ledger.push_back(item_line(item, *measurement));
@@ -132,7 +132,7 @@ void add_gate_line(ScoreCard& card, const Gate& gate, const Measurement& measure
 void add_gates(ScoreCard& card, const Rubric& rubric, std::span<const Measurement> measurements) {
   std::vector<std::size_t> triggered;
   for (const Gate& gate : rubric.gates) {
-    card.gates.push_back(gate_result(gate, find_measurement(measurements, gate.metric, gate.cut)));
+    card.gates.push_back(gate_result(gate, find_measurement(measurements, gate)));
     if (card.gates.back().is_triggered) triggered.push_back(card.gates.size() - 1);
   }
   std::stable_sort(triggered.begin(), triggered.end(), [&](std::size_t a, std::size_t b) {
@@ -140,7 +140,7 @@ void add_gates(ScoreCard& card, const Rubric& rubric, std::span<const Measuremen
   });
   for (const std::size_t index : triggered) {
     const Gate& gate = rubric.gates[index];
-    add_gate_line(card, gate, *find_measurement(measurements, gate.metric, gate.cut));
+    add_gate_line(card, gate, *find_measurement(measurements, gate));
   }
 }
 
@@ -158,11 +158,23 @@ void add_shown_losses(ScoreCard& card) {
 }  // namespace
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
-                                    const std::string& metric, const std::string& cut) noexcept {
+                                    const std::string& metric, const std::string& cut,
+                                    const std::string& hinge) noexcept {
   for (const Measurement& measurement : measurements) {
-    if (measurement.metric == metric && measurement.cut == cut) return &measurement;
+    const bool is_wanted = measurement.metric == metric && measurement.cut == cut;
+    if (is_wanted && measurement.hinge == hinge) return &measurement;
   }
   return nullptr;
+}
+
+const Measurement* find_measurement(std::span<const Measurement> measurements,
+                                    const RubricItem& item) noexcept {
+  return find_measurement(measurements, item.metric, item.cut, item.hinge);
+}
+
+const Measurement* find_measurement(std::span<const Measurement> measurements,
+                                    const Gate& gate) noexcept {
+  return find_measurement(measurements, gate.metric, gate.cut, gate.hinge);
 }
 
 std::vector<std::int64_t> scale_to_total(std::span<const std::int64_t> parts, std::int64_t scale,

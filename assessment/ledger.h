@@ -28,9 +28,15 @@ namespace hallux::assessment {
 database::ScoreCard balance(const scenarios::Rubric& rubric,
                             std::span<const Measurement> measurements);
 
-/// The measurement that an item or gate asks for; nothing where that metric is not measured yet.
+/// The measurement that an item or gate asks for; nothing (null) where that metric is not measured yet.
 const Measurement* find_measurement(std::span<const Measurement> measurements,
-                                    const std::string& metric, const std::string& cut) noexcept;
+                                    const scenarios::RubricItem& item) noexcept;
+const Measurement* find_measurement(std::span<const Measurement> measurements,
+                                    const scenarios::Gate& gate) noexcept;
+/// The same by names; one of cut and hinge is empty.
+const Measurement* find_measurement(std::span<const Measurement> measurements,
+                                    const std::string& metric, const std::string& cut,
+                                    const std::string& hinge = {}) noexcept;
 
 /// `parts` scaled so that they add up to `total`, by largest remainders; ties go to the earlier part.
 /// needs   parts are not negative; total differs from sum(parts) x scale / whole by less than 1

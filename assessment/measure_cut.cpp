@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "assessment/blade_track.h"
 #include "assessment/metrics/blade_flatness.h"
 #include "assessment/metrics/face_metrics.h"
 #include "assessment/metrics/resection.h"
@@ -18,11 +20,16 @@ namespace {
 
 using scenarios::PlannedCut;
 using simulator::Recording;
-using simulator::ToolSample;
-using simulator::ToolStatus;
 
-constexpr std::array metric_names{"angle_deg",   "location_mm",      "depth_mm", "step_mm",
-                                  "flatness_mm", "past_landmark_mm", "notch_mm"};
+constexpr std::array names_along{"angle_deg",   "location_mm",      "depth_mm", "step_mm",
+                                 "flatness_mm", "past_landmark_mm", "notch_mm"};
+constexpr std::array names_across{"angle_deg", "location_mm", "flatness_mm"};
+
+/// A cut along the bone is planned from landmarks of depth and exit; one across it is not.
+std::span<const char* const> names_for(const PlannedCut& planned) noexcept {
+  if (planned.kind == scenarios::FaceKind::AlongAxis) return names_along;
+  return names_across;
+}
 
 /// A span of ticks, both ends included.
 struct Moment {
@@ -43,7 +50,7 @@ Measurement measurement(const PlannedCut& planned, const char* metric, double va
 
 std::vector<Measurement> nothing_measured(const PlannedCut& planned) {
   std::vector<Measurement> measurements;
-  for (const char* metric : metric_names) {
+  for (const char* metric : names_for(planned)) {
     Measurement absent;
     absent.metric = metric;
     absent.cut = planned.name;
@@ -52,22 +59,6 @@ std::vector<Measurement> nothing_measured(const PlannedCut& planned) {
     measurements.push_back(absent);
   }
   return measurements;
-}
-
-/// Ends and middle of the tooth line at each tick in which the blade cut in this kerf.
-std::vector<ToothPoint> tooth_points(const Recording& recording, const RebuiltBone& rebuilt,
-                                     const simulator::Bone& bone, std::int32_t kerf) {
-  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
-  const double half_width_mm = 0.5 * rebuilt.fields.blade().width_mm;
-  std::vector<ToothPoint> points;
-  for (const ToolSample& sample : recording.samples) {
-    if (sample.kerf != kerf || !has(sample.status, ToolStatus::Cutting)) continue;
-    const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);
-    for (const double y_mm : {-half_width_mm, 0.0, half_width_mm}) {
-      points.push_back({transform_point(bone_from_tool, Vec3{0.0, y_mm, 0.0}), sample.tick});
-    }
-  }
-  return points;
 }
 
 /// Only where the blade was can it have gone too far; a finished face reaches through the bone.
@@ -130,6 +121,49 @@ void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& plan
   measurements.back().is_measured = flatness.has_value();
 }
 
+/// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the words of the bone.
+std::string edge_words(const CutFace& face, const FacePlane& planned) {
+  const Vec3 deepest = deepest_direction(face.plane, planned);
+  const auto [shallow, deep] = std::minmax_element(
+      face.samples_in_bone_mm.begin(), face.samples_in_bone_mm.end(),
+      [&](const Vec3& a, const Vec3& b) { return glm::dot(a, deepest) < glm::dot(b, deepest); });
+  const auto said = [&](const Vec3& sample) {
+    const double off_mm = signed_distance_mm(planned, sample);
+    return value_text(std::abs(off_mm), "mm") + " too far " + words_of(off_mm, planned.normal);
+  };
+  return "there " + said(*deep) + ", opposite " + said(*shallow);
+}
+
+/// angle_deg and location_mm.
+void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
+              const RebuiltBone& rebuilt) {
+  const FacePlane plan{planned.face.normal, planned.face.offset_mm};
+  const FaceMetrics metrics =
+      measure_face(face.samples_in_bone_mm, face.plane, plan,
+                   {planned.depth_point_in_bone_mm, planned.exit_point_in_bone_mm, plan.normal});
+  const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
+  made.push_back(measurement(planned, "angle_deg", metrics.angle_deg, {frozen_tick, frozen_tick},
+                             metrics.worst_point_in_bone_mm));
+  made.back().direction = direction_words(deepest_direction(face.plane, plan));
+  if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_words(face, plan);
+  made.push_back(measurement(planned, "location_mm", metrics.location_mm,
+                             cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));
+  made.back().direction = words_of(metrics.worst_mm, plan.normal);
+}
+
+/// depth_mm and step_mm.
+void add_resection(std::vector<Measurement>& made, const PlannedCut& planned,
+                   const ResectionPlan& plan, const CutFace& face, const RebuiltBone& rebuilt) {
+  const ResectionMetrics resection = measure_resection(face.plane, plan);
+  const Moment cutting = cutting_moment(rebuilt, face.kerf);
+  made.push_back(measurement(planned, "depth_mm", std::abs(resection.depth_error_mm), cutting,
+                             plan.depth_point_in_bone_mm));
+  made.back().direction = words_of(resection.depth_error_mm, plan.face.normal);
+  made.push_back(measurement(planned, "step_mm", std::abs(resection.step_error_mm), cutting,
+                             plan.exit_point_in_bone_mm));
+  made.back().direction = words_of(resection.step_error_mm, plan.face.normal);
+}
+
 }  // namespace
 
 std::vector<Measurement> measure_cut(const PlannedCut& planned, const std::vector<CutFace>& faces,
@@ -137,31 +171,16 @@ std::vector<Measurement> measure_cut(const PlannedCut& planned, const std::vecto
                                      const Recording& recording) {
   if (faces.empty() || faces.front().samples_in_bone_mm.empty()) return nothing_measured(planned);
   const CutFace& face = faces.front();
-  const Vec3& to_waste = planned.face.normal;
-  const ResectionPlan plan{{to_waste, planned.face.offset_mm},
+  const bool is_along = planned.kind == scenarios::FaceKind::AlongAxis;
+  const ResectionPlan plan{{planned.face.normal, planned.face.offset_mm},
                            planned.depth_point_in_bone_mm,
                            planned.exit_point_in_bone_mm};
-  const FaceMetrics metrics =
-      measure_face(face.samples_in_bone_mm, face.plane, plan.face,
-                   {plan.depth_point_in_bone_mm, plan.exit_point_in_bone_mm, to_waste});
-  const ResectionMetrics resection = measure_resection(face.plane, plan);
-  const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
-  const Moment cutting = cutting_moment(rebuilt, face.kerf);
   std::vector<Measurement> made;
-  made.push_back(measurement(planned, "angle_deg", metrics.angle_deg, {frozen_tick, frozen_tick},
-                             metrics.worst_point_in_bone_mm));
-  made.back().direction = direction_words(deepest_direction(face.plane, plan.face));
-  made.push_back(measurement(planned, "location_mm", metrics.location_mm, cutting,
-                             metrics.worst_point_in_bone_mm));
-  made.back().direction = words_of(metrics.worst_mm, to_waste);
-  made.push_back(measurement(planned, "depth_mm", std::abs(resection.depth_error_mm), cutting,
-                             plan.depth_point_in_bone_mm));
-  made.back().direction = words_of(resection.depth_error_mm, to_waste);
-  made.push_back(measurement(planned, "step_mm", std::abs(resection.step_error_mm), cutting,
-                             plan.exit_point_in_bone_mm));
-  made.back().direction = words_of(resection.step_error_mm, to_waste);
-  add_flatness(made, planned, measure_flatness(tooth_points(recording, rebuilt, bone, face.kerf)));
-  add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
+  add_face(made, planned, face, rebuilt);
+  if (is_along) add_resection(made, planned, plan, face, rebuilt);
+  add_flatness(made, planned,
+               measure_flatness(cutting_tooth_points(recording, rebuilt, bone, face.kerf)));
+  if (is_along) add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
   for (Measurement& each : made) each.done_fraction = face.done_fraction;
   return made;
 }

@@ -22,12 +22,14 @@ using scenarios::Scenario;
 
 constexpr std::size_t sentence_limit = 3;
 
-/// How a metric is said: `subject` + value + `tail` (+ direction after `lean`).
+/// How a metric is said: `subject` + value + `tail` (+ direction after `lean`). Where the value is 0 and `at_zero` is not
+/// empty, that is said in place of all of it.
 struct Wording {
   const char* metric;
   const char* subject;
   const char* tail;
   const char* lean;
+  const char* at_zero = "";
 };
 
 constexpr Wording wordings[] = {
@@ -37,11 +39,16 @@ constexpr Wording wordings[] = {
     {"step_mm", "At the exit the face is ", " off the planned one", ", too far "},
     {"notch_mm", "At the exit the face runs ", " into the bone that is kept", ""},
     {"past_landmark_mm", "The face passes ", " beyond the landmark", ""},
-    {"flatness_mm", "The blade wandered ", " out of its plane", ""},
-    {"wedge_angle_deg", "The wedge is ", " from the planned angle", ""},
-    {"sagittal_wedge_deg", "The wedge leans ", " in the sagittal plane", ""},
-    {"hinge_mm", "The hinge is ", " thick", ""},
+    {"flatness_mm", "The blade wandered ", " out of its plane, by its poses in the kerf", ""},
+    {"wedge_error_deg", "The wedge is ", " off the planned angle", ", too "},
+    {"wedge_sagittal_deg", "The wedge leans ", " in the sagittal plane", ", wider "},
+    {"hinge_mm", "The hinge is ", " thick", "", "The hinge is gone"},
+    {"over_cut_mm", "The blade went ", " past the far cortex", "",
+     "The blade stayed inside the far cortex"},
 };
+
+/// A claim has no unit: its value is 1 where it holds.
+bool is_claim(const std::string& unit) noexcept { return unit.empty(); }
 
 const Wording* wording_of(const std::string& metric) noexcept {
   for (const Wording& wording : wordings) {
@@ -50,17 +57,22 @@ const Wording* wording_of(const std::string& metric) noexcept {
   return nullptr;
 }
 
-std::string metric_clause(const std::string& metric, const std::string& title,
-                          const Measurement& measurement, const std::string& unit, bool is_loss) {
-  const std::string value = value_text(measurement.value, unit);
-  const Wording* wording = wording_of(metric);
-  if (wording == nullptr) return title + ": " + value;
-  std::string text = wording->subject + value + wording->tail;
-  // A direction helps to mend a loss; where nothing was lost it would only sound like one.
-  const bool has_direction = is_loss && !measurement.direction.empty() && wording->lean[0] != '\0';
-  if (!has_direction) return text;
-  text += wording->lean + measurement.direction;
-  return metric == "angle_deg" ? text + " edge" : text;
+std::string direction_clause(const Wording& wording, const Measurement& measurement) {
+  if (measurement.direction.empty() || wording.lean[0] == '\0') return "";
+  const char* const edge = measurement.metric == "angle_deg" ? " edge" : "";
+  return wording.lean + measurement.direction + edge;
+}
+
+std::string metric_clause(const RubricItem& item, const Measurement& measurement, bool is_loss) {
+  const std::string value = value_text(measurement.value, item.unit);
+  const Wording* wording = wording_of(item.metric);
+  if (wording == nullptr) return item.title + ": " + value;
+  const bool is_zero = measurement.value == 0.0 && wording->at_zero[0] != '\0';
+  std::string text = is_zero ? wording->at_zero : wording->subject + value + wording->tail;
+  // A direction and more numbers help to mend a loss; where nothing was lost they would only sound like one.
+  if (!is_loss) return text;
+  const std::string detail = measurement.detail.empty() ? "" : ": " + measurement.detail;
+  return text + direction_clause(*wording, measurement) + detail;
 }
 
 std::string loss_clause(const LedgerLine& line) {
@@ -78,17 +90,20 @@ std::string target_clause(const RubricItem& item) {
 }
 
 /// With one cut the sentence needs no name; with several each says which it is about.
-std::string cut_prefix(const Scenario& scenario, const std::string& cut_name) {
+std::string subject_prefix(const Scenario& scenario, const RubricItem& item) {
   if (scenario.cuts.size() < 2) return "";
   for (const scenarios::ReferenceCut& cut : scenario.cuts) {
-    if (cut.name == cut_name) return cut.title + ": ";
+    if (cut.name == item.cut) return cut.title + ": ";
+  }
+  for (const scenarios::ReferenceHinge& hinge : scenario.hinges) {
+    if (hinge.name == item.hinge) return hinge.title + ": ";
   }
   return "";
 }
 
 std::string item_sentence(const Scenario& scenario, const RubricItem& item, const LedgerLine& line,
                           const Measurement& measurement) {
-  const std::string prefix = cut_prefix(scenario, item.cut);
+  const std::string prefix = subject_prefix(scenario, item);
   if (!line.is_measured) {
     return prefix + item.title +
            " could not be measured because the cut was not made: " + loss_clause(line) + ".";
@@ -97,10 +112,8 @@ std::string item_sentence(const Scenario& scenario, const RubricItem& item, cons
   const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
   const std::string unfinished =
       is_unfinished ? "Unfinished cut (" + done + " sawn, so " + done + " of the points). " : "";
-  return prefix + unfinished +
-         metric_clause(item.metric, item.title, measurement, item.unit,
-                       line.points_lost_milli > 0) +
-         " " + target_clause(item) + ": " + loss_clause(line) + ".";
+  return prefix + unfinished + metric_clause(item, measurement, line.points_lost_milli > 0) + " " +
+         target_clause(item) + ": " + loss_clause(line) + ".";
 }
 
 std::string damping_sentence(const LedgerLine& line) {
@@ -115,18 +128,26 @@ std::string damping_sentence(const LedgerLine& line) {
          points_text(line.weight_milli) + " points lost.";
 }
 
+/// "Title: 1.50 mm (limit 1 mm)", or of a claim the title alone.
+std::string gate_finding(const Gate& gate, double value) {
+  if (is_claim(gate.unit)) return gate.title;
+  return gate.title + ": " + value_text(value, gate.unit) + " (limit " +
+         short_number_text(gate.limit) + " " + gate.unit + ")";
+}
+
 std::string gate_sentence(const Gate& gate, const LedgerLine& line) {
-  const std::string head = gate.title + ": " + value_text(line.value, gate.unit) + " (limit " +
-                           short_number_text(gate.limit) + " " + gate.unit +
-                           "), so the score is capped at " + points_text(gate.cap_milli);
+  const std::string head =
+      gate_finding(gate, line.value) + ", so the score is capped at " + points_text(gate.cap_milli);
   if (line.points_lost_milli == 0) return head + "; it was not above that.";
   return head + ": " + points_text(line.points_lost_milli) + " points lost.";
 }
 
 std::string gate_text(const GateResult& result, const Gate& gate, bool is_measured) {
   const std::string cap = "the score is capped at " + points_text(gate.cap_milli);
-  const std::string limit = short_number_text(gate.limit) + " " + gate.unit;
   if (!is_measured) return gate.title + ": not measured.";
+  if (is_claim(gate.unit))
+    return gate.title + (result.is_triggered ? ": yes; " + cap : ": no") + ".";
+  const std::string limit = short_number_text(gate.limit) + " " + gate.unit;
   const std::string value = gate.title + ": " + value_text(result.value, gate.unit);
   if (result.is_triggered) return value + ", above the limit of " + limit + "; " + cap + ".";
   return value + ", within the limit of " + limit + ".";
@@ -145,7 +166,7 @@ void explain_line(LedgerLine& line, const Scenario& scenario,
   }
   for (const RubricItem& item : scenario.rubric.items) {
     if (line.kind != LedgerKind::Metric || item.id != line.item) continue;
-    const Measurement* measurement = find_measurement(measurements, item.metric, item.cut);
+    const Measurement* measurement = find_measurement(measurements, item);
     if (measurement != nullptr) line.text = item_sentence(scenario, item, line, *measurement);
   }
 }
@@ -174,7 +195,7 @@ void explain(ScoreCard& card, const Scenario& scenario, std::span<const Measurem
   for (LedgerLine& line : card.ledger) explain_line(line, scenario, measurements);
   for (std::size_t index = 0; index < card.gates.size(); ++index) {
     const Gate& gate = scenario.rubric.gates[index];
-    const Measurement* measurement = find_measurement(measurements, gate.metric, gate.cut);
+    const Measurement* measurement = find_measurement(measurements, gate);
     const bool is_measured = measurement != nullptr && measurement->is_measured;
     card.gates[index].text = gate_text(card.gates[index], gate, is_measured);
   }

@@ -86,15 +86,15 @@ std::optional<StoredScore> AttemptDesk::score(const AttemptId& id) {
   return load_score(*database_, allowed_header(*database_, holder_, Action::ViewAttempt, id).id);
 }
 
-bool AttemptDesk::may_store_score(const AttemptHeader& header) {
+bool AttemptDesk::may(Action action, const AttemptHeader& header) {
   const Relation relation = relation_to_attempt(*database_, holder_, header.begun.person);
-  return allows(holder_.role, Action::StoreScore, relation) &&
-         still_holds_role(*database_, holder_);
+  return allows(holder_.role, action, relation) && still_holds_role(*database_, holder_);
 }
 
 ScoreId AttemptDesk::store_score(const AttemptId& id, const ScoreCard& card) {
-  return database::store_score(
-      *database_, allowed_header(*database_, holder_, Action::StoreScore, id).id, card);
+  return database::store_score(*database_,
+                               allowed_header(*database_, holder_, Action::StoreScore, id).id, card,
+                               holder_.person);
 }
 
 WriterLease AttemptDesk::begin(const NewAttempt& attempt) {

@@ -36,8 +36,8 @@ class AttemptDesk {
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
-  /// Whether store_score would be allowed; asking is no refusal and is not written to the audit.
-  bool may_store_score(const AttemptHeader& header);
+  /// Whether the table allows `action` on that attempt; asking is no refusal and is not written to the audit.
+  bool may(Action action, const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
 
  protected:
@@ -72,8 +72,9 @@ class InstructorDesk : public AttemptDesk {
   using AttemptDesk::AttemptDesk;
 };
 
+/// People, and of the attempts the robot's only.
 /// errors  DatabaseError: Refused; and as in database/people.h
-class AdministratorDesk {
+class AdministratorDesk : public AttemptDesk {
  public:
   PersonId add_person(const NewPerson& person, const SecretText& password,
                       const PasswordCost& cost = {});
@@ -87,12 +88,8 @@ class AdministratorDesk {
 
  private:
   friend class Session;
-  AdministratorDesk(Database& database, PersonId person)
-      : database_(&database), holder_{Role::Administrator, person, std::nullopt} {}
+  using AttemptDesk::AttemptDesk;
   Relation relation_to(const Person& person) const noexcept;
-
-  Database* database_;
-  DeskHolder holder_;
 };
 
 /// Asks the policy table, and whether the holder still has the role; writes a refusal to the audit.

@@ -17,7 +17,7 @@ struct Meaning {
   const char* mend;
 };
 
-Meaning meaning_in_data_directory(int error_number) {
+Meaning meaning_of(int error_number) {
   switch (error_number) {
     case ENOSPC:
     case EDQUOT:
@@ -45,41 +45,13 @@ Meaning meaning_in_data_directory(int error_number) {
   }
 }
 
-Meaning meaning_for_output(int error_number) {
-  switch (error_number) {
-    case ENOENT:
-      return {DatabaseErrorKind::BadInput, "its folder does not exist; make it, or name another"};
-    case EISDIR:
-      return {DatabaseErrorKind::BadInput, "a folder has this name; name another"};
-    case ENOTDIR:
-      return {DatabaseErrorKind::BadInput, "a file is where a folder should be; name another"};
-    case ENAMETOOLONG:
-      return {DatabaseErrorKind::BadInput, "the name is too long; give a shorter one"};
-    case EROFS:
-    case EACCES:
-    case EPERM:
-      return {DatabaseErrorKind::ReadOnly,
-              "it cannot be written there; choose a folder with room and permission"};
-    default:
-      return meaning_in_data_directory(error_number);
-  }
-}
-
-DatabaseError error_with(const Meaning& meaning, const std::filesystem::path& file,
-                         const char* tried, int error_number) {
-  return {meaning.kind, std::string{"could not "} + tried + " " + file.string() + ": " +
-                            meaning.mend + " (" +
-                            std::error_code{error_number, std::generic_category()}.message() + ")"};
-}
-
 }  // namespace
 
 DatabaseError file_error(const std::filesystem::path& file, const char* tried, int error_number) {
-  return error_with(meaning_in_data_directory(error_number), file, tried, error_number);
-}
-
-DatabaseError output_error(const std::filesystem::path& file, int error_number) {
-  return error_with(meaning_for_output(error_number), file, "write", error_number);
+  const Meaning meaning = meaning_of(error_number);
+  return {meaning.kind, std::string{"could not "} + tried + " " + file.string() + ": " +
+                            meaning.mend + " (" +
+                            std::error_code{error_number, std::generic_category()}.message() + ")"};
 }
 
 void make_private_directory(const std::filesystem::path& directory) {

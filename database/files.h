@@ -11,9 +11,6 @@ namespace hallux::database {
 /// BadInput where the name itself is the mistake.
 DatabaseError file_error(const std::filesystem::path& file, const char* tried, int error_number);
 
-/// The same for a file or folder that the user named for an answer: a name that leads nowhere is BadInput.
-DatabaseError output_error(const std::filesystem::path& file, int error_number);
-
 /// Makes the directory and its parents; one that was made here, or is ours and empty, gets mode 0700.
 /// errors  DatabaseError
 void make_private_directory(const std::filesystem::path& directory);

@@ -218,6 +218,18 @@ void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role
   });
 }
 
+std::vector<CohortId> cohorts_taught_by(Database& database, PersonId person) {
+  return translating(database, "look for the cohorts of an instructor", [&] {
+    SQLite::Statement rows{database.connection(),
+                           "SELECT cohort_id FROM membership WHERE person_id = ? AND role = "
+                           "'instructor' ORDER BY cohort_id"};
+    rows.bind(1, person.number);
+    std::vector<CohortId> cohorts;
+    while (rows.executeStep()) cohorts.push_back({rows.getColumn(0).getInt64()});
+    return cohorts;
+  });
+}
+
 std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person) {
   return translating(database, "look for a membership", [&]() -> std::optional<CohortRole> {
     SQLite::Statement row{database.connection(),

@@ -42,6 +42,8 @@ CohortId create_cohort(Database& database, const std::string& name);
 /// Puts a person into a cohort, or changes what they are there.
 /// errors  DatabaseError NotFound
 void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role);
+/// By number.
+std::vector<CohortId> cohorts_taught_by(Database& database, PersonId person);
 /// Nothing where the person is not in the cohort.
 std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person);
 

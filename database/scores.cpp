@@ -53,7 +53,8 @@ void name_successor(Database& database, std::int64_t retired, std::int64_t succe
 
 }  // namespace
 
-ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card) {
+ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                    std::optional<PersonId> actor) {
   const AttemptHeader header = load_header(database, attempt);
   const std::string json = json_from_card(card);
   return in_transaction(database, "store the score of attempt " + header.id.text, [&] {
@@ -63,8 +64,8 @@ ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCar
     const std::int64_t number = insert_score(database, header.id, card, json);
     if (retired) name_successor(database, *retired, number);
     const Digest digest = digest_of(std::as_bytes(std::span{json.data(), json.size()}));
-    append_audit(database, {std::nullopt, "score_stored", "score", std::to_string(number), false,
-                            digest, ""});
+    append_audit(database,
+                 {actor, "score_stored", "score", std::to_string(number), false, digest, ""});
     return ScoreId{number};
   });
 }

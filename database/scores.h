@@ -17,9 +17,11 @@ struct StoredScore {
   ScoreCard card;
 };
 
-/// Stores the card as the score in force, with an audit row that holds its digest. The same card again stores nothing.
+/// Stores the card as the score in force, with an audit row that holds its digest and `actor` (nobody: the house). The
+/// same card again stores nothing.
 /// errors  DatabaseError: NotFound; storage failures
-ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card);
+ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                    std::optional<PersonId> actor = std::nullopt);
 
 /// The score in force; nothing where the attempt was not scored yet.
 /// errors  DatabaseError

@@ -51,7 +51,20 @@ std::optional<InstructorDesk> Session::instructor_of(CohortId cohort) {
 std::optional<AdministratorDesk> Session::administrator() {
   const Person person = load_person(*database_, person_.id);
   if (person.is_disabled || !person.is_administrator) return std::nullopt;
-  return AdministratorDesk{*database_, person_.id};
+  return AdministratorDesk{*database_, DeskHolder{Role::Administrator, person_.id, std::nullopt}};
+}
+
+std::optional<AttemptDesk> Session::desk_for(Action action, const AttemptId& id) {
+  const AttemptHeader header = load_header(*database_, id);
+  std::optional<AttemptDesk> own = trainee();
+  if (!own || own->may(action, header)) return own;
+  for (const CohortId cohort : cohorts_taught_by(*database_, person_.id)) {
+    std::optional<AttemptDesk> taught = instructor_of(cohort);
+    if (taught && taught->may(action, header)) return taught;
+  }
+  std::optional<AttemptDesk> administered = administrator();
+  if (administered && administered->may(action, header)) return administered;
+  return own;
 }
 
 void Session::change_password(const SecretText& old_password, const SecretText& new_password,

@@ -19,6 +19,11 @@ class Session {
   std::optional<InstructorDesk> instructor_of(CohortId cohort);
   /// Nothing where the person is not an administrator.
   std::optional<AdministratorDesk> administrator();
+  /// The first of this person's desks (as trainee, as instructor of each cohort they teach, as administrator) from which
+  /// the table allows `action` on that attempt; the trainee's where none does, which refuses; nothing for a person disabled
+  /// since. Looking for it is not written to the audit.
+  /// errors  DatabaseError NotFound
+  std::optional<AttemptDesk> desk_for(Action action, const AttemptId& id);
 
   /// errors  DatabaseError: Refused where the old password is wrong; BadInput for a weak new one
   void change_password(const SecretText& old_password, const SecretText& new_password,

@@ -31,51 +31,183 @@ void check_names(const std::vector<Part>& parts, std::string Part::*name, std::s
   }
 }
 
-bool has_cut(const Scenario& scenario, std::string_view name) {
-  return std::any_of(scenario.cuts.begin(), scenario.cuts.end(),
-                     [&](const ReferenceCut& cut) { return cut.name == name; });
+template <typename Part>
+bool has_name(const std::vector<Part>& parts, std::string_view name) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Part& part) { return part.name == name; });
 }
 
-/// A cut is named exactly where the part is about one.
-void check_cut(const Scenario& scenario, std::string_view cut, bool is_of_a_cut,
-               const std::string& path, std::string_view file) {
-  if (!is_of_a_cut && !cut.empty()) {
-    refuse(file, path, is_text(cut), "remove it: this is not about one cut");
+/// What a part is about: where it stands in the file, and what it says.
+struct Subject {
+  std::string_view list;
+  std::size_t index;
+  std::string_view cut, hinge;
+};
+
+template <typename Part>
+void check_named(const std::vector<Part>& parts, std::string_view named, std::string_view what,
+                 const std::string& path, std::string_view file) {
+  if (has_name(parts, named)) return;
+  std::string mend = "name one of the " + std::string(what) + "s:";
+  for (const Part& known : parts) mend += " " + known.name;
+  refuse(file, path,
+         named.empty() ? "is missing" : is_text(named) + ", which is no " + std::string(what),
+         mend);
+}
+
+void refuse_named(std::string_view named, std::string_view what, const std::string& path,
+                  std::string_view file) {
+  if (named.empty()) return;
+  refuse(file, path, is_text(named), "remove it: this is not about one " + std::string(what));
+}
+
+/// A cut or a hinge is named exactly where the part is about one.
+void check_subject(const Scenario& scenario, const Subject& part, MetricSubject wanted,
+                   std::string_view file) {
+  const std::string cut_path = path_of(part.list, part.index, "cut");
+  const std::string hinge_path = path_of(part.list, part.index, "hinge");
+  const bool is_about_hinge = wanted == MetricSubject::Hinge ||
+                              (wanted == MetricSubject::CutOrHinge && !part.hinge.empty());
+  if (is_about_hinge) {
+    refuse_named(part.cut, "cut", cut_path, file);
+    check_named(scenario.hinges, part.hinge, "hinge", hinge_path, file);
+  } else {
+    refuse_named(part.hinge, "hinge", hinge_path, file);
+    check_named(scenario.cuts, part.cut, "cut", cut_path, file);
   }
-  if (is_of_a_cut && !has_cut(scenario, cut)) {
-    std::string mend = "name one of the cuts:";
-    for (const ReferenceCut& known : scenario.cuts) mend += " " + known.name;
-    refuse(file, path, cut.empty() ? "is missing" : is_text(cut) + ", which is no cut", mend);
+}
+
+void check_step_subject(const Scenario& scenario, std::size_t index, std::string_view file) {
+  const OperationStep& step = scenario.steps[index];
+  const Subject subject{"steps", index, step.cut, step.hinge};
+  switch (step.kind) {
+    case StepKind::Cut:
+      return check_subject(scenario, subject, MetricSubject::Cut, file);
+    case StepKind::Close:
+      return check_subject(scenario, subject, MetricSubject::Hinge, file);
+    case StepKind::Remove:
+      return check_subject(scenario, subject, MetricSubject::CutOrHinge, file);
+    case StepKind::Verify:
+    case StepKind::Finish:
+      refuse_named(step.cut, "cut", path_of("steps", index, "cut"), file);
+      refuse_named(step.hinge, "hinge", path_of("steps", index, "hinge"), file);
   }
+}
+
+void check_ends(const Scenario& scenario, std::string_view file) {
+  const std::size_t last = scenario.steps.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const StepKind kind = scenario.steps[i].kind;
+    if ((kind == StepKind::Verify) == (i == 0) && (kind == StepKind::Finish) == (i == last)) {
+      continue;
+    }
+    refuse(file, path_of("steps", i, "kind"), "is out of order",
+           "begin with the one \"verify\" and end with the one \"finish\"");
+  }
+}
+
+/// What the steps before this one have done, by the names of cuts and hinges.
+struct StepsDone {
+  std::set<std::string_view> sawn, removed, closed;
+};
+
+void check_remove(const Scenario& scenario, const OperationStep& step, const std::string& path,
+                  StepsDone& done, std::string_view file) {
+  bool is_there = done.sawn.contains(step.cut);
+  for (const ReferenceHinge& hinge : scenario.hinges) {
+    if (hinge.name != step.hinge) continue;
+    is_there = done.sawn.contains(hinge.first_cut) && done.sawn.contains(hinge.second_cut);
+  }
+  const std::string& subject = step.hinge.empty() ? step.cut : step.hinge;
+  if (is_there && done.removed.insert(subject).second) return;
+  refuse(file, path, is_text(subject) + ", whose piece is not there to be removed",
+         "remove once, after the cut");
 }
 
 void check_steps(const Scenario& scenario, std::string_view file) {
-  std::set<std::string_view> sawn, removed;
-  const std::size_t last = scenario.steps.size() - 1;
-  for (std::size_t i = 0; i <= last; ++i) {
+  check_ends(scenario, file);
+  StepsDone done;
+  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
     const OperationStep& step = scenario.steps[i];
-    if ((step.kind == StepKind::Verify) != (i == 0) ||
-        (step.kind == StepKind::Finish) != (i == last)) {
-      refuse(file, path_of("steps", i, "kind"), "is out of order",
-             "begin with the one \"verify\" and end with the one \"finish\"");
-    }
-    const bool is_of_a_cut = step.kind == StepKind::Cut || step.kind == StepKind::Remove;
-    const std::string path = path_of("steps", i, "cut");
-    check_cut(scenario, step.cut, is_of_a_cut, path, file);
-    if (step.kind == StepKind::Cut && !sawn.insert(step.cut).second) {
+    check_step_subject(scenario, i, file);
+    const std::string path = path_of("steps", i, step.hinge.empty() ? "cut" : "hinge");
+    if (step.kind == StepKind::Cut && !done.sawn.insert(step.cut).second) {
       refuse(file, path, is_text(step.cut) + ", which was cut before", "cut each face once");
     }
-    if (step.kind != StepKind::Remove) continue;
-    if (!sawn.contains(step.cut) || !removed.insert(step.cut).second) {
-      refuse(file, path, is_text(step.cut) + ", whose piece is not there to be removed",
-             "remove once, after the cut");
+    if (step.kind == StepKind::Remove) check_remove(scenario, step, path, done, file);
+    if (step.kind != StepKind::Close) continue;
+    if (!done.removed.contains(step.hinge) || !done.closed.insert(step.hinge).second) {
+      refuse(file, path, is_text(step.hinge) + ", whose wedge is not out",
+             "close once, after its wedge was removed");
     }
   }
   for (std::size_t i = 0; i < scenario.cuts.size(); ++i) {
-    if (sawn.contains(scenario.cuts[i].name)) continue;
+    if (done.sawn.contains(scenario.cuts[i].name)) continue;
     refuse(file, path_of("cuts", i, "name"),
            is_text(scenario.cuts[i].name) + ", which no step cuts",
            "add a step of kind \"cut\" for it");
+  }
+}
+
+std::string_view opposite_of(std::string_view side) {
+  return side == "lateral" ? "medial" : "lateral";
+}
+
+void check_hinge_cuts(const Scenario& scenario, std::size_t index, std::string_view file) {
+  const ReferenceHinge& hinge = scenario.hinges[index];
+  const std::string first_path = path_of("hinges", index, "first_cut");
+  const std::string second_path = path_of("hinges", index, "second_cut");
+  check_named(scenario.cuts, hinge.first_cut, "cut", first_path, file);
+  check_named(scenario.cuts, hinge.second_cut, "cut", second_path, file);
+  for (const ReferenceCut& cut : scenario.cuts) {
+    if (cut.name == hinge.first_cut && cut.face.kind != FaceKind::Transverse) {
+      refuse(file, first_path, is_text(cut.name) + ", which does not lie across the bone",
+             "name a cut whose face is \"transverse\"");
+    }
+    const bool is_through =
+        cut.face.kind == FaceKind::ThroughHinge && cut.face.through == hinge.name;
+    if (cut.name == hinge.second_cut && !is_through) {
+      refuse(file, second_path, is_text(cut.name) + ", which does not run through this hinge",
+             "name the cut whose face is \"through_hinge\" " + hinge.name);
+    }
+  }
+}
+
+/// The two faces keep the bone on their outer sides, and the blade comes from where the gap is open.
+void check_hinge_sides(const Scenario& scenario, std::size_t index, std::string_view file) {
+  const ReferenceHinge& hinge = scenario.hinges[index];
+  for (std::size_t i = 0; i < scenario.cuts.size(); ++i) {
+    const ReferenceCut& cut = scenario.cuts[i];
+    if (cut.name != hinge.first_cut && cut.name != hinge.second_cut) continue;
+    const std::string_view waste = cut.name == hinge.first_cut ? "distal" : "proximal";
+    if (cut.waste_side != waste) {
+      refuse(file, path_of("cuts", i, "waste_side"), is_text(cut.waste_side),
+             "give \"" + std::string(waste) +
+                 "\": the waste is the wedge between the two cuts of \"" + hinge.name + "\"");
+    }
+    if (cut.approach != opposite_of(hinge.side)) {
+      refuse(file, path_of("cuts", i, "approach"), is_text(cut.approach),
+             "give \"" + std::string(opposite_of(hinge.side)) + "\": the hinge \"" + hinge.name +
+                 "\" stays on the other side");
+    }
+  }
+}
+
+void check_hinges(const Scenario& scenario, std::string_view file) {
+  for (std::size_t i = 0; i < scenario.hinges.size(); ++i) {
+    check_hinge_cuts(scenario, i, file);
+    check_hinge_sides(scenario, i, file);
+  }
+  for (std::size_t i = 0; i < scenario.cuts.size(); ++i) {
+    const ReferenceCut& cut = scenario.cuts[i];
+    if (cut.face.kind != FaceKind::ThroughHinge) continue;
+    const std::string path = path_of("cuts", i, "face.through");
+    check_named(scenario.hinges, cut.face.through, "hinge", path, file);
+    for (const ReferenceHinge& hinge : scenario.hinges) {
+      if (hinge.name != cut.face.through || hinge.second_cut == cut.name) continue;
+      refuse(file, path, is_text(cut.face.through) + ", whose second cut is another",
+             "name the hinge of this cut");
+    }
   }
 }
 
@@ -95,10 +227,18 @@ void check_group_weights(const Rubric& rubric, std::string_view file) {
       has_items = true;
       items_milli += item.weight_milli;
     }
-    if (!has_items || items_milli == group.weight_milli) continue;
+    if (!has_items && group.not_measured_milli == 0) continue;
+    if (!has_items) {
+      refuse(file, path_of("rubric.groups", i, "not_measured"), "is there but no items are",
+             "remove it: a group without items is not measured");
+    }
+    if (items_milli + group.not_measured_milli == group.weight_milli) continue;
     refuse(file, path_of("rubric.groups", i, "weight"),
            "is " + points_text(group.weight_milli) + " but its items add up to " +
-               points_text(items_milli),
+               points_text(items_milli) +
+               (group.not_measured_milli == 0
+                    ? ""
+                    : " with " + points_text(group.not_measured_milli) + " not measured"),
            "make them equal");
   }
 }
@@ -114,13 +254,13 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
       refuse(file, path_of("rubric.items", i, "group"), is_text(item.group) + ", which is no group",
              "name one of rubric.groups");
     }
-    check_cut(scenario, item.cut, find_metric(item.metric)->is_of_a_cut,
-              path_of("rubric.items", i, "cut"), file);
+    check_subject(scenario, {"rubric.items", i, item.cut, item.hinge},
+                  find_metric(item.metric)->subject, file);
   }
   for (std::size_t i = 0; i < rubric.gates.size(); ++i) {
     const Gate& gate = rubric.gates[i];
-    check_cut(scenario, gate.cut, find_metric(gate.metric)->is_of_a_cut,
-              path_of("rubric.gates", i, "cut"), file);
+    check_subject(scenario, {"rubric.gates", i, gate.cut, gate.hinge},
+                  find_metric(gate.metric)->subject, file);
   }
   check_group_weights(rubric, file);
 }
@@ -130,10 +270,12 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
 void check_references(const Scenario& scenario, std::string_view file) {
   check_names(scenario.sources, &SourceNote::key, "sources", "key", file);
   check_names(scenario.cuts, &ReferenceCut::name, "cuts", "name", file);
+  check_names(scenario.hinges, &ReferenceHinge::name, "hinges", "name", file);
   check_names(scenario.danger_zones, &DangerZone::name, "danger_zones", "name", file);
   check_names(scenario.rubric.groups, &RubricGroup::name, "rubric.groups", "name", file);
   check_names(scenario.rubric.items, &RubricItem::id, "rubric.items", "id", file);
   check_names(scenario.rubric.gates, &Gate::name, "rubric.gates", "name", file);
+  check_hinges(scenario, file);
   check_steps(scenario, file);
   check_rubric(scenario, file);
 }

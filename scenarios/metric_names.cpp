@@ -6,17 +6,19 @@
 namespace hallux::scenarios {
 namespace {
 
-constexpr std::array<MetricName, 10> metrics{{
-    {"angle_deg", "deg", true},
-    {"location_mm", "mm", true},
-    {"depth_mm", "mm", true},
-    {"step_mm", "mm", true},
-    {"flatness_mm", "mm", true},
-    {"past_landmark_mm", "mm", true},
-    {"notch_mm", "mm", true},
-    {"wedge_angle_deg", "deg", false},
-    {"sagittal_wedge_deg", "deg", false},
-    {"hinge_mm", "mm", false},
+constexpr std::array<MetricName, 12> metrics{{
+    {"angle_deg", "deg", MetricSubject::Cut},
+    {"location_mm", "mm", MetricSubject::Cut},
+    {"depth_mm", "mm", MetricSubject::Cut},
+    {"step_mm", "mm", MetricSubject::Cut},
+    {"flatness_mm", "mm", MetricSubject::CutOrHinge},
+    {"past_landmark_mm", "mm", MetricSubject::Cut},
+    {"notch_mm", "mm", MetricSubject::Cut},
+    {"wedge_error_deg", "deg", MetricSubject::Hinge},
+    {"wedge_sagittal_deg", "deg", MetricSubject::Hinge},
+    {"hinge_mm", "mm", MetricSubject::Hinge},
+    {"over_cut_mm", "mm", MetricSubject::Hinge},
+    {"hinge_lost", "", MetricSubject::Hinge},
 }};
 
 }  // namespace

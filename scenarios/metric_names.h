@@ -6,9 +6,16 @@
 
 namespace hallux::scenarios {
 
+/// What an item or gate with this metric must name.
+enum class MetricSubject {
+  Cut,
+  Hinge,      ///< the bridge, or the wedge that its two cuts take out
+  CutOrHinge  ///< one cut, or the worse of a hinge's two
+};
+
 struct MetricName {
   std::string_view name, unit;
-  bool is_of_a_cut = true;  ///< false: of the operation as a whole, so an item names no cut
+  MetricSubject subject = MetricSubject::Cut;
 };
 
 /// source  docs/metrics.md

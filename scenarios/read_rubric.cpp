@@ -17,16 +17,18 @@ const MetricName& read_metric(const JsonNode& node) {
   return *metric;
 }
 
-std::string read_cut_name(const JsonNode& node) {
-  return node.has("cut") ? node.at("cut").name() : std::string();
+std::string read_subject(const JsonNode& node, std::string_view key) {
+  return node.has(key) ? node.at(key).name() : std::string();
 }
 
 RubricGroup read_group(const JsonNode& node) {
-  node.expect_keys({"name", "title", "weight", "origin"});
+  node.expect_keys({"name", "title", "weight", "origin"}, {"not_measured"});
   return {.name = node.at("name").name(),
           .title = node.at("title").text(1, 120),
           .weight_milli = node.at("weight").milli(0.0, 100.0),
-          .origin = node.at("origin").text(1, 1000)};
+          .origin = node.at("origin").text(1, 1000),
+          .not_measured_milli =
+              node.has("not_measured") ? node.at("not_measured").milli(0.001, 100.0) : 0};
 }
 
 void read_band(const JsonNode& node, RubricItem& item) {
@@ -44,7 +46,7 @@ void read_band(const JsonNode& node, RubricItem& item) {
 
 RubricItem read_item(const JsonNode& node) {
   node.expect_keys({"id", "title", "group", "metric", "weight", "origin", "provisional"},
-                   {"cut", "full", "zero", "band"});
+                   {"cut", "hinge", "full", "zero", "band"});
   const MetricName& metric = read_metric(node.at("metric"));
   RubricItem item;
   item.id = node.at("id").text(1, 16);
@@ -52,7 +54,8 @@ RubricItem read_item(const JsonNode& node) {
   item.group = node.at("group").name();
   item.metric = metric.name;
   item.unit = metric.unit;
-  item.cut = read_cut_name(node);
+  item.cut = read_subject(node, "cut");
+  item.hinge = read_subject(node, "hinge");
   item.weight_milli = node.at("weight").milli(0.001, 100.0);
   item.origin = node.at("origin").text(1, 1000);
   item.is_provisional = node.at("provisional").boolean();
@@ -71,17 +74,19 @@ RubricItem read_item(const JsonNode& node) {
 }
 
 Gate read_gate(const JsonNode& node) {
-  node.expect_keys({"name", "title", "metric", "limit", "cap", "origin", "provisional"}, {"cut"});
+  node.expect_keys({"name", "title", "metric", "limit", "cap", "origin", "provisional"},
+                   {"cut", "hinge"});
   const MetricName& metric = read_metric(node.at("metric"));
   return {.name = node.at("name").name(),
           .title = node.at("title").text(1, 120),
           .metric = std::string(metric.name),
-          .cut = read_cut_name(node),
+          .cut = read_subject(node, "cut"),
           .unit = std::string(metric.unit),
           .limit = node.at("limit").number(0.0, metric_value_max),
           .cap_milli = node.at("cap").milli(0.0, 99.0),
           .origin = node.at("origin").text(1, 1000),
-          .is_provisional = node.at("provisional").boolean()};
+          .is_provisional = node.at("provisional").boolean(),
+          .hinge = read_subject(node, "hinge")};
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "scenarios/check_references.h"
 #include "scenarios/json_node.h"
+#include "scenarios/read_cuts.h"
 #include "scenarios/read_rubric.h"
-#include "simulator/base/units.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -25,13 +25,22 @@ SourceNote read_source(const JsonNode& node) {
   return {.key = node.at("key").text(1, 64), .text = node.at("text").text(1, origin_bytes_max)};
 }
 
+/// Adult bones with room for the smallest and the largest foot.
 PatientRequest read_patient(const JsonNode& node) {
-  node.expect_keys({"bone", "length_mm", "eminence_mm", "edge_mm", "origin"});
-  return {.bone = node.at("bone").one_of({"first_metatarsal"}),
-          .length_mm = node.at("length_mm").number(40.0, 90.0),
-          .eminence_mm = node.at("eminence_mm").number(0.0, 8.0),
-          .edge_mm = node.at("edge_mm").number(0.2, 2.0),
-          .origin = read_origin(node)};
+  PatientRequest patient;
+  node.expect_keys({"bone", "length_mm", "edge_mm", "origin"}, {"eminence_mm"});
+  patient.bone = node.at("bone").one_of({"first_metatarsal", "first_proximal_phalanx"});
+  const bool has_eminence = patient.bone == "first_metatarsal";
+  if (node.has("eminence_mm") != has_eminence) {
+    node.refuse_value(has_eminence ? "give \"eminence_mm\""
+                                   : "remove \"eminence_mm\": only a metatarsal has one");
+  }
+  patient.length_mm = has_eminence ? node.at("length_mm").number(40.0, 90.0)
+                                   : node.at("length_mm").number(18.0, 45.0);
+  if (has_eminence) patient.eminence_mm = node.at("eminence_mm").number(0.0, 8.0);
+  patient.edge_mm = node.at("edge_mm").number(0.2, 2.0);
+  patient.origin = read_origin(node);
+  return patient;
 }
 
 /// The widest blades of the forefoot and hindfoot saws bound the ranges.
@@ -49,49 +58,6 @@ SawBlade read_blade(const JsonNode& node) {
     node.at("kerf_mm").refuse_value("give at least the blade's thickness_mm");
   }
   return blade;
-}
-
-LandmarkPlane read_face(const JsonNode& node) {
-  node.expect_keys({"through", "axis_from", "axis_to", "offset_mm", "frontal_tilt_deg"});
-  LandmarkPlane face{
-      .through = node.at("through").name(),
-      .axis_from = node.at("axis_from").name(),
-      .axis_to = node.at("axis_to").name(),
-      .offset_mm = node.at("offset_mm").number(-30.0, 30.0),
-      .frontal_tilt_rad = radian_from_degree(node.at("frontal_tilt_deg").number(-45.0, 45.0))};
-  if (face.axis_from == face.axis_to) {
-    node.at("axis_to").refuse_value("give another landmark than axis_from");
-  }
-  return face;
-}
-
-ReferenceCut read_cut(const JsonNode& node) {
-  node.expect_keys({"name", "title", "face", "waste_side", "approach", "depth_landmark",
-                    "exit_landmark", "origin"});
-  return {.name = node.at("name").name(),
-          .title = read_title(node),
-          .face = read_face(node.at("face")),
-          .waste_side = node.at("waste_side").one_of({"medial", "lateral"}),
-          .approach = node.at("approach").one_of({"dorsal", "plantar"}),
-          .depth_landmark = node.at("depth_landmark").name(),
-          .exit_landmark = node.at("exit_landmark").name(),
-          .origin = read_origin(node)};
-}
-
-StepKind read_step_kind(const JsonNode& node) {
-  const std::string kind = node.one_of({"verify", "cut", "remove", "finish"});
-  if (kind == "verify") return StepKind::Verify;
-  if (kind == "cut") return StepKind::Cut;
-  if (kind == "remove") return StepKind::Remove;
-  return StepKind::Finish;
-}
-
-OperationStep read_step(const JsonNode& node) {
-  node.expect_keys({"kind", "title", "text"}, {"cut"});
-  return {.kind = read_step_kind(node.at("kind")),
-          .title = read_title(node),
-          .text = node.at("text").text(1, text_bytes_max),
-          .cut = node.has("cut") ? node.at("cut").name() : std::string()};
 }
 
 DangerZone read_danger_zone(const JsonNode& node) {
@@ -130,6 +96,11 @@ void read_lists(const JsonNode& node, Scenario& scenario) {
   for (const JsonNode& entry : node.at("cuts").list(1, 16)) {
     scenario.cuts.push_back(read_cut(entry));
   }
+  if (node.has("hinges")) {
+    for (const JsonNode& entry : node.at("hinges").list(1, 4)) {
+      scenario.hinges.push_back(read_hinge(entry));
+    }
+  }
   for (const JsonNode& entry : node.at("steps").list(3, 64)) {
     scenario.steps.push_back(read_step(entry));
   }
@@ -143,9 +114,10 @@ void read_lists(const JsonNode& node, Scenario& scenario) {
 Scenario parse_scenario(std::string_view json, std::string_view name) {
   const nlohmann::json document = parse_bounded_json(json, name);
   const JsonNode root(document, name);
-  root.expect_keys({"format", "name", "title", "version", "reviewed", "reviewed_by", "indication",
-                    "summary", "sources", "patient", "blade", "cuts", "steps", "danger_zones",
-                    "rubric"});
+  root.expect_keys(
+      {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
+       "sources", "patient", "blade", "cuts", "steps", "danger_zones", "rubric"},
+      {"hinges"});
   Scenario scenario;
   read_head(root, scenario);
   scenario.patient = read_patient(root.at("patient"));

@@ -25,42 +25,72 @@ struct SawBlade {
 
 /// Which patient is made for the operation.
 struct PatientRequest {
-  std::string bone;  ///< "first_metatarsal"
+  std::string bone;  ///< "first_metatarsal" or "first_proximal_phalanx"
   double length_mm = 63.2;
-  double eminence_mm = 0.0;
+  double eminence_mm = 0.0;  ///< of a first metatarsal
   double edge_mm = 0.3;
   std::string origin;
 };
 
-/// A finished bone face relative to landmarks: parallel to an axis between two of them, tilted about that axis, offset
-/// from a third. Works on any patient that has the landmarks.
+/// AlongAxis     parallel to an axis between two landmarks, tilted about it, offset from a third
+/// Transverse    across the bone: parallel to a line between two landmarks (a joint's) and to dorsal, tilted, offset along
+///               the bone from a third
+/// ThroughHinge  contains a hinge's line, turned about it from the face of the hinge's first cut
+enum class FaceKind { AlongAxis, Transverse, ThroughHinge };
+
+/// A finished bone face relative to landmarks. Works on any patient that has them. What a kind does not use stays empty.
 struct LandmarkPlane {
   std::string through;             ///< landmark from which the offset counts
-  std::string axis_from, axis_to;  ///< the plane contains this direction
-  double offset_mm = 0.0;          ///< along the normal, towards the waste
-  double frontal_tilt_rad = 0.0;  ///< about the axis; positive: the plantar end lies further medial
+  std::string axis_from, axis_to;  ///< without tilts the plane contains this direction
+  /// AlongAxis: along the normal, towards the waste. Transverse: along the bone's x.
+  double offset_mm = 0.0;
+  /// AlongAxis: about the axis; positive: the plantar end lies further medial.
+  double frontal_tilt_rad = 0.0;
+  FaceKind kind = FaceKind::AlongAxis;
+  /// Transverse, from the joint's line and from dorsal. Positive: the medial, the plantar edge lies further distal.
+  double transverse_tilt_rad = 0.0, sagittal_tilt_rad = 0.0;
+  /// ThroughHinge: from the face of the hinge's first cut. Positive: distal of it, open on the side away from the hinge.
+  double wedge_rad = 0.0;
 };
 
 struct ReferenceCut {
   std::string name, title;
   LandmarkPlane face;
-  std::string
-      waste_side;        ///< "medial" or "lateral": where the normal points; the other side is kept
-  std::string approach;  ///< "dorsal": the side from which the blade comes
-  std::string depth_landmark;  ///< where depth is measured
-  std::string exit_landmark;   ///< where the face must run flush into the shaft
+  /// Where the normal points; the other side is kept. AlongAxis: "medial" or "lateral"; else "proximal" or "distal".
+  std::string waste_side;
+  /// The side from which the blade comes: "dorsal", "plantar", "medial" or "lateral".
+  std::string approach;
+  std::string depth_landmark;  ///< AlongAxis: where depth is measured
+  std::string exit_landmark;   ///< AlongAxis: where the face must run flush into the shaft
   std::string origin;
 };
 
-enum class StepKind { Verify, Cut, Remove, Finish };
+/// A bridge of bone that two cuts leave standing, and about which the wedge between them is closed. Its line lies in the
+/// face of the first cut, parallel to dorsal, `thickness_mm` inside the cortex on `side`; the second cut's face contains
+/// it.
+struct ReferenceHinge {
+  std::string name, title;
+  std::string first_cut, second_cut;
+  std::string side;           ///< "lateral" or "medial": the cortex that is kept
+  double thickness_mm = 1.0;  ///< planned, where the bone reaches furthest to that side
+  double target_low_mm = 0.8, target_high_mm = 2.0;
+  double breaks_below_mm = 0.3;  ///< a thinner bridge breaks when it is closed
+  double bends_up_to_mm = 2.5;   ///< a thicker one does not bend
+  std::string origin;
+  bool is_provisional = true;
+};
+
+enum class StepKind { Verify, Cut, Remove, Close, Finish };
 
 struct OperationStep {
   StepKind kind = StepKind::Verify;
   std::string title, text;
-  std::string cut;  ///< for Cut and Remove: the reference cut's name
+  std::string cut;    ///< Cut: which; Remove: the cut whose piece comes out, unless it is a wedge
+  std::string hinge;  ///< Remove: the hinge whose wedge comes out; Close: the hinge that is closed
 };
 
-/// Points for one metric: all of the weight up to `full`, none from `zero` on, linear between (lower is better).
+/// Points for one metric: all of the weight up to `full`, none from `zero` on, linear between (lower is better; of a
+/// metric with a sign, its size).
 /// A band gives full points inside [full_low, full_high] and none outside (zero_low, zero_high).
 struct RubricItem {
   std::string id, title, group, metric, cut, unit;
@@ -70,6 +100,7 @@ struct RubricItem {
   double zero_low = 0.0, full_low = 0.0, full_high = 0.0, zero_high = 0.0;
   std::string origin;          ///< where the numbers come from
   bool is_provisional = true;  ///< no surgeon and no measured expert stands behind them yet
+  std::string hinge;           ///< what it is about, in place of `cut`
 };
 
 /// Caps the score where a metric exceeds its limit.
@@ -79,12 +110,20 @@ struct Gate {
   std::int64_t cap_milli = 0;  ///< of 100 000
   std::string origin;
   bool is_provisional = true;
+  std::string hinge;  ///< what it is about, in place of `cut`
 };
+
+/// The cut or the hinge that an item or a gate is about.
+template <typename Part>
+const std::string& subject_of(const Part& part) noexcept {
+  return part.hinge.empty() ? part.cut : part.hinge;
+}
 
 struct RubricGroup {
   std::string name, title;
   std::int64_t weight_milli = 0;
   std::string origin;
+  std::int64_t not_measured_milli = 0;  ///< of the weight, where only some of it has items
 };
 
 struct Rubric {
@@ -124,6 +163,7 @@ struct Scenario {
   Rubric rubric;
   std::string text;  ///< the JSON it was read from, byte for byte
   std::vector<SourceNote> sources;
+  std::vector<ReferenceHinge> hinges;
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.

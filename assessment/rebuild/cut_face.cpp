@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/rebuild/cut_of_kerf.h"
 #include "assessment/rebuild/face_samples.h"
 #include "simulator/base/units.h"
 
@@ -11,26 +12,11 @@ namespace hallux::assessment {
 namespace {
 
 using scenarios::PlannedCut;
+using scenarios::PlannedHinge;
 using simulator::KerfPlane;
 
 Vec3 normal_of(const KerfPlane& plane) noexcept {
   return transform_direction(plane.bone_from_kerf, Vec3{0.0, 0.0, 1.0});
-}
-
-/// A tilt of one degree counts as much as a millimetre: over a section of 20 mm they move the face by as much.
-double misfit(const KerfPlane& plane, const PlannedCut& cut) noexcept {
-  const FacePlane planned{cut.face.normal, cut.face.offset_mm};
-  const double angle_rad = angle_between_rad(normal_of(plane), planned.normal);
-  const double tilt_deg = degree_from_radian(std::min(angle_rad, pi - angle_rad));
-  return tilt_deg + std::abs(signed_distance_mm(planned, plane.bone_from_kerf.translation_mm));
-}
-
-std::size_t nearest_cut(const KerfPlane& plane, const scenarios::Plan& plan) noexcept {
-  std::size_t nearest = 0;
-  for (std::size_t cut = 1; cut < plan.cuts.size(); ++cut) {
-    if (misfit(plane, plan.cuts[cut]) < misfit(plane, plan.cuts[nearest])) nearest = cut;
-  }
-  return nearest;
 }
 
 /// The wall that stays on the kept bone: below the kerf where its z looks to the waste, else above.
@@ -45,21 +31,33 @@ FacePlane wall_plane(const KerfPlane& plane, std::int32_t side) noexcept {
   return {normal, glm::dot(normal, transform_point(plane.bone_from_kerf, local))};
 }
 
-CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const PlannedCut& cut) {
+/// The wall of the largest piece that has one; `piece` becomes its number, or stays 0 where none has.
+FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::FaceOrigin& wall,
+                                  std::size_t& piece) {
+  const KerfPlane& plane = rebuilt.fields.plane(wall.kerf);
+  for (std::size_t i = 0; i < rebuilt.pieces.size(); ++i) {
+    FaceSamples samples = sample_wall(rebuilt.pieces[i], wall, plane);
+    if (samples.points_in_bone_mm.empty()) continue;
+    piece = i;
+    return samples;
+  }
+  return {};
+}
+
+CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const PlannedCut& cut,
+                     const PlannedHinge* hinge) {
   const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const KerfPlane& plane = rebuilt.fields.plane(index);
   const std::int32_t side = kept_side(plane, cut);
   CutFace face;
   face.kerf = index;
-  face.is_finished = kerf.is_finished();
-  face.done_fraction = kerf.done_fraction();
-  FaceSamples samples;
-  while (face.is_finished && face.piece < rebuilt.pieces.size()) {
-    samples = sample_wall(rebuilt.pieces[face.piece], {index, side}, plane);
-    if (!samples.points_in_bone_mm.empty()) break;
-    ++face.piece;
+  face.done_fraction = done_fraction_of(rebuilt, index, hinge);
+  face.is_finished = face.done_fraction == 1.0;
+  FaceSamples samples = sample_wall_of_pieces(rebuilt, {index, side}, face.piece);
+  const bool is_taken_away = kerf.is_finished();  // then a face on no piece is gone with its piece
+  if (samples.points_in_bone_mm.empty() && !is_taken_away) {
+    samples = sample_opened(kerf, rebuilt.fields.field(index), side);
   }
-  if (!face.is_finished) samples = sample_opened(kerf, rebuilt.fields.field(index), side);
   face.samples_in_bone_mm = std::move(samples.points_in_bone_mm);
   face.area_mm2 = samples.area_mm2;
   const FacePlane exact = wall_plane(plane, side);
@@ -71,10 +69,12 @@ CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const Plann
 
 std::vector<CutFace> faces_of_cut(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
                                   std::size_t cut) {
+  const PlannedHinge* hinge = find_hinge(plan, plan.cuts[cut].hinge);
+  const std::vector<std::size_t> cuts = cuts_of_kerfs(rebuilt, plan);
   std::vector<CutFace> faces;
   for (std::int32_t index = 0; index < rebuilt.fields.count(); ++index) {
-    if (nearest_cut(rebuilt.fields.plane(index), plan) != cut) continue;
-    faces.push_back(face_of_kerf(rebuilt, index, plan.cuts[cut]));
+    if (cuts[static_cast<std::size_t>(index)] != cut) continue;
+    faces.push_back(face_of_kerf(rebuilt, index, plan.cuts[cut], hinge));
   }
   std::stable_sort(faces.begin(), faces.end(), [](const CutFace& a, const CutFace& b) {
     const bool a_stands = a.is_finished && a.area_mm2 > 0.0;

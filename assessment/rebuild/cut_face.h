@@ -17,13 +17,16 @@ struct CutFace {
   FacePlane plane;  ///< fitted to the samples; normal to the waste, like the plan's
   std::vector<Vec3> samples_in_bone_mm;
   double area_mm2 = 0.0;
-  bool is_finished = false;    ///< false: samples are of what the blade opened before it stopped
-  double done_fraction = 0.0;  ///< of the section, 1 where it is finished
-  std::size_t piece = 0;       ///< that has the face: 0 is the largest; unfinished faces have none
+  bool is_finished = false;
+  double done_fraction =
+      0.0;  ///< of what was to be sawn, 1 where it is finished (see done_fraction_of)
+  /// That has the face: 0 is the largest. A face on no piece is sampled where the blade opened bone.
+  std::size_t piece = 0;
 };
 
-/// The faces of all kerfs that belong to the planned cut `cut`, the one that counts first: finished before unfinished,
-/// on a larger piece before a smaller one (a shaving may carry the face of an earlier kerf), then the greater area. A kerf belongs to the cut whose plan it lies nearest to.
+/// The faces of all kerfs that belong to the planned cut `cut` (see cuts_of_kerfs), the one that counts first: finished
+/// before unfinished, on a larger piece before a smaller one (a shaving may carry the face of an earlier kerf), then the
+/// greater area.
 std::vector<CutFace> faces_of_cut(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
                                   std::size_t cut);
 

@@ -103,7 +103,91 @@ void add_opened(Heights& heights, const SectionRegion& region, const simulator::
   }
 }
 
+/// Finer than the samples of a face: a strip that is left must show.
+constexpr double window_step_mm = 0.1;
+
+bool is_open_in_another(const RebuiltBone& rebuilt, std::int32_t index, const Vec3& point_mm) {
+  for (std::int32_t other = 0; other < rebuilt.fields.count(); ++other) {
+    if (other == index) continue;
+    const Vec3 local = transform_point(rebuilt.fields.kerf_from_bone(other), point_mm);
+    const double half_mm = 0.5 * rebuilt.fields.plane(other).thickness_mm;
+    if (std::abs(local.z) > half_mm) continue;
+    if (rebuilt.fields.field(other).is_open(Vec2{local.x, local.y})) return true;
+  }
+  return false;
+}
+
+struct WindowCount {
+  std::int64_t wanted = 0, open = 0;
+};
+
+/// Where contours cross the row at v, ascending: bone lies between the first and the second, and so on.
+std::vector<double> bone_borders_mm(const SectionRegion& region, double v_mm) {
+  std::vector<double> borders_mm;
+  for (const Contour& contour : region.contours) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Vec2 &a = contour[i], &b = contour[(i + 1) % contour.size()];
+      if ((a.y > v_mm) == (b.y > v_mm)) continue;
+      borders_mm.push_back(a.x + (v_mm - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  }
+  std::sort(borders_mm.begin(), borders_mm.end());
+  return borders_mm;
+}
+
+/// The grid points of one row from border to border of the region, in the order in which they lie outward.
+std::vector<Vec2> outward_row(const std::vector<double>& borders_mm, double v_mm,
+                              bool is_reversed) {
+  std::vector<Vec2> row;
+  if (borders_mm.empty()) return row;
+  const GridWindow grid =
+      window_of(Vec2{borders_mm.front(), v_mm}, Vec2{borders_mm.back(), v_mm}, window_step_mm);
+  for (std::int64_t u = grid.u_first; u <= grid.u_last; ++u) {
+    row.emplace_back(static_cast<double>(u) * window_step_mm, v_mm);
+  }
+  if (is_reversed) std::reverse(row.begin(), row.end());
+  return row;
+}
+
+/// Walks one row of a region outward, until it meets another kerf.
+void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t index,
+               const std::vector<double>& borders_mm, const std::vector<Vec2>& row,
+               const PlannedWindow& window) {
+  const KerfPlane& plane = rebuilt.fields.plane(index);
+  for (const Vec2& place_mm : row) {
+    const Vec3 point_mm = transform_point(plane.bone_from_kerf, Vec3{place_mm.x, place_mm.y, 0.0});
+    if (is_open_in_another(rebuilt, index, point_mm)) return;
+    if (glm::dot(window.outward, point_mm) > window.limit_mm) continue;
+    const auto above = std::upper_bound(borders_mm.begin(), borders_mm.end(), place_mm.x);
+    const bool is_bone = (above - borders_mm.begin()) % 2 != 0;
+    if (!is_bone) continue;
+    ++count.wanted;
+    if (rebuilt.fields.field(index).is_open(place_mm)) ++count.open;
+  }
+}
+
 }  // namespace
+
+double opened_share(const RebuiltBone& rebuilt, std::int32_t index, const PlannedWindow& window) {
+  const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
+  const Vec3 feed =
+      transform_direction(rebuilt.fields.plane(index).bone_from_kerf, {1.0, 0.0, 0.0});
+  const bool is_reversed = glm::dot(feed, window.outward) < 0.0;
+  WindowCount count;
+  for (std::size_t i = 0; i < kerf.section.regions.size(); ++i) {
+    if (kerf.is_touched[i] == 0) continue;
+    const SectionRegion& region = kerf.section.regions[i];
+    const GridWindow grid = window_of(region.min_mm, region.max_mm, window_step_mm);
+    for (std::int64_t v = grid.v_first; v <= grid.v_last; ++v) {
+      const double v_mm = static_cast<double>(v) * window_step_mm;
+      const std::vector<double> borders_mm = bone_borders_mm(region, v_mm);
+      count_row(count, rebuilt, index, borders_mm, outward_row(borders_mm, v_mm, is_reversed),
+                window);
+    }
+  }
+  if (count.wanted == 0) return 0.0;
+  return static_cast<double>(count.open) / static_cast<double>(count.wanted);
+}
 
 FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceOrigin& wall,
                         const KerfPlane& plane) {

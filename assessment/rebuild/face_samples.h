@@ -25,4 +25,14 @@ FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceO
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side);
 
+/// The part of a section that a cut is to open: bone with outward . p <= limit. `outward` is a unit vector.
+struct PlannedWindow {
+  Vec3 outward{0.0, 0.0, 1.0};
+  double limit_mm = 0.0;
+};
+
+/// How much of the window, of the regions that the blade touched, kerf `index` opened [0, 1]. Bone that this blade would
+/// reach only through another kerf counts as done: there the waste is free already.
+double opened_share(const RebuiltBone& rebuilt, std::int32_t index, const PlannedWindow& window);
+
 }  // namespace hallux::assessment

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "simulator/cutting/opened_volume.h"
+
 namespace hallux::assessment {
 
 namespace {
@@ -13,7 +15,6 @@ using simulator::CutEventKind;
 using simulator::CutSolid;
 using simulator::KerfField;
 using simulator::Recording;
-using simulator::SectionMask;
 using simulator::ToolSample;
 using simulator::ToolStatus;
 
@@ -22,6 +23,8 @@ constexpr double stamping_share = 0.5;
 constexpr std::size_t samples_per_report = 4096;
 /// What is not removed is not done, however little is missing.
 constexpr double almost_done = 0.999;
+/// The share of a region's volume that is rounding: positions are kept to about 1e-9 of a bone.
+constexpr double nothing_left = 1.0e-6;
 
 void freeze_until(RebuiltBone& rebuilt, const Recording& recording, std::size_t& next_event,
                   std::int64_t tick) {
@@ -56,45 +59,37 @@ void open_kerfs(RebuiltBone& rebuilt, const Recording& recording, const Progress
   }
 }
 
-std::vector<double> covered_fractions(const SectionMask& mask, const KerfField& field) {
-  std::vector<std::int64_t> open(mask.node_count.size(), 0);
-  const std::int32_t u_count = mask.grid.u_count;
-  for (std::size_t node = 0; node < mask.region_of_node.size(); ++node) {
-    const std::int16_t region = mask.region_of_node[node];
-    if (region < 0) continue;
-    const std::int32_t u = static_cast<std::int32_t>(node) % u_count;
-    const std::int32_t v = static_cast<std::int32_t>(node) / u_count;
-    if (field.at(u, v) > 0.0F) ++open[static_cast<std::size_t>(region)];
+/// How much of each region the outline takes. What rounding leaves of a region that was taken wholly is nothing.
+void measure_regions(RebuiltKerf& kerf, const CutSolid& solid) {
+  const std::size_t count = kerf.section.regions.size();
+  for (std::size_t region = 0; region < count; ++region) {
+    std::vector<std::uint8_t> only(count, 0);
+    only[region] = 1;
+    const double whole_mm3 = slab_volume_mm3(solid, kerf.section, only);
+    const double opened_mm3 = opened_volume_mm3(solid, kerf.section.regions[region].triangles,
+                                                kerf.section.plane, kerf.outline);
+    const double fraction = whole_mm3 > 0.0 ? opened_mm3 / whole_mm3 : 0.0;
+    const bool is_whole = fraction > 1.0 - nothing_left;
+    kerf.opened_fraction.push_back(is_whole ? 1.0 : std::max(fraction, 0.0));
+    kerf.is_touched.push_back(fraction > nothing_left ? 1 : 0);
+    kerf.is_removed.push_back(is_whole ? 1 : 0);
   }
-  std::vector<double> fractions;
-  for (std::size_t region = 0; region < open.size(); ++region) {
-    const double nodes = static_cast<double>(mask.node_count[region]);
-    fractions.push_back(nodes > 0.0 ? static_cast<double>(open[region]) / nodes : 0.0);
-  }
-  return fractions;
-}
-
-bool any_of(const std::vector<std::uint8_t>& flags) noexcept {
-  for (const std::uint8_t flag : flags) {
-    if (flag != 0) return true;
-  }
-  return false;
 }
 
 /// Takes one kerf out of the solid; whether the solid changed.
 bool cut_kerf(CutSolid& solid, const Bvh& bvh, RebuiltBone& rebuilt, std::int32_t index) {
   RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const KerfField& field = rebuilt.fields.field(index);
-  kerf.section = slice_section(solid, bvh, rebuilt.fields.plane(index));
-  const SectionMask mask = mask_section(kerf.section, solid, bvh, field.grid());
-  kerf.is_touched = touched_regions(mask, field);
-  kerf.is_removed = covered_regions(mask, field);
-  kerf.covered_fraction = covered_fractions(mask, field);
-  if (!any_of(kerf.is_removed)) return false;
-  kerf.removed_mm3 = slab_volume_mm3(solid, kerf.section, kerf.is_removed);
-  rebuilt.removed_mm3 += kerf.removed_mm3;
-  solid = remove_slab(solid, bvh, kerf.section, index, kerf.is_removed);
-  return true;
+  const simulator::KerfPlane& plane = rebuilt.fields.plane(index);
+  kerf.section = slice_section(solid, bvh, plane);
+  kerf.outline = outline_of(field);
+  measure_regions(kerf, solid);
+  simulator::KerfCut cut =
+      simulator::cut_kerf(solid, bvh, plane, index, field.grid(), kerf.outline);
+  kerf.removed_mm3 = cut.removed_mm3;
+  rebuilt.removed_mm3 += cut.removed_mm3;
+  solid = std::move(cut.solid);
+  return cut.removed_mm3 > 0.0;
 }
 
 void keep_pieces(RebuiltBone& rebuilt, const CutSolid& solid) {
@@ -125,7 +120,7 @@ void cut_kerfs(CutSolid& solid, RebuiltBone& rebuilt, const Progress& progress) 
 double RebuiltKerf::done_fraction() const noexcept {
   for (std::size_t region = 0; region < is_touched.size(); ++region) {
     if (is_removed[region] != 0) return 1.0;
-    if (is_touched[region] != 0) return std::min(covered_fraction[region], almost_done);
+    if (is_touched[region] != 0) return std::min(opened_fraction[region], almost_done);
   }
   return 0.0;
 }

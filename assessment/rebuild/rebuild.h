@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assessment/progress.h"
+#include "simulator/cutting/commit_patch.h"
 #include "simulator/cutting/cut.h"
 #include "simulator/cutting/kerf_set.h"
 #include "simulator/mesh/bone.h"
@@ -12,12 +13,13 @@
 
 namespace hallux::assessment {
 
-/// One kerf of the attempt. `is_removed` and `covered_fraction` have one entry per region of the section.
+/// One kerf of the attempt. `is_touched`, `is_removed` and `opened_fraction` have one entry per region of the section.
 struct RebuiltKerf {
-  simulator::Section section;  ///< of the solid as it was when this kerf's turn came
-  std::vector<std::uint8_t> is_touched;
-  std::vector<std::uint8_t> is_removed;  ///< the field covers the region wholly
-  std::vector<double> covered_fraction;  ///< [0, 1], of the region's nodes
+  simulator::Section section;            ///< of the solid as it was when this kerf's turn came
+  simulator::RegionOutline outline;      ///< of what the blade opened
+  std::vector<std::uint8_t> is_touched;  ///< the blade opened something of the region
+  std::vector<std::uint8_t> is_removed;  ///< nothing of the region within the slab is left
+  std::vector<double> opened_fraction;   ///< [0, 1], of the region's volume within the slab
   double removed_mm3 = 0.0;
   std::int64_t frozen_tick = 0;
   std::int64_t first_cutting_tick = 0, last_cutting_tick = 0;  ///< frozen_tick where it never cut

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scenarios/foot/relief.h"
+#include "simulator/base/check.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -78,6 +79,7 @@ BoneField::BoneField(const BoneTable& table, double length_mm, double eminence_m
       loft_(table),
       stretch_(length_mm / table.length_mm),
       eminence_mm_(eminence_mm) {
+  CHECK(eminence_mm <= 0.0 || table.eminence.has_value());
   double reach_y_mm = 0.0;
   double reach_z_mm = 0.0;
   for (const Station& s : table.stations) {
@@ -92,7 +94,7 @@ BoneField::BoneField(const BoneTable& table, double length_mm, double eminence_m
 }
 
 void BoneField::lay_sulcus() {
-  const EminenceShape& shape = table_.eminence;
+  const EminenceShape& shape = *table_.eminence;
   for (Vec3 point : shape.sulcus_mm) {
     Vec3 outward{0.0, 0.0, 0.0};
     for (int step = 0; step < newton_steps; ++step) {
@@ -112,7 +114,7 @@ Vec3 BoneField::stretched(const Vec3& point_in_table_mm) const noexcept {
 }
 
 Dual BoneField::with_eminence(const Dual& distance, const Vec3& point_mm) const noexcept {
-  const EminenceShape& shape = table_.eminence;
+  const EminenceShape& shape = *table_.eminence;
   const Vec3 centre = shape.centre_mm - Vec3{0.0, 0.0, eminence_mm_};
   Dual grown =
       smooth_min(distance, ellipsoid_distance(centre, shape.radii_mm, point_mm), shape.blend_mm);
@@ -132,7 +134,7 @@ double BoneField::roughness(const Vec3& point_mm, const LoftDistances& parts) co
                  (1.0 - cartilage_share(table_.cartilage, point_mm));
   if (eminence_mm_ > 0.0) {
     // The apex is where the eminence is measured: smooth, so that its height is what was asked for.
-    const EminenceShape& shape = table_.eminence;
+    const EminenceShape& shape = *table_.eminence;
     const Vec3 apex = shape.centre_mm - Vec3{0.0, 0.0, shape.radii_mm.z + eminence_mm_};
     share *= smooth_step(2.5, 5.0, length_of(point_mm - apex).value);
   }

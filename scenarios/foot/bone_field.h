@@ -11,6 +11,7 @@ namespace hallux::scenarios {
 class BoneField {
  public:
   /// length_mm stretches x only; eminence_mm 0 keeps the table's own bump.
+  /// needs   the table has an eminence, or eminence_mm is 0
   BoneField(const BoneTable& table, double length_mm, double eminence_mm);
 
   /// Below zero inside; near the surface a distance within about a factor 1.5, its gradient within about a third.

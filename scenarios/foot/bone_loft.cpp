@@ -10,6 +10,8 @@ namespace {
 
 /// How softly a cap is kept from passing the ends of the bone.
 constexpr double end_blend_mm = 2.0;
+/// Over which length past the first and the last station the sections come to rest.
+constexpr double fade_out_mm = 1.5;
 
 /// (u - 1) / |grad u|: the gradient's own slope is left out, which is exact on the surface.
 Dual normalised_gauge(const Dual& u) {
@@ -98,14 +100,26 @@ void BoneLoft::set_slopes(std::size_t channel) {
   }
 }
 
+std::array<Dual, BoneLoft::channel_count> BoneLoft::section_past(const Knot& end,
+                                                                 double x_mm) const noexcept {
+  // The slope fades as (1 - t)^2. Cut off at once, it would leave a step in the rim, because the side's distance is
+  // divided by its gradient.
+  const double t = std::min(std::abs(x_mm - end.x_mm) / fade_out_mm, 1.0);
+  const double left = (1.0 - t) * (1.0 - t);
+  const double run_mm =
+      (x_mm < end.x_mm ? -1.0 : 1.0) * fade_out_mm * (1.0 - left * (1.0 - t)) / 3.0;
+  std::array<Dual, channel_count> section;
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    const double slope = end.slope_per_mm[c];
+    section[c] = {end.value[c] + slope * run_mm, {slope * left, 0.0, 0.0}};
+  }
+  return section;
+}
+
 std::array<Dual, BoneLoft::channel_count> BoneLoft::section_at(double x_mm) const noexcept {
   std::array<Dual, channel_count> section;
-  const bool is_before = x_mm <= knots_.front().x_mm;
-  if (is_before || x_mm >= knots_.back().x_mm) {
-    const Knot& end = is_before ? knots_.front() : knots_.back();
-    for (std::size_t c = 0; c < channel_count; ++c) section[c] = {end.value[c]};
-    return section;
-  }
+  if (x_mm <= knots_.front().x_mm) return section_past(knots_.front(), x_mm);
+  if (x_mm >= knots_.back().x_mm) return section_past(knots_.back(), x_mm);
   std::size_t i = 0;
   while (knots_[i + 1].x_mm < x_mm) ++i;
   const Knot& from = knots_[i];

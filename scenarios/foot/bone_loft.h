@@ -35,6 +35,7 @@ class BoneLoft {
   };
 
   void set_slopes(std::size_t channel);
+  std::array<Dual, channel_count> section_past(const Knot& end, double x_mm) const noexcept;
   std::array<Dual, channel_count> section_at(double x_mm) const noexcept;
 
   double length_mm_;

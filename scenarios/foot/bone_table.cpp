@@ -4,9 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include "simulator/base/embedded.h"
 #include "simulator/base/units.h"
 
 namespace hallux::scenarios {
+
+std::span<const EmbeddedText> foot_table_files() noexcept;
+
 namespace {
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -35,6 +39,7 @@ class TableReader {
       at = end + 1;
     }
     check_complete();
+    if (has_eminence()) table_.eminence = std::move(eminence_);
     return std::move(table_);
   }
 
@@ -73,17 +78,20 @@ class TableReader {
       read_cartilage();
     } else if (key == "eminence") {
       const auto v = numbers(1, 7, "eminence x y z rx ry rz k");
-      table_.eminence.centre_mm = {v[0], v[1], v[2]};
-      table_.eminence.radii_mm = positive_extent(v[3], v[4], v[5]);
-      table_.eminence.blend_mm = positive(v[6], "k");
+      eminence_.centre_mm = {v[0], v[1], v[2]};
+      eminence_.radii_mm = positive_extent(v[3], v[4], v[5]);
+      eminence_.blend_mm = positive(v[6], "k");
     } else if (key == "sulcus") {
       const auto v = numbers(1, 3, "sulcus x y z");
-      table_.eminence.sulcus_mm.emplace_back(v[0], v[1], v[2]);
+      eminence_.sulcus_mm.emplace_back(v[0], v[1], v[2]);
     } else if (key == "sulcus_groove") {
       const auto v = numbers(1, 3, "sulcus_groove r depth k");
-      table_.eminence.sulcus_radius_mm = positive(v[0], "r");
-      table_.eminence.sulcus_depth_mm = positive(v[1], "depth");
-      table_.eminence.sulcus_blend_mm = positive(v[2], "k");
+      eminence_.sulcus_radius_mm = positive(v[0], "r");
+      eminence_.sulcus_depth_mm = positive(v[1], "depth");
+      eminence_.sulcus_blend_mm = positive(v[2], "k");
+    } else if (key == "cortex") {
+      const auto v = numbers(1, 2, "cortex mid floor");
+      table_.cortex = {positive(v[0], "mid"), positive(v[1], "floor")};
     } else if (key == "place") {
       const auto v = numbers(1, 6, "place X Y Z X Y Z");
       table_.place = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
@@ -91,7 +99,7 @@ class TableReader {
       refuse(
           "'" + key +
           "' is not a kind of line; use bone, credit, length, relief, station, cap, bump, groove, "
-          "cartilage, eminence, sulcus, sulcus_groove or place");
+          "cartilage, eminence, sulcus, sulcus_groove, cortex or place");
     }
   }
 
@@ -184,25 +192,40 @@ class TableReader {
             positive(z, "the extent along z")};
   }
 
+  int seen(const std::string& key) const {
+    const auto found = seen_.find(key);
+    return found == seen_.end() ? 0 : found->second;
+  }
+
+  void check_once(const std::string& key) const {
+    if (seen(key) == 1) return;
+    throw ScenarioError(name_ + ": has " + std::to_string(seen(key)) + " lines '" + key +
+                        "', needs exactly one");
+  }
+
   void check_complete() const {
-    for (const char* key : {"bone", "length", "relief", "cap base", "cap head", "cartilage",
-                            "eminence", "sulcus_groove", "place"}) {
-      const auto found = seen_.find(key);
-      const int count = found == seen_.end() ? 0 : found->second;
-      if (count != 1) {
-        throw ScenarioError(name_ + ": has " + std::to_string(count) + " lines '" + key +
-                            "', needs exactly one");
-      }
+    for (const char* key :
+         {"bone", "length", "relief", "cap base", "cap head", "cartilage", "cortex", "place"}) {
+      check_once(key);
     }
     if (table_.stations.size() < 4) throw ScenarioError(name_ + ": needs at least four stations");
-    if (table_.eminence.sulcus_mm.size() < 2) {
+    if (!has_eminence()) return;
+    check_once("eminence");
+    check_once("sulcus_groove");
+    if (eminence_.sulcus_mm.size() < 2) {
       throw ScenarioError(name_ + ": needs at least two lines 'sulcus'");
     }
+  }
+
+  /// Its lines come all or not at all.
+  bool has_eminence() const {
+    return seen("eminence") + seen("sulcus") + seen("sulcus_groove") > 0;
   }
 
   std::string_view text_;
   std::string name_;
   BoneTable table_;
+  EminenceShape eminence_;
   std::vector<std::string_view> words_;
   std::map<std::string, int> seen_;
   std::size_t line_ = 0;
@@ -212,6 +235,15 @@ class TableReader {
 
 BoneTable parse_bone_table(std::string_view text, std::string_view name) {
   return TableReader(text, name).read();
+}
+
+BoneTable shipped_bone_table(std::string_view name) {
+  std::string known;
+  for (const EmbeddedText& file : foot_table_files()) {
+    if (file.name == name) return parse_bone_table(file.text, file.name);
+    known += (known.empty() ? "" : ", ") + std::string(file.name);
+  }
+  throw ScenarioError("no bone table '" + std::string(name) + "' is shipped; use one of: " + known);
 }
 
 }  // namespace hallux::scenarios

@@ -1,6 +1,7 @@
 /// The table a bone is made from: sections along its length, two end caps, features, cartilage, and its place.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,6 +73,12 @@ struct EminenceShape {
   double sulcus_blend_mm = 1.0;
 };
 
+/// How thick the cortex is in the middle of the shaft, and at least everywhere.
+struct CortexShape {
+  double mid_mm = 2.2;
+  double floor_mm = 0.7;
+};
+
 struct BonePlace {
   Vec3 base_in_world_mm{0.0, 0.0, 0.0};
   Vec3 head_in_world_mm{1.0, 0.0, 0.0};
@@ -88,7 +95,8 @@ struct BoneTable {
   EndCap head;
   std::vector<Feature> features;  ///< in the order in which they act
   HeadCartilage cartilage;
-  EminenceShape eminence;
+  std::optional<EminenceShape> eminence;  ///< absent where none grows on this bone
+  CortexShape cortex;
   BonePlace place;
 };
 
@@ -96,5 +104,9 @@ struct BoneTable {
 /// errors  ScenarioError naming the line and the mend
 /// source  docs/foot.md, section "The table"
 BoneTable parse_bone_table(std::string_view text, std::string_view name);
+
+/// A table compiled into the program, by its file name: "first_metatarsal.txt".
+/// errors  ScenarioError where none of that name is shipped
+BoneTable shipped_bone_table(std::string_view name);
 
 }  // namespace hallux::scenarios

@@ -14,8 +14,8 @@ constexpr double first_share = 0.24;
 constexpr double last_share = 0.76;
 constexpr double end_slope = 0.55;
 constexpr double end_blend_mm = 4.0;
-/// Greatest slope of the field: the distance's 1 and the cortex law's at most 0.09.
-constexpr double steepest = 1.1;
+/// Greatest slope of the law's bell exp(-((t - 0.5) / 0.22)^2): sqrt(2 / e) / 0.22.
+constexpr double bell_slope = 3.9;
 
 Dual marrow_field(const simulator::Bvh& outer, const simulator::CortexLaw& cortex,
                   const Vec3& point_mm) {
@@ -31,7 +31,9 @@ Dual marrow_field(const simulator::Bvh& outer, const simulator::CortexLaw& corte
   return smooth_max(depth + simulator::cortex_thickness_mm(cortex, point_mm.x), ends, end_blend_mm);
 }
 
-SampleBox shaft_box(const simulator::IndexedMesh& outer, double length_mm, double edge_mm) {
+SampleBox shaft_box(const simulator::IndexedMesh& outer, const simulator::CortexLaw& cortex,
+                    double edge_mm) {
+  const double length_mm = cortex.length_mm;
   SampleBox box;
   box.low_mm = outer.points_mm.front();
   box.high_mm = box.low_mm;
@@ -45,7 +47,8 @@ SampleBox shaft_box(const simulator::IndexedMesh& outer, double length_mm, doubl
   box.low_mm.x = low_x;
   box.high_mm.x = high_x;
   box.spacing_mm = std::clamp(1.5 * edge_mm, 0.4, 1.0);
-  box.steepest = steepest;
+  // The distance's own slope and the cortex law's.
+  box.steepest = 1.0 + 0.65 * bell_slope * cortex.mid_mm / length_mm;
   return box;
 }
 
@@ -56,7 +59,7 @@ simulator::IndexedMesh make_canal(const simulator::IndexedMesh& outer,
                                   const RemeshProgress& progress) {
   const simulator::Bvh tree(outer);
   const Field field = [&](const Vec3& point_mm) { return marrow_field(tree, cortex, point_mm); };
-  const SampledField samples = sample_field(field, shaft_box(outer, cortex.length_mm, edge_mm));
+  const SampledField samples = sample_field(field, shaft_box(outer, cortex, edge_mm));
   const simulator::IndexedMesh raw = march_tetrahedra(samples);
   check_sphere(raw, "canal");
   simulator::IndexedMesh canal = remesh(raw, field, edge_mm, progress);

@@ -1,119 +1,113 @@
 #include "scenarios/foot/first_metatarsal.h"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <string>
-
-#include "scenarios/foot/bone_field.h"
-#include "scenarios/foot/canal.h"
-#include "scenarios/foot/landmarks.h"
-#include "scenarios/foot/march_tetrahedra.h"
-#include "scenarios/foot/remesh.h"
-#include "scenarios/foot/topology.h"
-#include "simulator/base/embedded.h"
+#include <utility>
 
 namespace hallux::scenarios {
-
-std::span<const EmbeddedText> foot_table_files() noexcept;
-
 namespace {
 
-/// Raised whenever the same request may give another bone.
-constexpr int generator_version = 1;
-constexpr double cortex_mid_mm = 2.2;
-constexpr double cortex_floor_mm = 0.7;
-/// The canal is smoother than the outer surface.
-constexpr double canal_edge_share = 1.5;
-
-std::string text_of(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
-void check_range(const char* what, double value, double low, double high, const char* also) {
-  if (value >= low && value <= high) return;
-  throw ScenarioError(std::string(what) + " " + text_of(value) + " is out of range; ask for " +
-                      text_of(low) + " to " + text_of(high) + also);
-}
-
-void check_request(const BoneTable& table, const BoneRequest& request) {
-  if (request.length_mm != 0.0) {
-    check_range("length_mm", request.length_mm, 0.75 * table.length_mm, 1.3 * table.length_mm,
-                ", or 0 for the table's own length");
+/// Solves m x = b for four unknowns by elimination with row exchange.
+std::array<double, 4> solve(std::array<std::array<double, 5>, 4> m) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::size_t best = c;
+    for (std::size_t r = c + 1; r < 4; ++r) {
+      if (std::abs(m[r][c]) > std::abs(m[best][c])) best = r;
+    }
+    std::swap(m[c], m[best]);
+    for (std::size_t r = 0; r < 4; ++r) {
+      if (r == c) continue;
+      const double share = m[r][c] / m[c][c];
+      for (std::size_t k = c; k < 5; ++k) m[r][k] -= share * m[c][k];
+    }
   }
-  if (request.eminence_mm != 0.0) {
-    check_range("eminence_mm", request.eminence_mm, 1.0, 8.0, ", or 0 for the table's own bump");
+  return {m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2], m[3][4] / m[3][3]};
+}
+
+/// Centre of the sphere nearest to the head's cartilage: |p|^2 = 2 p . c + k in least squares. The points tagged as
+/// cartilage are laid on the head as it is without a grown eminence, which would draw the centre after it.
+Vec3 head_centre(const LandmarkSources& sources) {
+  const BoneField plain(sources.table, sources.length_mm, 0.0);
+  const Vec3 about = sources.field.stretched(sources.table.cartilage.centre_mm);
+  std::array<std::array<double, 5>, 4> m{};
+  for (const Vec3& point : sources.outer.points_mm) {
+    if (!sources.field.is_head_cartilage(point)) continue;
+    const Vec3 p = plain.onto_surface(point) - about;
+    const std::array<double, 5> row{2.0 * p.x, 2.0 * p.y, 2.0 * p.z, 1.0, glm::dot(p, p)};
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t c = 0; c < 5; ++c) m[r][c] += row[r] * row[c];
+    }
   }
-  check_range("edge_mm", request.edge_mm, 0.2, 1.5, "");
+  const auto x = solve(m);
+  return about + Vec3{x[0], x[1], x[2]};
 }
 
-void report(const BoneProgress& progress, double fraction) {
-  if (progress && !progress(fraction)) throw ScenarioError("cancelled");
+const Feature& feature_named(const BoneTable& table, std::string_view name) {
+  for (const Feature& feature : table.features) {
+    if (feature.name == name) return feature;
+  }
+  throw ScenarioError("the table of " + table.bone + " has no feature '" + std::string(name) +
+                      "', after which a landmark is named; add it");
 }
 
-/// The share of the whole work between two fractions, for a part that counts from 0 to 1.
-RemeshProgress part_of(const BoneProgress& progress, double from, double to) {
-  return [&progress, from, to](double fraction) {
-    return !progress || progress(from + (to - from) * fraction);
+/// The bottom of a groove: its line lies outside the bone, one radius from it, away from the head's centre.
+Vec3 groove_bottom(const LandmarkSources& sources, const Vec3& on_line_mm, double radius_mm) {
+  const Vec3 inward = sources.table.cartilage.centre_mm - on_line_mm;
+  const double share = radius_mm / std::sqrt(glm::dot(inward, inward));
+  return sources.field.onto_surface(sources.field.stretched(on_line_mm + inward * share));
+}
+
+Vec3 feature_point(const LandmarkSources& sources, std::string_view name) {
+  const Feature& feature = feature_named(sources.table, name);
+  if (feature.kind == FeatureKind::Bump) {
+    return sources.field.onto_surface(sources.field.stretched(feature.centre_mm));
+  }
+  return groove_bottom(sources, 0.5 * (feature.centre_mm + feature.end_mm), feature.radius_mm);
+}
+
+/// Half way along the groove beside a grown eminence; without one the table's own sulcus.
+Vec3 medial_sulcus(const LandmarkSources& sources) {
+  const std::vector<Vec3>& bottom = sources.field.sulcus_bottom_mm();
+  if (bottom.empty()) return feature_point(sources, "sag_sulcus");
+  return sources.field.onto_surface(sources.field.stretched(bottom[bottom.size() / 2]));
+}
+
+/// Where the cartilage ends in the sagittal plane through the head's centre.
+Vec3 cartilage_edge(const LandmarkSources& sources, double angle_rad) {
+  const HeadCartilage& c = sources.table.cartilage;
+  const Vec3 direction{elementary::cos(angle_rad), elementary::sin(angle_rad), 0.0};
+  return sources.field.onto_surface(sources.field.stretched(c.centre_mm + c.radius_mm * direction));
+}
+
+std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
+  const simulator::IndexedMesh& mesh = sources.outer;
+  const EndCap& base = sources.table.base;
+  const double length = sources.length_mm;
+  const Vec3 medial{0.0, 0.0, -1.0};
+  return {
+      {"head_centre", head_centre(sources)},
+      {"head_apex", extreme_point(mesh, {1.0, 0.0, 0.0}, 0.5 * length, 2.0 * length)},
+      {"med_sulcus", medial_sulcus(sources)},
+      {"dorsal_cart_edge", cartilage_edge(sources, sources.table.cartilage.dorsal_rad)},
+      {"plantar_cart_edge", cartilage_edge(sources, -sources.table.cartilage.plantar_rad)},
+      {"sesamoid_groove_med", feature_point(sources, "ses_groove_m")},
+      {"sesamoid_groove_lat", feature_point(sources, "ses_groove_l")},
+      {"crista", feature_point(sources, "crista")},
+      {"tmt_centre",
+       sources.field.onto_surface(sources.field.stretched({base.x_mm, base.y_mm, base.z_mm}))},
+      {"shaft_proximal", slice_centroid(mesh, length / 3.0)},
+      {"shaft_distal", slice_centroid(mesh, length * 2.0 / 3.0)},
+      {"shaft_medial", extreme_point(mesh, medial, 0.62 * length, 0.66 * length)},
+      {"eminence_apex", extreme_point(mesh, medial, 0.75 * length, 2.0 * length)},
   };
-}
-
-simulator::IndexedMesh make_outer(const BoneField& bone, double edge_mm,
-                                  const BoneProgress& progress) {
-  const Field field = [&bone](const Vec3& point_mm) { return bone.at(point_mm); };
-  SampleBox box;
-  box.low_mm = bone.low_mm();
-  box.high_mm = bone.high_mm();
-  box.spacing_mm = std::clamp(2.0 * edge_mm, 0.4, 1.0);
-  const simulator::IndexedMesh raw = march_tetrahedra(sample_field(field, box));
-  check_sphere(raw, "outer surface");
-  report(progress, 0.1);
-  simulator::IndexedMesh outer = remesh(raw, field, edge_mm, part_of(progress, 0.1, 0.6));
-  check_sphere(outer, "outer surface");
-  return outer;
-}
-
-std::string generator_of(const BoneTable& table, const BoneRequest& request, double length_mm) {
-  return table.bone + " " + table.shape + " generator " + std::to_string(generator_version) +
-         " length_mm " + text_of(length_mm) + " eminence_mm " + text_of(request.eminence_mm) +
-         " edge_mm " + text_of(request.edge_mm) + (request.with_canal ? "" : " without canal");
-}
-
-RigidTransform placed(const BonePlace& place) {
-  const Vec3 along = place.head_in_world_mm - place.base_in_world_mm;
-  return {rotation_from_axes(along, {0.0, 1.0, 0.0}), place.base_in_world_mm};
 }
 
 }  // namespace
 
 simulator::Bone make_first_metatarsal(const BoneTable& table, const BoneRequest& request,
                                       const BoneProgress& progress) {
-  check_request(table, request);
-  report(progress, 0.0);
-  const double length_mm = request.length_mm == 0.0 ? table.length_mm : request.length_mm;
-  const BoneField field(table, length_mm, request.eminence_mm);
-  simulator::Bone bone;
-  bone.name = table.bone;
-  bone.generator = generator_of(table, request, length_mm);
-  bone.credit = table.credit;
-  bone.outer = make_outer(field, request.edge_mm, progress);
-  bone.cortex = simulator::CortexLaw{cortex_mid_mm, cortex_floor_mm, length_mm};
-  if (request.with_canal) {
-    bone.canal = make_canal(bone.outer, *bone.cortex, canal_edge_share * request.edge_mm,
-                            part_of(progress, 0.6, 0.95));
-  }
-  bone.landmarks = find_landmarks({table, field, bone.outer, length_mm});
-  bone.world_from_bone = placed(table.place);
-  report(progress, 1.0);
-  return bone;
+  return make_bone(table, request, {"first_metatarsal", landmarks_of}, progress);
 }
 
-BoneTable first_metatarsal_table() {
-  const EmbeddedText& file = foot_table_files().front();
-  return parse_bone_table(file.text, file.name);
-}
+BoneTable first_metatarsal_table() { return shipped_bone_table("first_metatarsal.txt"); }
 
 }  // namespace hallux::scenarios

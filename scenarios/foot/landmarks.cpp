@@ -1,73 +1,61 @@
 #include "scenarios/foot/landmarks.h"
 
 #include <array>
-#include <utility>
-
-#include "scenarios/scenario_error.h"
+#include <limits>
 
 namespace hallux::scenarios {
 namespace {
 
-/// Solves m x = b for four unknowns by elimination with row exchange.
-std::array<double, 4> solve(std::array<std::array<double, 5>, 4> m) {
-  for (std::size_t c = 0; c < 4; ++c) {
-    std::size_t best = c;
-    for (std::size_t r = c + 1; r < 4; ++r) {
-      if (std::abs(m[r][c]) > std::abs(m[best][c])) best = r;
-    }
-    std::swap(m[c], m[best]);
-    for (std::size_t r = 0; r < 4; ++r) {
-      if (r == c) continue;
-      const double share = m[r][c] / m[c][c];
-      for (std::size_t k = c; k < 5; ++k) m[r][k] -= share * m[c][k];
-    }
-  }
-  return {m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2], m[3][4] / m[3][3]};
-}
+/// Each turn of a straight edge lays it on a steeper corner; more are never needed.
+constexpr int most_turns = 100;
 
-/// Centre of the sphere nearest to the head's cartilage: |p|^2 = 2 p . c + k in least squares. The points tagged as
-/// cartilage are laid on the head as it is without a grown eminence, which would draw the centre after it.
-Vec3 head_centre(const LandmarkSources& sources) {
-  const BoneField plain(sources.table, sources.length_mm, 0.0);
-  const Vec3 about = sources.field.stretched(sources.table.cartilage.centre_mm);
-  std::array<std::array<double, 5>, 4> m{};
-  for (const Vec3& point : sources.outer.points_mm) {
-    if (!sources.field.is_head_cartilage(point)) continue;
-    const Vec3 p = plain.onto_surface(point) - about;
-    const std::array<double, 5> row{2.0 * p.x, 2.0 * p.y, 2.0 * p.z, 1.0, glm::dot(p, p)};
-    for (std::size_t r = 0; r < 4; ++r) {
-      for (std::size_t c = 0; c < 5; ++c) m[r][c] += row[r] * row[c];
-    }
-  }
-  const auto x = solve(m);
-  return about + Vec3{x[0], x[1], x[2]};
-}
-
-/// Centroid of the area in which the plane x = x_mm cuts the surface, by Green's theorem over its segments.
-Vec3 slice_centroid(const simulator::IndexedMesh& mesh, double x_mm) {
-  double area = 0.0;
-  Vec2 moment{0.0, 0.0};
+/// Calls `visit(from, to)` for each segment in which the plane across `axis` (0 is x) cuts a triangle; the bone lies on
+/// the same side of all.
+template <typename Visit>
+void for_each_slice_segment(const simulator::IndexedMesh& mesh, glm::length_t axis, double at_mm,
+                            const Visit& visit) {
   for (const simulator::Triangle& t : mesh.triangles) {
-    std::array<Vec2, 2> ends{};
+    std::array<Vec3, 2> ends{Vec3{0.0}, Vec3{0.0}};
     int found = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& p = mesh.points_mm[t[k]];
       const Vec3& q = mesh.points_mm[t[(k + 1) % 3]];
-      if ((p.x < x_mm) == (q.x < x_mm)) continue;
-      const Vec3 at = p + (q - p) * ((x_mm - p.x) / (q.x - p.x));
-      ends[p.x < x_mm ? 0 : 1] = {at.y, at.z};
+      if ((p[axis] < at_mm) == (q[axis] < at_mm)) continue;
+      ends[p[axis] < at_mm ? 0 : 1] = p + (q - p) * ((at_mm - p[axis]) / (q[axis] - p[axis]));
       ++found;
     }
-    if (found != 2) continue;
-    const double twice = ends[0].x * ends[1].y - ends[1].x * ends[0].y;
-    area += twice;
-    moment += (ends[0] + ends[1]) * twice;
+    if (found == 2) visit(ends[0], ends[1]);
   }
+}
+
+}  // namespace
+
+Vec3 slice_centroid(const simulator::IndexedMesh& mesh, double x_mm) {
+  // Green's theorem over the segments.
+  double area = 0.0;
+  Vec2 moment{0.0, 0.0};
+  for_each_slice_segment(mesh, 0, x_mm, [&](const Vec3& from, const Vec3& to) {
+    const double twice = from.y * to.z - to.y * from.z;
+    area += twice;
+    moment += Vec2{from.y + to.y, from.z + to.z} * twice;
+  });
   const Vec2 centre = moment / (3.0 * area);
   return {x_mm, centre.x, centre.y};
 }
 
-/// The point with the greatest `along . p` among those with x in [low, high].
+Vec3 slice_extreme(const simulator::IndexedMesh& mesh, glm::length_t axis, double at_mm,
+                   const Vec3& along) {
+  Vec3 best{0.0, 0.0, 0.0};
+  bool is_found = false;
+  for_each_slice_segment(mesh, axis, at_mm, [&](const Vec3& from, const Vec3&) {
+    // The slice is closed: each corner begins one of its segments.
+    if (is_found && glm::dot(along, from) <= glm::dot(along, best)) return;
+    best = from;
+    is_found = true;
+  });
+  return best;
+}
+
 Vec3 extreme_point(const simulator::IndexedMesh& mesh, const Vec3& along, double low_mm,
                    double high_mm) {
   Vec3 best{0.0, 0.0, 0.0};
@@ -81,66 +69,24 @@ Vec3 extreme_point(const simulator::IndexedMesh& mesh, const Vec3& along, double
   return best;
 }
 
-const Feature& feature_named(const BoneTable& table, std::string_view name) {
-  for (const Feature& feature : table.features) {
-    if (feature.name == name) return feature;
+RestingPoints straight_edge(const simulator::IndexedMesh& mesh, double facing, double middle_z_mm) {
+  RestingPoints rest;
+  Vec3 outward{facing, 0.0, 0.0};
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const RestingPoints before = rest;
+    double medial = -std::numeric_limits<double>::infinity();
+    double lateral = medial;
+    for (const Vec3& p : mesh.points_mm) {
+      double& furthest = p.z < middle_z_mm ? medial : lateral;
+      if (glm::dot(outward, p) <= furthest) continue;
+      furthest = glm::dot(outward, p);
+      (p.z < middle_z_mm ? rest.medial : rest.lateral) = p;
+    }
+    if (rest.medial == before.medial && rest.lateral == before.lateral) break;
+    const Vec3 along = rest.lateral - rest.medial;
+    outward = facing * Vec3{along.z, 0.0, -along.x};
   }
-  throw ScenarioError("the table of " + table.bone + " has no feature '" + std::string(name) +
-                      "', after which a landmark is named; add it");
-}
-
-/// The bottom of a groove: its line lies outside the bone, one radius from it, away from the head's centre.
-Vec3 groove_bottom(const LandmarkSources& sources, const Vec3& on_line_mm, double radius_mm) {
-  const Vec3 inward = sources.table.cartilage.centre_mm - on_line_mm;
-  const double share = radius_mm / std::sqrt(glm::dot(inward, inward));
-  return sources.field.onto_surface(sources.field.stretched(on_line_mm + inward * share));
-}
-
-Vec3 feature_point(const LandmarkSources& sources, std::string_view name) {
-  const Feature& feature = feature_named(sources.table, name);
-  if (feature.kind == FeatureKind::Bump) {
-    return sources.field.onto_surface(sources.field.stretched(feature.centre_mm));
-  }
-  return groove_bottom(sources, 0.5 * (feature.centre_mm + feature.end_mm), feature.radius_mm);
-}
-
-/// Half way along the groove beside a grown eminence; without one the table's own sulcus.
-Vec3 medial_sulcus(const LandmarkSources& sources) {
-  const std::vector<Vec3>& bottom = sources.field.sulcus_bottom_mm();
-  if (bottom.empty()) return feature_point(sources, "sag_sulcus");
-  return sources.field.onto_surface(sources.field.stretched(bottom[bottom.size() / 2]));
-}
-
-/// Where the cartilage ends in the sagittal plane through the head's centre.
-Vec3 cartilage_edge(const LandmarkSources& sources, double angle_rad) {
-  const HeadCartilage& c = sources.table.cartilage;
-  const Vec3 direction{elementary::cos(angle_rad), elementary::sin(angle_rad), 0.0};
-  return sources.field.onto_surface(sources.field.stretched(c.centre_mm + c.radius_mm * direction));
-}
-
-}  // namespace
-
-std::vector<simulator::Landmark> find_landmarks(const LandmarkSources& sources) {
-  const simulator::IndexedMesh& mesh = sources.outer;
-  const EndCap& base = sources.table.base;
-  const double length = sources.length_mm;
-  const Vec3 medial{0.0, 0.0, -1.0};
-  return {
-      {"head_centre", head_centre(sources)},
-      {"head_apex", extreme_point(mesh, {1.0, 0.0, 0.0}, 0.5 * length, 2.0 * length)},
-      {"med_sulcus", medial_sulcus(sources)},
-      {"dorsal_cart_edge", cartilage_edge(sources, sources.table.cartilage.dorsal_rad)},
-      {"plantar_cart_edge", cartilage_edge(sources, -sources.table.cartilage.plantar_rad)},
-      {"sesamoid_groove_med", feature_point(sources, "ses_groove_m")},
-      {"sesamoid_groove_lat", feature_point(sources, "ses_groove_l")},
-      {"crista", feature_point(sources, "crista")},
-      {"tmt_centre",
-       sources.field.onto_surface(sources.field.stretched({base.x_mm, base.y_mm, base.z_mm}))},
-      {"shaft_proximal", slice_centroid(mesh, length / 3.0)},
-      {"shaft_distal", slice_centroid(mesh, length * 2.0 / 3.0)},
-      {"shaft_medial", extreme_point(mesh, medial, 0.62 * length, 0.66 * length)},
-      {"eminence_apex", extreme_point(mesh, medial, 0.75 * length, 2.0 * length)},
-  };
+  return rest;
 }
 
 }  // namespace hallux::scenarios

@@ -1,7 +1,5 @@
-/// The named points of a generated first metatarsal.
+/// Finding named points on a finished bone.
 #pragma once
-
-#include <vector>
 
 #include "scenarios/foot/bone_field.h"
 #include "simulator/mesh/bone.h"
@@ -15,10 +13,25 @@ struct LandmarkSources {
   double length_mm = 0.0;
 };
 
-/// head_centre, head_apex, med_sulcus, dorsal_cart_edge, plantar_cart_edge, sesamoid_groove_med, sesamoid_groove_lat,
-/// crista, tmt_centre, shaft_proximal, shaft_distal, shaft_medial, eminence_apex.
-/// errors  ScenarioError where the table lacks a feature that a landmark is named after
-/// source  docs/foot.md, section "Landmarks"
-std::vector<simulator::Landmark> find_landmarks(const LandmarkSources& sources);
+/// Centroid of the area in which the plane x = x_mm cuts the surface; exact for the mesh.
+/// needs   the plane cuts the mesh
+Vec3 slice_centroid(const simulator::IndexedMesh& mesh, double x_mm);
+/// The corner with the greatest `along . p` of the slice across `axis` (0 is x, 1 y, 2 z) at `at_mm`.
+/// needs   the plane cuts the mesh
+Vec3 slice_extreme(const simulator::IndexedMesh& mesh, glm::length_t axis, double at_mm,
+                   const Vec3& along);
+/// The mesh point with the greatest `along . p` among those with x in [low, high].
+Vec3 extreme_point(const simulator::IndexedMesh& mesh, const Vec3& along, double low_mm,
+                   double high_mm);
+
+struct RestingPoints {
+  Vec3 medial{0.0, 0.0, 0.0};
+  Vec3 lateral{0.0, 0.0, 0.0};
+};
+
+/// Where, seen from dorsal, a straight edge rests that is laid across one end of the bone: facing -1 the base, +1 the
+/// head. On a hollow end these are the two sides of its rim, and the edge is the joint's line as a radiograph shows it.
+/// needs   the mesh has points on both sides of middle_z_mm
+RestingPoints straight_edge(const simulator::IndexedMesh& mesh, double facing, double middle_z_mm);
 
 }  // namespace hallux::scenarios

@@ -7,20 +7,42 @@ namespace hallux::scenarios {
 
 namespace {
 
+/// A hand goes on after the last bone that it expects.
+constexpr double beyond_mm = 1.5;
+/// Bone so near beside the tooth line counts as under it.
+constexpr double beside_mm = 1.0;
+
+/// Widens the stroke by the part of the edge that lies under the tooth line: on a coarse outline the bone may reach
+/// furthest between two corners that are both beside it.
+void widen(Stroke& stroke, const Vec2& from, const Vec2& to, double low_mm, double high_mm) {
+  if (std::max(from.y, to.y) < low_mm || std::min(from.y, to.y) > high_mm) return;
+  const auto feed_at = [&](double along_mm) {
+    const double share = (along_mm - from.y) / (to.y - from.y);
+    return from.x + share * (to.x - from.x);
+  };
+  for (const Vec2& end : {from, to}) {
+    const bool is_level = from.y == to.y || (end.y >= low_mm && end.y <= high_mm);
+    const double feed_mm = is_level ? end.x : feed_at(end.y < low_mm ? low_mm : high_mm);
+    stroke.first_mm = std::min(stroke.first_mm, feed_mm);
+    stroke.last_mm = std::max(stroke.last_mm, feed_mm);
+  }
+}
+
 /// Feed range of the region under a tooth line in the middle of `along_mm`; the whole range where no contour says more.
 Stroke stroke_at(const simulator::SectionRegion& region, double along_mm, double width_mm) {
   Stroke stroke{along_mm, region.max_mm.x, region.min_mm.x};
+  const double half_mm = 0.5 * width_mm + beside_mm;
   for (const simulator::Contour& contour : region.contours) {
-    for (const Vec2& point : contour) {
-      if (std::abs(point.y - along_mm) > 0.5 * width_mm + 1.0) continue;
-      stroke.first_mm = std::min(stroke.first_mm, point.x);
-      stroke.last_mm = std::max(stroke.last_mm, point.x);
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      widen(stroke, contour[i], contour[(i + 1) % contour.size()], along_mm - half_mm,
+            along_mm + half_mm);
     }
   }
   if (stroke.first_mm > stroke.last_mm) {
     stroke.first_mm = region.min_mm.x;
     stroke.last_mm = region.max_mm.x;
   }
+  stroke.end_mm = stroke.last_mm + beyond_mm;
   return stroke;
 }
 
@@ -47,6 +69,22 @@ std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region, double 
     return std::abs(a.along_mm - middle_mm) < std::abs(b.along_mm - middle_mm);
   });
   return strokes;
+}
+
+std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm, int looks) {
+  std::vector<Stroke> shorter;
+  for (const Stroke& stroke : strokes) {
+    if (stroke.first_mm >= stop_mm) continue;
+    for (int part = 1; part <= looks + 1; ++part) {
+      const double share = static_cast<double>(part) / (looks + 1);
+      Stroke broken_off = stroke;
+      broken_off.end_mm = stroke.first_mm + share * (stop_mm - stroke.first_mm);
+      broken_off.last_mm = std::min(stroke.last_mm, broken_off.end_mm);
+      broken_off.stops_in_bone = true;
+      shorter.push_back(broken_off);
+    }
+  }
+  return shorter;
 }
 
 }  // namespace hallux::scenarios

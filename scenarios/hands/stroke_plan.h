@@ -1,4 +1,5 @@
-/// Which strokes a blade needs to cover a section: side by side with an overlap, from the middle outwards.
+/// Which strokes a blade needs to cover a section: side by side with an overlap, from the middle outwards, through the
+/// bone or down to a line in it.
 #pragma once
 
 #include <vector>
@@ -11,11 +12,17 @@ namespace hallux::scenarios {
 struct Stroke {
   double along_mm = 0.0;  ///< middle of the tooth line
   double first_mm = 0.0;  ///< feed at which bone begins under the tooth line
-  double last_mm = 0.0;   ///< feed at which it ends
+  double last_mm = 0.0;   ///< feed at which it ends, or where the stroke is to stop in it
+  double end_mm = 0.0;  ///< feed to which the hand goes: beyond the last bone where it saws through
+  bool stops_in_bone = false;
 };
 
 /// needs   0 < overlap_mm < blade_width_mm
 std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region, double blade_width_mm,
                                  double overlap_mm);
+
+/// The strokes, ended at a line across the feed. Each is broken off `looks` times on its way, at even distances, and begun
+/// again. A stroke whose bone begins beyond the line is left out.
+std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm, int looks);
 
 }  // namespace hallux::scenarios

@@ -67,11 +67,14 @@ std::vector<FeedMoment> predict_feed(const Stroke& stroke, std::span<const Strok
   const BladeWay blade{plane, tissue, blade_width_mm};
   simulator::TeethMemory memory{};
   std::vector<FeedMoment> moments;
-  FeedMoment now{0.0, stroke.first_mm, push.steady_newton};
+  FeedMoment now{0.0, stroke.first_mm, 0.0};
+  bool has_met_bone = false;
   for (; now.feed_mm < stroke.last_mm; now.feed_mm += stride_mm) {
-    now.push_newton =
-        now.feed_mm > stroke.last_mm - push.exit_mm ? push.exit_newton : push.steady_newton;
     const Engagement engaged = expected_engagement(now.feed_mm, stroke, earlier, blade, memory);
+    has_met_bone = has_met_bone || engaged.width_mm() > 0.0;
+    const double wanted_newton =
+        now.feed_mm > stroke.last_mm - push.exit_mm ? push.exit_newton : push.steady_newton;
+    now.push_newton = has_met_bone ? wanted_newton : 0.0;
     moments.push_back(now);
     const double rate_mm_s =
         engaged.width_mm() > 0.0

@@ -23,7 +23,8 @@ struct FeedMoment {
   double push_newton = 0.0;
 };
 
-/// From the stroke's first bone to its last, every tenth of a millimetre. What earlier strokes opened is not sawn again.
+/// From the stroke's first bone to its last, every tenth of a millimetre. What earlier strokes opened is not sawn again, and a
+/// hand does not lean on a blade before it meets bone: it would run ahead through the open slot.
 /// needs   both pushes are above the cortex's threshold force
 std::vector<FeedMoment> predict_feed(const Stroke& stroke, std::span<const Stroke> earlier,
                                      const simulator::KerfPlane& plane,

@@ -62,11 +62,8 @@ bool TissueMap::is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) co
 Tissue StandingBone::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   if (kerfs.is_open(point_in_bone_mm)) return Tissue::None;
   const Tissue tissue = original.at(point_in_bone_mm, memory);
-  if (tissue == Tissue::None) return tissue;
-  for (const Bvh* piece : removed_pieces) {
-    if (piece->signed_distance_mm(point_in_bone_mm) < 0.0) return Tissue::None;
-  }
-  return tissue;
+  const bool is_gone = tissue != Tissue::None && remaining().is_taken_out(point_in_bone_mm);
+  return is_gone ? Tissue::None : tissue;
 }
 
 Tissue StandingBone::at(const Vec3& point_in_bone_mm) const noexcept {

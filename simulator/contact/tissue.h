@@ -6,6 +6,7 @@
 #include <span>
 
 #include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/remaining_bone.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/mesh/bvh.h"
 
@@ -32,6 +33,8 @@ class TissueMap {
   Tissue at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
   /// Distance to the original outer surface, negative inside [mm].
   double clearance_mm(const Vec3& point_in_bone_mm) const noexcept;
+  /// The original outer surface.
+  const Bvh& surface() const noexcept { return outer_; }
 
  private:
   bool is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
@@ -50,6 +53,8 @@ struct StandingBone {
   /// thread  haptic; allocates nothing
   Tissue at(const Vec3& point_in_bone_mm) const noexcept;
   Tissue at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
+  /// The same bone for questions about its surface.
+  RemainingBone remaining() const noexcept { return {original.surface(), kerfs, removed_pieces}; }
 };
 
 constexpr bool is_bone(Tissue tissue) noexcept {

@@ -1,7 +1,5 @@
-/// The cutting method: takes a kerf's slab out of a solid, region by region.
-///
-/// This first method is the two-plane clip (thesis 4.4.2): it acts on regions that the swept field covers wholly. What
-/// replaces it keeps these functions.
+/// The two-plane clip (thesis 4.4.2): takes a slab out of a solid wholly, region by region. With a slab without thickness
+/// it divides the solid and loses nothing.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +9,6 @@
 #include "simulator/cutting/section.h"
 
 namespace hallux::simulator {
-
-/// The regions of a section that the field covers wholly, as one flag per region.
-std::vector<std::uint8_t> covered_regions(const SectionMask& mask, const KerfField& field);
-/// The regions of which the field covers any node.
-std::vector<std::uint8_t> touched_regions(const SectionMask& mask, const KerfField& field);
 
 /// The solid without the slab's part in each flagged region; all other triangles stay as they are, bit for bit.
 /// needs   section was sliced from this solid and bvh; is_removed has one flag per region

@@ -10,8 +10,7 @@ namespace hallux::simulator {
 
 namespace {
 
-struct Piece {
-  CutSolid solid;
+struct Piece : SolidPiece {
   double volume_mm3 = 0.0;
   std::uint32_t lowest_point = 0;
   Vec3 min_mm{0.0, 0.0, 0.0}, max_mm{0.0, 0.0, 0.0};
@@ -47,6 +46,7 @@ Piece piece_of(const CutSolid& solid, const std::vector<std::uint32_t>& triangle
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   Piece piece;
+  piece.triangles = triangles;
   piece.lowest_point = points.front();
   piece.min_mm = piece.max_mm = solid.mesh.points_mm[points.front()];
   for (const std::uint32_t point : points) {
@@ -113,6 +113,7 @@ void add_shell(Piece& piece, const Piece& shell) {
   append_mesh(piece.solid.mesh, shell.solid.mesh);
   piece.solid.origins.insert(piece.solid.origins.end(), shell.solid.origins.begin(),
                              shell.solid.origins.end());
+  piece.triangles.insert(piece.triangles.end(), shell.triangles.begin(), shell.triangles.end());
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ CutSolid uncut_solid(IndexedMesh mesh) {
   return solid;
 }
 
-std::vector<CutSolid> split_pieces(const CutSolid& solid) {
+std::vector<SolidPiece> find_pieces(const CutSolid& solid) {
   std::vector<Piece> outward, inward;
   std::vector<std::uint32_t> index_scratch(solid.mesh.points_mm.size());
   for (const std::vector<std::uint32_t>& shell : shells_of(solid.mesh)) {
@@ -148,10 +149,16 @@ std::vector<CutSolid> split_pieces(const CutSolid& solid) {
   std::sort(outward.begin(), outward.end(), [](const Piece& a, const Piece& b) {
     return std::pair(-a.volume_mm3, a.lowest_point) < std::pair(-b.volume_mm3, b.lowest_point);
   });
-  std::vector<CutSolid> pieces;
+  std::vector<SolidPiece> pieces;
   pieces.reserve(outward.size());
-  for (Piece& piece : outward) pieces.push_back(std::move(piece.solid));
+  for (Piece& piece : outward) pieces.push_back(std::move(static_cast<SolidPiece&>(piece)));
   return pieces;
+}
+
+std::vector<CutSolid> split_pieces(const CutSolid& solid) {
+  std::vector<CutSolid> solids;
+  for (SolidPiece& piece : find_pieces(solid)) solids.push_back(std::move(piece.solid));
+  return solids;
 }
 
 }  // namespace hallux::simulator

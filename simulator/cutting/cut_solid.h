@@ -29,6 +29,15 @@ CutSolid uncut_solid(IndexedMesh mesh);
 /// source  volumes of equal size are ordered by their lowest point index, so the order is the same everywhere
 std::vector<CutSolid> split_pieces(const CutSolid& solid);
 
+/// A piece that knows where in the whole it was.
+struct SolidPiece {
+  CutSolid solid;
+  std::vector<std::uint32_t> triangles;  ///< per triangle of the piece the one of the whole
+};
+
+/// The same pieces in the same order.
+std::vector<SolidPiece> find_pieces(const CutSolid& solid);
+
 /// Pieces below this are debris: counted in the balance, not shown as bodies.
 inline constexpr double debris_limit_mm3 = 0.05;
 

@@ -16,20 +16,28 @@ void add_sides(const Triangle& corners, std::uint32_t triangle, std::vector<Edge
   }
 }
 
-std::vector<EdgeUse> sorted(std::vector<EdgeUse> uses) {
+void sort_uses(std::vector<EdgeUse>& uses) {
   std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
     return std::pair(a.edge, a.triangle) < std::pair(b.edge, b.triangle);
   });
-  return uses;
 }
 
 }  // namespace
 
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
   std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) add_sides(triangles[i], i, uses);
-  return sorted(std::move(uses));
+  edge_uses_from(0, triangles, uses);
+  return uses;
+}
+
+void edge_uses_from(std::uint32_t first_triangle, std::span<const Triangle> triangles,
+                    std::vector<EdgeUse>& uses) {
+  uses.clear();
+  uses.reserve(3 * (triangles.size() - first_triangle));
+  for (std::uint32_t i = first_triangle; i < triangles.size(); ++i) {
+    add_sides(triangles[i], i, uses);
+  }
+  sort_uses(uses);
 }
 
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles,
@@ -37,7 +45,8 @@ std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles,
   std::vector<EdgeUse> uses;
   uses.reserve(3 * chosen.size());
   for (const std::uint32_t i : chosen) add_sides(triangles[i], i, uses);
-  return sorted(std::move(uses));
+  sort_uses(uses);
+  return uses;
 }
 
 DisjointSets::DisjointSets(std::size_t count) : parent_(count) {

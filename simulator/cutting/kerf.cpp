@@ -1,159 +1,40 @@
 #include "simulator/cutting/kerf.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
 
 #include "simulator/base/check.h"
+#include "simulator/cutting/swept_blade.h"
 
 namespace hallux::simulator {
 
 namespace {
 
-constexpr double limit_spacings = 2.0;
-/// Poses are whole micrometres and micro-units: a shorter hull edge is noise of rounding, with a direction of its own.
-constexpr double shortest_edge_mm = 1.0e-6;
-constexpr double flattest_slope = 1.0e-12;
-
-/// The inside-distance to one edge of the hull: along_u * u + along_v * v + at_origin, u and v counted in nodes [mm].
-struct HullEdge {
-  double along_u = 0.0, along_v = 0.0, at_origin = 0.0;
-  double nodes_per_mm = 0.0;  ///< 1 / along_u; 0 where the edge runs along the rows
-};
-
-struct Hull {
-  std::array<HullEdge, 8> edges;
-  std::size_t count = 0;
-  double v_min_mm = 0.0, v_max_mm = 0.0;
-};
-
-double cross(const Vec2& a, const Vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
-
-void add_rectangle(const BladeSize& blade, const PlanarPose& pose, Vec2* corners_mm) noexcept {
-  const Vec2 side_mm = 0.5 * blade.width_mm * Vec2(-pose.direction.y, pose.direction.x);
-  const Vec2 back_mm = pose.tip_mm - blade.depth_mm * pose.direction;
-  corners_mm[0] = pose.tip_mm - side_mm;
-  corners_mm[1] = pose.tip_mm + side_mm;
-  corners_mm[2] = back_mm - side_mm;
-  corners_mm[3] = back_mm + side_mm;
-}
-
-/// Andrew's monotone chain (1979): the hull counter-clockwise, at most eight corners; returns their count.
-std::size_t hull_corners(std::array<Vec2, 8>& points_mm, std::array<Vec2, 17>& hull_mm) noexcept {
-  std::sort(points_mm.begin(), points_mm.end(),
-            [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  std::size_t count = 0, floor = 2;
-  const auto add = [&](const Vec2& point_mm) {
-    while (count >= floor &&
-           cross(hull_mm[count - 1] - hull_mm[count - 2], point_mm - hull_mm[count - 2]) <= 0.0) {
-      --count;
-    }
-    hull_mm[count++] = point_mm;
-  };
-  for (const Vec2& point_mm : points_mm) add(point_mm);
-  floor = count + 1;
-  for (std::size_t i = points_mm.size() - 1; i-- > 0;) add(points_mm[i]);
-  return count - 1;
-}
-
-Hull hull_of(const FieldGrid& grid, const BladeSize& blade, const PlanarPose& from,
-             const PlanarPose& to) noexcept {
-  std::array<Vec2, 8> points_mm;
-  std::array<Vec2, 17> corners_mm;
-  add_rectangle(blade, from, points_mm.data());
-  add_rectangle(blade, to, points_mm.data() + 4);
-  const std::size_t corner_count = hull_corners(points_mm, corners_mm);
-  Hull hull;
-  hull.v_min_mm = std::numeric_limits<double>::infinity();
-  hull.v_max_mm = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < corner_count; ++i) {
-    const Vec2 a_mm = corners_mm[i] - grid.origin_mm;
-    const Vec2 edge_mm = corners_mm[i + 1] - corners_mm[i];
-    hull.v_min_mm = std::min(hull.v_min_mm, a_mm.y);
-    hull.v_max_mm = std::max(hull.v_max_mm, a_mm.y);
-    const double length_mm = std::sqrt(edge_mm.x * edge_mm.x + edge_mm.y * edge_mm.y);
-    if (length_mm < shortest_edge_mm) continue;
-    const Vec2 inward(-edge_mm.y / length_mm, edge_mm.x / length_mm);
-    HullEdge& edge = hull.edges[hull.count++];
-    edge = {inward.x * grid.spacing_mm, inward.y * grid.spacing_mm,
-            -(inward.x * a_mm.x + inward.y * a_mm.y), 0.0};
-    if (std::abs(edge.along_u) > flattest_slope) edge.nodes_per_mm = 1.0 / edge.along_u;
-  }
-  return hull;
-}
+constexpr double limit_spacings = 1.0;
 
 bool is_finite(const PlanarPose& pose) noexcept {
   return std::isfinite(pose.tip_mm.x) && std::isfinite(pose.tip_mm.y) &&
          std::isfinite(pose.direction.x) && std::isfinite(pose.direction.y);
 }
 
-std::int32_t clamped_node(double value, std::int32_t count) noexcept {
-  return static_cast<std::int32_t>(std::clamp(value, 0.0, static_cast<double>(count)));
+void take_in(NodeSpan& span, std::int32_t v) noexcept {
+  span = span.is_empty() ? NodeSpan{v, v + 1}
+                         : NodeSpan{std::min(span.first, v), std::max(span.last, v + 1)};
 }
 
-void take_in(FieldWindow& window, std::int32_t u, std::int32_t v) noexcept {
+void take_in(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept {
   if (window.is_empty()) {
-    window = {u, v, u + 1, v + 1};
+    window = {u, span.first, u + 1, span.last};
     return;
   }
   window.u_first = std::min(window.u_first, u);
-  window.v_first = std::min(window.v_first, v);
+  window.v_first = std::min(window.v_first, span.first);
   window.u_last = std::max(window.u_last, u + 1);
-  window.v_last = std::max(window.v_last, v + 1);
+  window.v_last = std::max(window.v_last, span.last);
 }
 
 }  // namespace
-
-/// One row of nodes against the hull. All is a function of stamp and node alone, never of what was stamped before.
-struct KerfField::HullRow {
-  const Hull& hull;
-  std::int32_t v;
-  std::array<double, 8> at_row{};  ///< per edge: the inside-distance at u = 0
-  std::size_t rising_edge = 0, falling_edge = 0, middle_edge = 0;
-
-  HullRow(const Hull& hull_in, std::int32_t v_in) noexcept : hull(hull_in), v(v_in) {
-    for (std::size_t i = 0; i < hull.count; ++i) {
-      at_row[i] = hull.edges[i].along_v * static_cast<double>(v) + hull.edges[i].at_origin;
-    }
-  }
-  double distance_mm(std::size_t edge, std::int32_t u) const noexcept {
-    return hull.edges[edge].along_u * static_cast<double>(u) + at_row[edge];
-  }
-  /// The nodes where every edge is at least `depth_mm` away inwards.
-  RowSpan deeper_than(double depth_mm, std::int32_t u_count) noexcept {
-    double first = 0.0, last = static_cast<double>(u_count) - 1.0;
-    for (std::size_t i = 0; i < hull.count; ++i) {
-      const double nodes_per_mm = hull.edges[i].nodes_per_mm;
-      const double bound = (depth_mm - at_row[i]) * nodes_per_mm;
-      if (nodes_per_mm == 0.0 && at_row[i] < depth_mm) return {};
-      if (nodes_per_mm > 0.0 && bound > first) {
-        first = bound;
-        rising_edge = i;
-      } else if (nodes_per_mm < 0.0 && bound < last) {
-        last = bound;
-        falling_edge = i;
-      }
-    }
-    if (first > last) return {};
-    // Conversion cuts towards 0, so for numbers from 0 up it rounds down; the bounds lie within the row.
-    const auto whole = static_cast<std::int32_t>(first);
-    return {static_cast<double>(whole) < first ? whole + 1 : whole,
-            static_cast<std::int32_t>(last) + 1};
-  }
-  /// Finds the edge that is nearest in the middle of a span without deep nodes.
-  void look_at_middle(const RowSpan& span) noexcept {
-    const std::int32_t u = span.first + (span.last - span.first) / 2;
-    for (std::size_t i = 0; i < hull.count; ++i) {
-      if (distance_mm(i, u) < distance_mm(middle_edge, u)) middle_edge = i;
-    }
-  }
-  /// The least over the edges that most likely hold it; the least over all is not more.
-  double likely_inside_mm(std::int32_t u) const noexcept {
-    return std::min(distance_mm(middle_edge, u),
-                    std::min(distance_mm(rising_edge, u), distance_mm(falling_edge, u)));
-  }
-};
 
 PlanarPose planar_pose(const KerfPlane& plane, const RigidTransform& bone_from_tool) noexcept {
   const RigidTransform kerf_from_tool = inverse(plane.bone_from_kerf) * bone_from_tool;
@@ -166,17 +47,16 @@ PlanarPose planar_pose(const KerfPlane& plane, const RigidTransform& bone_from_t
 }
 
 KerfField::KerfField(const FieldGrid& grid)
-    : grid_(grid), limit_mm_(static_cast<float>(limit_spacings * grid.spacing_mm)) {
+    : grid_(grid),
+      limit_mm_(static_cast<float>(limit_spacings * grid.spacing_mm)),
+      deep_(grid.u_count, grid.v_count),
+      open_(grid.u_count, grid.v_count),
+      covers_(static_cast<std::size_t>(std::max(grid.u_count, 0))),
+      tile_rows_(tiles_over(grid.v_count)) {
   CHECK(grid.spacing_mm > 0.0 && grid.u_count > 0 && grid.v_count > 0);
-  inside_mm_.resize(static_cast<std::size_t>(grid.u_count) *
-                    static_cast<std::size_t>(grid.v_count));
-  deep_.resize(static_cast<std::size_t>(grid.v_count));
-  reset();
-}
-
-float KerfField::at(std::int32_t u, std::int32_t v) const noexcept {
-  return inside_mm_[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid_.u_count) +
-                    static_cast<std::size_t>(u)];
+  inside_mm_.assign(line_start(grid.u_count), -limit_mm_);
+  tile_revisions_.resize(static_cast<std::size_t>(tile_rows_) *
+                         static_cast<std::size_t>(tiles_over(grid.u_count)));
 }
 
 bool KerfField::is_open(const Vec2& point_mm) const noexcept {
@@ -197,76 +77,112 @@ bool KerfField::is_open(const Vec2& point_mm) const noexcept {
 
 void KerfField::reset() noexcept {
   std::fill(inside_mm_.begin(), inside_mm_.end(), -limit_mm_);
-  std::fill(deep_.begin(), deep_.end(), RowSpan{});
-}
-
-bool KerfField::raise(std::size_t node, float inside_mm) noexcept {
-  if (inside_mm <= inside_mm_[node]) return false;
-  inside_mm_[node] = inside_mm;
-  return true;
-}
-
-void KerfField::raise_rim(const HullRow& row, std::int32_t first, std::int32_t last,
-                          FieldWindow& changed) noexcept {
-  const std::size_t row_start =
-      static_cast<std::size_t>(row.v) * static_cast<std::size_t>(grid_.u_count);
-  for (std::int32_t u = first; u < last; ++u) {
-    const std::size_t node = row_start + static_cast<std::size_t>(u);
-    // The least over all edges cannot rise above what is there where the least over some cannot.
-    const double likely_mm = std::min(row.likely_inside_mm(u), static_cast<double>(limit_mm_));
-    if (static_cast<float>(likely_mm) <= inside_mm_[node]) continue;
-    double inside_mm = likely_mm;
-    for (std::size_t i = 0; i < row.hull.count; ++i) {
-      inside_mm = std::min(inside_mm, row.distance_mm(i, u));
-    }
-    if (raise(node, static_cast<float>(inside_mm))) take_in(changed, u, row.v);
-  }
-}
-
-void KerfField::fill_deep(std::int32_t v, RowSpan wanted, FieldWindow& changed) noexcept {
-  RowSpan& known = deep_[static_cast<std::size_t>(v)];
-  const std::size_t row_start =
-      static_cast<std::size_t>(v) * static_cast<std::size_t>(grid_.u_count);
-  const auto fill = [&](std::int32_t first, std::int32_t last) {
-    for (std::int32_t u = first; u < last; ++u) {
-      if (raise(row_start + static_cast<std::size_t>(u), limit_mm_)) take_in(changed, u, v);
-    }
-  };
-  const bool touches = wanted.first <= known.last && known.first <= wanted.last;
-  if (known.first < known.last && touches) {
-    fill(wanted.first, known.first);
-    fill(known.last, wanted.last);
-    known = {std::min(known.first, wanted.first), std::max(known.last, wanted.last)};
-    return;
-  }
-  fill(wanted.first, wanted.last);
-  if (wanted.last - wanted.first > known.last - known.first) known = wanted;
+  deep_.clear();
+  open_.clear();
+  std::fill(covers_.begin(), covers_.end(), LineCover{});
+  ++revision_;
+  for (std::uint32_t& tile : tile_revisions_) tile = tile == 0 ? 0 : revision_;
 }
 
 void KerfField::stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
                       FieldWindow& changed) noexcept {
   changed = {};
   if (!is_finite(from) || !is_finite(to)) return;
-  const Hull hull = hull_of(grid_, blade, from, to);
-  const double limit_mm = static_cast<double>(limit_mm_);
-  // The hull's corners are at least right angles: no offset edge reaches further than 1.42 limits beyond them.
-  const std::int32_t v_first =
-      clamped_node(std::floor((hull.v_min_mm - 2.0 * limit_mm) / grid_.spacing_mm), grid_.v_count);
-  const std::int32_t v_last =
-      clamped_node(std::ceil((hull.v_max_mm + 2.0 * limit_mm) / grid_.spacing_mm), grid_.v_count);
-  for (std::int32_t v = v_first; v < v_last; ++v) {
-    HullRow row(hull, v);
-    const RowSpan near = row.deeper_than(-limit_mm, grid_.u_count);
-    if (near.first >= near.last) continue;
-    const RowSpan deep = HullRow(row).deeper_than(limit_mm, grid_.u_count);
-    if (deep.first >= deep.last) {
-      row.look_at_middle(near);
-      raise_rim(row, near.first, near.last, changed);
-      continue;
+  ++revision_;
+  const SweptBlade swept(grid_, blade, from, to, static_cast<double>(limit_mm_));
+  for (std::int32_t u = swept.lines().first; u < swept.lines().last; ++u) {
+    stamp_line(swept, u, changed);
+  }
+}
+
+/// The part of a line at one end of a stamp.
+struct KerfField::Rim {
+  const SweptBlade& swept;
+  const SweptBlade::Line& line;
+  std::int32_t u;
+  NodeSpan nodes;
+  std::size_t likely_edge;  ///< holds the least value at most of the nodes
+};
+
+/// The value at a node is a function of stamp and node alone, never of what was stamped before; which nodes are looked at
+/// depends on that, since nodes at the limit and nodes under a cover cannot rise.
+void KerfField::stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept {
+  LineCover& cover = covers_[static_cast<std::size_t>(u)];
+  if (swept.is_covered(u, cover)) return;
+  const SweptBlade::Line line = swept.line(u);
+  const auto note = [&](const NodeSpan& risen) {
+    if (!risen.is_empty()) note_risen(u, risen, changed);
+  };
+  if (line.deep.is_empty()) {
+    note(raise_rim({swept, line, u, line.near, line.rising_edge}));
+    return;
+  }
+  const LineCover& bounds = line.bounds;
+  if (!swept.is_low_covered(line, cover)) {
+    note(raise_rim({swept, line, u, {line.near.first, line.deep.first}, line.rising_edge}));
+    if (bounds.low_deep < cover.low_deep || bounds.low_deep > cover.low_end) {
+      cover.low_near = bounds.low_near;
+      cover.low_deep = bounds.low_deep;
+      cover.low_end = bounds.low_end;
     }
-    raise_rim(row, near.first, deep.first, changed);
-    fill_deep(v, deep, changed);
-    raise_rim(row, deep.last, near.last, changed);
+  }
+  if (!swept.is_high_covered(line, cover)) {
+    note(raise_rim({swept, line, u, {line.deep.last, line.near.last}, line.falling_edge}));
+    if (bounds.high_deep > cover.high_deep || bounds.high_deep < cover.high_end) {
+      cover.high_near = bounds.high_near;
+      cover.high_deep = bounds.high_deep;
+      cover.high_end = bounds.high_end;
+    }
+  }
+  note(fill_deep(u, line.deep));
+}
+
+/// The nodes that rose.
+NodeSpan KerfField::raise_rim(const Rim& rim) noexcept {
+  const double limit_mm = static_cast<double>(limit_mm_);
+  float* const values_mm = inside_mm_.data() + line_start(rim.u);
+  NodeSpan risen;
+  for (std::int32_t v = rim.nodes.first; v < rim.nodes.last; ++v) {
+    // The least over all edges cannot rise above what is there where one edge cannot.
+    const double likely_mm = std::min(rim.swept.edge_mm(rim.line, rim.likely_edge, v), limit_mm);
+    if (static_cast<float>(likely_mm) <= values_mm[v]) continue;
+    const auto value_mm = static_cast<float>(std::min(rim.swept.inside_mm(rim.line, v), limit_mm));
+    if (value_mm <= values_mm[v]) continue;
+    values_mm[v] = value_mm;
+    if (value_mm > 0.0F) open_.set(rim.u, v);
+    if (value_mm == limit_mm_) deep_.set(rim.u, v);
+    take_in(risen, v);
+  }
+  return risen;
+}
+
+/// Brings all nodes of the span to the limit; those that rose.
+NodeSpan KerfField::fill_deep(std::int32_t u, const NodeSpan& deep) noexcept {
+  float* const values_mm = inside_mm_.data() + line_start(u);
+  NodeSpan risen;
+  deep_.for_missing(u, deep.first, deep.last, [&](std::int32_t v, std::uint64_t missing) {
+    const std::int32_t first = v + std::countr_zero(missing);
+    const std::int32_t last = v + 64 - std::countl_zero(missing);
+    std::fill(values_mm + first, values_mm + last, limit_mm_);
+    take_in(risen, first);
+    take_in(risen, last - 1);
+  });
+  if (risen.is_empty()) return risen;
+  open_.set_span(u, risen.first, risen.last);
+  deep_.set_span(u, risen.first, risen.last);
+  return risen;
+}
+
+/// Node u belongs to cells u and u + 1.
+void KerfField::note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept {
+  take_in(changed, u, risen);
+  for (std::int32_t column = u / tile_cells; column <= (u + 1) / tile_cells; ++column) {
+    const std::int32_t start = column * tile_rows_;
+    const std::int32_t first_tile = start + risen.first / tile_cells;
+    const std::int32_t last_tile = start + risen.last / tile_cells;
+    const auto first = static_cast<std::size_t>(first_tile);
+    const auto last = static_cast<std::size_t>(last_tile);
+    for (std::size_t tile = first; tile <= last; ++tile) tile_revisions_[tile] = revision_;
   }
 }
 

@@ -2,16 +2,19 @@
 ///
 /// Kerf frame: origin and axes of the tool at the moment of freezing, said in the bone frame. x = feed direction,
 /// y = along the tooth line, z = blade normal. The kerf is the slab |z| <= thickness / 2 over the opened region.
-/// The field holds at each node the greatest inside-distance to any blade that was there, limited to +-2 node spacings:
+/// The field holds at each node the greatest inside-distance to any blade that was there, limited to +-1 node spacing:
 /// above zero means opened. `max` makes it monotone and independent of the order and repetition of stamps. The limit is
-/// what makes a stamp cheap: nodes deep inside hold the limit already and are skipped row by row, so that a small motion
-/// costs the rim of the blade and not its area.
+/// what makes a stamp cheap: nodes deep inside hold it already and are skipped by their bits, so that a small motion
+/// costs the rim of the blade and not its area. One spacing is enough for the outline: both nodes of an edge that a
+/// blade's side crosses lie nearer to it than that.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "simulator/base/transform.h"
+#include "simulator/cutting/line_cover.h"
+#include "simulator/cutting/node_bits.h"
 
 namespace hallux::simulator {
 
@@ -45,9 +48,11 @@ struct FieldWindow {
 /// The nodes of a field: node (i, j) lies at origin + spacing (i, j) in the kerf's plane.
 struct FieldGrid {
   Vec2 origin_mm{-40.0, -40.0};
-  double spacing_mm = 0.1;
-  std::int32_t u_count = 801, v_count = 801;
+  double spacing_mm = 0.05;
+  std::int32_t u_count = 1601, v_count = 1601;
 };
+
+class SweptBlade;
 
 class KerfField {
  public:
@@ -56,17 +61,20 @@ class KerfField {
 
   const FieldGrid& grid() const noexcept { return grid_; }
   /// Inside-distance at a node [mm]; not above 0 where bone still stands.
-  float at(std::int32_t u, std::int32_t v) const noexcept;
+  float at(std::int32_t u, std::int32_t v) const noexcept {
+    return inside_mm_[line_start(u) + static_cast<std::size_t>(v)];
+  }
   /// Bilinear between nodes; closed outside the grid.
   bool is_open(const Vec2& point_mm) const noexcept;
   /// Closes every node again, for another kerf.
   void reset() noexcept;
 
-  /// Raises the field to the inside-distance of the hull of the blade's rectangles (x in [-depth, 0], y within
-  /// +-width/2 of the tool frame) at `from` and `to`.
+  /// Raises the field to the inside-distance of the blade's rectangle (x in [-depth, 0], y within +-width/2 of the tool
+  /// frame) on its way from `from` to `to`: the hull of the two.
   /// shape   `changed` becomes the smallest window that holds every node that rose
   /// needs   blade sizes above zero, directions of unit length
-  /// ensures the field never falls; order and repetition of stamps do not matter, bit for bit
+  /// ensures the field never falls; order and repetition of stamps do not matter, bit for bit; a straight motion in parts
+  ///         raises the field as the whole does, but for rounding
   /// errors  none: total, allocates nothing; what lies outside the grid is not opened, poses that are not finite open
   ///         nothing
   /// thread  haptic (and, on its own copy, jobs)
@@ -74,22 +82,39 @@ class KerfField {
   void stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
              FieldWindow& changed) noexcept;
 
+  // For those who follow the outline. Cell (i, j) lies between nodes (i - 1, j - 1) and (i, j): the first and the last
+  // cells reach beyond the grid. Tile (I, J) holds the 32 x 32 cells from (32 I, 32 J) on.
+  static constexpr std::int32_t tile_cells = 32;
+  static constexpr std::int32_t tiles_over(std::int32_t node_count) noexcept {
+    return node_count / tile_cells + 1;
+  }
+  /// Per tile, J running fastest: differs from an earlier answer where a node of the tile's cells changed since.
+  const std::vector<std::uint32_t>& tile_revisions() const noexcept { return tile_revisions_; }
+  /// One bit a node: open.
+  const NodeBits& open_nodes() const noexcept { return open_; }
+
  private:
-  struct RowSpan {
-    std::int32_t first = 0, last = 0;
-  };
-  struct HullRow;
+  struct Rim;
 
-  bool raise(std::size_t node, float inside_mm) noexcept;
-  void raise_rim(const HullRow& row, std::int32_t first, std::int32_t last,
-                 FieldWindow& changed) noexcept;
-  void fill_deep(std::int32_t v, RowSpan wanted, FieldWindow& changed) noexcept;
+  std::size_t line_start(std::int32_t u) const noexcept {
+    return static_cast<std::size_t>(u) * static_cast<std::size_t>(grid_.v_count);
+  }
+  void stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept;
+  NodeSpan raise_rim(const Rim& rim) noexcept;
+  NodeSpan fill_deep(std::int32_t u, const NodeSpan& deep) noexcept;
+  void note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept;
 
+  // Nodes lie line by line, all of one u together: a saw feeds along u, so its long sides run across the lines, where a
+  // stamp costs two or three nodes each, and only its teeth run along them.
   FieldGrid grid_;
-  float limit_mm_;                ///< stored values lie within +-limit
-  std::vector<float> inside_mm_;  ///< row by row
-  std::vector<RowSpan>
-      deep_;  ///< per row: nodes known to hold the limit; says nothing about the others
+  float limit_mm_;                 ///< stored values lie within +-limit
+  std::vector<float> inside_mm_;   ///< line by line
+  NodeBits deep_;                  ///< nodes that hold the limit
+  NodeBits open_;                  ///< nodes above zero
+  std::vector<LineCover> covers_;  ///< per line
+  std::int32_t tile_rows_;
+  std::vector<std::uint32_t> tile_revisions_;
+  std::uint32_t revision_ = 0;
 };
 
 }  // namespace hallux::simulator

@@ -7,9 +7,6 @@ namespace hallux::simulator {
 
 namespace {
 
-constexpr double finest_step_mm = 1.0 / 1048576.0;
-constexpr double reach_steps = 67108863.0;  // 2^26 - 1
-
 enum class Place { Outside, OnBorder, Inside };
 
 struct LatticeBox {
@@ -66,17 +63,10 @@ std::vector<LatticePoint> snap_to_lattice(std::span<const Vec2> places_mm) {
     min_mm = glm::min(min_mm, place_in_kerf_mm);
     max_mm = glm::max(max_mm, place_in_kerf_mm);
   }
-  const Vec2 middle_mm = 0.5 * (min_mm + max_mm);
-  const double reach_mm = std::max(max_mm.x - middle_mm.x, max_mm.y - middle_mm.y);
-  double step_mm = finest_step_mm;
-  while (reach_mm > step_mm * reach_steps) step_mm *= 2.0;
+  const PlaneLattice lattice(min_mm, max_mm);
   std::vector<LatticePoint> points;
   points.reserve(places_mm.size());
-  for (const Vec2& place_in_kerf_mm : places_mm) {
-    const Vec2 steps = (place_in_kerf_mm - middle_mm) / step_mm;
-    points.push_back({static_cast<std::int64_t>(std::floor(steps.x + 0.5)),
-                      static_cast<std::int64_t>(std::floor(steps.y + 0.5))});
-  }
+  for (const Vec2& place_in_kerf_mm : places_mm) points.push_back(lattice.snap(place_in_kerf_mm));
   return points;
 }
 

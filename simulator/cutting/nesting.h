@@ -1,8 +1,4 @@
-/// Loops in a plane on an integer lattice: exact orientation, containment and nesting.
-///
-/// The lattice decides questions only; positions that go into a mesh stay as they are. Its step is 2^-20 mm and the
-/// loops lie within 64 mm of their middle, so that every determinant is exact in 64 bits; for larger sections the step
-/// doubles until they fit.
+/// Loops on a lattice: areas, containment and nesting.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +6,14 @@
 #include <vector>
 
 #include "simulator/base/vector.h"
+#include "simulator/cutting/plane_lattice.h"
 #include "simulator/cutting/plane_slice.h"
 
 namespace hallux::simulator {
 
-struct LatticePoint {
-  std::int64_t u = 0, v = 0;  ///< within +-2^26
-
-  friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
-};
-
+/// The places on a lattice of their own.
 std::vector<LatticePoint> snap_to_lattice(std::span<const Vec2> places_mm);
 
-/// Twice the signed area of a triangle: positive where a, b, c turn left. Exact.
-constexpr std::int64_t turn(const LatticePoint& a, const LatticePoint& b,
-                            const LatticePoint& c) noexcept {
-  return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
-}
 /// Twice the signed area of a loop. Exact where the loop does not wind more than a hundred times.
 std::int64_t doubled_area(std::span<const LatticePoint> points, const Loop& loop) noexcept;
 

@@ -44,7 +44,7 @@ std::vector<Segment> segments_at(const IndexedMesh& mesh, const KerfAxes& axes,
   return segments;
 }
 
-Vec3 crossing_point(const IndexedMesh& mesh, const KerfAxes& axes, const Crossing& crossing,
+Vec3 crossing_point(const IndexedMesh& mesh, const KerfAxes& axes, const EdgeCrossing& crossing,
                     double level_mm) noexcept {
   const Vec3& low = mesh.points_mm[crossing.low];
   const Vec3& high = mesh.points_mm[crossing.high];
@@ -110,10 +110,10 @@ PlaneSlice slice_plane(const IndexedMesh& mesh, const KerfAxes& axes,
     slice.crossings.push_back({segment.down_edge[0], segment.down_edge[1], segment.triangle});
   }
   std::sort(slice.crossings.begin(), slice.crossings.end(),
-            [](const Crossing& a, const Crossing& b) {
+            [](const EdgeCrossing& a, const EdgeCrossing& b) {
               return std::pair(a.low, a.high) < std::pair(b.low, b.high);
             });
-  for (Crossing& crossing : slice.crossings) {
+  for (EdgeCrossing& crossing : slice.crossings) {
     crossing.point_in_bone_mm = crossing_point(mesh, axes, crossing, level_mm);
   }
   std::vector<std::uint32_t> next(slice.crossings.size(), no_crossing);
@@ -130,7 +130,7 @@ std::uint32_t crossing_on(const PlaneSlice& slice, std::uint32_t point_a, std::u
   const std::array<std::uint32_t, 2> edge = ordered(point_a, point_b);
   const auto found = std::lower_bound(
       slice.crossings.begin(), slice.crossings.end(), edge,
-      [](const Crossing& crossing, const std::array<std::uint32_t, 2>& wanted) {
+      [](const EdgeCrossing& crossing, const std::array<std::uint32_t, 2>& wanted) {
         return std::pair(crossing.low, crossing.high) < std::pair(wanted[0], wanted[1]);
       });
   CHECK(found != slice.crossings.end() && found->low == edge[0] && found->high == edge[1]);
@@ -140,7 +140,7 @@ std::uint32_t crossing_on(const PlaneSlice& slice, std::uint32_t point_a, std::u
 std::vector<Vec2> places_of(const PlaneSlice& slice, const KerfAxes& axes) {
   std::vector<Vec2> places;
   places.reserve(slice.crossings.size());
-  for (const Crossing& crossing : slice.crossings) {
+  for (const EdgeCrossing& crossing : slice.crossings) {
     places.push_back(place_mm(axes, crossing.point_in_bone_mm));
   }
   return places;

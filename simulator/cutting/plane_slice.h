@@ -26,7 +26,7 @@ double height_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept;
 Vec2 place_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept;
 
 /// A mesh edge that the plane crosses; low < high are indices of mesh points.
-struct Crossing {
+struct EdgeCrossing {
   std::uint32_t low = 0, high = 0;
   std::uint32_t triangle = 0;  ///< the one whose segment begins here
   Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
@@ -35,8 +35,8 @@ struct Crossing {
 using Loop = std::vector<std::uint32_t>;  ///< indices of crossings, counter-clockwise around bone
 
 struct PlaneSlice {
-  std::vector<Crossing> crossings;  ///< ascending by (low, high)
-  std::vector<Loop> loops;          ///< every crossing lies in exactly one
+  std::vector<EdgeCrossing> crossings;  ///< ascending by (low, high)
+  std::vector<Loop> loops;              ///< every crossing lies in exactly one
 };
 
 /// The loops at height `level_mm` over the given triangles.

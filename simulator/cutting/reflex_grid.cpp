@@ -5,9 +5,9 @@
 
 namespace hallux::simulator {
 
-ReflexGrid::ReflexGrid(std::span<const LatticePoint> points, std::size_t corner_count,
-                       std::size_t corners_expected)
-    : entries_(corner_count) {
+void ReflexGrid::reset(std::span<const LatticePoint> points, std::size_t corner_count,
+                       std::size_t corners_expected) {
+  entries_.assign(corner_count, {});
   LatticePoint max = points.front();
   min_ = points.front();
   for (const LatticePoint& point : points) {

@@ -11,8 +11,9 @@ namespace hallux::simulator {
 
 class ReflexGrid {
  public:
-  /// needs   corner indices are below corner_count; `corners_expected` of them are in use
-  ReflexGrid(std::span<const LatticePoint> points, std::size_t corner_count,
+  /// Forgets all corners; keeps its memory.
+  /// needs   corner indices are below corner_count; `corners_expected` of them are in use; corners lie among `points`
+  void reset(std::span<const LatticePoint> points, std::size_t corner_count,
              std::size_t corners_expected);
 
   /// needs   a corner keeps its place

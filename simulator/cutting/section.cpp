@@ -1,7 +1,6 @@
 #include "simulator/cutting/section.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -10,34 +9,19 @@
 #include "simulator/cutting/edge_uses.h"
 #include "simulator/cutting/nesting.h"
 #include "simulator/cutting/plane_slice.h"
+#include "simulator/cutting/slab_query.h"
 
 namespace hallux::simulator {
 
 namespace {
 
-/// The tree's boxes and this file may round a height differently.
-double search_margin_mm(const KerfAxes& axes) noexcept {
-  return 1.0e-6 + 1.0e-12 * std::abs(glm::dot(axes.z, axes.origin_mm));
-}
-
-bool reaches_into_slab(const IndexedMesh& mesh, const KerfAxes& axes, std::uint32_t triangle,
-                       double half_mm) noexcept {
-  bool all_above = true, all_below = true;
-  for (const std::uint32_t corner : mesh.triangles[triangle]) {
-    const double corner_mm = height_mm(axes, mesh.points_mm[corner]);
-    all_above = all_above && corner_mm >= half_mm;
-    all_below = all_below && corner_mm < -half_mm;
-  }
-  return !all_above && !all_below;
-}
-
 bool edge_reaches_into_slab(const IndexedMesh& mesh, const KerfAxes& axes, std::uint64_t edge,
                             double half_mm) noexcept {
-  const double a_mm = height_mm(axes, mesh.points_mm[edge & 0xffffffffU]);
-  const double b_mm = height_mm(axes, mesh.points_mm[edge >> 32U]);
-  const bool both_above = a_mm >= half_mm && b_mm >= half_mm;
-  const bool both_below = a_mm < -half_mm && b_mm < -half_mm;
-  return !both_above && !both_below;
+  const auto part_of = [&](std::uint64_t point) {
+    return slab_part(height_mm(axes, mesh.points_mm[point]), half_mm);
+  };
+  const SlabPart a = part_of(edge & 0xffffffffU), b = part_of(edge >> 32U);
+  return a != b || a == SlabPart::Inside;
 }
 
 /// The slab's skin, its parts joined step by step until each set is one region.
@@ -62,22 +46,11 @@ class Strip {
   std::vector<std::uint8_t> has_loop_;    // per place, at roots of the skin's connected parts
 };
 
-std::vector<std::uint32_t> strip_triangles(const IndexedMesh& mesh, const Bvh& bvh,
-                                           const KerfAxes& axes, double half_mm) {
-  std::vector<std::uint32_t> triangles;
-  bvh.triangles_in_slab(axes.z, glm::dot(axes.z, axes.origin_mm), half_mm + search_margin_mm(axes),
-                        triangles);
-  std::erase_if(triangles, [&](std::uint32_t triangle) {
-    return !reaches_into_slab(mesh, axes, triangle, half_mm);
-  });
-  return triangles;
-}
-
 Strip::Strip(const IndexedMesh& mesh, const Bvh& bvh, const KerfPlane& plane)
     : mesh_(mesh),
       axes_(axes_of(plane)),
       half_mm_(0.5 * plane.thickness_mm),
-      triangles_(strip_triangles(mesh, bvh, axes_, half_mm_)),
+      triangles_(triangles_reaching_slab(mesh, bvh, axes_, half_mm_)),
       parts_(triangles_.size()),
       has_loop_(triangles_.size(), 0) {}
 

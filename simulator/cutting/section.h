@@ -34,24 +34,4 @@ struct Section {
 /// errors  none: a plane that misses gives no regions
 Section slice_section(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane);
 
-/// A node that a second region claims too (two toes closer than a cell).
-struct SharedNode {
-  std::int32_t node = 0;
-  std::int16_t region = 0;
-};
-
-/// For each node of a field the region whose slab part touches the node's cells, or -1: when every node of a region is
-/// open, the field covers that region wholly. Conservative: the slab part is the projection of all its heights.
-struct SectionMask {
-  FieldGrid grid;
-  std::vector<std::int16_t> region_of_node;  ///< row by row: index v * u_count + u
-  std::vector<std::int32_t> node_count;      ///< per region, as they stand in region_of_node
-  std::vector<SharedNode> shared_nodes;      ///< by region
-  std::vector<std::uint8_t> fits_grid;       ///< per region: false where it reaches beyond the grid
-};
-
-/// shape   regions beyond the 32767th are marked as not fitting
-SectionMask mask_section(const Section& section, const CutSolid& solid, const Bvh& bvh,
-                         const FieldGrid& grid);
-
 }  // namespace hallux::simulator

@@ -18,13 +18,20 @@ struct Corner {
 /// How far an ear may fall short when no better one is left.
 enum class Leniency { Proper, WithoutArea, Any };
 
+}  // namespace
+
 /// One outer loop with its holes.
-class Polygon {
+class Triangulator::Polygon {
  public:
-  explicit Polygon(std::span<const LatticePoint> points) : points_(points) {}
+  void reset(std::span<const LatticePoint> points) {
+    points_ = points;
+    corners_.clear();
+  }
 
   /// The first ring is the outer one; returns a corner of the ring.
-  std::uint32_t add_ring(const Loop& loop);
+  std::uint32_t add_ring(std::span<const std::uint32_t> loop);
+  /// The ring of all points in their order.
+  std::uint32_t add_ring_of_all();
   void join_holes(std::vector<std::uint32_t> holes, std::uint32_t outer);
   void clip_ears(std::uint32_t start, std::vector<Triangle>& triangles);
 
@@ -40,24 +47,37 @@ class Polygon {
   std::uint32_t find_bridge(std::uint32_t hole, std::uint32_t outer) const;
   void bridge(std::uint32_t outer, std::uint32_t hole);
   std::uint32_t rightmost(std::uint32_t start) const noexcept;
-  bool is_ear(std::uint32_t corner, const ReflexGrid& grid, Leniency leniency) const noexcept;
-  void update_reflex(std::uint32_t corner, ReflexGrid& grid) const;
+  bool is_ear(std::uint32_t corner, Leniency leniency) const noexcept;
+  void update_reflex(std::uint32_t corner);
+  void add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i, std::uint32_t count);
   std::vector<std::uint32_t> ring_of(std::uint32_t start) const;
+  std::size_t watch_reflex_corners(std::uint32_t start);
 
   std::span<const LatticePoint> points_;
   std::vector<Corner> corners_;
+  ReflexGrid grid_;
 };
 
-std::uint32_t Polygon::add_ring(const Loop& loop) {
+void Triangulator::Polygon::add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i,
+                                       std::uint32_t count) {
+  corners_.push_back({point, first + (i > 0 ? i : count) - 1, first + (i + 1 < count ? i + 1 : 0)});
+}
+
+std::uint32_t Triangulator::Polygon::add_ring(std::span<const std::uint32_t> loop) {
   const auto first = static_cast<std::uint32_t>(corners_.size());
   const auto count = static_cast<std::uint32_t>(loop.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    corners_.push_back({loop[i], first + (i + count - 1) % count, first + (i + 1) % count});
-  }
+  for (std::uint32_t i = 0; i < count; ++i) add_corner(loop[i], first, i, count);
   return first;
 }
 
-std::vector<std::uint32_t> Polygon::ring_of(std::uint32_t start) const {
+std::uint32_t Triangulator::Polygon::add_ring_of_all() {
+  const auto first = static_cast<std::uint32_t>(corners_.size());
+  const auto count = static_cast<std::uint32_t>(points_.size());
+  for (std::uint32_t i = 0; i < count; ++i) add_corner(i, first, i, count);
+  return first;
+}
+
+std::vector<std::uint32_t> Triangulator::Polygon::ring_of(std::uint32_t start) const {
   std::vector<std::uint32_t> ring{start};
   for (std::uint32_t i = corners_[start].behind; i != start; i = corners_[i].behind) {
     ring.push_back(i);
@@ -66,7 +86,8 @@ std::vector<std::uint32_t> Polygon::ring_of(std::uint32_t start) const {
 }
 
 /// O'Rourke's cone test (Computational Geometry in C, 1998, code 1.6): does the ring's inside begin towards `target`?
-bool Polygon::looks_inward(std::uint32_t corner, const LatticePoint& target) const noexcept {
+bool Triangulator::Polygon::looks_inward(std::uint32_t corner,
+                                         const LatticePoint& target) const noexcept {
   const LatticePoint& here = at(corner);
   const LatticePoint& before = at(corners_[corner].before);
   const LatticePoint& behind = at(corners_[corner].behind);
@@ -75,6 +96,8 @@ bool Polygon::looks_inward(std::uint32_t corner, const LatticePoint& target) con
   }
   return !(turn(here, target, behind) >= 0 && turn(target, here, before) >= 0);
 }
+
+namespace {
 
 bool is_between(const LatticePoint& a, const LatticePoint& b, const LatticePoint& point) noexcept {
   return turn(a, b, point) == 0 && point != a && point != b && std::min(a.u, b.u) <= point.u &&
@@ -86,7 +109,10 @@ bool has_opposite_signs(std::int64_t a, std::int64_t b) noexcept {
   return (a > 0 && b < 0) || (a < 0 && b > 0);
 }
 
-bool Polygon::is_visible(const LatticePoint& from, const LatticePoint& to) const noexcept {
+}  // namespace
+
+bool Triangulator::Polygon::is_visible(const LatticePoint& from,
+                                       const LatticePoint& to) const noexcept {
   for (const Corner& corner : corners_) {
     const LatticePoint& a = points_[corner.point];
     const LatticePoint& b = at(corner.behind);
@@ -100,7 +126,7 @@ bool Polygon::is_visible(const LatticePoint& from, const LatticePoint& to) const
 }
 
 /// The nearest corner of the outer ring that the hole's corner sees; the nearest of all where it sees none.
-std::uint32_t Polygon::find_bridge(std::uint32_t hole, std::uint32_t outer) const {
+std::uint32_t Triangulator::Polygon::find_bridge(std::uint32_t hole, std::uint32_t outer) const {
   std::vector<std::uint32_t> ring = ring_of(outer);
   const LatticePoint& from = at(hole);
   const auto distance = [&](std::uint32_t corner) {
@@ -119,7 +145,7 @@ std::uint32_t Polygon::find_bridge(std::uint32_t hole, std::uint32_t outer) cons
   return ring.front();
 }
 
-void Polygon::bridge(std::uint32_t outer, std::uint32_t hole) {
+void Triangulator::Polygon::bridge(std::uint32_t outer, std::uint32_t hole) {
   const auto hole_again = static_cast<std::uint32_t>(corners_.size());
   const std::uint32_t outer_again = hole_again + 1;
   const Corner outer_corner = corners_[outer];
@@ -132,7 +158,7 @@ void Polygon::bridge(std::uint32_t outer, std::uint32_t hole) {
   corners_[hole].before = outer;
 }
 
-std::uint32_t Polygon::rightmost(std::uint32_t start) const noexcept {
+std::uint32_t Triangulator::Polygon::rightmost(std::uint32_t start) const noexcept {
   std::uint32_t best = start;
   for (std::uint32_t i = corners_[start].behind; i != start; i = corners_[i].behind) {
     if (std::pair(at(i).u, at(i).v) > std::pair(at(best).u, at(best).v)) best = i;
@@ -141,7 +167,7 @@ std::uint32_t Polygon::rightmost(std::uint32_t start) const noexcept {
 }
 
 /// From right to left: then a hole's rightmost corner sees a corner of what is already one ring.
-void Polygon::join_holes(std::vector<std::uint32_t> holes, std::uint32_t outer) {
+void Triangulator::Polygon::join_holes(std::vector<std::uint32_t> holes, std::uint32_t outer) {
   for (std::uint32_t& hole : holes) hole = rightmost(hole);
   std::sort(holes.begin(), holes.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(at(a).u, b) > std::pair(at(b).u, a);
@@ -149,8 +175,7 @@ void Polygon::join_holes(std::vector<std::uint32_t> holes, std::uint32_t outer) 
   for (const std::uint32_t hole : holes) bridge(find_bridge(hole, outer), hole);
 }
 
-bool Polygon::is_ear(std::uint32_t corner, const ReflexGrid& grid,
-                     Leniency leniency) const noexcept {
+bool Triangulator::Polygon::is_ear(std::uint32_t corner, Leniency leniency) const noexcept {
   if (leniency == Leniency::Any) return true;
   const LatticePoint& a = at(corners_[corner].before);
   const LatticePoint& b = at(corner);
@@ -158,24 +183,33 @@ bool Polygon::is_ear(std::uint32_t corner, const ReflexGrid& grid,
   if (a == b || b == c) return true;
   const std::int64_t area = turn(a, b, c);
   if (area == 0) return leniency == Leniency::WithoutArea;
-  return area > 0 && !grid.has_corner_in(a, b, c);
+  return area > 0 && !grid_.has_corner_in(a, b, c);
 }
 
-void Polygon::update_reflex(std::uint32_t corner, ReflexGrid& grid) const {
-  grid.set_reflex(corner, at(corner), turn_at(corner) <= 0);
+void Triangulator::Polygon::update_reflex(std::uint32_t corner) {
+  grid_.set_reflex(corner, at(corner), turn_at(corner) <= 0);
 }
 
-void Polygon::clip_ears(std::uint32_t start, std::vector<Triangle>& triangles) {
-  const std::vector<std::uint32_t> ring = ring_of(start);
-  if (ring.size() < 3) return;
-  ReflexGrid grid(points_, corners_.size(), ring.size());
-  for (const std::uint32_t corner : ring) update_reflex(corner, grid);
-  std::size_t left = ring.size(), tried = 0;
+/// Counts the ring.
+std::size_t Triangulator::Polygon::watch_reflex_corners(std::uint32_t start) {
+  grid_.reset(points_, corners_.size(), corners_.size());
+  std::size_t count = 0;
+  std::uint32_t corner = start;
+  do {
+    update_reflex(corner);
+    ++count;
+    corner = corners_[corner].behind;
+  } while (corner != start);
+  return count;
+}
+
+void Triangulator::Polygon::clip_ears(std::uint32_t start, std::vector<Triangle>& triangles) {
+  std::size_t left = watch_reflex_corners(start), tried = 0;
   Leniency leniency = Leniency::Proper;
   std::uint32_t corner = start;
   while (left >= 3) {
     const Corner tip = corners_[corner];
-    if (!is_ear(corner, grid, leniency)) {
+    if (!is_ear(corner, leniency)) {
       corner = tip.behind;
       if (++tried < left) continue;
       tried = 0;
@@ -185,9 +219,9 @@ void Polygon::clip_ears(std::uint32_t start, std::vector<Triangle>& triangles) {
     triangles.push_back({corners_[tip.before].point, tip.point, corners_[tip.behind].point});
     corners_[tip.before].behind = tip.behind;
     corners_[tip.behind].before = tip.before;
-    grid.set_reflex(corner, at(corner), false);
-    update_reflex(tip.before, grid);
-    update_reflex(tip.behind, grid);
+    grid_.set_reflex(corner, at(corner), false);
+    update_reflex(tip.before);
+    update_reflex(tip.behind);
     --left;
     tried = 0;
     leniency = Leniency::Proper;
@@ -195,25 +229,38 @@ void Polygon::clip_ears(std::uint32_t start, std::vector<Triangle>& triangles) {
   }
 }
 
-}  // namespace
+Triangulator::Triangulator() : polygon_(std::make_unique<Polygon>()) {}
 
-std::vector<Triangle> triangulate(std::span<const LatticePoint> points,
-                                  std::span<const Loop> loops) {
+Triangulator::~Triangulator() = default;
+
+void Triangulator::fill_loop(std::span<const LatticePoint> points,
+                             std::vector<Triangle>& triangles) {
+  polygon_->reset(points);
+  polygon_->clip_ears(polygon_->add_ring_of_all(), triangles);
+}
+
+void Triangulator::fill_loops(std::span<const LatticePoint> points, std::span<const Loop> loops,
+                              std::vector<Triangle>& triangles) {
   const std::vector<std::int32_t> around = loops_around(points, loops);
   std::vector<std::vector<std::size_t>> holes(loops.size());
   for (std::size_t loop = 0; loop < loops.size(); ++loop) {
     if (around[loop] >= 0) holes[static_cast<std::size_t>(around[loop])].push_back(loop);
   }
-  std::vector<Triangle> triangles;
   for (std::size_t loop = 0; loop < loops.size(); ++loop) {
     if (around[loop] >= 0) continue;
-    Polygon polygon(points);
-    const std::uint32_t outer = polygon.add_ring(loops[loop]);
+    polygon_->reset(points);
+    const std::uint32_t outer = polygon_->add_ring(loops[loop]);
     std::vector<std::uint32_t> inner;
-    for (const std::size_t hole : holes[loop]) inner.push_back(polygon.add_ring(loops[hole]));
-    polygon.join_holes(std::move(inner), outer);
-    polygon.clip_ears(outer, triangles);
+    for (const std::size_t hole : holes[loop]) inner.push_back(polygon_->add_ring(loops[hole]));
+    polygon_->join_holes(std::move(inner), outer);
+    polygon_->clip_ears(outer, triangles);
   }
+}
+
+std::vector<Triangle> triangulate(std::span<const LatticePoint> points,
+                                  std::span<const Loop> loops) {
+  std::vector<Triangle> triangles;
+  Triangulator().fill_loops(points, loops, triangles);
   return triangles;
 }
 

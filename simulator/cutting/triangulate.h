@@ -6,6 +6,7 @@
 /// improper one is taken, of no area wherever possible. The signed area is right in every case.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,5 +20,23 @@ namespace hallux::simulator {
 /// ensures each directed loop edge is used once, every other edge as often in one direction as in the other
 std::vector<Triangle> triangulate(std::span<const LatticePoint> points,
                                   std::span<const Loop> loops);
+
+/// The same, many times over, in memory that is kept.
+class Triangulator {
+ public:
+  Triangulator();
+  ~Triangulator();
+
+  /// Appends the triangles of a single loop: all of its points, in order.
+  /// needs   at least two points; allocates nothing once it has seen as large a loop
+  void fill_loop(std::span<const LatticePoint> points, std::vector<Triangle>& triangles);
+  /// Appends the triangles of several loops.
+  void fill_loops(std::span<const LatticePoint> points, std::span<const Loop> loops,
+                  std::vector<Triangle>& triangles);
+
+ private:
+  class Polygon;
+  std::unique_ptr<Polygon> polygon_;
+};
 
 }  // namespace hallux::simulator

@@ -70,9 +70,10 @@ class AttemptRun {
         step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
         late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
     if (setup.pacing == Pacing::RealTime) {
-      jobs_ = std::make_unique<ThreadedJobs>(setup.bone, setup.blade, setup.job_delay);
+      jobs_ =
+          std::make_unique<ThreadedJobs>(setup.bone, setup.blade, setup.job_delay, setup.bridge);
     } else {
-      jobs_ = std::make_unique<ImmediateJobs>(setup.bone, setup.blade);
+      jobs_ = std::make_unique<ImmediateJobs>(setup.bone, setup.blade, setup.bridge);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "simulator/contact/tool_motion.h"
@@ -22,6 +23,7 @@ struct AttemptSetup {
   const Bone& bone;
   BladeSize blade;
   ContactSettings contact;
+  std::optional<PlannedBridge> bridge = std::nullopt;  ///< that the operation leaves and closes
   Pacing pacing = Pacing::Virtual;
   std::vector<HandCommand> commands;  ///< of the scripted operator, ascending
   std::int64_t last_tick = 0;         ///< the attempt ends after this tick, or after Finish

@@ -32,8 +32,9 @@ const JobResult* ImmediateJobs::find(std::int32_t job) const noexcept {
   return nullptr;
 }
 
-ThreadedJobs::ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay)
-    : geometry_(bone, blade),
+ThreadedJobs::ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay,
+                           std::optional<PlannedBridge> bridge)
+    : geometry_(bone, blade, bridge),
       delay_(delay),
       random_(delay.seed),
       feed_(feed_capacity),

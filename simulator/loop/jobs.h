@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <variant>
 #include <vector>
@@ -38,7 +39,8 @@ class JobRunner {
 /// Runs each job when it is asked for; ready at the next tick.
 class ImmediateJobs final : public JobRunner {
  public:
-  ImmediateJobs(const Bone& bone, const BladeSize& blade) : geometry_(bone, blade) {}
+  ImmediateJobs(const Bone& bone, const BladeSize& blade, std::optional<PlannedBridge> bridge = {})
+      : geometry_(bone, blade, bridge) {}
 
   bool follow(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
@@ -62,7 +64,8 @@ struct JobDelay {
 /// Runs jobs on a thread of its own, in the order of their requests.
 class ThreadedJobs final : public JobRunner {
  public:
-  ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay = {});
+  ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay = {},
+               std::optional<PlannedBridge> bridge = {});
   ~ThreadedJobs() override;
 
   bool follow(const StepOutput& output) override;

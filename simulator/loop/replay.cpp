@@ -10,12 +10,11 @@ constexpr std::size_t lines_per_progress = 512;
 
 class ReplayRun {
  public:
-  ReplayRun(const Recording& recording, const Bone& bone, const BladeSize& blade,
-            const ContactSettings& settings)
+  ReplayRun(const Recording& recording, const ReplaySetup& setup)
       : recording_(recording),
-        tissue_(bone),
-        operation_(tissue_, bone.world_from_bone, blade, settings),
-        jobs_(bone, blade) {
+        tissue_(setup.bone),
+        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact),
+        jobs_(setup.bone, setup.blade, setup.bridge) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());
     outputs_.events.reserve(recording.events.size());
@@ -98,9 +97,9 @@ class ReplayRun {
 
 }  // namespace
 
-ReplayResult replay(const Recording& recording, const Bone& bone, const BladeSize& blade,
-                    const ContactSettings& settings, const ReplayProgress& progress) {
-  return ReplayRun(recording, bone, blade, settings).run(progress);
+ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
+                    const ReplayProgress& progress) {
+  return ReplayRun(recording, setup).run(progress);
 }
 
 }  // namespace hallux::simulator

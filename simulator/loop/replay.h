@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "simulator/contact/tool_motion.h"
 #include "simulator/mesh/bone.h"
+#include "simulator/operation/job.h"
 #include "simulator/record/record.h"
 
 namespace hallux::simulator {
@@ -20,12 +22,20 @@ struct ReplayResult {
   std::int64_t samples = 0;
 };
 
+/// What the recorded operation was done on and with.
+struct ReplaySetup {
+  const Bone& bone;
+  BladeSize blade;
+  ContactSettings contact;
+  std::optional<PlannedBridge> bridge = std::nullopt;
+};
+
 /// Called with the fraction done [0, 1]; returning false cancels.
 using ReplayProgress = std::function<bool(double)>;
 
 /// Stops at the first difference. A tape that the step could not have been given is a difference, never a crash.
 /// needs   the recording was made by this engine version
-ReplayResult replay(const Recording& recording, const Bone& bone, const BladeSize& blade,
-                    const ContactSettings& settings, const ReplayProgress& progress = {});
+ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
+                    const ReplayProgress& progress = {});
 
 }  // namespace hallux::simulator

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/mesh/bvh_tree.h"
+#include "simulator/mesh/bvh_walk.h"
 #include "simulator/mesh/closest_point.h"
 
 /// The queries. Each walks the tree with a stack of its own of fixed size; boxes are outside their triangles, so no
@@ -13,18 +13,6 @@ namespace hallux::simulator {
 namespace {
 
 bool is_zero(const Vec3& value) noexcept { return value == Vec3{0.0, 0.0, 0.0}; }
-
-double squared_distance(const TreeBox& box, const Vec3& point) noexcept {
-  double sum = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double value = point[static_cast<glm::length_t>(axis)];
-    const double below = static_cast<double>(box.low[axis]) - value;
-    const double above = value - static_cast<double>(box.high[axis]);
-    const double outside = std::max(std::max(below, above), 0.0);
-    sum += outside * outside;
-  }
-  return sum;
-}
 
 /// Visits the leaves whose boxes are wanted. `wants(box)` and `visit(slot)` may not throw.
 template <typename Wants, typename Visit>
@@ -171,9 +159,9 @@ Bvh::~Bvh() = default;
 Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 
-Bvh::Bvh(const IndexedMesh& mesh) {
+Bvh::Bvh(const IndexedMesh& mesh, const BvhBuild& build) {
   auto tree = std::make_unique<Tree>();
-  build_nodes(mesh, tree->nodes, tree->slots);
+  build_nodes(mesh, build, tree->nodes, tree->slots);
   tree->normals = SurfaceNormals{mesh};
   for (TreeSlot& slot : tree->slots) slot.is_sliver = tree->normals.is_sliver(slot.triangle);
   tree_ = std::move(tree);

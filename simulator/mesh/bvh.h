@@ -1,15 +1,19 @@
-/// A bounding volume hierarchy over a closed mesh: nearest point, signed distance, rays and slabs.
+/// A bounding volume hierarchy over a closed mesh: nearest point, signed distance, rays, boxes and slabs.
 ///
 /// The mesh must not change while the tree lives. Queries allocate nothing unless they fill a vector, and give the same
 /// bits on every machine.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "simulator/mesh/box_distance.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::simulator {
@@ -26,10 +30,31 @@ struct RayHit {
   std::uint32_t triangle = 0;
 };
 
+/// A box and the surface where they are nearest.
+struct BoxContact {
+  double distance_mm = 0.0;  ///< 0 where they meet
+  std::uint32_t triangle = 0;
+  Vec3 on_surface_mm{0.0, 0.0, 0.0};
+  Vec3 on_box_mm{0.0, 0.0, 0.0};
+};
+
+/// A triangle that a query comes by, and its point nearest to the one asked about.
+struct NearTriangle {
+  std::uint32_t triangle = 0;
+  const std::array<Vec3, 3>& corner_mm;
+  Vec3 closest_mm{0.0, 0.0, 0.0};
+};
+
+/// How a tree is built; distances, hits and slabs do not depend on it, only their cost (docs/performance.md).
+struct BvhBuild {
+  std::uint32_t leaf_size = 4;     ///< most triangles in a leaf; at least 1
+  std::size_t halving_depth = 44;  ///< from here on by halves; 0: everywhere; at most 44
+};
+
 class Bvh {
  public:
   /// Copies what it needs of the mesh.
-  explicit Bvh(const IndexedMesh& mesh);
+  explicit Bvh(const IndexedMesh& mesh, const BvhBuild& build = {});
   ~Bvh();
   Bvh(Bvh&&) noexcept;
   Bvh& operator=(Bvh&&) noexcept;
@@ -47,12 +72,37 @@ class Bvh {
   bool contains(const Vec3& point_mm) const noexcept;
   /// needs   direction has length 1
   std::optional<RayHit> first_hit(const Vec3& origin_mm, const Vec3& direction) const noexcept;
+  /// Nothing where box and surface are `within_mm` apart or more. A box wholly inside the solid is as far from the surface
+  /// as one outside.
+  std::optional<BoxContact> nearest_to_box(
+      const OrientedBox& box,
+      double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
+  /// Whether the surface comes as near to the box as `margin_mm`; stops at the first triangle that does. The margin is for
+  /// rounding: boxes that just touch are a few parts in 1e15 of the coordinates away.
+  bool touches_box(const OrientedBox& box, double margin_mm = 1.0e-9) const noexcept;
+  /// The same for a ball.
+  bool touches_ball(const Vec3& point_mm, double radius_mm) const noexcept;
+  /// Calls visit(NearTriangle) for triangles that may be nearer than `within_mm`, the nearer boxes first; the answer is the
+  /// distance within which to go on [mm], negative to stop. The visit may not throw.
+  template <typename Visit>
+  void visit_near(const Vec3& point_mm, double within_mm, Visit&& visit) const noexcept {
+    visit_near(
+        point_mm, within_mm,
+        [](void* context, const NearTriangle& found) noexcept -> double {
+          return (*static_cast<std::remove_reference_t<Visit>*>(context))(found);
+        },
+        &visit);
+  }
   /// Replaces `triangles` by those that reach into |normal . p - offset| <= half_mm, in ascending order.
   void triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm,
                          std::vector<std::uint32_t>& triangles) const;
 
  private:
   struct Tree;
+  using NearVisit = double (*)(void* context, const NearTriangle& found);
+  void visit_near(const Vec3& point_mm, double within_mm, NearVisit visit,
+                  void* context) const noexcept;
+
   std::unique_ptr<const Tree> tree_;
 };
 

@@ -11,9 +11,9 @@ namespace hallux::simulator {
 
 namespace {
 
-constexpr std::uint32_t leaf_size = 4;
 constexpr std::size_t bin_count = 16;
-constexpr std::size_t halving_depth = 44;
+/// Deeper than this, and the halves of 2^32 triangles would not fit the queries' stack.
+constexpr std::size_t greatest_halving_depth = 44;
 
 struct Box {
   Vec3 low{std::numeric_limits<double>::infinity()};
@@ -84,8 +84,8 @@ Box box_of(const std::vector<Item>& items, const Range& range) noexcept {
 
 class Builder {
  public:
-  Builder(std::vector<Item> items, std::vector<TreeNode>& nodes)
-      : items_(std::move(items)), nodes_(nodes) {}
+  Builder(std::vector<Item> items, const BvhBuild& build, std::vector<TreeNode>& nodes)
+      : items_(std::move(items)), build_(build), nodes_(nodes) {}
 
   /// Makes the node over the range and all below it.
   void build(const Range& range, std::size_t depth) {
@@ -96,7 +96,7 @@ class Builder {
     const std::array<Range, 2> parts{Range{range.begin, middle}, Range{middle, range.end}};
     for (std::size_t side = 0; side < 2; ++side) {
       nodes_[node].box[side] = tree_box(box_of(items_, parts[side]));
-      if (parts[side].size() <= leaf_size) {
+      if (parts[side].size() <= build_.leaf_size) {
         make_leaf(nodes_[node], side, parts[side]);
       } else {
         nodes_[node].child[side] = static_cast<std::uint32_t>(nodes_.size());
@@ -116,13 +116,13 @@ class Builder {
   }
 
   std::size_t divide(const Range& range, std::size_t depth) {
-    if (range.size() <= leaf_size) return range.end;
+    if (range.size() <= build_.leaf_size) return range.end;
     Box middles;
     for (std::size_t i = range.begin; i < range.end; ++i) middles.add(items_[i].middle_mm);
     const Vec3 size = middles.high - middles.low;
     const glm::length_t axis =
         size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-    if (depth >= halving_depth || !(size[axis] > 0.0)) return halve(range, axis);
+    if (depth >= build_.halving_depth || !(size[axis] > 0.0)) return halve(range, axis);
     const double low = middles.low[axis];
     const double scale = static_cast<double>(bin_count) / size[axis];
     const auto bin_of = [&](const Item& item) {
@@ -181,6 +181,7 @@ class Builder {
   }
 
   std::vector<Item> items_;
+  BvhBuild build_;
   std::vector<TreeNode>& nodes_;
 };
 
@@ -196,11 +197,12 @@ std::vector<Item> items_of(const IndexedMesh& mesh) {
 
 }  // namespace
 
-void build_nodes(const IndexedMesh& mesh, std::vector<TreeNode>& nodes,
+void build_nodes(const IndexedMesh& mesh, const BvhBuild& build, std::vector<TreeNode>& nodes,
                  std::vector<TreeSlot>& slots) {
+  CHECK(build.leaf_size > 0 && build.halving_depth <= greatest_halving_depth);
   if (mesh.triangles.empty()) return;
   nodes.reserve(mesh.triangles.size());
-  Builder builder{items_of(mesh), nodes};
+  Builder builder{items_of(mesh), build, nodes};
   builder.build({0, mesh.triangles.size()}, 0);
   slots.reserve(mesh.triangles.size());
   for (const Item& item : builder.items()) {

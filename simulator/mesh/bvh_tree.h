@@ -41,7 +41,7 @@ struct Bvh::Tree {
 };
 
 /// Fills nodes and slots.
-void build_nodes(const IndexedMesh& mesh, std::vector<TreeNode>& nodes,
+void build_nodes(const IndexedMesh& mesh, const BvhBuild& build, std::vector<TreeNode>& nodes,
                  std::vector<TreeSlot>& slots);
 
 }  // namespace hallux::simulator

@@ -58,10 +58,13 @@ HalfEdgeMesh half_edges_from(const IndexedMesh& mesh, std::string_view name) {
 
 }  // namespace
 
-SolidMesh::SolidMesh(const IndexedMesh& mesh, std::string_view name) {
+HalfEdgeMesh half_edges_of(const IndexedMesh& mesh, std::string_view name) {
   check_closed_solid(mesh, name);
-  mesh_ = half_edges_from(with_single_fans(mesh), name);
+  return half_edges_from(with_single_fans(mesh), name);
 }
+
+SolidMesh::SolidMesh(const IndexedMesh& mesh, std::string_view name)
+    : mesh_(half_edges_of(mesh, name)) {}
 
 IndexedMesh SolidMesh::indexed() const {
   IndexedMesh mesh;

@@ -15,11 +15,15 @@ struct SolidTraits : OpenMesh::DefaultTraits {
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<SolidTraits>;
 
+/// The half-edges of a closed, oriented mesh; triangle i becomes face i and, but for copies behind them, point i vertex i.
+/// ensures every triangle is kept; a point where several fans of triangles touch becomes one point per fan
+/// errors  MeshError (see check_closed_solid), naming `name`
+HalfEdgeMesh half_edges_of(const IndexedMesh& mesh, std::string_view name);
+
 /// Always closed and oriented: it cannot be made from anything else.
 class SolidMesh {
  public:
-  /// ensures every triangle is kept; a point where several fans of triangles touch becomes one point per fan
-  /// errors  MeshError (see check_closed_solid), naming `name`
+  /// By half_edges_of.
   SolidMesh(const IndexedMesh& mesh, std::string_view name);
 
   const HalfEdgeMesh& half_edges() const noexcept { return mesh_; }

@@ -1,4 +1,4 @@
-/// Work without a bound: what a kerf's plane meets, and which pieces a covered section leaves.
+/// Work without a bound: what a kerf's plane meets, which pieces the kerfs leave, and whether a hinge closes.
 ///
 /// A job is a pure function of the operation at the tick of its request. It is computed beside the step, on a copy of
 /// the kerfs that was opened from the same samples, and its result enters the step as the command ApplyJob.
@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "simulator/cutting/cut.h"
+#include "simulator/cutting/commit_patch.h"
+#include "simulator/cutting/hinge.h"
 #include "simulator/cutting/kerf_set.h"
 #include "simulator/mesh/bone.h"
 
@@ -16,18 +18,26 @@ namespace hallux::simulator {
 
 enum class JobKind : std::int32_t {
   Contact,  ///< slice the bone along a kerf that was just frozen
-  Pieces    ///< take the covered slab away and see what comes free
+  Pieces,   ///< commit what the blade has opened and see what comes free
+  Hinge     ///< close the wedge beside the planned bridge
 };
 
 struct JobRequest {
   std::int32_t id = -1;
   JobKind kind = JobKind::Contact;
-  std::int32_t kerf = -1;
-  std::int64_t tick = 0;  ///< the state after this tick is what the job sees
+  std::int32_t kerf = -1;  ///< the one that asked; none for Hinge
+  std::int64_t tick = 0;   ///< the state after this tick is what the job sees
+};
+
+/// A bridge that an operation wants left and closed, said in the bone frame.
+struct PlannedBridge {
+  HingeLine line;
+  Vec3 toward_moved{1.0, 0.0, 0.0};  ///< from the half that stays to the one that turns
+  double breaks_below_mm = 0.3, bends_up_to_mm = 2.5;
 };
 
 struct PieceBody {
-  std::int32_t id = 0;  ///< 0 is the largest; a piece keeps its number while nothing cuts it
+  std::int32_t id = 0;  ///< 0 is the bone; what is cut off gets the next number and keeps it
   bool is_new = false;  ///< came free by this job
   double volume_mm3 = 0.0;
   CutSolid solid;
@@ -37,18 +47,20 @@ struct PieceBody {
 /// Never changes once made; the step borrows it for the rest of the attempt.
 struct JobResult {
   JobRequest request;
-  Section section;  ///< Contact
-  std::vector<std::vector<std::int32_t>>
-      nodes;                      ///< Contact: per region the field's nodes that must open
-  std::vector<PieceBody> pieces;  ///< Pieces: without debris, largest first
-  double debris_mm3 = 0.0;        ///< Pieces: so far in the attempt
-  double removed_mm3 = 0.0;       ///< Pieces: taken by the blade so far in the attempt
+  double section_mm2 = 0.0;             ///< Contact: of the solid as it stood, at the kerf's planes
+  std::vector<PieceBody> pieces;        ///< Pieces: without debris, largest first
+  std::vector<std::int32_t> completed;  ///< Pieces: kerfs that took their whole section, ascending
+  double debris_mm3 = 0.0;              ///< Pieces: in the wound as it is
+  double removed_mm3 = 0.0;             ///< Pieces: taken by the blade so far in the attempt
+  std::uint32_t nudges = 0;             ///< Pieces: see KerfCut; expected 0
+  ClosedHinge hinge;                    ///< Hinge
 };
 
 /// The operation as the jobs see it: the solid as cut so far and a copy of the kerfs.
 class OperationGeometry {
  public:
-  OperationGeometry(const Bone& bone, const BladeSize& blade);
+  OperationGeometry(const Bone& bone, const BladeSize& blade,
+                    std::optional<PlannedBridge> bridge = {});
 
   /// Follows what the step gave out; events of a tick before its sample.
   void follow(const CutEvent& event);
@@ -56,32 +68,45 @@ class OperationGeometry {
   /// thread  worker, or the caller's in virtual time
   std::unique_ptr<const JobResult> run(const JobRequest& request);
 
+  /// What lies in the wound, as the last job of pieces left it.
   const CutSolid& solid() const noexcept { return solid_; }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
 
  private:
-  void run_contact(JobResult& result);
-  void run_pieces(JobResult& result);
-  void number_pieces(std::vector<CutSolid> solids, JobResult& result);
-  void take_out(std::int32_t piece);
-
+  /// The bone after one more kerf.
+  struct Stage {
+    CutSolid solid;
+    std::unique_ptr<const Bvh> bvh;
+    double removed_mm3 = 0.0;  ///< by this kerf
+    bool takes_section = false;
+    std::uint32_t nudges = 0;
+  };
   struct KnownPiece {
     std::int32_t id = 0;
     CutSolid solid;
-  };
-  struct KerfSection {
-    Section section;
-    SectionMask mask;
+    std::unique_ptr<const Bvh> bvh;
   };
 
+  void run_contact(JobResult& result);
+  void run_pieces(JobResult& result);
+  void run_hinge(JobResult& result);
+  const Stage& stage_before(std::int32_t kerf);
+  void number_pieces(std::vector<CutSolid> solids, JobResult& result);
+  std::int32_t inherited_id(const CutSolid& solid, std::vector<std::int32_t>& taken) const;
+  bool was_taken_out(const CutSolid& solid) const;
+  void take_out(std::int32_t piece);
+  void gather_solid();
+  std::vector<HingeGap> gaps_of_kerfs(std::vector<std::int32_t>& kerfs);
+
   KerfSet kerfs_;
+  std::optional<PlannedBridge> bridge_;
+  Stage whole_;                ///< the bone that was never cut
+  std::vector<Stage> stages_;  ///< after kerf 0, 1, ...; those whose fields have not risen since
   CutSolid solid_;
-  std::unique_ptr<const Bvh> bvh_;
-  std::vector<KerfSection> sections_;
   std::vector<KnownPiece> pieces_;
+  std::vector<std::unique_ptr<const Bvh>> taken_out_;
   std::vector<CutSolid> debris_;
   std::int32_t next_piece_ = 1;
-  double removed_mm3_ = 0.0;
 };
 
 }  // namespace hallux::simulator

@@ -14,7 +14,7 @@
 namespace hallux::simulator {
 
 /// Raised by hand whenever the same input may give another output; committed with the golden hashes.
-inline constexpr std::int32_t engine_version = 1;
+inline constexpr std::int32_t engine_version = 2;
 
 /// A pose in whole quanta: translation in micrometres, quaternion (w, x, y, z) in millionths.
 struct QuantisedPose {
@@ -52,10 +52,12 @@ enum class CommandKind : std::int32_t {
   Pause = 2,     ///< the tool is safe, nothing cuts
   Resume = 3,    ///< argument as Pause: each ends its own
   StepDone = 4,  ///< argument: index of the operation step declared done
-  PickUp = 5,    ///< argument: piece to take out of the wound
+  PickUp = 5,    ///< argument: piece to take out of the wound, or piece_freed_last
   Finish = 6,    ///< the operator declares the operation done
   ApplyJob = 7,  ///< argument: job id; detail: tick of the state it was computed from
-  Abandon = 8
+  Abandon = 8,
+  CloseHinge =
+      9  ///< turn the bone about the bridge that the cuts have left, until the wedge is closed
 };
 
 /// A decision applied at a tick: of the operator, the loop, or a job that is ready.
@@ -67,6 +69,8 @@ struct Command {
   friend bool operator==(const Command&, const Command&) = default;
 };
 
+/// Of pieces that come free at once the smallest is announced last: a wedge, where the bone falls in two beside it.
+inline constexpr std::int32_t piece_freed_last = -1;
 inline constexpr std::int32_t paused_by_operator = 0;
 inline constexpr std::int32_t paused_by_loop = 1;
 
@@ -115,7 +119,7 @@ enum class CutEventKind : std::int32_t {
   SectionKnown =
       5,  ///< subject: kerf; the contact job was applied; value: section area [um2 / 1000]
   Breakthrough = 6,    ///< subject: kerf; the teeth left bone at the far side
-  SectionCovered = 7,  ///< subject: kerf; the field covers a section wholly
+  SectionCovered = 7,  ///< subject: kerf; it has taken its whole section
   PieceFreed = 8,      ///< subject: piece; value: volume [mm3 / 1000]
   PieceRemoved = 9,    ///< subject: piece
   StepDone = 10,       ///< subject: operation step
@@ -124,7 +128,10 @@ enum class CutEventKind : std::int32_t {
   Fault = 13,  ///< value: bits of DeviceFault
   Finished = 14,
   Abandoned = 15,
-  KerfRefused = 16  ///< the touch asked for more kerfs than an attempt may have
+  KerfRefused = 16,  ///< the touch asked for more kerfs than an attempt may have
+  HingeClosed = 17,  ///< value: angle [urad]; pose: bone_from_moved, of the half that turned
+  HingeRefused =
+      18  ///< subject: why (HingeOutcome: 1 broken, 2 stiff, 3 nothing to close); value: bridge [um]
 };
 
 /// Something that happened once, at the end of one tick.
@@ -133,7 +140,8 @@ struct CutEvent {
   CutEventKind kind = CutEventKind::Started;
   std::int32_t subject = -1;
   std::int64_t value = 0;
-  QuantisedPose pose;  ///< bone_from_tool for cutting events, identity otherwise
+  QuantisedPose
+      pose;  ///< bone_from_tool for cutting events, bone_from_moved for HingeClosed, identity otherwise
 
   friend bool operator==(const CutEvent&, const CutEvent&) = default;
 };

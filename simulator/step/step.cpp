@@ -8,8 +8,6 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Nodes of a section asked in one step: bounds its time, delays the news of a covered section by milliseconds.
-constexpr std::uint32_t nodes_per_step = 4096;
 /// Pieces announced in one step; more wait for the next.
 constexpr std::size_t pieces_per_step = 2;
 
@@ -17,11 +15,6 @@ std::uint32_t bit(ToolStatus status) noexcept { return static_cast<std::uint32_t
 
 std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
-}
-
-bool is_open_at(const KerfField& field, std::int32_t node) noexcept {
-  const std::int32_t u_count = field.grid().u_count;
-  return field.at(node % u_count, node / u_count) > 0.0F;
 }
 
 }  // namespace
@@ -46,7 +39,7 @@ StepOutput Operation::step(const StepInput& input) noexcept {
   announce_pieces(output);
   if (is_running() && faults_ == 0) {
     move(input.line, output);
-    watch_sections(output);
+    ask_for_pieces(output);
   } else {
     output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
     // A sample in no kerf ends a sweep, here as for those who follow the record.
@@ -102,6 +95,9 @@ void Operation::apply(const Command& command, const JobResult* result,
     case CommandKind::PickUp:
       pick_up(command.argument, output);
       break;
+    case CommandKind::CloseHinge:
+      ask_for_hinge(output);
+      break;
     case CommandKind::Finish:
     case CommandKind::Abandon:
       is_over_ = true;
@@ -122,18 +118,42 @@ void Operation::pause(bool is_now_paused, const Command& command, StepOutput& ou
 }
 
 void Operation::apply_job(const JobResult& result, StepOutput& output) noexcept {
-  if (result.request.kind == JobKind::Contact) {
-    KerfWatch& watch = watches_[static_cast<std::size_t>(result.request.kerf)];
-    watch.contact = &result;
-    watch.next_node = {};
-    const auto& regions = result.section.regions;
-    note(output, CutEventKind::SectionKnown, result.request.kerf,
-         regions.empty() ? 0 : thousandths(regions.front().area_mm2));
-    return;
+  switch (result.request.kind) {
+    case JobKind::Contact:
+      note(output, CutEventKind::SectionKnown, result.request.kerf,
+           thousandths(result.section_mm2));
+      break;
+    case JobKind::Pieces:
+      apply_pieces(result, output);
+      break;
+    case JobKind::Hinge:
+      apply_hinge(result.hinge, output);
+      break;
   }
-  --pieces_jobs_waiting_;
+}
+
+void Operation::apply_pieces(const JobResult& result, StepOutput& output) noexcept {
+  is_pieces_waiting_ = false;
   pieces_ = &result;
   announced_ = 0;
+  for (const std::int32_t kerf : result.completed) {
+    bool& is_completed = is_completed_[static_cast<std::size_t>(kerf)];
+    if (!is_completed) note(output, CutEventKind::SectionCovered, kerf);
+    is_completed = true;
+  }
+}
+
+void Operation::apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept {
+  is_hinge_waiting_ = false;
+  if (hinge.outcome != HingeOutcome::Closed) {
+    note(output, CutEventKind::HingeRefused, static_cast<std::int32_t>(hinge.outcome),
+         um_from_mm(hinge.thickness_mm));
+    return;
+  }
+  is_hinge_closed_ = true;
+  CutEvent event{tick_, CutEventKind::HingeClosed, -1, micro_from_unit(hinge.angle_rad),
+                 quantise(hinge.bone_from_moved)};
+  output.events.push(event);
 }
 
 void Operation::announce_pieces(StepOutput& output) noexcept {
@@ -143,14 +163,16 @@ void Operation::announce_pieces(StepOutput& output) noexcept {
     const PieceBody& piece = pieces_->pieces[announced_];
     if (!piece.is_new) continue;
     note(output, CutEventKind::PieceFreed, piece.id, thousandths(piece.volume_mm3));
+    freed_last_ = piece.id;
     ++said;
   }
 }
 
 void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
+  if (piece == piece_freed_last) piece = freed_last_;
   if (pieces_ == nullptr || piece <= 0 || removed_count_ == removed_piece_limit) return;
   // The pieces are being numbered anew: which one is meant cannot be known before the job is applied.
-  if (pieces_jobs_waiting_ > 0) return;
+  if (is_pieces_waiting_) return;
   for (const PieceBody& body : pieces_->pieces) {
     if (body.id != piece) continue;
     const Bvh* const bvh = body.bvh.get();
@@ -163,9 +185,11 @@ void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
 }
 
 void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
+  // A bone whose hinge is closed is not sawn again: its halves no longer lie where its kerfs were opened.
   const ToolInput input{bone_from_world_ * transform_from(line.device.world_from_handle),
-                        has(line.device.switches, Switch::SawRuns),
+                        has(line.device.switches, Switch::SawRuns) && !is_hinge_closed_,
                         static_cast<double>(line.ticks) * step_s};
+  const std::int32_t kerf_before = kerf_of_tool();
   const ToolOutcome outcome = move_tool(tool_, input, standing(), settings_);
   report(outcome, output);
   if (outcome.wants_freeze) freeze(output);
@@ -176,7 +200,7 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
   sample.force_mn = {millinewton_from_newton(force_newton.x),
                      millinewton_from_newton(force_newton.y),
                      millinewton_from_newton(force_newton.z)};
-  sample.kerf = tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
+  sample.kerf = kerf_of_tool();
   if (input.saw_runs) sample.status |= bit(ToolStatus::SawOn);
   if (has(line.device.switches, Switch::Irrigates)) sample.status |= bit(ToolStatus::Irrigated);
   if (tool_.stage == ToolStage::InKerf) sample.status |= bit(ToolStatus::InKerf);
@@ -186,7 +210,7 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
   output.engaged = outcome.engaged;
   // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on unrounded, else a feed
   // below half a micrometre a tick would stand still.
-  kerfs_.follow(sample);
+  watch_growth(kerfs_.follow(sample), kerf_before, outcome.broke_through);
 }
 
 void Operation::report(const ToolOutcome& outcome, StepOutput& output) noexcept {
@@ -213,29 +237,30 @@ void Operation::freeze(StepOutput& output) noexcept {
   enter_kerf(tool_, kerf, standing(), settings_);
 }
 
-void Operation::watch_sections(StepOutput& output) noexcept {
-  for (std::int32_t kerf = 0; kerf < kerfs_.count(); ++kerf) {
-    const KerfWatch& watch = watches_[static_cast<std::size_t>(kerf)];
-    if (watch.contact == nullptr) continue;
-    const std::size_t regions = std::min(watch.contact->nodes.size(), watch.next_node.size());
-    for (std::size_t region = 0; region < regions; ++region) watch_region(kerf, region, output);
+/// The pieces are asked for when the blade has left a kerf in which it cut, and when it has left the bone behind it.
+void Operation::watch_growth(const FieldWindow& opened, std::int32_t kerf_before,
+                             bool broke_through) noexcept {
+  if (!opened.is_empty()) {
+    has_opened_ = true;
+    last_opened_ = kerf_of_tool();
   }
+  const bool has_left = kerf_before >= 0 && kerf_of_tool() != kerf_before;
+  if (has_opened_ && (has_left || broke_through)) wants_pieces_ = true;
 }
 
-/// Walks past the nodes that are open. They never close again, so each node is passed once, and the first closed one
-/// witnesses that the region still stands.
-void Operation::watch_region(std::int32_t kerf, std::size_t region, StepOutput& output) noexcept {
-  KerfWatch& watch = watches_[static_cast<std::size_t>(kerf)];
-  const auto& nodes = watch.contact->nodes[region];
-  std::uint32_t& next = watch.next_node[region];
-  if (next >= nodes.size() || output.requests.is_full()) return;
-  const KerfField& field = kerfs_.field(kerf);
-  const auto last = std::min<std::size_t>(nodes.size(), next + nodes_per_step);
-  while (next < last && is_open_at(field, nodes[next])) ++next;
-  if (next < nodes.size()) return;
-  note(output, CutEventKind::SectionCovered, kerf, static_cast<std::int64_t>(region));
-  output.requests.push({next_job_++, JobKind::Pieces, kerf, tick_});
-  ++pieces_jobs_waiting_;
+void Operation::ask_for_pieces(StepOutput& output) noexcept {
+  if (!wants_pieces_ || is_pieces_waiting_ || output.requests.is_full()) return;
+  output.requests.push({next_job_++, JobKind::Pieces, last_opened_, tick_});
+  wants_pieces_ = has_opened_ = false;
+  is_pieces_waiting_ = true;
+}
+
+/// Pieces that are not known yet could be the wedge itself: first they, then the hinge.
+void Operation::ask_for_hinge(StepOutput& output) noexcept {
+  const bool knows_all = !is_pieces_waiting_ && !wants_pieces_ && !has_opened_;
+  if (!knows_all || is_hinge_waiting_ || is_hinge_closed_ || output.requests.is_full()) return;
+  output.requests.push({next_job_++, JobKind::Hinge, -1, tick_});
+  is_hinge_waiting_ = true;
 }
 
 }  // namespace hallux::simulator

@@ -46,12 +46,6 @@ struct StepOutput {
   Engagement engaged;                 ///< for displays; not recorded
 };
 
-/// How far a kerf's regions are covered: per region the first of its nodes that is still closed.
-struct KerfWatch {
-  const JobResult* contact = nullptr;
-  std::array<std::uint32_t, 32> next_node{};
-};
-
 inline constexpr std::size_t removed_piece_limit = 8;
 
 class Operation {
@@ -81,11 +75,19 @@ class Operation {
   void move(const TapeLine& line, StepOutput& output) noexcept;
   void freeze(StepOutput& output) noexcept;
   void report(const ToolOutcome& outcome, StepOutput& output) noexcept;
-  void watch_sections(StepOutput& output) noexcept;
-  void watch_region(std::int32_t kerf, std::size_t region, StepOutput& output) noexcept;
+  void watch_growth(const FieldWindow& opened, std::int32_t kerf_before,
+                    bool broke_through) noexcept;
+  void ask_for_pieces(StepOutput& output) noexcept;
+  void ask_for_hinge(StepOutput& output) noexcept;
+  void apply_pieces(const JobResult& result, StepOutput& output) noexcept;
+  void apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept;
   void announce_pieces(StepOutput& output) noexcept;
   void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
             std::int64_t value = 0) const noexcept;
+  /// The kerf that holds the blade, or -1.
+  std::int32_t kerf_of_tool() const noexcept {
+    return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
+  }
   StandingBone standing() const noexcept {
     return {tissue_, kerfs_, {removed_pieces_.data(), removed_count_}};
   }
@@ -95,7 +97,7 @@ class Operation {
   ContactSettings settings_;
   KerfSet kerfs_;
   ToolState tool_;
-  std::array<KerfWatch, static_cast<std::size_t>(kerf_limit)> watches_{};
+  std::array<bool, static_cast<std::size_t>(kerf_limit)> is_completed_{};  ///< per kerf
   std::array<const Bvh*, removed_piece_limit> removed_pieces_{};
   std::size_t removed_count_ = 0;
   const JobResult* pieces_ = nullptr;
@@ -103,7 +105,13 @@ class Operation {
   std::int32_t next_job_ = 0;
   std::int64_t tick_ = 0;
   std::uint32_t faults_ = 0;
-  std::int32_t pieces_jobs_waiting_ = 0;  ///< asked for, not applied yet
+  std::int32_t freed_last_ = 0;     ///< the piece announced last; 0: none was
+  std::int32_t last_opened_ = -1;   ///< the kerf that opened last
+  bool has_opened_ = false;         ///< since the pieces were asked for
+  bool wants_pieces_ = false;       ///< the blade left a kerf or the bone behind it
+  bool is_pieces_waiting_ = false;  ///< asked for, not applied yet
+  bool is_hinge_waiting_ = false;
+  bool is_hinge_closed_ = false;
   bool is_started_ = false;
   bool is_paused_ = false;  ///< by the operator
   bool is_in_gap_ = false;  ///< by the loop

@@ -114,5 +114,66 @@ TEST(Sentences, AGateSaysItsLimitItsCapAndWhatItTook) {
             "Past the sulcus: 1.40 mm, above the limit of 1 mm; the score is capped at 59.");
 }
 
+/// Two cuts, a hinge between them, and a gate on a claim.
+Scenario akin_like() {
+  Scenario scenario = silver_like();
+  scenario.cuts[0].title = "First cut";
+  scenario.cuts.resize(2);
+  scenario.cuts[1].name = "second";
+  scenario.hinges.resize(1);
+  scenario.hinges[0].name = "lateral";
+  scenario.hinges[0].title = "Lateral hinge";
+  scenario.rubric.items = {item("A1", "angle_deg", 16000, 1.0, 8.0),
+                           item("A4", "wedge_error_deg", 12000, 0.5, 6.0)};
+  scenario.rubric.items[1].cut.clear();
+  scenario.rubric.items[1].hinge = "lateral";
+  scenarios::Gate gate;
+  gate.name = "hinge_lost";
+  gate.title = "Lateral cortex cut through";
+  gate.metric = "hinge_lost";
+  gate.hinge = "lateral";
+  gate.cap_milli = 69000;
+  scenario.rubric.gates = {gate};
+  return scenario;
+}
+
+Measurement of_hinge(const std::string& metric, double value) {
+  Measurement made = measured(metric, value, "large");
+  made.cut.clear();
+  made.hinge = "lateral";
+  return made;
+}
+
+TEST(Sentences, WithSeveralCutsEachLineSaysWhichItIsAbout) {
+  Measurement wedge = of_hinge("wedge_error_deg", 5.4);
+  wedge.detail = "15.4 deg were taken out";
+  const ScoreCard card = explained(akin_like(), {measured("angle_deg", 0.4, "dorsal"), wedge});
+  EXPECT_EQ(card.ledger[0].text,
+            "First cut: The face is tilted 0.4 deg (full points to 1 deg): all 16 points.");
+  EXPECT_EQ(card.ledger[1].text,
+            "Lateral hinge: The wedge is 5.4 deg off the planned angle, too large: 15.4 deg were "
+            "taken out (full points to 0.5 deg): 10.7 of 12 points lost.");
+}
+
+TEST(Sentences, AMetricOfACutIsNotOneOfAHingeOfTheSameName) {
+  Scenario scenario = akin_like();
+  scenario.cuts[0].name = scenario.rubric.items[0].cut = "lateral";
+  Measurement of_cut = measured("wedge_error_deg", 9.0, "");
+  of_cut.cut = "lateral";
+  const ScoreCard card = explained(scenario, {of_cut});
+  EXPECT_TRUE(card.ledger.empty());
+}
+
+TEST(Sentences, AGateOnAClaimHasNoNumber) {
+  const Scenario scenario = akin_like();
+  const Measurement angle = measured("angle_deg", 0.0, "");
+  const ScoreCard lost = explained(scenario, {angle, of_hinge("hinge_lost", 1.0)});
+  EXPECT_EQ(lost.ledger[1].text,
+            "Lateral cortex cut through, so the score is capped at 69: 5.0 points lost.");
+  EXPECT_EQ(lost.gates[0].text, "Lateral cortex cut through: yes; the score is capped at 69.");
+  const ScoreCard kept = explained(scenario, {angle, of_hinge("hinge_lost", 0.0)});
+  EXPECT_EQ(kept.gates[0].text, "Lateral cortex cut through: no.");
+}
+
 }  // namespace
 }  // namespace hallux::assessment

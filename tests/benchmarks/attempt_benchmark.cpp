@@ -96,8 +96,9 @@ BENCHMARK(steps_and_jobs_of_an_attempt)->Iterations(1)->Unit(benchmark::kMillise
 void replay_of_an_attempt(benchmark::State& state) {
   const RecordedSilver recorded;
   for (auto _ : state) {
-    const simulator::ReplayResult result = replay(
-        recorded.recording, recorded.bone, recorded.silver.blade.size, contact_of(recorded.silver));
+    const simulator::ReplayResult result =
+        replay(recorded.recording,
+               {recorded.bone, recorded.silver.blade.size, contact_of(recorded.silver), {}});
     if (!result.is_identical) state.SkipWithError("the replay differs");
   }
   state.counters["times_real_time"] = benchmark::Counter(

@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "simulator/base/random.h"
+#include "simulator/cutting/remaining_bone.h"
 #include "simulator/mesh/bvh.h"
+#include "simulator/mesh/swept_box.h"
+#include "simulator/record/record.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {
@@ -32,7 +35,7 @@ void distance_along_a_slow_walk(benchmark::State& state) {
     x_mm = x_mm > 0.5 * radius_mm ? -0.5 * radius_mm : x_mm + 0.005;
   }
 }
-BENCHMARK(distance_along_a_slow_walk)->Arg(5'000)->Arg(50'000);
+BENCHMARK(distance_along_a_slow_walk)->Arg(5'000)->Arg(50'000)->Arg(500'000);
 
 void distance_anywhere_near(benchmark::State& state) {
   const simulator::Bvh tree(sphere_of(state));
@@ -49,7 +52,7 @@ void distance_anywhere_near(benchmark::State& state) {
     next = (next + 1) % points_mm.size();
   }
 }
-BENCHMARK(distance_anywhere_near)->Arg(5'000)->Arg(50'000);
+BENCHMARK(distance_anywhere_near)->Arg(5'000)->Arg(50'000)->Arg(500'000);
 
 void triangles_in_a_kerf(benchmark::State& state) {
   const simulator::Bvh tree(sphere_of(state));
@@ -61,6 +64,81 @@ void triangles_in_a_kerf(benchmark::State& state) {
   }
 }
 BENCHMARK(triangles_in_a_kerf)->Arg(5'000)->Arg(50'000);
+
+// The rows of the table of queries: each point a few micrometres from the last, as a tool moves.
+template <typename Ask>
+void walk(benchmark::State& state, const Ask& ask) {
+  const simulator::Bvh tree(sphere_of(state));
+  double x_mm = -0.5 * radius_mm;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ask(tree, Vec3(x_mm, 0.9 * radius_mm, 0.1)));
+    x_mm = x_mm > 0.5 * radius_mm ? -0.5 * radius_mm : x_mm + 0.005;
+  }
+}
+
+void ball_of_1_mm(benchmark::State& state) {
+  walk(state,
+       [](const simulator::Bvh& tree, const Vec3& at) { return tree.touches_ball(at, 1.0); });
+}
+BENCHMARK(ball_of_1_mm)->Arg(50'000)->Arg(500'000);
+
+void ray_down(benchmark::State& state) {
+  walk(state, [](const simulator::Bvh& tree, const Vec3& at) {
+    return tree.first_hit(at + Vec3(0.0, 5.0, 0.0), Vec3(0.0, -1.0, 0.0));
+  });
+}
+BENCHMARK(ray_down)->Arg(50'000)->Arg(500'000);
+
+constexpr simulator::CarriedBox blade{Vec3(-10.0, 0.0, 0.0), Vec3(10.0, 5.0, 0.25)};
+Quat blade_down() { return rotation_from_axes(Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, 1.0)); }
+
+void distance_of_a_blade(benchmark::State& state) {
+  walk(state, [](const simulator::Bvh& tree, const Vec3& at) {
+    return tree.nearest_to_box(blade.at({blade_down(), at + Vec3(0.0, 2.0, 0.0)}));
+  });
+}
+BENCHMARK(distance_of_a_blade)->Arg(50'000)->Arg(500'000);
+
+void does_a_blade_touch(benchmark::State& state) {
+  walk(state, [](const simulator::Bvh& tree, const Vec3& at) {
+    return tree.touches_box(blade.at({blade_down(), at}));
+  });
+}
+BENCHMARK(does_a_blade_touch)->Arg(50'000)->Arg(500'000);
+
+// A blade that comes down 1 mm on to the bone and turns a little.
+void first_contact_of_a_blade(benchmark::State& state) {
+  const Quat turned = rotation_about(Vec3(0.0, 0.0, 1.0), 0.02) * blade_down();
+  walk(state, [&](const simulator::Bvh& tree, const Vec3& at) {
+    return simulator::first_contact(
+        tree, blade,
+        {{blade_down(), Vec3(at.x, 12.5, 0.0)}, {turned, Vec3(at.x + 0.1, 11.0, 0.0)}});
+  });
+}
+BENCHMARK(first_contact_of_a_blade)->Arg(50'000)->Arg(500'000);
+
+// What still stands, with a kerf of 8 mm in it: points along the teeth in the slot (range 1: 0), in the bone below it (1), and
+// over its mouth (2).
+void nearest_standing(benchmark::State& state) {
+  const simulator::Bvh tree(sphere_of(state));
+  simulator::KerfSet kerfs({}, RigidTransform{});
+  kerfs.freeze(simulator::quantise({blade_down(), Vec3(0.0, 13.0, 0.0)}));
+  for (const double y_mm : {13.0, 4.0}) {
+    simulator::ToolSample sample;
+    sample.kerf = 0;
+    sample.status = static_cast<std::uint32_t>(simulator::ToolStatus::SawOn);
+    sample.world_from_tool = simulator::quantise({blade_down(), Vec3(0.0, y_mm, 0.0)});
+    kerfs.follow(sample);
+  }
+  const simulator::RemainingBone bone{tree, kerfs, {}};
+  const double y_mm = state.range(1) == 0 ? 4.01 : state.range(1) == 1 ? 3.0 : 12.2;
+  double z_mm = -5.0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(bone.nearest(Vec3(0.05, y_mm, z_mm)));
+    z_mm = z_mm > 5.0 ? -5.0 : z_mm + 0.005;
+  }
+}
+BENCHMARK(nearest_standing)->ArgsProduct({{50'000, 500'000}, {0, 1, 2}});
 
 }  // namespace
 

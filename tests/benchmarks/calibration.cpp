@@ -1,22 +1,17 @@
-// A fixed piece of work, printed with every program's numbers: a machine that is slower here is slower by its nature.
+// Printed with every program's numbers: a machine that is slower here is slower by its nature.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
+#include "tests/benchmarks/calibration_work.h"
 
-namespace hallux::tests {
+namespace hallux::benchmarks {
 
 namespace {
 
-// A million square roots, each waiting for the last: about what a processor does one after another in 4 to 8 ms.
 void calibration(benchmark::State& state) {
-  for (auto _ : state) {
-    double value = 2.0;
-    for (int i = 0; i < 1'000'000; ++i) value = std::sqrt(value + 1.0);
-    benchmark::DoNotOptimize(value);
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(million_square_roots());
 }
 BENCHMARK(calibration)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-}  // namespace hallux::tests
+}  // namespace hallux::benchmarks

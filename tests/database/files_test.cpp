@@ -8,18 +8,8 @@ namespace hallux::database {
 
 namespace {
 
-TEST(Files, ANamedOutputThatLeadsNowhereIsBadInputWithItsOwnMend) {
-  for (const int error_number : {ENOENT, EISDIR, ENOTDIR, ENAMETOOLONG}) {
-    const DatabaseError error = output_error("pages/page.html", error_number);
-    EXPECT_EQ(error.kind(), DatabaseErrorKind::BadInput) << error.what();
-    EXPECT_NE(std::string{error.what()}.find("pages/page.html"), std::string::npos) << error.what();
-    EXPECT_EQ(std::string{error.what()}.find("--data"), std::string::npos) << error.what();
-  }
-}
-
-TEST(Files, AFullOrClosedDiskIsAStorageFailureWhateverWasWritten) {
+TEST(Files, AFullOrClosedDiskIsAStorageFailure) {
   for (const int error_number : {ENOSPC, EDQUOT, EROFS, EACCES, EPERM, EIO}) {
-    EXPECT_TRUE(is_storage_failure(output_error("page.html", error_number).kind()));
     EXPECT_TRUE(is_storage_failure(file_error("hallux.db", "make", error_number).kind()));
   }
 }

@@ -47,9 +47,10 @@ TEST(People, HaveTheirHashMadeAnewWhenTheCostChanges) {
 TEST(People, AreRefusedABadLogin) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
-  for (const std::string login : {"", "a", "Ada", "1ada", "ada lovelace", "ada'--", "../ada",
-                                  "\xC3\xA4"
-                                  "da"}) {
+  const std::string with_umlaut = std::string("\xC3\xA4") + "da";
+  for (const std::string& login :
+       {std::string(), std::string("a"), std::string("Ada"), std::string("1ada"),
+        std::string("ada lovelace"), std::string("ada'--"), std::string("../ada"), with_umlaut}) {
     try {
       add(database, login);
       ADD_FAILURE() << login;

@@ -36,6 +36,21 @@ TEST(Policy, LetsNobodyOperateForSomebodyElse) {
   }
 }
 
+TEST(Policy, LetsAllSeeTheRobotsAttemptsAndOnlyThoseWhoTeachOrAdministerKeepTheirScores) {
+  for (const Role role : {Role::House, Role::Trainee, Role::Instructor, Role::Administrator}) {
+    EXPECT_TRUE(allows(role, Action::ListAttempts, Relation::Robot));
+    EXPECT_TRUE(allows(role, Action::ViewAttempt, Relation::Robot));
+    EXPECT_EQ(allows(role, Action::StoreScore, Relation::Robot), role != Role::Trainee);
+  }
+}
+
+TEST(Policy, LetsAnAdministratorKeepNoScoreOfAPerson) {
+  for (const Relation relation : {Relation::Own, Relation::Cohort, Relation::Other}) {
+    EXPECT_FALSE(allows(Role::Administrator, Action::StoreScore, relation));
+    EXPECT_FALSE(allows(Role::Administrator, Action::ViewAttempt, relation));
+  }
+}
+
 TEST(Policy, LeavesPeopleToAdministrators) {
   for (const Action action : {Action::AddPerson, Action::ListPeople, Action::DisablePerson,
                               Action::SetPassword, Action::AddCohort, Action::Enrol}) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "simulator/base/units.h"
@@ -18,9 +19,9 @@ using nlohmann::json;
 
 json silver_json() { return json::parse(load_shipped_scenario("silver").text); }
 
-std::string refusal_of(std::string_view text) {
+std::string refusal_of(std::string_view text, std::string_view name = "silver.json") {
   try {
-    parse_scenario(text, "silver.json");
+    parse_scenario(text, name);
   } catch (const ScenarioError& error) {
     return error.what();
   }
@@ -66,6 +67,48 @@ TEST(Scenario, SilverWeighsItsFiveAccuracyItemsAndLeavesTheOtherGroupsUnmeasured
   EXPECT_EQ(rubric.gates[1].cap_milli, 69'000);
 }
 
+TEST(Scenario, AkinJoinsTwoFacesAcrossTheBoneAtAHingeInsideTheLateralCortex) {
+  const Scenario akin = load_shipped_scenario("akin");
+  ASSERT_EQ(akin.cuts.size(), 2U);
+  EXPECT_EQ(akin.cuts[0].face.kind, FaceKind::Transverse);
+  EXPECT_EQ(akin.cuts[0].face.offset_mm, 6.0);
+  EXPECT_EQ(akin.cuts[1].face.kind, FaceKind::ThroughHinge);
+  EXPECT_EQ(akin.cuts[1].face.wedge_rad, radian_from_degree(10.0));
+  ASSERT_EQ(akin.hinges.size(), 1U);
+  const ReferenceHinge& hinge = akin.hinges[0];
+  EXPECT_EQ(hinge.first_cut, akin.cuts[0].name);
+  EXPECT_EQ(hinge.second_cut, akin.cuts[1].name);
+  EXPECT_EQ(akin.cuts[1].face.through, hinge.name);
+  EXPECT_EQ(hinge.thickness_mm, 1.0);
+  EXPECT_EQ(hinge.breaks_below_mm, 0.3);
+  EXPECT_EQ(hinge.bends_up_to_mm, 2.5);
+  std::vector<StepKind> kinds;
+  for (const OperationStep& step : akin.steps) kinds.push_back(step.kind);
+  EXPECT_EQ(kinds, (std::vector{StepKind::Verify, StepKind::Cut, StepKind::Cut, StepKind::Remove,
+                                StepKind::Close, StepKind::Finish}));
+  EXPECT_FALSE(akin.is_reviewed);
+}
+
+TEST(Scenario, AkinWeighsAccuracyWhollyAndEightOfTheTwentyTwoPointsOfSafety) {
+  const Rubric rubric = load_shipped_scenario("akin").rubric;
+  std::map<std::string, std::int64_t> weights;
+  for (const RubricItem& item : rubric.items) {
+    weights[item.group] += item.weight_milli;
+    EXPECT_TRUE(item.is_provisional) << item.id;
+    EXPECT_EQ(&subject_of(item), item.cut.empty() ? &item.hinge : &item.cut) << item.id;
+    EXPECT_FALSE(subject_of(item).empty()) << item.id;
+  }
+  EXPECT_EQ(weights,
+            (std::map<std::string, std::int64_t>{{"accuracy", 50'000}, {"safety", 8'000}}));
+  EXPECT_EQ(rubric.groups.at(1).not_measured_milli, 14'000);
+  ASSERT_EQ(rubric.gates.size(), 2U);
+  EXPECT_EQ(rubric.gates[0].metric, "hinge_lost");
+  EXPECT_EQ(rubric.gates[0].cap_milli, 69'000);
+  EXPECT_EQ(rubric.gates[1].metric, "over_cut_mm");
+  EXPECT_EQ(rubric.gates[1].limit, 2.0);
+  EXPECT_EQ(rubric.gates[1].cap_milli, 59'000);
+}
+
 TEST(Scenario, SaysWhoReviewedItOrThatNobodyDid) {
   Scenario silver = load_shipped_scenario("silver");
   EXPECT_EQ(review_label(silver), "not surgeon-reviewed");
@@ -79,15 +122,16 @@ TEST(Scenario, OfAnUnknownNameSaysWhichThereAre) {
     load_shipped_scenario("gold");
     FAIL() << "gold is not shipped";
   } catch (const ScenarioError& error) {
-    EXPECT_STREQ(error.what(), "there is no scenario \"gold\"; use one of: silver");
+    EXPECT_STREQ(error.what(), "there is no scenario \"gold\"; use one of: akin, silver");
   }
 }
 
 TEST(Scenario, WithAPlantedFaultIsRefusedWithFilePathAndMend) {
-  const json silver = silver_json();
   for (const json& fault : json::parse(scenarios_test::planted_faults()[0].text)) {
-    const std::string sentence = refusal_of(silver.patch(fault.at("patch")).dump());
-    const std::string start = "silver.json: " + fault.at("path").get<std::string>() + ": ";
+    const std::string name = fault.value("of", "silver");
+    const json whole = json::parse(load_shipped_scenario(name).text);
+    const std::string sentence = refusal_of(whole.patch(fault.at("patch")).dump(), name + ".json");
+    const std::string start = name + ".json: " + fault.at("path").get<std::string>() + ": ";
     EXPECT_EQ(sentence.substr(0, start.size()), start) << fault.at("name") << "\n" << sentence;
     EXPECT_NE(sentence.find(fault.at("says").get<std::string>()), std::string::npos)
         << fault.at("name") << "\n"

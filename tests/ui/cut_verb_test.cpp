@@ -2,19 +2,24 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
-#include "database/database_error.h"
+#include "assessment/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/read_mesh.h"
 #include "simulator/mesh/write_ply.h"
 #include "tests/support/worlds.h"
+#include "ui/app/interrupt.h"
 #include "ui/app/verb_cut.h"
 #include "ui/jobs/cut_sweep.h"
+#include "ui/jobs/output_error.h"
 
 namespace hallux::tests {
 namespace {
@@ -49,14 +54,24 @@ class CutVerb : public ::testing::Test {
     EXPECT_EQ(context.chosen(), ui::ExitCode::Done);
     return json::parse(out.str());
   }
-  std::string write_sweep(const std::string& text) const {
-    std::ofstream(folder_ / "sweep.json") << text;
-    return (folder_ / "sweep.json").string();
+  /// What the verb says of the output folder; nothing where it wrote there.
+  std::optional<ui::OutputErrorKind> refused_output(const std::vector<std::string>& arguments) {
+    try {
+      cut(arguments);
+    } catch (const ui::OutputError& error) {
+      return error.kind();
+    }
+    return std::nullopt;
+  }
+  std::string write_sweep(const std::string& text, const char* name = "sweep.json") const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
   }
   fs::path bone() const { return folder_ / "bone.ply"; }
   fs::path out_folder() const { return folder_ / "made" / "here"; }
 
   fs::path folder_;
+  ui::InterruptWatch interrupts_;  // as the command holds it
 };
 
 /// A blade that comes from -y in the plane x = 1 and stops with its teeth at y = `tip_mm`.
@@ -115,15 +130,102 @@ TEST_F(CutVerb, ASweepBesideTheBoneLeavesIt) {
   EXPECT_EQ(answer.at("removed_mm3").get<double>(), 0.0);
 }
 
-TEST_F(CutVerb, ASweepThatStopsInsideTheBoneIsRefusedAndNothingIsWritten) {
-  const std::string sweep = write_sweep(sweep_to(0.0));
-  try {
-    cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", sweep});
-    FAIL() << "a partial cut was accepted";
-  } catch (const simulator::MeshError& error) {
-    EXPECT_NE(std::string(error.what()).find("not supported by this cutting method yet"),
-              std::string::npos);
+TEST_F(CutVerb, ASweepThatStopsInsideTheBoneLeavesOnePieceWithAKerf) {
+  const json answer =
+      cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", write_sweep(sweep_to(2.0))});
+  EXPECT_EQ(answer.at("pieces").size(), 1U);
+  EXPECT_NEAR(answer.at("removed_mm3").get<double>(), 0.5 * 12.0 * 9.0, 2.0e-3);
+  EXPECT_NEAR(sum_of_pieces_mm3(answer) + answer.at("removed_mm3").get<double>(), 5040.0, 2.0e-5);
+  const auto mesh = simulator::read_mesh(out_folder() / "piece-1.ply");
+  EXPECT_NO_THROW(simulator::check_closed_solid(mesh, "piece-1.ply"));
+}
+
+TEST_F(CutVerb, EachPoseOfASweepIsAFrame) {
+  const json answer = cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep",
+                           write_sweep(sweep_to(2.0)), "--plane", "1,0,0,8", "--kerf", "0.5"});
+  const json &swept = answer.at("cuts").at(0), &through = answer.at("cuts").at(1);
+  EXPECT_EQ(swept.at("frames"), 2);
+  EXPECT_EQ(through.at("frames"), 0);
+  EXPECT_GT(swept.at("frame_ms").at("median").get<double>(), 0.0);
+  EXPECT_TRUE(through.at("frame_ms").at("median").is_null());
+  EXPECT_EQ(answer.at("frame_ms"), swept.at("frame_ms"));
+  EXPECT_LE(swept.at("frame_ms").at("median").get<double>(),
+            swept.at("frame_ms").at("max").get<double>());
+  EXPECT_EQ(answer.at("refused_frames"), 0);
+  EXPECT_GT(answer.at("triangles_max").get<int>(), 0);
+  EXPECT_LE(std::abs(answer.at("missing_mm3").get<double>()), 1.0e-6 * 5040.0);
+}
+
+TEST_F(CutVerb, ThePlaneOfAnEarlierGroupReopensItsKerf) {
+  const std::string sweep = write_sweep(sweep_to(2.0));
+  const json answer = cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", sweep, "--plane",
+                           "1,0.002,0,1.05", "--kerf", "0.5"});
+  EXPECT_TRUE(answer.at("cuts").at(0).at("reopens").is_null());
+  EXPECT_EQ(answer.at("cuts").at(1).at("reopens"), 1);
+  EXPECT_EQ(answer.at("pieces").size(), 2U);
+  EXPECT_NEAR(answer.at("removed_mm3").get<double>(), 84.0, 1e-9);
+  EXPECT_NEAR(answer.at("cuts").at(1).at("removed_mm3").get<double>(), 30.0, 2.0e-3);
+}
+
+/// Two kerfs of 10 degrees that stop where their planes meet, in x = 0, y = 6.
+std::vector<std::string> wedge_groups(const std::string& first, const std::string& second) {
+  return {"--plane", "0.99619469809,-0.08715574275,0,-0.5229344565",
+          "--kerf",  "0.5",
+          "--sweep", first,
+          "--plane", "0.99619469809,0.08715574275,0,0.5229344565",
+          "--kerf",  "0.5",
+          "--sweep", second};
+}
+
+std::string sweep_to_hinge(double side) {
+  json poses = json::array();
+  for (const double back_mm : {20.0, 0.0}) {
+    const Vec3 direction(side * 0.08715574275, 0.99619469809, 0.0);
+    const Vec3 tip_mm = Vec3(0.0, 6.0, 0.0) - back_mm * direction;
+    poses.push_back({{"tip", {tip_mm.x, tip_mm.y, tip_mm.z}},
+                     {"direction", {direction.x, direction.y, direction.z}}});
   }
+  return json{{"blade", {{"width_mm", 13.0}, {"depth_mm", 40.0}}}, {"poses", poses}}.dump();
+}
+
+TEST_F(CutVerb, ClosesTheHingeThatTwoGroupsLeave) {
+  const std::string first = write_sweep(sweep_to_hinge(1.0));
+  const std::string second = write_sweep(sweep_to_hinge(-1.0), "second.json");
+  std::vector<std::string> arguments = wedge_groups(first, second);
+  EXPECT_TRUE(cut(arguments).at("hinge").is_null());
+  EXPECT_EQ(cut(arguments).at("pieces").size(), 2U);
+  arguments.insert(arguments.end(), {"--close", "1,2"});
+  const json answer = cut(arguments);
+  const json& hinge = answer.at("hinge");
+  EXPECT_EQ(hinge.at("outcome"), "closed");
+  EXPECT_NEAR(hinge.at("angle_deg").get<double>(), 12.2, 0.1);
+  EXPECT_NEAR(hinge.at("hinge_mm").get<double>(), 1.0, 2.0e-3);
+  ASSERT_EQ(answer.at("pieces").size(), 3U);
+  EXPECT_EQ(hinge.at("wedge"), "piece-3.ply");
+  for (const char* key : {"wedge", "fixed", "moved"}) {
+    EXPECT_TRUE(fs::is_regular_file(out_folder() / hinge.at(key).get<std::string>())) << key;
+  }
+  EXPECT_NE(hinge.at("fixed"), hinge.at("moved"));
+  EXPECT_NEAR(sum_of_pieces_mm3(answer) + answer.at("removed_mm3").get<double>(), 5040.0, 2.0e-5);
+}
+
+TEST_F(CutVerb, AHingeWithoutAWedgeIsRefusedAndNothingIsWritten) {
+  const std::vector<std::vector<std::string>> groups{
+      {"--plane", "1,0,0,0", "--kerf", "0.5", "--plane", "1,0,0,5", "--kerf", "0.5"},
+      {"--plane", "1,0,0,0", "--kerf", "0.5", "--plane", "0,0,1,80", "--kerf", "0.5"},
+      {"--plane", "1,0,0,0", "--kerf", "0.5", "--plane", "1,0,0,0", "--kerf", "0.5"}};
+  for (std::vector<std::string> arguments : groups) {
+    arguments.insert(arguments.end(), {"--close", "1,2"});
+    EXPECT_THROW(cut(arguments), simulator::MeshError);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "made"));
+}
+
+TEST_F(CutVerb, InterruptedBetweenFramesLeavesNothing) {
+  const std::string sweep = write_sweep(sweep_to(7.5));
+  std::raise(SIGINT);
+  EXPECT_THROW(cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", sweep}),
+               assessment::Cancelled);
   EXPECT_FALSE(fs::exists(folder_ / "made"));
 }
 
@@ -173,7 +275,13 @@ TEST_F(CutVerb, GroupsThatMakeNoSenseAreWrongUsage) {
       {"--plane", "1,0,0,2", "--kerf", "0"},
       {"--plane", "1,0,0,2", "--kerf", "-1"},
       {"--plane", "1,0,0,2", "--kerf", "inf"},
-      {"--plane", "1,0,0,2", "--plane", "0,1,0,2", "--kerf", "1"}};
+      {"--plane", "1,0,0,2", "--plane", "0,1,0,2", "--kerf", "1"},
+      {"--plane", "1,0,0,2", "--kerf", "1", "--close", "1,2"},
+      {"--plane", "1,0,0,2", "--kerf", "1", "--plane", "0,1,0,2", "--kerf", "1", "--close", "1"},
+      {"--plane", "1,0,0,2", "--kerf", "1", "--plane", "0,1,0,2", "--kerf", "1", "--close", "1,1"},
+      {"--plane", "1,0,0,2", "--kerf", "1", "--plane", "0,1,0,2", "--kerf", "1", "--close", "0,1"},
+      {"--plane", "1,0,0,2", "--kerf", "1", "--plane", "0,1,0,2", "--kerf", "1", "--close",
+       "1,2,1"}};
   for (const std::vector<std::string>& arguments : bad) {
     EXPECT_THROW(cut(arguments), CLI::ParseError);
   }
@@ -187,15 +295,15 @@ TEST_F(CutVerb, AMeshThatCannotBeUsedIsRefused) {
   EXPECT_THROW(cut({"--plane", "1,0,0,2", "--kerf", "0.5"}), simulator::MeshError);
 }
 
-TEST_F(CutVerb, AFolderThatCannotBeMadeIsAStorageError) {
+TEST_F(CutVerb, AFileWhereTheFolderShouldBeIsTheNamesFault) {
   std::ofstream(folder_ / "made") << "a file where the folder should be";
-  EXPECT_THROW(cut({"--plane", "1,0,0,2", "--kerf", "0.5"}), database::DatabaseError);
+  EXPECT_EQ(refused_output({"--plane", "1,0,0,2", "--kerf", "0.5"}), ui::OutputErrorKind::Name);
   EXPECT_TRUE(fs::is_regular_file(folder_ / "made"));
 }
 
 TEST_F(CutVerb, APieceThatCannotBePutInItsPlaceLeavesNoOther) {
   fs::create_directories(out_folder() / "piece-2.ply" / "occupied");
-  EXPECT_THROW(cut({"--plane", "1,0,0,2", "--kerf", "0.5"}), database::DatabaseError);
+  EXPECT_EQ(refused_output({"--plane", "1,0,0,2", "--kerf", "0.5"}), ui::OutputErrorKind::Name);
   EXPECT_FALSE(fs::exists(out_folder() / "piece-2.ply.new"));
   EXPECT_FALSE(fs::exists(out_folder() / "piece-1.ply"));
 }

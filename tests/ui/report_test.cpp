@@ -12,7 +12,6 @@
 namespace hallux::ui {
 namespace {
 
-using database::GateResult;
 using database::LedgerLine;
 
 LedgerLine line(const std::string& item, const std::string& text, std::int64_t lost_milli) {
@@ -53,9 +52,9 @@ ReportMaterial made_up() {
   material.group_titles = {"Accuracy", "Safety"};
   material.gate_titles = {"Past the sulcus"};
   material.quality = "Recording complete.";
-  material.face =
-      FacePicture{"distal", "dorsal", "medial", "lateral", {circle(9.0)}, {}, 0.5, {}, true};
-  material.face->dots = {{Vec2{0.0, 0.0}, 0.9}, {Vec2{0.5, 0.0}, -0.9}};
+  material.faces = {FacePicture{
+      "The cut", "distal", "dorsal", "medial", "lateral", {circle(9.0)}, {}, 0.5, {}, true}};
+  material.faces[0].dots = {{Vec2{0.0, 0.0}, 0.9}, {Vec2{0.5, 0.0}, -0.9}};
   material.frontal = FrontalPicture{{circle(9.0), circle(4.0)},
                                     {Vec2{-5.0, -12.0}, Vec2{-5.0, 12.0}},
                                     PictureLine{Vec2{-4.0, -12.0}, Vec2{-6.0, 12.0}},
@@ -112,7 +111,7 @@ TEST(Report, WhatPeopleTypedIsTextOnly) {
   material.card.ledger[0].item = hostile;
   material.card.ledger[0].unit = hostile;
   material.card.gates[0].text = hostile;
-  material.face->right = hostile;
+  material.faces[0].right = material.faces[0].title = hostile;
   material.traces.marks = {{0.5, hostile}};
   const std::string html = html_report(material);
   EXPECT_EQ(html.find("<img"), std::string::npos);

@@ -7,14 +7,11 @@
 #include <ostream>
 #include <system_error>
 
-#include "database/database_error.h"
+#include "ui/app/verb_error.h"
 
 namespace hallux::ui {
 
 namespace {
-
-using database::DatabaseError;
-using database::DatabaseErrorKind;
 
 /// Keeps the terminal from showing what is typed while it lives.
 class SilentTerminal {
@@ -37,11 +34,25 @@ class SilentTerminal {
   bool is_silent_ = false;
 };
 
-}  // namespace
-
-database::Database open_data(const VerbContext& context, database::Access access) {
-  return database::Database::open(context.data_directory, {access, 5000, {}});
+database::Database open_or_make(const VerbContext& context) {
+  return database::Database::open(context.data_directory);
 }
+
+using DeskChoice = std::function<std::optional<database::AttemptDesk>(database::Session&)>;
+
+ExitCode at_desk(const VerbContext& context, database::Database& database, const DeskChoice& choose,
+                 const DeskWork& work) {
+  if (context.login.empty()) {
+    database::HouseDesk desk(database);
+    return work(desk);
+  }
+  database::Session session = sign_in_as(context, database);
+  std::optional<database::AttemptDesk> desk = choose(session);
+  if (!desk) throw VerbError(ExitCode::Refused, context.login + " has no desk here");
+  return work(*desk);
+}
+
+}  // namespace
 
 bool has_database(const VerbContext& context) {
   namespace fs = std::filesystem;
@@ -55,11 +66,16 @@ bool has_database(const VerbContext& context) {
 
 database::Database open_kept(const VerbContext& context) {
   if (!has_database(context)) {
-    throw DatabaseError(DatabaseErrorKind::NotFound,
-                        "there is no database in " + context.data_directory.string() +
-                            "; run `hallux attempt` first, or name another directory with --data");
+    throw VerbError(ExitCode::BadInput,
+                    "there is no database in " + context.data_directory.string() +
+                        "; `hallux attempt` and `hallux user add` make one, or name another "
+                        "directory with --data");
   }
-  return open_data(context, database::Access::ReadWrite);
+  return open_or_make(context);
+}
+
+database::Database open_to_record(const VerbContext& context) {
+  return context.login.empty() ? open_or_make(context) : open_kept(context);
 }
 
 database::SecretText ask_password(const VerbContext& context, const std::string& prompt) {
@@ -74,9 +90,8 @@ database::SecretText ask_password(const VerbContext& context, const std::string&
     std::getline(context.in, line);
   }
   if (!context.in && line.empty()) {
-    throw DatabaseError(
-        DatabaseErrorKind::Refused,
-        prompt + ": none came; type it at a terminal, or send it as a line of stdin");
+    throw VerbError(ExitCode::Refused,
+                    prompt + ": none came; type it at a terminal, or send it as a line of stdin");
   }
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return database::SecretText::take(line);
@@ -84,23 +99,27 @@ database::SecretText ask_password(const VerbContext& context, const std::string&
 
 database::Session sign_in_as(const VerbContext& context, database::Database& database) {
   if (context.login.empty()) {
-    throw DatabaseError(DatabaseErrorKind::Refused,
-                        "this data directory has people; say who you are with --as LOGIN");
+    throw VerbError(ExitCode::Refused,
+                    "this data directory has people; say who you are with --as LOGIN");
   }
   return database::sign_in(database, context.login,
                            ask_password(context, "Password of " + context.login));
 }
 
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
-                         const std::function<ExitCode(database::AttemptDesk&)>& work) {
-  if (context.login.empty()) {
-    database::HouseDesk desk(database);
-    return work(desk);
-  }
-  database::Session session = sign_in_as(context, database);
-  std::optional<database::TraineeDesk> desk = session.trainee();
-  if (!desk) throw DatabaseError(DatabaseErrorKind::Refused, context.login + " has no desk here");
-  return work(*desk);
+                         const DeskWork& work) {
+  return at_desk(
+      context, database, [](database::Session& session) { return session.trainee(); }, work);
+}
+
+ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
+                         const AttemptAction& wanted, const DeskWork& work) {
+  return at_desk(
+      context, database,
+      [&wanted](database::Session& session) {
+        return session.desk_for(wanted.action, wanted.attempt);
+      },
+      work);
 }
 
 }  // namespace hallux::ui

@@ -15,12 +15,14 @@
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_attempt.h"
 #include "ui/app/verb_cut.h"
+#include "ui/app/verb_error.h"
 #include "ui/app/verb_replay.h"
 #include "ui/app/verb_scenario.h"
 #include "ui/app/verb_score.h"
 #include "ui/app/verb_user.h"
 #include "ui/app/verb_verify.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/output_error.h"
 #include "ui/jobs/read_small_file.h"
 
 namespace hallux::ui {
@@ -39,6 +41,10 @@ ExitCode exit_code_of(DatabaseErrorKind kind) {
     default:
       return ExitCode::Storage;
   }
+}
+
+ExitCode exit_code_of(OutputErrorKind kind) {
+  return kind == OutputErrorKind::Name ? ExitCode::BadInput : ExitCode::Storage;
 }
 
 /// A stream that swallows what is written to it: --quiet.
@@ -69,6 +75,10 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
     }
     return code;
   } catch (const database::DatabaseError& error) {
+    return fail(error, exit_code_of(error.kind()));
+  } catch (const VerbError& error) {
+    return fail(error, error.code());
+  } catch (const OutputError& error) {
     return fail(error, exit_code_of(error.kind()));
   } catch (const Cancelled& error) {
     return fail(error, ExitCode::Interrupted);

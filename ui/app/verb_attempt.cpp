@@ -70,7 +70,7 @@ ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& 
 
 ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
   const ScriptedAttempt attempt = attempt_from(options);
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_to_record(context);
   // The attempt is the robot's all the same; but nobody is told that another's name was good.
   if (!context.login.empty()) sign_in_as(context, database);
   const AttemptOutcome outcome = run_scripted_attempt(

@@ -52,7 +52,8 @@ void print_replay(std::ostream& out, const AttemptMaterial& material,
 
 ExitCode replay_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_kept(context);
-  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
+  const AttemptAction wanted{database::Action::ViewAttempt, {id}};
+  return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});
     const auto before = std::chrono::steady_clock::now();
     const std::optional<ReplayResult> result = replay_attempt(

@@ -19,6 +19,7 @@ namespace hallux::ui {
 
 namespace {
 
+using database::Action;
 using nlohmann::ordered_json;
 
 struct ReportOptions {
@@ -32,12 +33,13 @@ StageProgress stages_on(const VerbContext& context) {
 
 ExitCode score_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_kept(context);
-  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
+  const AttemptAction wanted{Action::StoreScore, {id}};
+  return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});
-    const bool is_stored = desk.may_store_score(material.header);
+    const bool is_stored = desk.may(Action::StoreScore, material.header);
     if (!is_stored) {
-      context.notes << "The score is shown and not kept: only without --as, the robot's attempts "
-                       "are scored anew.\n";
+      context.notes << "The score is shown and not kept: the robot's attempts are scored anew "
+                       "without --as, or by instructors and administrators.\n";
     }
     const database::ScoreCard card = score_attempt(material, stages_on(context)).card;
     if (is_stored) desk.store_score(material.header.id, card);
@@ -58,7 +60,8 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
 
 ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   database::Database database = open_kept(context);
-  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
+  const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
+  return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
     ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
                                            score_attempt(material, stages_on(context)));

@@ -5,17 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "database/database_error.h"
 #include "ui/app/access.h"
 #include "ui/app/terminal_text.h"
+#include "ui/app/verb_error.h"
 #include "ui/app/write_json.h"
 
 namespace hallux::ui {
 
 namespace {
 
-using database::DatabaseError;
-using database::DatabaseErrorKind;
 using nlohmann::ordered_json;
 
 struct UserOptions {
@@ -34,9 +32,8 @@ AdministratorVisit visit(const VerbContext& context, database::Database& databas
   database::Session session = sign_in_as(context, database);
   std::optional<database::AdministratorDesk> desk = session.administrator();
   if (!desk) {
-    throw DatabaseError(
-        DatabaseErrorKind::Refused,
-        context.login + " is not an administrator; only administrators manage people");
+    throw VerbError(ExitCode::Refused,
+                    context.login + " is not an administrator; only administrators manage people");
   }
   return {std::move(session), *desk};
 }
@@ -49,16 +46,36 @@ void say(const VerbContext& context, const std::string& login, const std::string
   }
 }
 
+/// Whether the first person may be added: nobody signs in to a data directory without people.
+bool is_open_house(const VerbContext& context) {
+  if (!context.login.empty()) return false;
+  if (!has_database(context)) return true;
+  database::Database database = open_kept(context);
+  return database::OpenHouse::enter(database).has_value();
+}
+
+/// The database is made when all is there that the first person needs.
+void add_first(const VerbContext& context, const database::NewPerson& person) {
+  if (!person.is_administrator) {
+    throw VerbError(ExitCode::BadInput,
+                    "the first person must be an administrator; add --administrator");
+  }
+  const database::SecretText password = ask_password(context, "Password for " + person.login);
+  database::Database database = open_to_record(context);
+  auto house = database::OpenHouse::enter(database);
+  if (!house) {
+    throw VerbError(ExitCode::Refused,
+                    "somebody was added in the meantime; say who you are with --as LOGIN");
+  }
+  house->add_first_administrator(person, password);
+}
+
 ExitCode add_on(const VerbContext& context, const UserOptions& options) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
   const database::NewPerson person{options.login, options.display_name, options.is_administrator};
-  if (auto house = database::OpenHouse::enter(database)) {
-    if (!options.is_administrator) {
-      throw DatabaseError(DatabaseErrorKind::BadInput,
-                          "the first person must be an administrator; add --administrator");
-    }
-    house->add_first_administrator(person, ask_password(context, "Password for " + options.login));
+  if (is_open_house(context)) {
+    add_first(context, person);
   } else {
+    database::Database database = open_kept(context);
     AdministratorVisit administrator = visit(context, database);
     administrator.desk.add_person(person, ask_password(context, "Password for " + options.login));
   }
@@ -67,7 +84,7 @@ ExitCode add_on(const VerbContext& context, const UserOptions& options) {
 }
 
 ExitCode list_on(const VerbContext& context) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   std::vector<database::Person> people;
   if (!database::OpenHouse::enter(database)) people = visit(context, database).desk.people();
   ordered_json rows = ordered_json::array();
@@ -87,7 +104,7 @@ ExitCode list_on(const VerbContext& context) {
 }
 
 ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   const std::string login = options.login.empty() ? context.login : options.login;
   if (login == context.login || context.login.empty()) {
     VerbContext own = context;
@@ -104,7 +121,7 @@ ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
 }
 
 ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
-  database::Database database = open_data(context, database::Access::ReadWrite);
+  database::Database database = open_kept(context);
   AdministratorVisit administrator = visit(context, database);
   administrator.desk.set_disabled(options.login, !options.enable);
   say(context, options.login, options.enable ? "enabled" : "disabled");

@@ -16,7 +16,9 @@ namespace {
 using nlohmann::ordered_json;
 
 ExitCode verify_on(const VerbContext& context) {
-  database::Database database = open_data(context, database::Access::ReadOnly);
+  database::OpenOptions for_reading;
+  for_reading.access = database::Access::ReadOnly;
+  database::Database database = database::Database::open(context.data_directory, for_reading);
   const database::Verification found = verify(database, progress_on(context, "Verifying"));
   if (context.json) {
     write_json(context.out,

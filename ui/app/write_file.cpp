@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <string>
 
-#include "database/files.h"
+#include "ui/jobs/output_error.h"
 
 namespace hallux::ui {
 
@@ -51,7 +51,7 @@ class FileBeside {
   }
 
  private:
-  [[noreturn]] void fail() const { throw database::output_error(target_, errno); }
+  [[noreturn]] void fail() const { throw output_error(target_, errno); }
 
   fs::path target_, file_;
   int descriptor_ = -1;
@@ -63,11 +63,10 @@ class FileBeside {
 void write_file_whole(const fs::path& file, std::string_view bytes) {
   std::error_code ignored;
   const fs::file_status before = fs::status(file, ignored);
-  if (fs::is_directory(before)) throw database::output_error(file, EISDIR);
+  if (fs::is_directory(before)) throw output_error(file, EISDIR);
   if (fs::exists(before) && !fs::is_regular_file(before)) {
-    throw database::DatabaseError(
-        database::DatabaseErrorKind::BadInput,
-        "could not write " + file.string() + ": it is a device or a pipe; name a file");
+    throw OutputError(OutputErrorKind::Name, "could not write " + file.string() +
+                                                 ": it is a device or a pipe; name a file");
   }
   FileBeside beside(file);
   beside.write(bytes);

@@ -6,8 +6,7 @@
 
 namespace hallux::ui {
 
-/// errors  DatabaseError (ReadOnly, Full, InputOutput; BadInput where the name leads nowhere) naming the file; nothing is
-///         left behind, and no other file is touched
+/// errors  OutputError naming the file; nothing is left behind, and no other file is touched
 void write_file_whole(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace hallux::ui

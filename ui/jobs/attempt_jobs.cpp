@@ -7,6 +7,7 @@
 #include "database/recordings.h"
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/hands/scripted_hand.h"
+#include "scenarios/planned_bridge.h"
 #include "simulator/device/scripted.h"
 
 namespace hallux::ui {
@@ -77,6 +78,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   const simulator::AttemptSetup setup{bone,
                                       attempt.scenario.blade.size,
                                       contact_settings(attempt.scenario),
+                                      planned_bridge(plan),
                                       attempt.pacing,
                                       motion.commands,
                                       motion.last_tick() + 1,
@@ -124,8 +126,10 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   bool is_cancelled = false;
   const auto report = progress("Replaying");
   const simulator::ReplayResult result =
-      replay(material.recording, material.bone, material.scenario.blade.size,
-             contact_settings(material.scenario), [&](double fraction) {
+      replay(material.recording,
+             {material.bone, material.scenario.blade.size, contact_settings(material.scenario),
+              planned_bridge(plan_on(material.scenario, material.bone))},
+             [&](double fraction) {
                is_cancelled = report && !report(fraction);
                return !is_cancelled;
              });

@@ -7,23 +7,21 @@
 #include <vector>
 
 #include "assessment/progress.h"
-#include "simulator/base/vector.h"
-#include "ui/jobs/cut_sweep.h"
+#include "simulator/cutting/hinge.h"
+#include "ui/jobs/sawn_bone.h"
 
 namespace hallux::ui {
 
-/// One kerf: the plane normal . p = offset in the mesh's millimetres is its middle.
-struct CutGroup {
-  Vec3 normal{0.0, 0.0, 1.0};  ///< of any length above 0; the offset is in the same measure
-  double offset = 0.0;
-  double kerf_mm = 0.5;
-  std::optional<std::filesystem::path> sweep_file;  ///< absent: the cut goes all the way through
+/// Two groups, by index, whose kerfs meet at a bridge of bone.
+struct HingeGroups {
+  std::size_t first = 0, second = 1;
 };
 
 struct CutRequest {
   std::filesystem::path mesh_file;
   std::vector<CutGroup> groups;         ///< act in turn
   std::filesystem::path output_folder;  ///< made where it is missing
+  std::optional<HingeGroups> close{};   ///< closes the wedge between two kerfs after all are cut
 };
 
 struct WrittenPiece {
@@ -33,23 +31,29 @@ struct WrittenPiece {
   bool is_closed = false;  ///< as check_closed_solid says of what was written
 };
 
-struct GroupOutcome {
-  double contact_ms = 0.0;  ///< slicing and clipping, without building the search tree
-  double removed_mm3 = 0.0;
+struct HingeReport {
+  simulator::HingeOutcome outcome = simulator::HingeOutcome::Stiff;
+  double thickness_mm = 0.0;
+  double angle_rad = 0.0;  ///< where it closed
+  std::string wedge_file;
+  /// The half beyond the first kerf, and the one beyond the second, which turns; the same where the bone is undivided.
+  std::string fixed_file, moved_file;
 };
 
 struct CutReport {
   double input_mm3 = 0.0, removed_mm3 = 0.0, debris_mm3 = 0.0;
   std::size_t debris_pieces = 0;
-  std::size_t triangles_max = 0;
   std::vector<WrittenPiece> pieces;  ///< largest first
-  std::vector<GroupOutcome> cuts;
+  std::vector<GroupOutcome> cuts;    ///< one a group
+  std::optional<HingeReport> hinge;
+
+  /// What the pieces, the debris and what was removed are short of the input [mm3].
+  double missing_mm3() const noexcept;
 };
 
-/// Reads, cuts, checks, and only then writes piece-1.ply ... into a folder of its own, and moves them when all are there.
-/// A piece-N.ply of an earlier cut with a higher N is removed.
-/// errors  MeshError (CutInputError) for the mesh and the sweeps; DatabaseError where the folder cannot be written (BadInput: made);
-///         Cancelled. After an error no piece is new.
+/// Reads, cuts, checks, and only then writes piece-1.ply ... (see write_pieces.h).
+/// errors  MeshError (CutInputError) for the mesh, the sweeps, and kerfs without a wedge; KernelRefusal; OutputError where
+///         the folder cannot be made or written; Cancelled. After an error no piece is new.
 /// thread  any; it is a job: not the render thread
 CutReport cut_mesh(const CutRequest& request, const assessment::Progress& progress);
 

@@ -26,16 +26,26 @@ struct Sweep {
   std::vector<SweepPose> poses;  ///< at least one
 };
 
+/// errors  CutInputError naming the path of the value; a key that is unknown, or twice in one object, is refused
 /// source  docs/cutting.md section 6
-/// errors  CutInputError
 Sweep read_sweep(const std::filesystem::path& file);
 /// The same from a text; `name` stands in the messages.
 Sweep parse_sweep(std::string_view text, std::string_view name);
 
-/// Opens what the blade covers on its way.
-/// needs   the field lies in the plane
-/// errors  CutInputError where a pose leaves the plane by more than 0.01 mm or 0.1 degree
-void stamp_sweep(simulator::KerfField& field, const simulator::KerfPlane& plane, const Sweep& sweep,
-                 std::string_view name);
+/// A sweep as a kerf's field takes it.
+struct BladePath {
+  simulator::BladeSize blade;
+  std::vector<simulator::PlanarPose> poses;
+};
+
+/// The sweep in a kerf's plane. Its poses are held against `asked`, the plane that it was given with; `kerf` is the one
+/// that opens: the same, or one so near that it is used again.
+/// errors  CutInputError where a pose leaves `asked` by more than 0.01 mm or 0.1 degree
+BladePath path_in_plane(const Sweep& sweep, const simulator::KerfPlane& asked,
+                        const simulator::KerfPlane& kerf, std::string_view name);
+
+/// Opens what the blade covers on its way from pose to pose; a turn is followed in steps.
+void stamp_motion(simulator::KerfField& field, const simulator::BladeSize& blade,
+                  const simulator::PlanarPose& from, const simulator::PlanarPose& to);
 
 }  // namespace hallux::ui

@@ -40,6 +40,8 @@ std::string_view step_word(StepKind kind) {
       return "cut";
     case StepKind::Remove:
       return "remove";
+    case StepKind::Close:
+      return "close";
     case StepKind::Finish:
       return "finish";
   }
@@ -54,9 +56,9 @@ void write_origin(std::ostream& out, const std::string& origin) {
 
 void write_means(std::ostream& out, const Scenario& scenario) {
   const PatientRequest& patient = scenario.patient;
-  out << "\nPatient\n  " << patient.bone << ", length " << number_text(patient.length_mm)
-      << " mm, eminence " << number_text(patient.eminence_mm) << " mm, edge "
-      << number_text(patient.edge_mm) << " mm\n";
+  out << "\nPatient\n  " << patient.bone << ", length " << number_text(patient.length_mm) << " mm";
+  if (patient.eminence_mm > 0.0) out << ", eminence " << number_text(patient.eminence_mm) << " mm";
+  out << ", edge " << number_text(patient.edge_mm) << " mm\n";
   write_origin(out, patient.origin);
   const SawBlade& blade = scenario.blade;
   out << "\nBlade\n  " << blade.name << ": width " << number_text(blade.size.width_mm)
@@ -66,17 +68,59 @@ void write_means(std::ostream& out, const Scenario& scenario) {
   write_origin(out, blade.origin);
 }
 
+std::string degree_text(double angle_rad) {
+  return number_text(degree_from_radian(angle_rad)) + " deg";
+}
+
+void write_face(std::ostream& out, const Scenario& scenario, const ReferenceCut& cut) {
+  const LandmarkPlane& face = cut.face;
+  switch (face.kind) {
+    case FaceKind::AlongAxis:
+      out << "contains the direction " << face.axis_from << " to " << face.axis_to << "; "
+          << number_text(face.offset_mm) << " mm from " << face.through
+          << " towards the waste; frontal tilt " << degree_text(face.frontal_tilt_rad);
+      break;
+    case FaceKind::Transverse:
+      out << "across the bone, parallel to " << face.axis_from << " to " << face.axis_to << ", "
+          << number_text(face.offset_mm) << " mm distal of " << face.through << "; transverse tilt "
+          << degree_text(face.transverse_tilt_rad) << ", sagittal tilt "
+          << degree_text(face.sagittal_tilt_rad);
+      break;
+    case FaceKind::ThroughHinge:
+      for (const ReferenceHinge& hinge : scenario.hinges) {
+        if (hinge.second_cut != cut.name) continue;
+        out << "through the line of the hinge " << hinge.name << ", " << degree_text(face.wedge_rad)
+            << " from the face of " << hinge.first_cut;
+      }
+      break;
+  }
+}
+
 void write_cuts(std::ostream& out, const Scenario& scenario) {
   out << "\nReference cuts (finished bone faces)\n";
   for (const ReferenceCut& cut : scenario.cuts) {
-    const LandmarkPlane& face = cut.face;
-    out << "  " << cut.name << ": " << cut.title << "\n      contains the direction "
-        << face.axis_from << " to " << face.axis_to << "; " << number_text(face.offset_mm)
-        << " mm from " << face.through << " towards the waste; frontal tilt "
-        << number_text(degree_from_radian(face.frontal_tilt_rad)) << " deg\n      waste "
-        << cut.waste_side << "; approach " << cut.approach << "; depth at " << cut.depth_landmark
-        << "; flush at " << cut.exit_landmark << "\n";
+    out << "  " << cut.name << ": " << cut.title << "\n      ";
+    write_face(out, scenario, cut);
+    out << "\n      waste " << cut.waste_side << "; approach " << cut.approach;
+    if (!cut.depth_landmark.empty()) out << "; depth at " << cut.depth_landmark;
+    if (!cut.exit_landmark.empty()) out << "; flush at " << cut.exit_landmark;
+    out << "\n";
     write_origin(out, cut.origin);
+  }
+}
+
+void write_hinges(std::ostream& out, const Scenario& scenario) {
+  if (scenario.hinges.empty()) return;
+  out << "\nHinges\n";
+  for (const ReferenceHinge& hinge : scenario.hinges) {
+    out << "  " << hinge.name << ": " << hinge.title << ", of " << hinge.first_cut << " and "
+        << hinge.second_cut << "\n      " << number_text(hinge.thickness_mm) << " mm inside the "
+        << hinge.side << " cortex; target " << number_text(hinge.target_low_mm) << " to "
+        << number_text(hinge.target_high_mm) << " mm; breaks below "
+        << number_text(hinge.breaks_below_mm) << " mm, bends up to "
+        << number_text(hinge.bends_up_to_mm) << " mm" << provisional_text(hinge.is_provisional)
+        << "\n";
+    write_origin(out, hinge.origin);
   }
 }
 
@@ -84,8 +128,9 @@ void write_steps(std::ostream& out, const Scenario& scenario) {
   out << "\nSteps\n";
   int number = 1;
   for (const OperationStep& step : scenario.steps) {
+    const std::string& subject = subject_of(step);
     out << "  " << number++ << ". [" << step_word(step.kind)
-        << (step.cut.empty() ? "" : " " + step.cut) << "] " << step.title << "\n      " << step.text
+        << (subject.empty() ? "" : " " + subject) << "] " << step.title << "\n      " << step.text
         << "\n";
   }
 }
@@ -103,7 +148,8 @@ void write_danger_zones(std::ostream& out, const Scenario& scenario) {
 
 void write_item(std::ostream& out, const RubricItem& item) {
   out << "    " << item.id << " " << item.title << ": " << points_text(item.weight_milli)
-      << " points for " << item.metric << (item.cut.empty() ? "" : " of " + item.cut);
+      << " points for " << item.metric
+      << (subject_of(item).empty() ? "" : " of " + subject_of(item));
   if (item.is_band) {
     out << "; full from " << number_text(item.full_low) << " to " << number_text(item.full_high)
         << ", none below " << number_text(item.zero_low) << " or above "
@@ -122,7 +168,11 @@ void write_rubric(std::ostream& out, const Rubric& rubric) {
         std::any_of(rubric.items.begin(), rubric.items.end(),
                     [&](const RubricItem& item) { return item.group == group.name; });
     out << "  " << group.title << ": " << points_text(group.weight_milli) << " points"
-        << (is_measured ? "" : ", not measured yet") << "\n";
+        << (is_measured ? "" : ", not measured yet");
+    if (group.not_measured_milli > 0) {
+      out << ", " << points_text(group.not_measured_milli) << " of them not measured yet";
+    }
+    out << "\n";
     write_origin(out, group.origin);
     for (const RubricItem& item : rubric.items) {
       if (item.group == group.name) write_item(out, item);
@@ -130,8 +180,9 @@ void write_rubric(std::ostream& out, const Rubric& rubric) {
   }
   out << "\nGates\n";
   for (const Gate& gate : rubric.gates) {
-    out << "  " << gate.title << ": " << gate.metric << (gate.cut.empty() ? "" : " of " + gate.cut)
-        << " above " << number_text(gate.limit) << " " << gate.unit << " caps the score at "
+    out << "  " << gate.title << ": " << gate.metric
+        << (subject_of(gate).empty() ? "" : " of " + subject_of(gate)) << " above "
+        << number_text(gate.limit) << " " << gate.unit << " caps the score at "
         << points_text(gate.cap_milli) << provisional_text(gate.is_provisional) << "\n";
     write_origin(out, gate.origin);
   }
@@ -170,6 +221,7 @@ std::string scenario_sheet(const Scenario& scenario) {
       << scenario.summary << "\n";
   write_means(out, scenario);
   write_cuts(out, scenario);
+  write_hinges(out, scenario);
   write_steps(out, scenario);
   write_danger_zones(out, scenario);
   write_rubric(out, scenario.rubric);

@@ -78,11 +78,11 @@ std::string face_caption(const FacePicture& picture) {
 }
 
 std::string pictures_html(const ReportMaterial& material) {
-  if (!material.face && !material.frontal) return "";
+  if (material.faces.empty() && !material.frontal) return "";
   std::string html = "<section><h2>Plan against cut</h2><div class=\"pictures\">";
-  if (material.face) {
-    html += "<figure>" + face_svg(*material.face) + "<figcaption>" +
-            escaped(face_caption(*material.face)) + "</figcaption></figure>";
+  for (const FacePicture& face : material.faces) {
+    html += "<figure>" + face_svg(face) + "<figcaption><strong>" + escaped(face.title) +
+            "</strong><br>" + escaped(face_caption(face)) + "</figcaption></figure>";
   }
   if (material.frontal) {
     html += "<figure>" + frontal_svg(*material.frontal) +

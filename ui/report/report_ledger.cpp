@@ -52,7 +52,7 @@ std::string gate_row(const GateResult& gate, const std::string& title) {
 
 std::string moment_cell(const LedgerLine& line) {
   if (!line.is_measured || line.end_us == 0) return "\xE2\x80\x93";
-  const std::string start = assessment::moment_text(line.start_us);
+  std::string start = assessment::moment_text(line.start_us);
   // A single tick is a moment; anything longer is a stretch of the attempt.
   if (line.end_us - line.start_us <= 1000) return start;
   return start + " \xE2\x80\x93 " + assessment::moment_text(line.end_us);

@@ -29,6 +29,7 @@ struct NamedPoint {
 
 /// The planned face seen square on: right and up are said in words of the bone.
 struct FacePicture {
+  std::string title;  ///< of the cut
   std::string right, up;
   std::string above, below;  ///< where a positive and a negative deviation lie: "medial", "lateral"
   std::vector<std::vector<Vec2>> planned_outlines;  ///< section of the bone in the planned face
@@ -74,7 +75,7 @@ struct ReportMaterial {
   std::vector<Fact> facts;                ///< who, when, with what; in the order shown
   std::string quality;                    ///< one sentence; empty leaves the line out
   std::vector<Fact> versions;             ///< program, engine, scenario, rubric, bone
-  std::optional<FacePicture> face;
+  std::vector<FacePicture> faces;         ///< one per planned cut
   std::optional<FrontalPicture> frontal;
   Traces traces;
 };

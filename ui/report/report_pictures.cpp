@@ -45,12 +45,25 @@ Vec2 flat(const RigidTransform& picture_from_bone, const Vec3& point_in_bone_mm)
   return Vec2{local.x, local.y};
 }
 
-/// Right along the cut's axis, up as dorsal as the face allows; the origin lies in the planned face.
+/// Right along the cut's axis, up as dorsal as the face allows; in a face across the bone, whose axis is dorsal, up is where
+/// the blade goes in. The origin lies in the planned face.
 RigidTransform face_frame(const PlannedCut& cut) {
+  const Vec3 inward = cut.exit_point_in_bone_mm - cut.depth_point_in_bone_mm;
   Vec3 up = glm::cross(cut.axis, cut.face.normal);
-  if (glm::dot(up, dorsal) < 0.0) up = -up;
+  if (glm::dot(up, cut.kind == scenarios::FaceKind::AlongAxis ? dorsal : -inward) < 0.0) up = -up;
   const Vec3 foot = cut.depth_point_in_bone_mm + cut.depth_mm * cut.face.normal;
   return {rotation_from_axes(cut.axis, up), foot};
+}
+
+/// Where an operator looks for the face: a landmark and the shaft, or where the blade goes in and where it is to stop.
+std::vector<NamedPoint> landmarks_of(const PlannedCut& cut,
+                                     const RigidTransform& picture_from_bone) {
+  const Vec2 depth = flat(picture_from_bone, cut.depth_point_in_bone_mm);
+  const Vec2 exit = flat(picture_from_bone, cut.exit_point_in_bone_mm);
+  if (cut.kind == scenarios::FaceKind::AlongAxis) {
+    return {{"depth landmark", depth}, {"exit", exit}};
+  }
+  return {{"entry", depth}, {cut.hinge.empty() ? "exit" : "hinge", exit}};
 }
 
 FacePicture face_picture(const PlannedCut& cut, const CutFace& face,
@@ -71,8 +84,7 @@ FacePicture face_picture(const PlannedCut& cut, const CutFace& face,
   if (!picture.dots.empty()) {
     picture.dot_mm = std::sqrt(face.area_mm2 / static_cast<double>(picture.dots.size()));
   }
-  picture.landmarks = {{"depth landmark", flat(picture_from_bone, cut.depth_point_in_bone_mm)},
-                       {"exit", flat(picture_from_bone, cut.exit_point_in_bone_mm)}};
+  picture.landmarks = landmarks_of(cut, picture_from_bone);
   return picture;
 }
 
@@ -121,17 +133,29 @@ std::optional<FrontalPicture> frontal_picture(const simulator::CutSolid& solid,
   return picture;
 }
 
-void add_pictures(ReportMaterial& material, const Bone& bone, const Examination& examination) {
-  if (examination.plan.cuts.empty()) return;
-  const PlannedCut& cut = examination.plan.cuts.front();
-  const std::vector<CutFace>& faces = examination.faces.front();
+std::string title_of(const scenarios::Scenario& scenario, const std::string& cut) {
+  for (const scenarios::ReferenceCut& reference : scenario.cuts) {
+    if (reference.name == cut) return reference.title;
+  }
+  return cut;
+}
+
+/// Every face; and a slice across the bone where a face runs along it.
+void add_pictures(ReportMaterial& material, const scenarios::Scenario& scenario, const Bone& bone,
+                  const Examination& examination) {
   const simulator::CutSolid solid = simulator::uncut_solid(solid_of(bone));
   const simulator::Bvh bvh(solid.mesh);
   const CutFace none;
-  const CutFace* face = faces.empty() ? nullptr : &faces.front();
-  material.face =
-      face_picture(cut, face == nullptr ? none : *face, outlines_in(solid, bvh, face_frame(cut)));
-  material.frontal = frontal_picture(solid, bvh, cut, face);
+  for (std::size_t index = 0; index < examination.plan.cuts.size(); ++index) {
+    const PlannedCut& cut = examination.plan.cuts[index];
+    const std::vector<CutFace>& faces = examination.faces[index];
+    const CutFace* face = faces.empty() ? nullptr : &faces.front();
+    material.faces.push_back(face_picture(cut, face == nullptr ? none : *face,
+                                          outlines_in(solid, bvh, face_frame(cut))));
+    material.faces.back().title = title_of(scenario, cut.name);
+    if (material.frontal || cut.kind != scenarios::FaceKind::AlongAxis) continue;
+    material.frontal = frontal_picture(solid, bvh, cut, face);
+  }
 }
 
 std::string mark_text(CutEventKind kind) {
@@ -142,6 +166,8 @@ std::string mark_text(CutEventKind kind) {
       return "through";
     case CutEventKind::PieceFreed:
       return "piece free";
+    case CutEventKind::HingeClosed:
+      return "closed";
     default:
       return "";
   }
@@ -191,7 +217,7 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
       {"Rubric", "version " + std::to_string(card.rubric_version)},
       {"Engine", "version " + std::to_string(card.engine)}};
   if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
-  add_pictures(material, bone, examination);
+  add_pictures(material, scenario, bone, examination);
   material.traces = traces_of(recording, bone, examination.rebuilt.fields);
   return material;
 }

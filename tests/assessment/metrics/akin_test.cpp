@@ -111,6 +111,32 @@ AkinMetrics metrics_of(const Attempt& attempt) {
       {planned1, planned2, offsets});
 }
 
+FacePlane mirrored(const FacePlane& plane) {
+  return {Vec3{plane.normal.x, plane.normal.y, -plane.normal.z}, plane.offset_mm};
+}
+
+std::vector<Vec3> mirrored(std::vector<Vec3> points) {
+  for (Vec3& point : points) point.z = -point.z;
+  return points;
+}
+
+/// The same attempt on a left foot that was not mirrored when it was loaded.
+AkinMetrics mirrored_metrics_of(const Attempt& attempt) {
+  const auto [planned1, planned2] =
+      planes_of({planned_entry_mm, 0.0, 0.0, planned_wedge_deg, 0.0, planned_apex_mm, 0.0, 0.0});
+  const auto [first, second] = planes_of(attempt);
+  const double reach_mm = std::min(attempt.reach_mm, half_width_mm);
+  const std::vector<Vec3> samples1 = mirrored(samples_of(first, reach_mm));
+  const std::vector<Vec3> samples2 = mirrored(samples_of(second, reach_mm));
+  const OffsetPoints offsets{Vec3{0.0, 0.0, half_width_mm}, Vec3{0.0, 0.0, -planned_apex_mm},
+                             Vec3{1.0, 0.0, 0.0}};
+  return measure_akin({{mirrored(first), samples1},
+                       {mirrored(second), samples2},
+                       half_width_mm - reach_mm,
+                       attempt.flatness_mm},
+                      {mirrored(planned1), mirrored(planned2), offsets});
+}
+
 void expect_cut(const FaceMetrics& cut, const CutVector& expected) {
   constexpr double rounded = 1e-3;
   EXPECT_NEAR(cut.angle_deg, expected.angle_deg, rounded);
@@ -160,6 +186,20 @@ TEST(Akin, PerfectPlanesEarnEveryPointOfTheFirstFiveItems) {
       {planned_entry_mm, 0.0, 0.0, planned_wedge_deg, 0.0, planned_apex_mm, planned_apex_mm, 0.0});
   const std::array<std::int64_t, 7> points = points_of(metrics);
   EXPECT_EQ(points, (std::array<std::int64_t, 7>{8000, 8000, 6000, 12000, 6000, 7000, 3000}));
+}
+
+TEST(Akin, AMirroredFootGivesTheSameNumbers) {
+  for (const Attempt& attempt : {expert, intermediate, novice}) {
+    const AkinMetrics right = metrics_of(attempt), left = mirrored_metrics_of(attempt);
+    EXPECT_NEAR(left.cut1.angle_deg, right.cut1.angle_deg, 1e-9);
+    EXPECT_NEAR(left.cut1.location_mm, right.cut1.location_mm, 1e-9);
+    EXPECT_NEAR(left.cut2.angle_deg, right.cut2.angle_deg, 1e-9);
+    // The transverse tilt counts towards z, so it and the wedge change sign; both are scored without.
+    EXPECT_NEAR(left.wedge_error_deg, -right.wedge_error_deg, 1e-9);
+    EXPECT_NEAR(left.wedge_sagittal_deg, right.wedge_sagittal_deg, 1e-9);
+    EXPECT_NEAR(left.base_mm, right.base_mm, 1e-9);
+    EXPECT_EQ(points_of(left), points_of(right));
+  }
 }
 
 }  // namespace

@@ -41,8 +41,10 @@ TEST(FacePlane, AFewFarPointsDoNotTurnThePlane) {
 }
 
 TEST(FacePlane, PointsOnALineMeanNoPlane) {
-  std::vector<Vec3> points_mm;
-  for (int i = 0; i < 50; ++i) points_mm.emplace_back(0.1 * i, 0.2 * i, -0.3 * i);
+  std::vector<Vec3> points_mm(50);
+  for (std::size_t i = 0; i < points_mm.size(); ++i) {
+    points_mm[i] = static_cast<double>(i) * Vec3{0.1, 0.2, -0.3};
+  }
   EXPECT_FALSE(fit_plane(points_mm, Vec3{0.0, 0.0, 1.0}));
   EXPECT_FALSE(fit_plane(std::span(points_mm).first(2), Vec3{0.0, 0.0, 1.0}));
 }

@@ -38,10 +38,12 @@ TEST(Rebuild, ACutThroughTheBlockLeavesTwoPiecesAndTakesItsKerf) {
   EXPECT_EQ(rebuilt.kerfs[0].first_cutting_tick, 10);
 }
 
-TEST(Rebuild, AStrokeThatStopsInsideRemovesNothingAndSaysHowFarItCame) {
+TEST(Rebuild, AStrokeThatStopsInsideTakesWhatItOpenedAndSaysHowFarItCame) {
   const RebuiltBone rebuilt = rebuilt_from({Stroke{.last_y_mm = 0.0}});
   EXPECT_EQ(rebuilt.pieces.size(), 1U);
-  EXPECT_EQ(rebuilt.removed_mm3, 0.0);
+  // The last pose lies one feed of 0.05 mm above the middle; its tip is off by 1 um and its line by as much.
+  EXPECT_NEAR(rebuilt.removed_mm3, 60.0 * 9.95 * testing::kerf_mm, 60.0 * 0.002 * testing::kerf_mm);
+  EXPECT_NEAR(rebuilt.piece_volumes_mm3[0] + rebuilt.removed_mm3, rebuilt.input_mm3, 1e-6);
   ASSERT_EQ(rebuilt.kerfs.size(), 1U);
   EXPECT_FALSE(rebuilt.kerfs[0].is_finished());
   // Half of 20 mm, to within two rows of 0.1 mm nodes and one feed of 0.05 mm.

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "scenarios/foot/first_metatarsal.h"
+#include "scenarios/foot/first_proximal_phalanx.h"
 #include "scenarios/foot/relief.h"
+#include "tests/scenarios/foot/measured_phalanx.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -72,6 +74,34 @@ TEST(BoneField, ChangesNothingOnTheShaftWhereAnEminenceGrows) {
   for (double x = 2.0; x < 33.0; x += 1.0) {
     const Vec3 at = plain.onto_surface({x, 0.0, -8.0});
     EXPECT_NEAR(grown.at(at).value, 0.0, 1e-6) << x;
+  }
+}
+
+TEST(BoneField, ChangesNothingOnTheShaftWhereTheBaseFacetTilts) {
+  const BoneField level(first_proximal_phalanx_table(), 33.0, 0.0);
+  const BoneField oblique(scenarios_test::measured_phalanx_table(), 33.0, 0.0);
+  for (double x = 13.0; x < 32.0; x += 1.0) {
+    const Vec3 at = level.onto_surface({x, 1.0, 9.0});
+    EXPECT_NEAR(oblique.at(at).value, 0.0, 1e-9) << x;
+  }
+  const Vec3 rim = level.onto_surface({0.0, -5.0, 7.0});
+  EXPECT_GT(std::abs(oblique.at(rim).value), 1.0);
+}
+
+/// A step shows as a crease across the facet or the head.
+TEST(BoneField, HasNoStepWhereTheSectionsEnd) {
+  for (const BoneTable& table : {first_metatarsal_table(), first_proximal_phalanx_table()}) {
+    const BoneField field(table, table.length_mm, 0.0);
+    for (const Station& end : {table.stations.front(), table.stations.back()}) {
+      const double x = end.position * table.length_mm;
+      for (double angle_rad = 0.0; angle_rad < 6.28; angle_rad += 0.05) {
+        const Vec3 at = surface_point(field, x, angle_rad);
+        const double before = field.at(at - Vec3{1e-7, 0.0, 0.0}).value;
+        const double after = field.at(at + Vec3{1e-7, 0.0, 0.0}).value;
+        // The slope is below 2, so over 2e-7 mm the value changes by less than 4e-7.
+        EXPECT_NEAR(before, after, 4e-7) << table.bone << " at " << x << ", " << angle_rad;
+      }
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/foot/first_metatarsal.h"
+#include "scenarios/foot/first_proximal_phalanx.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -25,6 +26,7 @@ eminence 25 0 -1 3 3 3 1
 sulcus 26 4 -2
 sulcus 29 0 -2
 sulcus_groove 1 0.5 0.3
+cortex 1.5 0.6
 place 1 2 3 4 5 6
 )";
 
@@ -55,7 +57,10 @@ TEST(BoneTable, KeepsEveryNumberAndTurnsDegreesIntoRadians) {
   EXPECT_EQ(table.features[0].height_mm, -0.4);
   EXPECT_EQ(table.features[1].kind, FeatureKind::Groove);
   EXPECT_EQ(table.features[1].end_mm, Vec3(4.0, 5.0, 6.0));
-  EXPECT_EQ(table.eminence.sulcus_mm.size(), 2U);
+  ASSERT_TRUE(table.eminence.has_value());
+  EXPECT_EQ(table.eminence->sulcus_mm.size(), 2U);
+  EXPECT_EQ(table.cortex.mid_mm, 1.5);
+  EXPECT_EQ(table.cortex.floor_mm, 0.6);
   EXPECT_EQ(table.place.head_in_world_mm, Vec3(4.0, 5.0, 6.0));
 }
 
@@ -90,11 +95,47 @@ TEST(BoneTable, SaysWhichLineIsMissing) {
   EXPECT_NE(complaint_about("").find("has 0 lines 'bone'"), std::string::npos);
 }
 
+TEST(BoneTable, MayBeWithoutAnEminenceButNotWithAPartOfOne) {
+  std::string text = good_table;
+  const std::size_t from = text.find("eminence");
+  text.erase(from, text.find("cortex") - from);
+  EXPECT_FALSE(parse_bone_table(text, "toe.txt").eminence.has_value());
+  EXPECT_EQ(complaint_about(with_line("eminence", "")),
+            "toe.txt: has 0 lines 'eminence', needs exactly one");
+  EXPECT_EQ(complaint_about(with_line("sulcus 29", "")),
+            "toe.txt: needs at least two lines 'sulcus'");
+}
+
+TEST(BoneTable, RefusesACortexWithoutThickness) {
+  EXPECT_NE(complaint_about(with_line("cortex", "cortex 0 0.7")).find("mid must be above 0"),
+            std::string::npos);
+}
+
+TEST(BoneTable, NamesTheTablesThatAreShipped) {
+  try {
+    shipped_bone_table("tail.txt");
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_STREQ(error.what(),
+                 "no bone table 'tail.txt' is shipped; use one of: first_metatarsal.txt, "
+                 "first_proximal_phalanx.txt");
+  }
+}
+
 TEST(BoneTable, ShipsTheFirstMetatarsalWithItsCredit) {
   const BoneTable table = first_metatarsal_table();
   EXPECT_EQ(table.bone, "first_metatarsal");
   EXPECT_EQ(table.stations.size(), 12U);
   EXPECT_EQ(table.features.size(), 12U);
+  EXPECT_NE(table.credit.find("BodyParts3D"), std::string::npos);
+}
+
+TEST(BoneTable, ShipsTheFirstProximalPhalanxWithItsCreditAndWithoutAnEminence) {
+  const BoneTable table = first_proximal_phalanx_table();
+  EXPECT_EQ(table.bone, "first_proximal_phalanx");
+  EXPECT_EQ(table.stations.size(), 10U);
+  EXPECT_EQ(table.features.size(), 5U);
+  EXPECT_FALSE(table.eminence.has_value());
   EXPECT_NE(table.credit.find("BodyParts3D"), std::string::npos);
 }
 

@@ -4,8 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <map>
+#include <string>
 
 #include "scenarios/foot/first_metatarsal.h"
+#include "scenarios/foot/first_proximal_phalanx.h"
 #include "scenarios/foot/topology.h"
 #include "simulator/base/units.h"
 #include "simulator/mesh/bvh.h"
@@ -16,19 +19,40 @@ namespace {
 using simulator::Bone;
 using simulator::IndexedMesh;
 
-/// The patient at the edge length that is shipped, made once for the whole program.
-class FineBone : public testing::Test {
+struct FineCase {
+  const char* name;
+  Bone (*make)(const BoneProgress&);
+  std::size_t least_triangles, most_triangles;
+};
+
+Bone make_metatarsal(const BoneProgress& progress) {
+  return make_first_metatarsal(first_metatarsal_table(), {.eminence_mm = 4.0, .edge_mm = 0.3},
+                               progress);
+}
+
+Bone make_phalanx(const BoneProgress& progress) {
+  return make_first_proximal_phalanx(first_proximal_phalanx_table(), {.edge_mm = 0.3}, progress);
+}
+
+/// The patients at the edge length that is shipped, each made once for the whole program.
+class FineBone : public testing::TestWithParam<FineCase> {
  protected:
-  static void SetUpTestSuite() {
-    const auto start = std::chrono::steady_clock::now();
-    bone_ = make_first_metatarsal(
-        first_metatarsal_table(), {.eminence_mm = 4.0, .edge_mm = 0.3}, [&](double fraction) {
-          const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start;
-          std::cout << "fraction " << fraction << " after " << since.count() << " s\n";
-          return true;
-        });
+  void SetUp() override {
+    const std::string name = GetParam().name;
+    if (bones.find(name) == bones.end()) bones.emplace(name, GetParam().make(stopwatch()));
   }
-  inline static Bone bone_;
+  const Bone& bone() const { return bones.at(GetParam().name); }
+  inline static std::map<std::string, Bone> bones;
+
+ private:
+  static BoneProgress stopwatch() {
+    const auto start = std::chrono::steady_clock::now();
+    return [start](double fraction) {
+      const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start;
+      std::cout << "fraction " << fraction << " after " << since.count() << " s\n";
+      return true;
+    };
+  }
 };
 
 /// The smallest angle of each triangle, ascending [degree].
@@ -48,17 +72,17 @@ std::vector<double> least_angles(const IndexedMesh& mesh) {
   return angles;
 }
 
-TEST_F(FineBone, IsTwoClosedSpheres) {
-  EXPECT_NO_THROW(check_sphere(bone_.outer, "outer surface"));
-  EXPECT_NO_THROW(check_sphere(bone_.canal, "canal"));
-  std::cout << "triangles: outer " << bone_.outer.triangles.size() << ", canal "
-            << bone_.canal.triangles.size() << "\n";
-  EXPECT_GT(bone_.outer.triangles.size(), 80'000U);
-  EXPECT_LT(bone_.outer.triangles.size(), 120'000U);
+TEST_P(FineBone, IsTwoClosedSpheres) {
+  EXPECT_NO_THROW(check_sphere(bone().outer, "outer surface"));
+  EXPECT_NO_THROW(check_sphere(bone().canal, "canal"));
+  std::cout << "triangles: outer " << bone().outer.triangles.size() << ", canal "
+            << bone().canal.triangles.size() << "\n";
+  EXPECT_GT(bone().outer.triangles.size(), GetParam().least_triangles);
+  EXPECT_LT(bone().outer.triangles.size(), GetParam().most_triangles);
 }
 
-TEST_F(FineBone, HasNoNeedles) {
-  for (const IndexedMesh* mesh : {&bone_.outer, &bone_.canal}) {
+TEST_P(FineBone, HasNoNeedles) {
+  for (const IndexedMesh* mesh : {&bone().outer, &bone().canal}) {
     const std::vector<double> angles = least_angles(*mesh);
     std::cout << "least angle " << angles.front() << ", first percentile "
               << angles[angles.size() / 100] << " degrees\n";
@@ -67,21 +91,28 @@ TEST_F(FineBone, HasNoNeedles) {
   }
 }
 
-TEST_F(FineBone, HasAWallAsThickAsItsCortexEverywhere) {
-  const simulator::Bvh outer(bone_.outer);
+TEST_P(FineBone, HasAWallAsThickAsItsCortexEverywhere) {
+  const simulator::Bvh outer(bone().outer);
   double thinnest = 100.0;
-  for (const Vec3& p : bone_.canal.points_mm) {
+  for (const Vec3& p : bone().canal.points_mm) {
     const double wall = -outer.signed_distance_mm(p);
-    EXPECT_GE(wall, simulator::cortex_thickness_mm(*bone_.cortex, p.x) - 0.05);
+    EXPECT_GE(wall, simulator::cortex_thickness_mm(*bone().cortex, p.x) - 0.05);
     thinnest = std::min(thinnest, wall);
   }
   std::cout << "thinnest wall " << thinnest << " mm\n";
-  EXPECT_GE(thinnest, bone_.cortex->floor_mm);
+  EXPECT_GE(thinnest, bone().cortex->floor_mm);
 }
 
-TEST_F(FineBone, HasAnEminenceOfTheHeightAskedFor) {
-  EXPECT_NEAR(simulator::find_landmark(bone_, "eminence_apex")->z, -14.6, 0.1);
+TEST(FineMetatarsal, HasAnEminenceOfTheHeightAskedFor) {
+  const Bone bone = make_metatarsal({});
+  EXPECT_NEAR(simulator::find_landmark(bone, "eminence_apex")->z, -14.6, 0.1);
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Shipped, FineBone,
+    testing::Values(FineCase{"FirstMetatarsal", make_metatarsal, 80'000, 120'000},
+                    FineCase{"FirstProximalPhalanx", make_phalanx, 36'000, 52'000}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace hallux::scenarios

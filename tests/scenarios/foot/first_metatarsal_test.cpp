@@ -19,9 +19,9 @@ class FirstMetatarsal : public testing::Test {
  protected:
   static const Bone& bone(double eminence_mm, double length_mm = 0.0) {
     const auto key = std::make_pair(eminence_mm, length_mm);
-    const auto found = bones_.find(key);
-    if (found != bones_.end()) return found->second;
-    return bones_
+    const auto found = bones.find(key);
+    if (found != bones.end()) return found->second;
+    return bones
         .emplace(key,
                  make_first_metatarsal(first_metatarsal_table(), coarse(eminence_mm, length_mm)))
         .first->second;
@@ -36,8 +36,7 @@ class FirstMetatarsal : public testing::Test {
     return point.value_or(Vec3{0.0});
   }
 
- private:
-  inline static std::map<std::pair<double, double>, Bone> bones_;
+  inline static std::map<std::pair<double, double>, Bone> bones;
 };
 
 double distance(const Vec3& a, const Vec3& b) { return std::sqrt(glm::dot(a - b, a - b)); }

@@ -88,8 +88,8 @@ Aims aims_of(const Patient& patient, const HandSkill& skill) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     try {
       const ScriptedHand hand = patient.hand(skill, seed);
-      aims.angles_deg.push_back(degree_from_radian(hand.angle_error_rad));
-      aims.locations_mm.push_back(hand.location_error_mm);
+      aims.angles_deg.push_back(degree_from_radian(hand.cuts.at(0).angle_error_rad));
+      aims.locations_mm.push_back(hand.cuts.at(0).location_error_mm);
     } catch (const ScenarioError&) {
       ++aims.misses;
     }
@@ -123,10 +123,12 @@ TEST(HandAim, IsOffByTheErrorsThatItSays) {
   for (const char* name : {"expert", "novice"}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const ScriptedHand hand = patient.hand(hand_skill(name), seed);
-      const double cosine = std::min(1.0, glm::dot(hand.aimed.normal, planned.normal));
+      const double cosine = std::min(1.0, glm::dot(hand.cuts.at(0).face.normal, planned.normal));
       // An arc cosine near 1 loses half of a double's digits.
-      EXPECT_NEAR(std::acos(cosine), hand.angle_error_rad, 1.0e-6) << name << ' ' << seed;
-      EXPECT_NEAR(largest_distance_mm(patient, hand.aimed), hand.location_error_mm, 1.0e-9)
+      EXPECT_NEAR(std::acos(cosine), hand.cuts.at(0).angle_error_rad, 1.0e-6)
+          << name << ' ' << seed;
+      EXPECT_NEAR(largest_distance_mm(patient, hand.cuts.at(0).face),
+                  hand.cuts.at(0).location_error_mm, 1.0e-9)
           << name << ' ' << seed;
     }
   }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenarios/plan.h"
+#include "scenarios/planned_bridge.h"
 #include "simulator/device/scripted.h"
 
 namespace hallux::tests {
@@ -31,6 +31,7 @@ ScriptedAttempt run_motion(const scenarios::Scenario& scenario, const simulator:
   const simulator::AttemptSetup setup{bone,
                                       scenario.blade.size,
                                       contact_of(scenario),
+                                      planned_bridge(plan_on(scenario, bone)),
                                       simulator::Pacing::Virtual,
                                       motion.commands,
                                       last_tick,

@@ -85,19 +85,21 @@ TEST(ScriptedHand, SaysTheErrorsThatItsFaceHas) {
       const ScriptedHand hand = patient.hand(hand_skill(name), seed);
       const Vec3 planned(0.0, 0.0, -1.0);
       // An arc cosine near 1 loses half of a double's digits.
-      EXPECT_NEAR(std::acos(glm::dot(hand.aimed.normal, planned)), hand.angle_error_rad, 1.0e-6)
+      EXPECT_NEAR(std::acos(glm::dot(hand.cuts.at(0).face.normal, planned)),
+                  hand.cuts.at(0).angle_error_rad, 1.0e-6)
           << name << ' ' << seed;
       // Two planes are farthest apart at a corner of the section.
       double largest_mm = 0.0;
       for (const double x_mm : {0.0, 60.0}) {
         for (const double y_mm : {-10.0, 10.0}) {
           const double stand_off_mm =
-              (hand.aimed.offset_mm - glm::dot(hand.aimed.normal, Vec3(x_mm, y_mm, -1.0))) /
-              glm::dot(hand.aimed.normal, planned);
+              (hand.cuts.at(0).face.offset_mm -
+               glm::dot(hand.cuts.at(0).face.normal, Vec3(x_mm, y_mm, -1.0))) /
+              glm::dot(hand.cuts.at(0).face.normal, planned);
           largest_mm = std::max(largest_mm, std::abs(stand_off_mm));
         }
       }
-      EXPECT_NEAR(largest_mm, hand.location_error_mm, 1.0e-9) << name << ' ' << seed;
+      EXPECT_NEAR(largest_mm, hand.cuts.at(0).location_error_mm, 1.0e-9) << name << ' ' << seed;
     }
   }
 }

@@ -72,6 +72,39 @@ TEST(StrokePlan, KnowsWhereBoneBeginsAndEndsUnderEachStroke) {
   }
 }
 
+TEST(StrokePlan, FollowsAnOutlineBetweenCornersThatAreBesideTheToothLine) {
+  // Both long sides rise by 0.1 mm per millimetre along the tooth line: over its 12 mm and 1 mm beside it from -7 to 7.
+  const auto region = region_of({{-3.0, -20.0}, {7.0, -20.0}, {11.0, 20.0}, {1.0, 20.0}});
+  const auto strokes = plan_strokes(region, 12.0, 3.0);
+  ASSERT_EQ(strokes.size(), 5U);
+  EXPECT_NEAR(strokes[0].along_mm, 0.0, rounding_mm);
+  EXPECT_NEAR(strokes[0].first_mm, -1.0 - 0.7, rounding_mm);
+  EXPECT_NEAR(strokes[0].last_mm, 9.0 + 0.7, rounding_mm);
+}
+
+TEST(StrokePlan, GoesOnBeyondTheLastBone) {
+  const auto strokes = plan_strokes(rectangle({-3.0, 1.0}, {11.0, 7.0}), 12.0, 3.0);
+  EXPECT_NEAR(strokes.at(0).end_mm, 11.0 + 1.5, rounding_mm);
+  EXPECT_FALSE(strokes[0].stops_in_bone);
+}
+
+TEST(StrokePlan, StopsAtALineAndIsBrokenOffOnTheWay) {
+  const std::vector<Stroke> through{
+      {0.0, -3.0, 11.0, 12.5}, {9.0, 2.0, 4.0, 5.5}, {-9.0, 6.5, 8.0, 9.5}};
+  const std::vector<Stroke> strokes = stopped(through, 6.0, 1);
+  // The third begins beyond the line; the second's bone ends before it, and the hand goes to the line all the same.
+  ASSERT_EQ(strokes.size(), 4U);
+  const double ends_mm[] = {1.5, 6.0, 4.0, 6.0};
+  const double lasts_mm[] = {1.5, 6.0, 4.0, 4.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(strokes[i].end_mm, ends_mm[i], rounding_mm) << i;
+    EXPECT_NEAR(strokes[i].last_mm, lasts_mm[i], rounding_mm) << i;
+    EXPECT_EQ(strokes[i].first_mm, through[i / 2].first_mm) << i;
+    EXPECT_EQ(strokes[i].along_mm, through[i / 2].along_mm) << i;
+    EXPECT_TRUE(strokes[i].stops_in_bone) << i;
+  }
+}
+
 RC_GTEST_PROP(StrokePlan, CoversTheSectionWithTheOverlapThatWasAsked, ()) {
   const auto between = [](int low, int high) {
     return static_cast<double>(*rc::gen::inRange(low * 1000, high * 1000)) / 1000.0;

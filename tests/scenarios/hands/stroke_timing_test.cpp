@@ -83,8 +83,21 @@ TEST(StrokeTiming, DoesNotSawAgainWhatAnEarlierStrokeOpened) {
 
 TEST(StrokeTiming, EasesThePushBeforeTheFarSurface) {
   for (const FeedMoment& moment : feed_through(block(false), middle, {15.0, 8.0, 2.5})) {
-    if (std::abs(moment.feed_mm - 7.5) < stride_mm) continue;
+    if (moment.feed_mm < -10.0 || std::abs(moment.feed_mm - 7.5) < stride_mm) continue;
     EXPECT_EQ(moment.push_newton, moment.feed_mm > 7.5 ? 8.0 : 15.0) << moment.feed_mm;
+  }
+}
+
+TEST(StrokeTiming, DoesNotLeanOnTheBladeBeforeItMeetsBone) {
+  const Push push{15.0, 8.0, 2.5};
+  const Stroke earlier{0.0, -11.05, 0.0};
+  for (const FeedMoment& moment :
+       feed_through(block(false), middle, push, law_cycles_per_minute, std::span(&earlier, 1))) {
+    if (moment.feed_mm > 0.0) {
+      EXPECT_GE(moment.push_newton, 8.0) << moment.feed_mm;
+    } else {
+      EXPECT_EQ(moment.push_newton, 0.0) << moment.feed_mm;
+    }
   }
 }
 

@@ -48,10 +48,10 @@ def main(scenarios, faults_file):
     for file in shipped:
         for error in validator.iter_errors(json.loads(file.read_text())):
             wrong.append(f"{file.name}: {error.json_path}: {error.message}")
-    silver = json.loads((scenarios / "silver.json").read_text())
     faults = json.loads(faults_file.read_text())
     for fault in faults:
-        is_refused = not validator.is_valid(patched(silver, fault["patch"]))
+        whole = json.loads((scenarios / f"{fault.get('of', 'silver')}.json").read_text())
+        is_refused = not validator.is_valid(patched(whole, fault["patch"]))
         if is_refused != fault["schema"]:
             wrong.append(f"planted fault '{fault['name']}': refused by the schema: {is_refused}")
     print("\n".join(wrong) or f"{len(shipped)} scenarios and {len(faults)} planted faults as told")

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "simulator/base/random.h"
 #include "simulator/cutting/cut.h"
 #include "tests/simulator/cutting/cut_through.h"
+#include "tests/simulator/cutting/random_worlds.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {
@@ -15,50 +15,12 @@ namespace {
 
 using namespace simulator;
 
-Vec3 direction_from(Random& random) {
-  Vec3 direction(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
-  const double length = std::sqrt(glm::dot(direction, direction));
-  return length > 0.1 ? direction / length : Vec3(0.0, 0.6, 0.8);
-}
-
-/// A bone-like solid: a wavy tube, a wavy sphere, a U or a block.
-IndexedMesh bone_from(Random& random) {
-  IndexedMesh mesh;
-  switch (random.bits() % 4) {
-    case 0:
-      mesh = hollow_tube({.segments = 24, .rings = 1 + random.bits() % 12});
-      break;
-    case 1:
-      mesh = sphere(9.0, 3 + random.bits() % 10);
-      break;
-    case 2:
-      mesh = u_shape(Vec3(30.0, 20.0, 8.0), 6.0);
-      break;
-    default:
-      mesh = solid_block(Vec3(25.0, 12.0, 10.0));
-      break;
-  }
-  const Vec3 slope = 0.1 * direction_from(random);
-  for (Vec3& point_mm : mesh.points_mm) {
-    // A shear that bends: orientation and closedness stay.
-    point_mm.y += slope.x * point_mm.x + 0.002 * slope.y * point_mm.x * point_mm.x;
-    point_mm.z += slope.z * point_mm.x;
-  }
-  return mesh;
-}
-
-KerfPlane plane_from(Random& random) {
-  const Vec3 point_mm(random.uniform(-8.0, 8.0), random.uniform(-4.0, 4.0),
-                      random.uniform(-3.0, 3.0));
-  return plane_through(point_mm, direction_from(random), random.uniform(0.2, 1.2));
-}
-
 RC_GTEST_PROP(CutProperty, RepeatedCutsStayClosedAndVolumesAddUp, (std::uint64_t seed)) {
   Random random(seed);
-  CutSolid solid = uncut_solid(bone_from(random));
+  CutSolid solid = uncut_solid(random_bone(random));
   const auto count = static_cast<std::int32_t>(1 + random.bits() % 4);
   for (std::int32_t kerf = 0; kerf < count; ++kerf) {
-    const CutOutcome cut = cut_through(solid, plane_from(random), kerf);
+    const CutOutcome cut = cut_through(solid, random_plane(random), kerf);
     expect_closed(cut.solid);
     expect_balance(solid, cut);
     RC_ASSERT(!::testing::Test::HasFailure());
@@ -91,10 +53,10 @@ RC_GTEST_PROP(CutProperty, LatticeCutsThroughCornersEdgesAndFacesStayClosed, (st
 
 RC_GTEST_PROP(CutProperty, ARigidMotionOfBoneAndPlaneChangesNothing, (std::uint64_t seed)) {
   Random random(seed);
-  const IndexedMesh mesh = bone_from(random);
-  const KerfPlane plane = plane_from(random);
-  const RigidTransform motion{rotation_about(direction_from(random), random.uniform(-3.0, 3.0)),
-                              10.0 * direction_from(random)};
+  const IndexedMesh mesh = random_bone(random);
+  const KerfPlane plane = random_plane(random);
+  const RigidTransform motion{rotation_about(random_direction(random), random.uniform(-3.0, 3.0)),
+                              10.0 * random_direction(random)};
   const CutOutcome here = cut_through(uncut_solid(mesh), plane);
   const CutOutcome there = cut_through(uncut_solid(moved(mesh, motion)),
                                        {motion * plane.bone_from_kerf, plane.thickness_mm});
@@ -107,8 +69,8 @@ RC_GTEST_PROP(CutProperty, ARigidMotionOfBoneAndPlaneChangesNothing, (std::uint6
 
 RC_GTEST_PROP(CutProperty, TwiceTheSizeIsEightTimesTheVolume, (std::uint64_t seed)) {
   Random random(seed);
-  const IndexedMesh mesh = bone_from(random);
-  KerfPlane plane = plane_from(random);
+  const IndexedMesh mesh = random_bone(random);
+  KerfPlane plane = random_plane(random);
   const CutOutcome small = cut_through(uncut_solid(mesh), plane);
   IndexedMesh doubled = mesh;
   for (Vec3& point_mm : doubled.points_mm) point_mm *= 2.0;

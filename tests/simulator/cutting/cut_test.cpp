@@ -281,29 +281,5 @@ TEST(Cut, AMirroredBoneGivesTheMirroredCut) {
   }
 }
 
-TEST(Cut, OnlyRegionsThatTheFieldCoversWhollyCount) {
-  const CutSolid solid = uncut_solid(two_blocks(Vec3(6.0, 6.0, 6.0), 4.0));
-  const KerfPlane plane = axis_plane(2, 0.0, 0.5);
-  const Bvh bvh(solid.mesh);
-  const Section section = slice_section(solid, bvh, plane);
-  ASSERT_EQ(section.regions.size(), 2U);
-  const FieldGrid grid{.origin_mm = Vec2(-20.0), .spacing_mm = 0.1, .u_count = 401, .v_count = 401};
-  const SectionMask mask = mask_section(section, solid, bvh, grid);
-  KerfField field(grid);
-  FieldWindow changed;
-  const BladeSize blade{.width_mm = 7.0, .depth_mm = 20.0};
-  EXPECT_EQ(touched_regions(mask, field), (std::vector<std::uint8_t>{0, 0}));
-  // The tool comes from -x: the left block lies at x -8 .. -2, the right one at 2 .. 8.
-  field.stamp(blade, {Vec2(-12.0, 0.0)}, {Vec2(-4.0, 0.0)}, changed);
-  EXPECT_EQ(touched_regions(mask, field).size(), 2U);
-  EXPECT_EQ(covered_regions(mask, field), (std::vector<std::uint8_t>{0, 0}));
-  field.stamp(blade, {Vec2(-4.0, 0.0)}, {Vec2(-1.5, 0.0)}, changed);
-  const std::vector<std::uint8_t> covered = covered_regions(mask, field);
-  EXPECT_EQ(covered[0] + covered[1], 1);
-  EXPECT_EQ(touched_regions(mask, field), covered);
-  field.stamp(blade, {Vec2(-1.5, 0.0)}, {Vec2(8.5, 0.0)}, changed);
-  EXPECT_EQ(covered_regions(mask, field), (std::vector<std::uint8_t>{1, 1}));
-}
-
 }  // namespace
 }  // namespace hallux::tests

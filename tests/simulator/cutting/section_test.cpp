@@ -43,43 +43,5 @@ TEST(Section, RegionsComeLargestFirst) {
   EXPECT_NEAR(section.regions[1].area_mm2, 4.0, 1e-12);
 }
 
-TEST(Section, TheMaskHoldsEveryPlaceTheSlabReaches) {
-  const CutSolid solid = uncut_solid(sphere(6.0, 8));
-  const Bvh bvh(solid.mesh);
-  // Near the pole the projected skin is much wider than the section at the middle plane.
-  const KerfPlane plane = axis_plane(2, 5.2, 0.8);
-  const Section section = slice_section(solid, bvh, plane);
-  const FieldGrid grid{.origin_mm = Vec2(-10.0), .spacing_mm = 0.1, .u_count = 201, .v_count = 201};
-  const SectionMask mask = mask_section(section, solid, bvh, grid);
-  ASSERT_EQ(mask.fits_grid, (std::vector<std::uint8_t>{1}));
-  std::int32_t counted = 0;
-  for (std::int32_t v = 0; v < grid.v_count; ++v) {
-    for (std::int32_t u = 0; u < grid.u_count; ++u) {
-      const bool is_region = mask.region_of_node[static_cast<std::size_t>(v * 201 + u)] == 0;
-      counted += is_region ? 1 : 0;
-      const Vec3 node_mm(-10.0 + 0.1 * u, -10.0 + 0.1 * v, 4.8 + 1e-9);
-      if (bvh.contains(node_mm)) {
-        EXPECT_TRUE(is_region);
-      }
-      // And no further than the cells around it: the widest height is the slab's lower plane.
-      const double outside_mm = std::sqrt(node_mm.x * node_mm.x + node_mm.y * node_mm.y);
-      if (outside_mm > 3.6 + 0.3) {
-        EXPECT_FALSE(is_region);
-      }
-    }
-  }
-  EXPECT_EQ(counted, mask.node_count[0]);
-}
-
-TEST(Section, ARegionBeyondTheGridDoesNotFit) {
-  const CutSolid solid = uncut_solid(solid_block(Vec3(10.0)));
-  const Bvh bvh(solid.mesh);
-  const Section section = slice_section(solid, bvh, axis_plane(2, 0.0, 0.5));
-  const FieldGrid grid{.origin_mm = Vec2(-4.0), .spacing_mm = 0.1, .u_count = 201, .v_count = 201};
-  const SectionMask mask = mask_section(section, solid, bvh, grid);
-  EXPECT_EQ(mask.fits_grid, (std::vector<std::uint8_t>{0}));
-  EXPECT_EQ(mask.node_count, (std::vector<std::int32_t>{0}));
-}
-
 }  // namespace
 }  // namespace hallux::tests

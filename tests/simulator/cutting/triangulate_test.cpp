@@ -114,10 +114,10 @@ TEST(Triangulate, LoopsThatCrossThemselvesKeepTheirSignedArea) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Random random(seed);
     Figure figure;
-    std::vector<LatticePoint> corners;
-    for (int i = 0; i < 25; ++i) {
-      corners.push_back({static_cast<std::int64_t>(random.uniform(-20.0, 20.0)),
-                         static_cast<std::int64_t>(random.uniform(-20.0, 20.0))});
+    std::vector<LatticePoint> corners(25);
+    for (LatticePoint& corner : corners) {
+      corner.u = static_cast<std::int64_t>(random.uniform(-20.0, 20.0));
+      corner.v = static_cast<std::int64_t>(random.uniform(-20.0, 20.0));
     }
     figure.add(corners);
     expect_filled(figure, false);

@@ -74,7 +74,8 @@ TEST(VirtualLoop, AJobIsAppliedAtTheTickAfterItsRequest) {
       ++applied;
     }
   }
-  EXPECT_EQ(applied, 2);  // the contact, and the pieces
+  EXPECT_EQ(applied,
+            3);  // the contact; the pieces, at the break-through and when the blade has left
 }
 
 TEST(VirtualLoop, StopsAfterTheLastTickWithoutAFinish) {

@@ -24,7 +24,7 @@ TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
-  const ReplayResult result = replay(recording, bone, scenario.blade.size, contact);
+  const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}});
   EXPECT_TRUE(result.is_identical) << result.difference;
 }
 

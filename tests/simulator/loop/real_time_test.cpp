@@ -40,7 +40,7 @@ std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick)
     const tests::RecordedRun run = record_in_real_time(bone, last_tick, {seed, 500});
     EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
     EXPECT_EQ(ticks_on(run.recording.tape), run.statistics.ticks);
-    const ReplayResult result = replay(run.recording, bone, {}, {});
+    const ReplayResult result = replay(run.recording, {bone, {}, {}, {}});
     EXPECT_TRUE(result.is_identical) << "seed " << seed << ", tick " << result.first_difference_tick
                                      << ": " << result.difference;
     EXPECT_EQ(result.outputs, digest_outputs(run.recording)) << "seed " << seed;
@@ -137,7 +137,7 @@ TEST(RealTimeLoop, AGapIsAPauseAndAResumeOnTheTape) {
     EXPECT_EQ(kinds[i], i % 2 == 0 ? CutEventKind::Paused : CutEventKind::Resumed) << i;
   }
   EXPECT_LE((static_cast<std::int64_t>(kinds.size()) + 1) / 2, run.statistics.pauses);
-  EXPECT_TRUE(replay(run.recording, bone, {}, {}).is_identical);
+  EXPECT_TRUE(replay(run.recording, {bone, {}, {}, {}}).is_identical);
 }
 
 TEST(RealTimeLoop, ACommandAtTheLastTickIsHeardWhenItsLineCoversMoreTicks) {

@@ -29,7 +29,7 @@ struct RecordedCut {
     recording = tests::record(setup, device).recording;
   }
   ReplayResult replayed(const ContactSettings& settings = {}) const {
-    return replay(recording, bone, {}, settings);
+    return replay(recording, {bone, {}, settings, {}});
   }
   /// The first line that applies a job.
   TapeLine& job_line() {
@@ -62,7 +62,7 @@ TEST(Replay, OfARecordedCutIsIdentical) {
 
 TEST(Replay, OfAnEmptyRecordingIsIdentical) {
   const Bone bone = tests::loop_block();
-  EXPECT_TRUE(replay({}, bone, {}, {}).is_identical);
+  EXPECT_TRUE(replay({}, {bone, {}, {}, {}}).is_identical);
 }
 
 TEST(Replay, OneAlteredInputDiffersFromItsOwnTick) {
@@ -163,7 +163,8 @@ TEST(Replay, AChangedConstantOfTheStepDiffersFromTheFirstTouch) {
 
 TEST(Replay, CanBeCancelled) {
   const RecordedCut cut;
-  const ReplayResult result = replay(cut.recording, cut.bone, {}, {}, [](double) { return false; });
+  const ReplayResult result =
+      replay(cut.recording, {cut.bone, {}, {}, {}}, [](double) { return false; });
   EXPECT_FALSE(result.is_identical);
   EXPECT_NE(result.difference.find("cancelled"), std::string::npos);
 }
@@ -177,7 +178,7 @@ TEST(Replay, NoNumberOnTheTapeMakesItCrash) {
     auto columns = columns_of(line);
     columns[random.bits() % columns.size()] = static_cast<std::int64_t>(random.bits());
     line = tape_line_from(columns);
-    const ReplayResult result = replay(altered, cut.bone, {}, {});
+    const ReplayResult result = replay(altered, {cut.bone, {}, {}, {}});
     EXPECT_EQ(result.is_identical, result.first_difference_tick == -1) << "alteration " << i;
   }
 }

@@ -221,6 +221,24 @@ TEST(Bvh, ANanPointIsNowhere) {
   EXPECT_FALSE(bvh.contains(Vec3{0.0, NAN, 0.0}));
 }
 
+TEST(Bvh, AnswersDoNotDependOnHowItIsBuilt) {
+  const IndexedMesh mesh = tests::sphere(10.0, 8);
+  const Bvh usual{mesh};
+  for (const BvhBuild& build : {BvhBuild{1, 44}, BvhBuild{64, 44}, BvhBuild{4, 0}}) {
+    const Bvh other{mesh, build};
+    Random random(3, "places");
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 point_mm(random.uniform(-12.0, 12.0), random.uniform(-12.0, 12.0),
+                          random.uniform(-12.0, 12.0));
+      ASSERT_EQ(other.signed_distance_mm(point_mm), usual.signed_distance_mm(point_mm));
+      std::vector<std::uint32_t> found, expected;
+      other.triangles_in_slab(Vec3{0.0, 0.0, 1.0}, point_mm.z, 0.25, found);
+      usual.triangles_in_slab(Vec3{0.0, 0.0, 1.0}, point_mm.z, 0.25, expected);
+      ASSERT_EQ(found, expected);
+    }
+  }
+}
+
 /// All triangles in one place, or in a row of doubling sizes: trees that no division makes balanced.
 TEST(Bvh, BearsMeshesMadeToBeDeep) {
   IndexedMesh heap;

@@ -439,14 +439,14 @@ TEST(CheckClosedSolid, AcceptsAVoid) { EXPECT_EQ(refusal(tests::hollow_tube({}))
 /// Files, in a folder of their own for one test.
 class ReadMesh : public testing::Test {
  protected:
-  ReadMesh() { fs::create_directories(folder); }
-  ~ReadMesh() override { fs::remove_all(folder); }
+  ReadMesh() { fs::create_directories(folder_); }
+  ~ReadMesh() override { fs::remove_all(folder_); }
   fs::path written(const std::string& name, std::string_view bytes) const {
-    std::ofstream{folder / name, std::ios::binary} << bytes;
-    return folder / name;
+    std::ofstream{folder_ / name, std::ios::binary} << bytes;
+    return folder_ / name;
   }
 
-  fs::path folder =
+  fs::path folder_ =
       fs::path{testing::TempDir()} /
       ("hallux_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
 };
@@ -458,9 +458,9 @@ TEST_F(ReadMesh, GoesByTheEndingInEitherCase) {
 }
 
 TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
-  EXPECT_EQ(refusal(folder / "no.stl"), "no.stl: there is no such file; check the path");
-  EXPECT_EQ(refusal(folder),
-            folder.filename().string() + ": is a folder; name a .stl, .obj or .ply file in it");
+  EXPECT_EQ(refusal(folder_ / "no.stl"), "no.stl: there is no such file; check the path");
+  EXPECT_EQ(refusal(folder_),
+            folder_.filename().string() + ": is a folder; name a .stl, .obj or .ply file in it");
   EXPECT_EQ(refusal(written("none.stl", "")), "none.stl: is empty; export the mesh again");
   EXPECT_EQ(refusal(written("bone.x", "xof")),
             "bone.x: is of an unknown kind; meshes are read from .stl, .obj and .ply");
@@ -470,8 +470,8 @@ TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
 }
 
 TEST_F(ReadMesh, RefusesAPipeInsteadOfWaitingForIt) {
-  ASSERT_EQ(mkfifo((folder / "pipe.stl").c_str(), 0600), 0);
-  EXPECT_EQ(refusal(folder / "pipe.stl"),
+  ASSERT_EQ(mkfifo((folder_ / "pipe.stl").c_str(), 0600), 0);
+  EXPECT_EQ(refusal(folder_ / "pipe.stl"),
             "pipe.stl: is not an ordinary file; copy the mesh into one");
 }
 

@@ -15,31 +15,31 @@ namespace fs = std::filesystem;
 /// A folder of its own for one test, removed at its end.
 class WritePly : public testing::Test {
  protected:
-  WritePly() { fs::create_directories(folder); }
-  ~WritePly() override { fs::remove_all(folder); }
+  WritePly() { fs::create_directories(folder_); }
+  ~WritePly() override { fs::remove_all(folder_); }
 
-  fs::path folder =
+  fs::path folder_ =
       fs::path{testing::TempDir()} /
       ("hallux_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
 };
 
 TEST_F(WritePly, ReadsBackBitForBit) {
   const IndexedMesh tube = tests::hollow_tube({});
-  write_ply(tube, folder / "tube.ply");
-  EXPECT_EQ(read_mesh(folder / "tube.ply"), tube);
+  write_ply(tube, folder_ / "tube.ply");
+  EXPECT_EQ(read_mesh(folder_ / "tube.ply"), tube);
 }
 
 TEST_F(WritePly, ReplacesAnOldFileAndLeavesNothingBeside) {
-  write_ply(tests::sphere(3.0, 4), folder / "bone.ply");
+  write_ply(tests::sphere(3.0, 4), folder_ / "bone.ply");
   const IndexedMesh block = tests::solid_block(Vec3{1.0, 2.0, 3.0});
-  write_ply(block, folder / "bone.ply");
-  EXPECT_EQ(read_mesh(folder / "bone.ply"), block);
-  EXPECT_EQ(std::distance(fs::directory_iterator{folder}, fs::directory_iterator{}), 1);
+  write_ply(block, folder_ / "bone.ply");
+  EXPECT_EQ(read_mesh(folder_ / "bone.ply"), block);
+  EXPECT_EQ(std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}), 1);
 }
 
 TEST_F(WritePly, SaysWhyItCannotWrite) {
   try {
-    write_ply(tests::solid_block(Vec3{1.0}), folder / "nowhere" / "bone.ply");
+    write_ply(tests::solid_block(Vec3{1.0}), folder_ / "nowhere" / "bone.ply");
     FAIL() << "must throw";
   } catch (const MeshError& error) {
     EXPECT_NE(std::string{error.what()}.find("bone.ply: cannot be written in"), std::string::npos)
@@ -48,10 +48,10 @@ TEST_F(WritePly, SaysWhyItCannotWrite) {
 }
 
 TEST_F(WritePly, LeavesTheTargetAloneWhenItIsAFolder) {
-  fs::create_directories(folder / "bone.ply" / "kept");
-  EXPECT_THROW(write_ply(tests::solid_block(Vec3{1.0}), folder / "bone.ply"), MeshError);
-  EXPECT_TRUE(fs::exists(folder / "bone.ply" / "kept"));
-  EXPECT_FALSE(fs::exists(folder / "bone.ply.part"));
+  fs::create_directories(folder_ / "bone.ply" / "kept");
+  EXPECT_THROW(write_ply(tests::solid_block(Vec3{1.0}), folder_ / "bone.ply"), MeshError);
+  EXPECT_TRUE(fs::exists(folder_ / "bone.ply" / "kept"));
+  EXPECT_FALSE(fs::exists(folder_ / "bone.ply.part"));
 }
 
 }  // namespace

@@ -177,14 +177,15 @@ class FreshDirectory(CommandTest):
             self.assertFalse(self.data.exists())
 
     def test_a_fresh_directory_is_made_for_its_owner_only(self):
-        self.assertEqual(self.ask("user", "list"), [])
+        self.ask("user", "add", "ada", "--administrator", stdin="saw bone hinge wire\n")
         self.assertEqual(self.ask("attempts"), [])
         self.assertEqual(self.data.stat().st_mode & 0o777, 0o700)
         self.assertEqual((self.data / "hallux.db").stat().st_mode & 0o777, 0o600)
 
     def test_without_data_the_directory_is_that_of_the_environment(self):
         """The one run without --data; what it makes is taken away before the check that all stayed empty."""
-        subprocess.run([PROGRAM, "user", "list"], cwd=self.untouched[2], env=self.environment(), check=True)
+        subprocess.run([PROGRAM, "user", "add", "ada", "--administrator"], input="saw bone hinge wire\n", text=True,
+                       stdout=subprocess.DEVNULL, cwd=self.untouched[2], env=self.environment(), check=True)
         made = self.untouched[1] / "hallux"
         self.assertTrue((made / "hallux.db").is_file())
         shutil.rmtree(made)

@@ -4,11 +4,12 @@
 import struct
 import unittest
 
-from hallux_command import BAD_INPUT, DONE, WRONG_USAGE, CommandTest
+from hallux_command import BAD_INPUT, DONE, STORAGE, WRONG_USAGE, CommandTest
 from small_meshes import block_ply
 
-ANSWER_KEYS = {"input_mm3", "removed_mm3", "debris_mm3", "debris_pieces", "pieces", "cuts", "frame_ms",
-               "triangles_max"}
+ANSWER_KEYS = {"input_mm3", "removed_mm3", "debris_mm3", "debris_pieces", "missing_mm3", "pieces", "cuts", "frame_ms",
+               "refused_frames", "triangles_max", "hinge"}
+CUT_KEYS = {"contact_ms", "frames", "frame_ms", "refused_frames", "nudges", "reopens", "removed_mm3"}
 BLOCK_MM3 = 30.0 * 14.0 * 12.0
 
 
@@ -56,7 +57,7 @@ class Cut(CommandTest):
         for piece in answer["pieces"]:
             self.assertLessEqual({"file", "triangles", "volume_mm3", "closed"}, piece.keys())
         for cut in answer["cuts"]:
-            self.assertLessEqual({"contact_ms", "removed_mm3"}, cut.keys())
+            self.assertLessEqual(CUT_KEYS, cut.keys())
             self.assertGreaterEqual(cut["contact_ms"], 0.0)
         self.assertEqual(answer["frame_ms"], {"median": None, "p99": None, "max": None})
 
@@ -94,9 +95,16 @@ class Cut(CommandTest):
         self.assertEqual(len(answer["pieces"]), 2)
         self.assertAlmostEqual(answer["removed_mm3"], 84.0, delta=1e-9)
 
-    def test_a_sweep_that_stops_inside_the_bone_is_refused_and_nothing_is_written(self):
-        self.expect_refusal(BAD_INPUT, ["sweep.json", "stops inside the bone"], "cut", self.bone, "--plane", "1,0,0,1",
-                            "--kerf", "0.5", "--sweep", self.sweep(0.0), "-o", self.out)
+    def test_a_sweep_that_stops_inside_the_bone_leaves_a_kerf(self):
+        answer = self.cut("--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", self.sweep(2.0))
+        self.assertEqual(len(answer["pieces"]), 1)
+        self.assertAlmostEqual(answer["removed_mm3"], 0.5 * 12.0 * 9.0, delta=2e-3)
+        self.assertGreater(answer["frame_ms"]["median"], 0.0)
+        self.assertEqual(answer["refused_frames"], 0)
+
+    def test_two_groups_without_a_wedge_have_no_hinge_and_nothing_is_written(self):
+        self.expect_refusal(BAD_INPUT, ["--close 1,2"], "cut", self.bone, "--plane", "1,0,0,1", "--kerf", "0.5",
+                            "--plane", "1,0,0,5", "--kerf", "0.5", "--close", "1,2", "-o", self.out)
         self.assertFalse(self.out.exists())
 
     def test_progress_goes_to_stderr_and_quiet_silences_it(self):
@@ -111,6 +119,14 @@ class Cut(CommandTest):
     def test_a_file_where_the_folder_should_be_is_bad_input(self):
         self.write("out", "a file where the folder should be")
         self.expect_refusal(BAD_INPUT, ["out"], "cut", self.bone, "--plane", "1,0,0,2", "--kerf", "0.5", "-o", self.out)
+
+    def test_a_folder_without_room_is_a_storage_error_and_keeps_what_was_there(self):
+        self.cut("--plane", "1,0,0,2", "--kerf", "0.5")
+        before = {file.name: file.read_bytes() for file in self.out.iterdir()}
+        answer = self.run_with_room(100, "cut", self.bone, "--plane", "0,1,0,2", "--kerf", "0.5", "-o", self.out, "--quiet")
+        self.assertEqual((answer.code, answer.out, len(answer.err.splitlines())), (STORAGE, "", 1), answer)
+        self.assertIn("out", answer.err)
+        self.assertEqual({file.name: file.read_bytes() for file in self.out.iterdir()}, before)
 
     def test_the_same_cut_writes_the_same_bytes(self):
         arguments = ["--plane", "0.3,0.9,0.1,1", "--kerf", "0.5"]

@@ -3,7 +3,7 @@
 
 import unittest
 
-from hallux_command import BAD_INPUT, DONE, REFUSED, WRONG_USAGE, CommandTest
+from hallux_command import BAD_INPUT, DONE, REFUSED, WRONG_USAGE, CommandTest, RecordedTest
 
 ADMINISTRATOR, TRAINEE, LATER = "saw bone hinge wire", "medial eminence off", "dorsal to plantar cut"
 
@@ -118,7 +118,7 @@ class People(CommandTest):
 class FirstPerson(CommandTest):
     def test_the_first_person_must_be_an_administrator(self):
         self.expect_refusal(BAD_INPUT, ["--administrator"], "user", "add", "ada", stdin=lines(ADMINISTRATOR))
-        self.assertEqual(self.ask("user", "list"), [])
+        self.assertFalse(self.data.exists())
 
     def test_a_password_is_never_an_argument(self):
         answer = self.hallux("user", "add", "ada", ADMINISTRATOR, "--administrator", stdin=lines(ADMINISTRATOR))
@@ -127,7 +127,60 @@ class FirstPerson(CommandTest):
 
     def test_nobody_is_added_without_a_password(self):
         self.expect_refusal(REFUSED, ["stdin"], "user", "add", "ada", "--administrator")
+        self.assertFalse(self.data.exists())
+
+
+class MistypedDirectory(CommandTest):
+    """Where there is no database, only the first person and a recorded attempt make one."""
+
+    def test_no_verb_about_people_makes_one(self):
+        for verb in (["list"], ["passwd"], ["passwd", "ada"], ["disable", "ada"], ["disable", "ada", "--enable"],
+                     ["add", "ben"]):
+            for sign_in in ([], ["--as", "ada"]):
+                if (verb[0], sign_in) != ("add", []):
+                    with self.subTest(verb=verb, sign_in=sign_in):
+                        self.expect_refusal(BAD_INPUT, ["no database", str(self.data), "--data"], "user", *verb, *sign_in,
+                                            stdin=lines(ADMINISTRATOR, LATER))
+                        self.assertFalse(self.data.exists())
+
+    def test_nobody_signs_in_to_it(self):
+        self.expect_refusal(BAD_INPUT, ["no database", str(self.data)], "attempt", "silver", "--as", "ada",
+                            stdin=lines(ADMINISTRATOR))
+        self.assertFalse(self.data.exists())
+
+
+class NobodyYet(RecordedTest):
+    def test_the_password_of_as_is_never_taken_for_that_of_the_first_person(self):
+        self.expect_refusal(REFUSED, ["ada"], "user", "add", "ben", "--administrator", "--as", "ada",
+                            stdin=lines(ADMINISTRATOR, TRAINEE))
         self.assertEqual(self.ask("user", "list"), [])
+
+
+class RobotsScore(RecordedTest):
+    """The robot's attempt is everybody's to see; its score is kept by those whom the policy table lets."""
+
+    def setUp(self):
+        super().setUp()
+        self.ask("user", "add", "ada", "--administrator", stdin=lines(ADMINISTRATOR))
+        self.ask("user", "add", "ben", "--as", "ada", stdin=lines(ADMINISTRATOR, TRAINEE))
+        self.alter("DELETE FROM score")
+
+    def kept(self):
+        return self.ask("attempts")[0]["score"]
+
+    def test_an_administrator_keeps_it(self):
+        answer = self.ask("score", self.attempt, "--as", "ada", stdin=lines(ADMINISTRATOR))
+        self.assertIs(answer["stored"], True)
+        self.assertEqual(self.kept(), self.recorded.json()["score"])
+        [(actor,)] = self.query("SELECT actor_person_id FROM audit WHERE action = 'score_stored' "
+                                "ORDER BY audit_id DESC LIMIT 1")
+        self.assertEqual(actor, 1, "the first person there was")
+
+    def test_a_trainee_sees_it_only(self):
+        answer = self.ask("score", self.attempt, "--as", "ben", stdin=lines(TRAINEE))
+        self.assertIs(answer["stored"], False)
+        self.assertEqual(answer["score"], self.recorded.json()["score"])
+        self.assertIsNone(self.kept())
 
 
 if __name__ == "__main__":

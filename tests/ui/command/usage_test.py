@@ -11,7 +11,7 @@ OPTIONS = {
     ("replay",): ("attempt",),
     ("score",): ("attempt",),
     ("report",): ("attempt", "--output"),
-    ("cut",): ("MESH", "--plane", "--kerf", "--sweep", "--output"),
+    ("cut",): ("MESH", "--plane", "--kerf", "--sweep", "--close", "--output"),
     ("scenario",): ("list", "check", "show"),
     ("scenario", "list"): (),
     ("scenario", "check"): ("FILE",),

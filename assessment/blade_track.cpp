@@ -1,0 +1,76 @@
+#include "assessment/blade_track.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "simulator/base/units.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::Recording;
+using simulator::ToolSample;
+using simulator::ToolStatus;
+
+/// Both ends and the middle of the tooth line at one sample.
+std::array<Vec3, 3> teeth_at(const ToolSample& sample, const RigidTransform& bone_from_world,
+                             double width_mm) {
+  const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);
+  return {transform_point(bone_from_tool, Vec3{0.0, -0.5 * width_mm, 0.0}),
+          transform_point(bone_from_tool, Vec3{0.0, 0.0, 0.0}),
+          transform_point(bone_from_tool, Vec3{0.0, 0.5 * width_mm, 0.0})};
+}
+
+double size_newton(const ToolSample& sample) noexcept {
+  double squares = 0.0;
+  for (const std::int32_t part_mn : sample.force_mn) {
+    const double part_newton = newton_from_millinewton(part_mn);
+    squares += part_newton * part_newton;
+  }
+  return std::sqrt(squares);
+}
+
+}  // namespace
+
+std::vector<ToothPoint> cutting_tooth_points(const Recording& recording, const RebuiltBone& rebuilt,
+                                             const simulator::Bone& bone, std::int32_t kerf) {
+  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
+  const double width_mm = rebuilt.fields.blade().width_mm;
+  std::vector<ToothPoint> points;
+  for (const ToolSample& sample : recording.samples) {
+    if (sample.kerf != kerf || !has(sample.status, ToolStatus::Cutting)) continue;
+    for (const Vec3& tooth : teeth_at(sample, bone_from_world, width_mm)) {
+      points.push_back({tooth, sample.tick});
+    }
+  }
+  return points;
+}
+
+std::optional<Reach> measure_reach(const Recording& recording, const RebuiltBone& rebuilt,
+                                   const simulator::Bone& bone, std::int32_t kerf,
+                                   const ReachLimit& limit) {
+  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
+  const double width_mm = rebuilt.fields.blade().width_mm;
+  std::optional<Reach> reach;
+  double deepest_mm = 0.0;
+  for (const ToolSample& sample : recording.samples) {
+    if (sample.kerf != kerf || !has(sample.status, ToolStatus::SawOn)) continue;
+    double outward_mm = -INFINITY;
+    for (const Vec3& tooth : teeth_at(sample, bone_from_world, width_mm)) {
+      outward_mm = std::max(outward_mm, glm::dot(limit.outward, tooth));
+    }
+    if (!reach) reach = Reach{sample.tick, {}, 0.0};
+    if (sample.tick == reach->deepest_tick || outward_mm > deepest_mm) {
+      deepest_mm = outward_mm;
+      reach->deepest_tick = sample.tick;
+    }
+    if (reach->passed_tick || outward_mm <= limit.limit_mm) continue;
+    reach->passed_tick = sample.tick;
+    reach->passing_force_newton = size_newton(sample);
+  }
+  return reach;
+}
+
+}  // namespace hallux::assessment

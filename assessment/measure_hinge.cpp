@@ -1,0 +1,235 @@
+#include "assessment/measure_hinge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "assessment/blade_track.h"
+#include "assessment/ledger.h"
+#include "assessment/metrics/akin.h"
+#include "assessment/number_text.h"
+#include "simulator/base/units.h"
+#include "simulator/cutting/hinge_gap.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using scenarios::PlannedCut;
+using scenarios::PlannedHinge;
+using simulator::HingeGap;
+
+Measurement named(const PlannedHinge& hinge, const char* metric) {
+  Measurement made;
+  made.metric = metric;
+  made.hinge = hinge.name;
+  made.is_measured = false;
+  made.place_in_bone_mm = hinge.point_in_bone_mm;
+  return made;
+}
+
+void give_value(Measurement& made, double value) {
+  made.value = rounded_to_micro(value);
+  made.is_measured = true;
+}
+
+void give_moment(Measurement& made, std::int64_t first_tick, std::int64_t last_tick) {
+  made.start_us = time_us_from_tick(first_tick);
+  made.end_us = time_us_from_tick(last_tick + 1);
+}
+
+/// The faces of one of the hinge's cuts.
+struct CutEvidence {
+  const PlannedCut& planned;
+  const std::vector<CutFace>& faces;
+
+  bool has_face() const noexcept {
+    return !faces.empty() && !faces.front().samples_in_bone_mm.empty();
+  }
+  double done_fraction() const noexcept { return has_face() ? faces.front().done_fraction : 0.0; }
+};
+
+CutEvidence evidence_of(const HingeEvidence& evidence, const std::string& cut) {
+  const PlannedCut& planned = *find_cut(evidence.plan, cut);
+  const auto index = static_cast<std::size_t>(&planned - evidence.plan.cuts.data());
+  return {planned, evidence.faces[index]};
+}
+
+/// The same plane with its normal to the distal side.
+FacePlane looking_distal(const FacePlane& plane) noexcept {
+  if (plane.normal.x >= 0.0) return plane;
+  return {-plane.normal, -plane.offset_mm};
+}
+
+FacePlane planned_face(const PlannedCut& cut) noexcept {
+  return looking_distal({cut.face.normal, cut.face.offset_mm});
+}
+
+struct Wedge {
+  AkinMetrics made, planned;
+};
+
+Wedge measure_wedge(const CutEvidence& first, const CutEvidence& second,
+                    const PlannedHinge& hinge) {
+  const FacePlane planned1 = planned_face(first.planned), planned2 = planned_face(second.planned);
+  const AkinPlan plan{
+      planned1,
+      planned2,
+      {first.planned.entry_point_in_bone_mm, hinge.point_in_bone_mm, Vec3{1.0, 0.0, 0.0}}};
+  const CutFace &face1 = first.faces.front(), &face2 = second.faces.front();
+  const AkinFace made1{looking_distal(face1.plane), face1.samples_in_bone_mm};
+  const AkinFace made2{looking_distal(face2.plane), face2.samples_in_bone_mm};
+  return {measure_akin({made1, made2, 0.0, 0.0}, plan),
+          measure_akin({{planned1, {}}, {planned2, {}}, 0.0, 0.0}, plan)};
+}
+
+/// Which wedge was taken and which was asked for, in numbers that a ruler can check.
+std::string wedge_words(const Wedge& wedge) {
+  return value_text(std::abs(wedge.made.wedge_deg), "deg") + " were taken out, the plan was " +
+         value_text(std::abs(wedge.planned.wedge_deg), "deg") + "; the base is " +
+         value_text(std::abs(wedge.made.base_mm), "mm") + " wide, the plan was " +
+         value_text(std::abs(wedge.planned.base_mm), "mm");
+}
+
+void add_wedge(std::vector<Measurement>& made, const CutEvidence& first, const CutEvidence& second,
+               const PlannedHinge& hinge, const RebuiltBone& rebuilt) {
+  Measurement error = named(hinge, "wedge_error_deg");
+  Measurement sagittal = named(hinge, "wedge_sagittal_deg");
+  if (first.has_face() && second.has_face()) {
+    const Wedge wedge = measure_wedge(first, second, hinge);
+    const bool is_larger = std::abs(wedge.made.wedge_deg) > std::abs(wedge.planned.wedge_deg);
+    give_value(error, std::abs(wedge.made.wedge_error_deg));
+    error.direction = is_larger ? "large" : "small";
+    error.detail = wedge_words(wedge);
+    const double lean_deg = wedge.made.wedge_sagittal_deg - wedge.planned.wedge_sagittal_deg;
+    give_value(sagittal, std::abs(lean_deg));
+    sagittal.direction = lean_deg > 0.0 ? "plantar" : "dorsal";
+    sagittal.detail = "closing it tips the toe";
+    const auto later =
+        static_cast<std::size_t>(std::max(first.faces.front().kerf, second.faces.front().kerf));
+    for (Measurement* each : {&error, &sagittal}) {
+      give_moment(*each, rebuilt.kerfs[later].frozen_tick, rebuilt.kerfs[later].last_cutting_tick);
+      each->place_in_bone_mm = second.planned.entry_point_in_bone_mm;
+    }
+  }
+  made.push_back(std::move(error));
+  made.push_back(std::move(sagittal));
+}
+
+/// A kerf of the hinge and what it left of the bridge.
+struct KerfGap {
+  std::int32_t kerf = -1;
+  HingeGap gap;
+};
+
+std::vector<KerfGap> gaps_of(const HingeEvidence& evidence, const PlannedHinge& hinge,
+                             const std::vector<std::int32_t>& kerfs) {
+  std::vector<KerfGap> gaps;
+  if (kerfs.empty()) return gaps;
+  // The bone as it was: what an earlier kerf took must not move the far surface of a later one.
+  const simulator::CutSolid solid = simulator::uncut_solid(solid_of(evidence.bone));
+  const simulator::Bvh bvh(solid.mesh);
+  const simulator::HingeLine line{hinge.point_in_bone_mm, hinge.axis, hinge.outward,
+                                  hinge.thickness_mm};
+  for (const std::int32_t kerf : kerfs) {
+    const std::optional<HingeGap> gap =
+        measure_hinge_gap(slice_section(solid, bvh, evidence.rebuilt.fields.plane(kerf)),
+                          evidence.rebuilt.kerfs[static_cast<std::size_t>(kerf)].outline, line);
+    if (gap) gaps.push_back({kerf, *gap});
+  }
+  return gaps;
+}
+
+std::vector<std::int32_t> kerfs_of(const CutEvidence& first, const CutEvidence& second) {
+  std::vector<std::int32_t> kerfs;
+  for (const CutEvidence* cut : {&first, &second}) {
+    for (const CutFace& face : cut->faces) kerfs.push_back(face.kerf);
+  }
+  std::sort(kerfs.begin(), kerfs.end());
+  return kerfs;
+}
+
+std::optional<Reach> reach_of(const HingeEvidence& evidence, const PlannedHinge& hinge,
+                              const KerfGap& gap) {
+  const ReachLimit limit{hinge.outward, glm::dot(hinge.outward, gap.gap.far_in_bone_mm)};
+  return measure_reach(evidence.recording, evidence.rebuilt, evidence.bone, gap.kerf, limit);
+}
+
+/// hinge_mm of the kerf that left least.
+Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
+                               const std::vector<KerfGap>& gaps) {
+  Measurement bridge = named(hinge, "hinge_mm");
+  if (gaps.empty()) return bridge;
+  const KerfGap& thinnest = *std::min_element(
+      gaps.begin(), gaps.end(),
+      [](const KerfGap& a, const KerfGap& b) { return a.gap.thickness_mm < b.gap.thickness_mm; });
+  give_value(bridge, thinnest.gap.thickness_mm);
+  bridge.place_in_bone_mm = thinnest.gap.tip_in_bone_mm;
+  if (const std::optional<Reach> reach = reach_of(evidence, hinge, thinnest)) {
+    give_moment(bridge, reach->deepest_tick, reach->deepest_tick);
+  }
+  return bridge;
+}
+
+/// over_cut_mm of the kerf that went furthest: from the first tick beyond the cortex to the deepest.
+Measurement over_cut_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
+                                 const std::vector<KerfGap>& gaps) {
+  Measurement over_cut = named(hinge, "over_cut_mm");
+  if (gaps.empty()) return over_cut;
+  const KerfGap& furthest = *std::max_element(
+      gaps.begin(), gaps.end(),
+      [](const KerfGap& a, const KerfGap& b) { return a.gap.over_cut_mm < b.gap.over_cut_mm; });
+  give_value(over_cut, furthest.gap.over_cut_mm);
+  over_cut.place_in_bone_mm = furthest.gap.tip_in_bone_mm;
+  const std::optional<Reach> reach = reach_of(evidence, hinge, furthest);
+  if (!reach) return over_cut;
+  const bool has_passed = furthest.gap.over_cut_mm > 0.0 && reach->passed_tick.has_value();
+  const std::int64_t first_tick = has_passed ? *reach->passed_tick : reach->deepest_tick;
+  give_moment(over_cut, first_tick, std::max(first_tick, reach->deepest_tick));
+  if (has_passed) {
+    over_cut.detail =
+        "the hand felt " + value_text(reach->passing_force_newton, "N") + " as it broke through";
+  }
+  return over_cut;
+}
+
+/// The worse of the two cuts.
+Measurement flatness_measurement(const PlannedHinge& hinge, std::span<const Measurement> measured) {
+  const Measurement* worse = nullptr;
+  for (const std::string& cut : {hinge.first_cut, hinge.second_cut}) {
+    const Measurement* flatness = find_measurement(measured, "flatness_mm", cut);
+    if (flatness == nullptr || !flatness->is_measured) return named(hinge, "flatness_mm");
+    if (worse == nullptr || flatness->value > worse->value) worse = flatness;
+  }
+  Measurement made = *worse;
+  made.cut.clear();
+  made.hinge = hinge.name;
+  return made;
+}
+
+}  // namespace
+
+std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const HingeEvidence& evidence,
+                                       std::span<const Measurement> measured) {
+  const CutEvidence first = evidence_of(evidence, hinge.first_cut);
+  const CutEvidence second = evidence_of(evidence, hinge.second_cut);
+  std::vector<KerfGap> gaps = gaps_of(evidence, hinge, kerfs_of(first, second));
+  std::erase_if(gaps, [](const KerfGap& gap) { return !gap.gap.is_opened; });
+  std::vector<Measurement> made;
+  add_wedge(made, first, second, hinge, evidence.rebuilt);
+  made.push_back(bridge_measurement(evidence, hinge, gaps));
+  made.push_back(flatness_measurement(hinge, measured));
+  made.push_back(over_cut_measurement(evidence, hinge, gaps));
+  Measurement lost = made[2];
+  lost.metric = "hinge_lost";
+  lost.value = lost.is_measured && lost.value == 0.0 ? 1.0 : 0.0;
+  made.push_back(std::move(lost));
+  if (!first.has_face() || !second.has_face()) made[2].is_measured = false;
+  const double done = std::min(first.done_fraction(), second.done_fraction());
+  for (Measurement& each : made) each.done_fraction = done;
+  return made;
+}
+
+}  // namespace hallux::assessment

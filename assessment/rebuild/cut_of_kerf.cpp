@@ -1,0 +1,103 @@
+#include "assessment/rebuild/cut_of_kerf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "assessment/metrics/face_plane.h"
+#include "assessment/rebuild/face_samples.h"
+#include "simulator/base/units.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using scenarios::Plan;
+using scenarios::PlannedCut;
+using scenarios::PlannedHinge;
+using simulator::KerfPlane;
+
+/// What is not open is not done, however little is missing.
+constexpr double almost_done = 0.999;
+/// Less than this of a cut is a false start.
+constexpr double least_cut = 0.5;
+
+/// A tilt of one degree counts as much as a millimetre: over a section of 20 mm they move the face by as much.
+double misfit(const KerfPlane& plane, const PlannedCut& cut) noexcept {
+  const FacePlane planned{cut.face.normal, cut.face.offset_mm};
+  const Vec3 normal = transform_direction(plane.bone_from_kerf, Vec3{0.0, 0.0, 1.0});
+  const double angle_rad = angle_between_rad(normal, planned.normal);
+  const double tilt_deg = degree_from_radian(std::min(angle_rad, pi - angle_rad));
+  return tilt_deg + std::abs(signed_distance_mm(planned, plane.bone_from_kerf.translation_mm));
+}
+
+std::size_t nearest_cut(const KerfPlane& plane, const Plan& plan) noexcept {
+  std::size_t nearest = 0;
+  for (std::size_t cut = 1; cut < plan.cuts.size(); ++cut) {
+    if (misfit(plane, plan.cuts[cut]) < misfit(plane, plan.cuts[nearest])) nearest = cut;
+  }
+  return nearest;
+}
+
+std::size_t index_of(const Plan& plan, const std::string& cut) noexcept {
+  return static_cast<std::size_t>(find_cut(plan, cut) - plan.cuts.data());
+}
+
+PlannedWindow window_before(const PlannedHinge& hinge, double kerf_mm) noexcept {
+  const double spare_mm = hinge.target_high_mm - hinge.thickness_mm;
+  const double tangent = std::tan(std::abs(hinge.wedge_rad));
+  const double overlap_mm = tangent > 0.0 ? 0.5 * kerf_mm / tangent : 0.0;
+  return {hinge.outward,
+          glm::dot(hinge.outward, hinge.point_in_bone_mm) - std::max({0.0, spare_mm, overlap_mm})};
+}
+
+/// Moves one of several kerfs of `from` to `to`, which has none.
+void share_out(std::vector<std::size_t>& cuts, const std::vector<std::int32_t>& sawn,
+               const RebuiltBone& rebuilt, const Plan& plan, std::size_t from, std::size_t to) {
+  std::optional<std::int32_t> chosen;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  for (const std::int32_t kerf : sawn) {
+    const std::size_t cut = cuts[static_cast<std::size_t>(kerf)];
+    if (cut == to) return;
+    if (cut != from) continue;
+    ++count;
+    const KerfPlane& plane = rebuilt.fields.plane(kerf);
+    const double loss = misfit(plane, plan.cuts[to]) - misfit(plane, plan.cuts[from]);
+    if (loss >= least) continue;
+    least = loss;
+    chosen = kerf;
+  }
+  if (count > 1 && chosen) cuts[static_cast<std::size_t>(*chosen)] = to;
+}
+
+}  // namespace
+
+double done_fraction_of(const RebuiltBone& rebuilt, std::int32_t kerf, const PlannedHinge* hinge) {
+  if (hinge == nullptr) return rebuilt.kerfs[static_cast<std::size_t>(kerf)].done_fraction();
+  const double kerf_mm = rebuilt.fields.plane(kerf).thickness_mm;
+  const double share = opened_share(rebuilt, kerf, window_before(*hinge, kerf_mm));
+  return share == 1.0 ? share : std::min(share, almost_done);
+}
+
+std::vector<std::size_t> cuts_of_kerfs(const RebuiltBone& rebuilt, const Plan& plan) {
+  std::vector<std::size_t> cuts;
+  cuts.reserve(rebuilt.kerfs.size());
+  for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
+    cuts.push_back(nearest_cut(rebuilt.fields.plane(kerf), plan));
+  }
+  for (const PlannedHinge& hinge : plan.hinges) {
+    std::vector<std::int32_t> sawn;
+    for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
+      if (done_fraction_of(rebuilt, kerf, &hinge) >= least_cut) sawn.push_back(kerf);
+    }
+    const std::size_t first = index_of(plan, hinge.first_cut);
+    const std::size_t second = index_of(plan, hinge.second_cut);
+    share_out(cuts, sawn, rebuilt, plan, first, second);
+    share_out(cuts, sawn, rebuilt, plan, second, first);
+  }
+  return cuts;
+}
+
+}  // namespace hallux::assessment

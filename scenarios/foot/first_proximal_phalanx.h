@@ -1,0 +1,16 @@
+/// The parametric first proximal phalanx: as the first metatarsal, with a base facet that is square to the shaft.
+#pragma once
+
+#include "scenarios/foot/make_bone.h"
+
+namespace hallux::scenarios {
+
+/// errors  as make_bone; besides where an eminence is asked for, which this bone has not
+/// source  docs/foot.md; table `tables/first_proximal_phalanx.txt`; promises as make_bone
+simulator::Bone make_first_proximal_phalanx(const BoneTable& table, const BoneRequest& request,
+                                            const BoneProgress& progress = {});
+
+/// The shipped table of the first proximal phalanx (PP1).
+BoneTable first_proximal_phalanx_table();
+
+}  // namespace hallux::scenarios

@@ -1,0 +1,39 @@
+/// One bone from its table: what the bones of the parametric foot have in common.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "scenarios/foot/bone_table.h"
+#include "scenarios/foot/landmarks.h"
+#include "simulator/mesh/bone.h"
+
+namespace hallux::scenarios {
+
+struct BoneRequest {
+  double length_mm = 0.0;  ///< base facet to head along x; 0 keeps the table's own length
+  double eminence_mm =
+      0.0;  ///< medial prominence beyond the table's datum; 0 keeps the table's own bump
+  double edge_mm = 0.3;  ///< edge length of the outer surface after remeshing
+  bool with_canal = true;
+};
+
+/// Called with the fraction done [0, 1]; returning false cancels.
+using BoneProgress = std::function<bool(double)>;
+
+/// What tells one bone from another beside its table.
+struct BoneKind {
+  std::string_view name;  ///< as in the table's line `bone`
+  std::vector<simulator::Landmark> (*find_landmarks)(const LandmarkSources&);
+};
+
+/// Builds the bone: field, marching tetrahedra, isotropic remesh with projection, canal, landmarks, placement.
+/// ensures outer and canal are closed, genus 0, one component each; the same request gives the same bytes
+/// errors  ScenarioError where the table is another bone's, the request is out of range, or the surface came out with
+///         another topology (says which); ScenarioError("cancelled") where progress said so
+/// source  docs/foot.md
+simulator::Bone make_bone(const BoneTable& table, const BoneRequest& request, const BoneKind& kind,
+                          const BoneProgress& progress);
+
+}  // namespace hallux::scenarios

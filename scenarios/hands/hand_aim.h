@@ -1,0 +1,39 @@
+/// Where a hand aims: each planned face with the errors of the hand, and the section that its blade will meet.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scenarios/hands/hand_skill.h"
+#include "scenarios/plan.h"
+#include "simulator/cutting/section.h"
+
+namespace hallux::scenarios {
+
+/// The bone as a hand knows it before it starts. Borrows the bone.
+struct KnownBone {
+  explicit KnownBone(const simulator::Bone& known);
+
+  const simulator::Bone& bone;
+  simulator::CutSolid solid;
+  simulator::Bvh bvh;
+};
+
+struct AimedCut {
+  ReferenceFace face;  ///< the face it aims at
+  /// From the plan; of a second cut to a hinge, from where the planned wedge lies against the first face aimed at.
+  double angle_error_rad = 0.0;
+  double location_error_mm = 0.0;   ///< largest distance from the plan over the planned section
+  simulator::KerfPlane plane;       ///< of the blade: x feed, y tooth line
+  simulator::SectionRegion region;  ///< the bone in that plane
+  std::optional<double> stop_mm;    ///< feed at which it means to stop; none: through the bone
+  bool loses_hinge = false;         ///< it means to stop where no bone is left of the hinge
+};
+
+/// One for each cut of the plan. A face through a hinge is measured off from the first face that the hand aimed at.
+/// errors  ScenarioError where an aimed plane misses the bone, or the approach is from no side there is
+std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
+                          const HandSkill& skill, std::uint64_t seed);
+
+}  // namespace hallux::scenarios

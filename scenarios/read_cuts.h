@@ -1,0 +1,14 @@
+/// The cuts, hinges and steps of a scenario's JSON.
+#pragma once
+
+#include "scenarios/json_node.h"
+#include "scenarios/scenario.h"
+
+namespace hallux::scenarios {
+
+/// errors  ScenarioError, all three: shape and range of each value; what the parts say of each other is check_references
+ReferenceCut read_cut(const JsonNode& node);
+ReferenceHinge read_hinge(const JsonNode& node);
+OperationStep read_step(const JsonNode& node);
+
+}  // namespace hallux::scenarios

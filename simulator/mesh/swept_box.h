@@ -1,0 +1,77 @@
+/// The first contact of something that moves rigidly: conservative advancement.
+///
+/// From a pose at which the gap to the surface is g, no point can reach the surface before the fastest one has gone g: so
+/// the motion may go on by g / (the longest path), again and again. It never jumps over a wall, however thin.
+/// source  Mirtich, Impulse-based dynamic simulation of rigid body systems (1996), 2.3.2
+#pragma once
+
+#include <optional>
+
+#include "simulator/base/transform.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::simulator {
+
+/// A motion between two poses, as `interpolate` goes.
+struct RigidMotion {
+  RigidTransform bone_from_start, bone_from_end;
+};
+
+/// At least the speed of any point within `reach_mm` of the frame's origin, in millimetres per whole motion.
+double greatest_speed_mm(const RigidMotion& motion, double reach_mm) noexcept;
+
+/// Nearer than this to the surface is contact [mm]; a motion stops up to this far before it and never beyond.
+inline constexpr double contact_tolerance_mm = 1.0e-4;
+/// A motion that grazes the surface may take more steps than this: then it stops where it is, still free.
+inline constexpr int advance_limit = 200;
+
+struct Advance {
+  double free_share = 1.0;  ///< of the motion, from its start
+  bool is_stopped = false;
+  bool is_contact = false;  ///< stopped by the surface; otherwise by the limit of steps
+};
+
+/// shape   gap_mm(pose, within_mm): distance to the surface at a pose of the motion, or `within_mm` where it is at least that
+template <typename Gap>
+Advance advance_until_contact(const RigidMotion& motion, double reach_mm,
+                              const Gap& gap_mm) noexcept {
+  const double speed_mm = greatest_speed_mm(motion, reach_mm);
+  Advance advance{0.0};
+  for (int i = 0; i < advance_limit; ++i) {
+    const RigidTransform pose =
+        interpolate(motion.bone_from_start, motion.bone_from_end, advance.free_share);
+    const double left_mm = (1.0 - advance.free_share) * speed_mm + contact_tolerance_mm;
+    const double away_mm = gap_mm(pose, left_mm);
+    if (away_mm <= contact_tolerance_mm) return {advance.free_share, true, true};
+    if (away_mm >= left_mm) return {1.0, false, false};
+    advance.free_share += (away_mm - 0.5 * contact_tolerance_mm) / speed_mm;
+    if (advance.free_share >= 1.0) return {1.0, false, false};
+  }
+  return {advance.free_share, true, false};
+}
+
+/// A box that is carried along by a tool.
+struct CarriedBox {
+  Vec3 centre_in_tool_mm{0.0, 0.0, 0.0};
+  Vec3 half_mm{0.0, 0.0, 0.0};
+
+  OrientedBox at(const RigidTransform& bone_from_tool) const noexcept {
+    return {{bone_from_tool.rotation, transform_point(bone_from_tool, centre_in_tool_mm)}, half_mm};
+  }
+};
+
+struct BoxImpact {
+  double free_share = 0.0;
+  bool is_contact =
+      false;  ///< false: stopped by the limit of steps, nearer than contact.distance_mm to nothing
+  BoxContact contact;
+};
+
+/// Where a box on its way from the motion's start first comes to the surface of a mesh; nothing where it never does. A box
+/// that meets the surface at the start stops there.
+/// errors  none: total, allocates nothing, at most `advance_limit` searches of the tree
+/// thread  any
+std::optional<BoxImpact> first_contact(const Bvh& bvh, const CarriedBox& box,
+                                       const RigidMotion& motion) noexcept;
+
+}  // namespace hallux::simulator

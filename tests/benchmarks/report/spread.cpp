@@ -1,0 +1,42 @@
+#include "tests/benchmarks/report/spread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+
+namespace hallux::benchmarks {
+
+namespace {
+
+double at_share(const std::vector<double>& sorted, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+}  // namespace
+
+double Stopwatch::worked_ms() {
+  timespec worked{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &worked);
+  return 1e3 * static_cast<double>(worked.tv_sec) + 1e-6 * static_cast<double>(worked.tv_nsec);
+}
+
+Spread spread_of(std::vector<double> values) {
+  Spread spread;
+  spread.count = values.size();
+  if (values.empty()) return spread;
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  spread.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
+  spread.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+  spread.least = values.front();
+  spread.median = at_share(values, 0.5);
+  spread.p99 = at_share(values, 0.99);
+  spread.greatest = values.back();
+  return spread;
+}
+
+}  // namespace hallux::benchmarks

@@ -1,0 +1,44 @@
+/// The attempts of both scripted hands at a shipped operation, with score and replay: what the hands' tests look at.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace hallux::tests {
+
+inline constexpr std::size_t table_seeds = 20;
+inline constexpr std::array<const char*, 2> table_hands{"expert", "novice"};
+
+struct AttemptRow {
+  double score = 0.0;
+  double angle_deg = 0.0, location_mm = 0.0;  ///< items A1 and A2
+  double hinge_mm = 0.0, over_cut_mm = 0.0;   ///< where the rubric has them
+  bool is_measured = false;                   ///< every item
+  bool freed_a_piece = false, closed_hinge = false;
+  bool is_identical = false;
+  std::int64_t difference_tick = -1;
+  double duration_s = 0.0;
+};
+
+using AttemptRows = std::vector<AttemptRow>;  ///< of the seeds 1, 2, ...
+
+struct AttemptTable {
+  std::array<AttemptRows, table_hands.size()> rows{};  ///< by hand, then by seed - 1
+};
+
+/// Carries out, scores and replays those of the seeds 1 to `seeds`, on two threads, and prints the table with the time it
+/// took.
+AttemptTable run_attempts(std::string_view scenario, std::size_t seeds = table_seeds);
+
+double median(const AttemptRows& rows, double AttemptRow::*value);
+
+/// Expects that every attempt replays identically and that the expert's are measured wholly; of the novice's one in five
+/// may lack a cut: two cuts that go into one kerf leave nothing to measure of the second.
+void expect_sound(const AttemptTable& table);
+/// Prints the medians; expects besides that the expert's median score is above 75 and the novice's below 45, and that each
+/// hand cuts within 30 % of the errors it is said to have.
+void expect_told_apart(const AttemptTable& table);
+
+}  // namespace hallux::tests
