@@ -19,7 +19,8 @@ void ReflexGrid::reset(std::span<const LatticePoint> points, std::size_t corner_
   const std::int64_t extent = std::max(max.u - min_.u, max.v - min_.v);
   cell_ = extent / static_cast<std::int64_t>(cells_wanted) + 1;
   columns_ = column_of(max.u) + 1;
-  first_in_cell_.assign(static_cast<std::size_t>(columns_ * (row_of(max.v) + 1)), -1);
+  rows_ = row_of(max.v) + 1;
+  first_in_cell_.assign(static_cast<std::size_t>(columns_ * rows_), -1);
 }
 
 void ReflexGrid::set_reflex(std::uint32_t corner, const LatticePoint& place, bool is_reflex) {
@@ -31,17 +32,20 @@ void ReflexGrid::set_reflex(std::uint32_t corner, const LatticePoint& place, boo
   first_in_cell_[cell] = static_cast<std::int32_t>(corner);
 }
 
-bool ReflexGrid::has_corner_in(const LatticePoint& a, const LatticePoint& b,
-                               const LatticePoint& c) const noexcept {
+bool ReflexGrid::has_corner_in(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                               std::int64_t slack) const noexcept {
+  const LatticePoint min{std::min({a.u, b.u, c.u}) - slack, std::min({a.v, b.v, c.v}) - slack};
+  const LatticePoint max{std::max({a.u, b.u, c.u}) + slack, std::max({a.v, b.v, c.v}) + slack};
+  const std::int64_t least = -slack * std::max(max.u - min.u, max.v - min.v);
   const auto stands_in = [&](const Entry& entry) {
     const LatticePoint& p = entry.place;
-    return entry.is_reflex && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 &&
-           p != a && p != b && p != c;
+    return entry.is_reflex && turn(a, b, p) >= least && turn(b, c, p) >= least &&
+           turn(c, a, p) >= least && p != a && p != b && p != c;
   };
-  const std::int64_t first_column = column_of(std::min({a.u, b.u, c.u}));
-  const std::int64_t last_column = column_of(std::max({a.u, b.u, c.u}));
-  const std::int64_t last_row = row_of(std::max({a.v, b.v, c.v}));
-  for (std::int64_t row = row_of(std::min({a.v, b.v, c.v})); row <= last_row; ++row) {
+  const std::int64_t first_column = column_of(std::max(min.u, min_.u));
+  const std::int64_t last_column = std::min(column_of(max.u), columns_ - 1);
+  const std::int64_t last_row = std::min(row_of(max.v), rows_ - 1);
+  for (std::int64_t row = row_of(std::max(min.v, min_.v)); row <= last_row; ++row) {
     for (std::int64_t column = first_column; column <= last_column; ++column) {
       std::int32_t at = first_in_cell_[static_cast<std::size_t>(row * columns_ + column)];
       for (; at >= 0; at = entries_[static_cast<std::size_t>(at)].next_in_cell) {

@@ -18,9 +18,10 @@ class ReflexGrid {
 
   /// needs   a corner keeps its place
   void set_reflex(std::uint32_t corner, const LatticePoint& place, bool is_reflex);
-  /// Whether a reflex corner lies in the closed triangle, corners at a, b or c not counted.
-  bool has_corner_in(const LatticePoint& a, const LatticePoint& b,
-                     const LatticePoint& c) const noexcept;
+  /// Whether a reflex corner lies in the closed triangle or at most about `slack` steps outside, corners at a, b or c
+  /// not counted.
+  bool has_corner_in(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                     std::int64_t slack) const noexcept;
 
  private:
   struct Entry {
@@ -33,7 +34,7 @@ class ReflexGrid {
   std::int64_t row_of(std::int64_t v) const noexcept { return (v - min_.v) / cell_; }
 
   LatticePoint min_;
-  std::int64_t cell_ = 1, columns_ = 1;
+  std::int64_t cell_ = 1, columns_ = 1, rows_ = 1;
   std::vector<std::int32_t> first_in_cell_;
   std::vector<Entry> entries_;
 };

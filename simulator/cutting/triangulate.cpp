@@ -15,8 +15,11 @@ struct Corner {
   std::uint32_t before = 0, behind = 0;  // corners of the ring
 };
 
-/// How far an ear may fall short when no better one is left.
-enum class Leniency { Proper, WithoutArea, Any };
+/// What rounding two corners may put between edges, or an edge and a corner, that touched.
+constexpr std::int64_t rounding_steps = 2;
+
+/// Which ears are taken: spikes before all others, and worse ones when no better one is left.
+enum class Leniency { Spike, Proper, Tight, WithoutArea, Any };
 
 }  // namespace
 
@@ -49,6 +52,7 @@ class Triangulator::Polygon {
   std::uint32_t rightmost(std::uint32_t start) const noexcept;
   bool is_ear(std::uint32_t corner, Leniency leniency) const noexcept;
   void update_reflex(std::uint32_t corner);
+  std::uint32_t clip(std::uint32_t corner, std::vector<Triangle>& triangles);
   void add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i, std::uint32_t count);
   std::vector<std::uint32_t> ring_of(std::uint32_t start) const;
   std::size_t watch_reflex_corners(std::uint32_t start);
@@ -175,15 +179,35 @@ void Triangulator::Polygon::join_holes(std::vector<std::uint32_t> holes, std::ui
   for (const std::uint32_t hole : holes) bridge(find_bridge(hole, outer), hole);
 }
 
+namespace {
+
+/// Whether the ring turns back on itself at `tip`: the shorter way there and the longer one back lie no more than two
+/// steps apart, what rounding two corners may put between edges that were one line. Clipped first, a spike takes no area
+/// with it; clipped around, it leaves two triangles that cover each other, one of them the wrong way up.
+bool is_spike(const LatticePoint& before, const LatticePoint& tip,
+              const LatticePoint& behind) noexcept {
+  const std::int64_t back_u = before.u - tip.u, back_v = before.v - tip.v;
+  const std::int64_t on_u = behind.u - tip.u, on_v = behind.v - tip.v;
+  if (back_u * on_u + back_v * on_v <= 0) return false;
+  const std::int64_t longest =
+      std::max({std::abs(back_u), std::abs(back_v), std::abs(on_u), std::abs(on_v)});
+  return std::abs(back_u * on_v - back_v * on_u) <= rounding_steps * longest;
+}
+
+}  // namespace
+
 bool Triangulator::Polygon::is_ear(std::uint32_t corner, Leniency leniency) const noexcept {
   if (leniency == Leniency::Any) return true;
   const LatticePoint& a = at(corners_[corner].before);
   const LatticePoint& b = at(corner);
   const LatticePoint& c = at(corners_[corner].behind);
   if (a == b || b == c) return true;
+  if (is_spike(a, b, c)) return true;
+  if (leniency == Leniency::Spike) return false;
   const std::int64_t area = turn(a, b, c);
   if (area == 0) return leniency == Leniency::WithoutArea;
-  return area > 0 && !grid_.has_corner_in(a, b, c);
+  const std::int64_t slack = leniency == Leniency::Proper ? rounding_steps : 0;
+  return area > 0 && !grid_.has_corner_in(a, b, c, slack);
 }
 
 void Triangulator::Polygon::update_reflex(std::uint32_t corner) {
@@ -203,29 +227,38 @@ std::size_t Triangulator::Polygon::watch_reflex_corners(std::uint32_t start) {
   return count;
 }
 
+/// Takes the corner out of the ring. Returns the one to try next: a neighbour that is a spike now, else the one after
+/// the next, since fans of slivers grow where no corner is skipped.
+std::uint32_t Triangulator::Polygon::clip(std::uint32_t corner, std::vector<Triangle>& triangles) {
+  const Corner tip = corners_[corner];
+  triangles.push_back({corners_[tip.before].point, tip.point, corners_[tip.behind].point});
+  corners_[tip.before].behind = tip.behind;
+  corners_[tip.behind].before = tip.before;
+  grid_.set_reflex(corner, at(corner), false);
+  update_reflex(tip.before);
+  update_reflex(tip.behind);
+  for (const std::uint32_t neighbour : {tip.before, tip.behind}) {
+    if (is_ear(neighbour, Leniency::Spike)) return neighbour;
+  }
+  return corners_[tip.behind].behind;
+}
+
 void Triangulator::Polygon::clip_ears(std::uint32_t start, std::vector<Triangle>& triangles) {
   std::size_t left = watch_reflex_corners(start), tried = 0;
-  Leniency leniency = Leniency::Proper;
+  Leniency leniency = Leniency::Spike;
   std::uint32_t corner = start;
   while (left >= 3) {
-    const Corner tip = corners_[corner];
-    if (!is_ear(corner, leniency)) {
-      corner = tip.behind;
-      if (++tried < left) continue;
+    if (is_ear(corner, leniency)) {
+      corner = clip(corner, triangles);
+      --left;
       tried = 0;
-      leniency = leniency == Leniency::Proper ? Leniency::WithoutArea : Leniency::Any;
+      if (leniency != Leniency::Spike) leniency = Leniency::Proper;
       continue;
     }
-    triangles.push_back({corners_[tip.before].point, tip.point, corners_[tip.behind].point});
-    corners_[tip.before].behind = tip.behind;
-    corners_[tip.behind].before = tip.before;
-    grid_.set_reflex(corner, at(corner), false);
-    update_reflex(tip.before);
-    update_reflex(tip.behind);
-    --left;
+    corner = corners_[corner].behind;
+    if (++tried < left) continue;
     tried = 0;
-    leniency = Leniency::Proper;
-    corner = corners_[tip.behind].behind;  // one corner is skipped, else fans of slivers grow
+    if (leniency != Leniency::Any) leniency = static_cast<Leniency>(static_cast<int>(leniency) + 1);
   }
 }
 

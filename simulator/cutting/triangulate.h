@@ -2,7 +2,9 @@
 ///
 /// Holes are joined to their outer loop by bridges; what results is clipped ear by ear. Reflex corners stand in a grid,
 /// so that an ear is tested against near corners only. A ring of n corners always gives n - 2 triangles that use each
-/// ring edge once: where no proper ear is left (corners that coincide or lie in line, loops that touch themselves) an
+/// ring edge once. Where the ring runs back on itself, to two lattice steps, that spike is clipped before anything else, and
+/// a corner as near to an ear stands in its way: clipped in another order, such rings (an edge of the region along an edge of
+/// the bone) would leave triangles the wrong way up. Where no proper ear is left (loops that cross themselves) an
 /// improper one is taken, of no area wherever possible. The signed area is right in every case.
 #pragma once
 

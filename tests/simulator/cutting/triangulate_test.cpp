@@ -110,6 +110,56 @@ TEST(Triangulate, HolesThatTouchCornersAndEdgesClose) {
   expect_filled(figure, false);
 }
 
+/// The furthest that a triangle of the figure faces the wrong way: twice its area over its longest side, in steps.
+std::int64_t deepest_fold(const Figure& figure) {
+  std::int64_t deepest = 0;
+  for (const Triangle& corners : triangulate(figure.points, figure.loops)) {
+    const LatticePoint &a = figure.points[corners[0]], &b = figure.points[corners[1]],
+                       &c = figure.points[corners[2]];
+    const std::int64_t longest =
+        std::max({std::abs(a.u - b.u), std::abs(a.v - b.v), std::abs(b.u - c.u),
+                  std::abs(b.v - c.v), std::abs(c.u - a.u), std::abs(c.v - a.v), std::int64_t{1}});
+    deepest = std::max(deepest, -turn(a, b, c) / longest);
+  }
+  return deepest;
+}
+
+TEST(Triangulate, ALoopAndTheSameLoopBackFoldNothing) {
+  Figure figure;
+  figure.add({{1572864, -2097152},
+              {1572864, -2097152},
+              {-1048576, -2097152},
+              {-1048576, -1398101},
+              {-1048576, -1398101},
+              {-1048576, -2097152}});
+  expect_filled(figure, true);
+}
+
+TEST(Triangulate, AWayThereAndBackWithinTheRoundingFoldsNothing) {
+  Figure figure;  // from (271391, 262144) the ring comes back two steps beside the way it went
+  figure.add({{1098874, -262144},
+              {524288, 101910},
+              {524288, 83319},
+              {271391, 262144},
+              {271391, 262144},
+              {1012847, -262144}});
+  expect_filled(figure, false);
+  EXPECT_LE(deepest_fold(figure), 2);
+}
+
+TEST(Triangulate, ACornerRoundedThroughAnEdgeItTouchesFoldsNothing) {
+  Figure
+      figure;  // (-114020, 262144) touches the edge between the first two corners, a tenth of a step beyond it
+  figure.add({{-262144, 240414},
+              {28200, 283008},
+              {210394, 371882},
+              {-149196, 271838},
+              {-114020, 262144},
+              {-202454, 257021}});
+  expect_filled(figure, false);
+  EXPECT_LE(deepest_fold(figure), 2);
+}
+
 TEST(Triangulate, LoopsThatCrossThemselvesKeepTheirSignedArea) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Random random(seed);
