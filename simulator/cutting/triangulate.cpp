@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "simulator/cutting/reflex_grid.h"
@@ -20,6 +21,13 @@ constexpr std::int64_t rounding_steps = 2;
 
 /// Which ears are taken: spikes before all others, and worse ones when no better one is left.
 enum class Leniency { Spike, Proper, Tight, WithoutArea, Any };
+
+Leniency worse(Leniency leniency) noexcept {
+  return leniency == Leniency::Any ? Leniency::Any
+                                   : static_cast<Leniency>(static_cast<int>(leniency) + 1);
+}
+
+constexpr std::uint32_t no_corner = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
@@ -51,15 +59,23 @@ class Triangulator::Polygon {
   void bridge(std::uint32_t outer, std::uint32_t hole);
   std::uint32_t rightmost(std::uint32_t start) const noexcept;
   bool is_ear(std::uint32_t corner, Leniency leniency) const noexcept;
-  void update_reflex(std::uint32_t corner);
-  std::uint32_t clip(std::uint32_t corner, std::vector<Triangle>& triangles);
+  void list(std::uint32_t corner);
+  void list_ring();
+  std::uint32_t clip_one(std::uint32_t corner, std::vector<Triangle>& triangles);
+  void clip(std::uint32_t corner, std::vector<Triangle>& triangles);
+  void clip_round(Leniency leniency, std::vector<Triangle>& triangles);
   void add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i, std::uint32_t count);
   std::vector<std::uint32_t> ring_of(std::uint32_t start) const;
-  std::size_t watch_reflex_corners(std::uint32_t start);
+  void watch_reflex_corners(std::uint32_t start);
 
   std::span<const LatticePoint> points_;
   std::vector<Corner> corners_;
   ReflexGrid grid_;
+  std::size_t left_ = 0;                           // corners in the ring that is clipped
+  std::uint32_t in_ring_ = 0;                      // one of them
+  std::vector<std::uint32_t> round_, next_round_;  // corners to try
+  std::vector<std::uint8_t> is_listed_,
+      is_clipped_;  // per corner: in next_round_; no longer in the ring
 };
 
 void Triangulator::Polygon::add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i,
@@ -210,55 +226,95 @@ bool Triangulator::Polygon::is_ear(std::uint32_t corner, Leniency leniency) cons
   return area > 0 && !grid_.has_corner_in(a, b, c, slack);
 }
 
-void Triangulator::Polygon::update_reflex(std::uint32_t corner) {
-  grid_.set_reflex(corner, at(corner), turn_at(corner) <= 0);
-}
-
-/// Counts the ring.
-std::size_t Triangulator::Polygon::watch_reflex_corners(std::uint32_t start) {
+void Triangulator::Polygon::watch_reflex_corners(std::uint32_t start) {
   grid_.reset(points_, corners_.size(), corners_.size());
-  std::size_t count = 0;
+  is_listed_.assign(corners_.size(), 0);
+  is_clipped_.assign(corners_.size(), 0);
+  left_ = 0;
   std::uint32_t corner = start;
   do {
-    update_reflex(corner);
-    ++count;
+    grid_.set_reflex(corner, at(corner), turn_at(corner) <= 0);
+    ++left_;
     corner = corners_[corner].behind;
   } while (corner != start);
-  return count;
 }
 
-/// Takes the corner out of the ring. Returns the one to try next: a neighbour that is a spike now, else the one after
-/// the next, since fans of slivers grow where no corner is skipped.
-std::uint32_t Triangulator::Polygon::clip(std::uint32_t corner, std::vector<Triangle>& triangles) {
+void Triangulator::Polygon::list(std::uint32_t corner) {
+  if (is_listed_[corner] != 0) return;
+  is_listed_[corner] = 1;
+  next_round_.push_back(corner);
+}
+
+/// All corners of the ring, whatever they look like.
+void Triangulator::Polygon::list_ring() {
+  next_round_.clear();
+  std::uint32_t corner = in_ring_;
+  do {
+    is_listed_[corner] = 1;
+    next_round_.push_back(corner);
+    corner = corners_[corner].behind;
+  } while (corner != in_ring_);
+}
+
+/// Takes the corner out of the ring. Returns a neighbour that is a spike now, if there is one.
+std::uint32_t Triangulator::Polygon::clip_one(std::uint32_t corner,
+                                              std::vector<Triangle>& triangles) {
   const Corner tip = corners_[corner];
   triangles.push_back({corners_[tip.before].point, tip.point, corners_[tip.behind].point});
   corners_[tip.before].behind = tip.behind;
   corners_[tip.behind].before = tip.before;
+  in_ring_ = tip.behind;
+  is_clipped_[corner] = 1;
+  --left_;
   grid_.set_reflex(corner, at(corner), false);
-  update_reflex(tip.before);
-  update_reflex(tip.behind);
+  std::uint32_t spike = no_corner;
   for (const std::uint32_t neighbour : {tip.before, tip.behind}) {
-    if (is_ear(neighbour, Leniency::Spike)) return neighbour;
+    const bool is_reflex = turn_at(neighbour) <= 0;
+    grid_.set_reflex(neighbour, at(neighbour), is_reflex);
+    if (!is_reflex) list(neighbour);
+    if (spike == no_corner && is_ear(neighbour, Leniency::Spike)) spike = neighbour;
   }
-  return corners_[tip.behind].behind;
+  return spike;
+}
+
+void Triangulator::Polygon::clip(std::uint32_t corner, std::vector<Triangle>& triangles) {
+  while (corner != no_corner && left_ >= 3) corner = clip_one(corner, triangles);
+}
+
+/// Tries each listed corner once. Behind an ear one corner waits for the next round, else fans of slivers grow. Corners
+/// that turn right are not listed again until a neighbour is clipped.
+void Triangulator::Polygon::clip_round(Leniency leniency, std::vector<Triangle>& triangles) {
+  std::swap(round_, next_round_);
+  next_round_.clear();
+  std::uint32_t waiting = no_corner;
+  for (const std::uint32_t corner : round_) {
+    is_listed_[corner] = 0;
+    if (is_clipped_[corner] != 0) continue;
+    if (left_ < 3) return;
+    if (corner == waiting) {
+      list(corner);
+    } else if (is_ear(corner, leniency)) {
+      waiting = corners_[corner].behind;
+      clip(corner, triangles);
+      if (leniency > Leniency::Proper) return;
+    } else if (turn_at(corner) > 0) {
+      list(corner);
+    }
+  }
 }
 
 void Triangulator::Polygon::clip_ears(std::uint32_t start, std::vector<Triangle>& triangles) {
-  std::size_t left = watch_reflex_corners(start), tried = 0;
+  watch_reflex_corners(start);
+  in_ring_ = start;
+  list_ring();
   Leniency leniency = Leniency::Spike;
-  std::uint32_t corner = start;
-  while (left >= 3) {
-    if (is_ear(corner, leniency)) {
-      corner = clip(corner, triangles);
-      --left;
-      tried = 0;
-      if (leniency != Leniency::Spike) leniency = Leniency::Proper;
-      continue;
-    }
-    corner = corners_[corner].behind;
-    if (++tried < left) continue;
-    tried = 0;
-    if (leniency != Leniency::Any) leniency = static_cast<Leniency>(static_cast<int>(leniency) + 1);
+  while (left_ >= 3) {
+    const std::size_t left_before = left_;
+    clip_round(leniency, triangles);
+    const bool has_clipped = left_ < left_before;
+    if (has_clipped && leniency == Leniency::Proper) continue;
+    leniency = has_clipped && leniency != Leniency::Spike ? Leniency::Proper : worse(leniency);
+    if (left_ >= 3) list_ring();
   }
 }
 
@@ -268,11 +324,21 @@ Triangulator::~Triangulator() = default;
 
 void Triangulator::fill_loop(std::span<const LatticePoint> points,
                              std::vector<Triangle>& triangles) {
+  sweep_.begin(points);
+  sweep_.add_loop_of_all();
+  if (sweep_.fill(triangles)) return;
   polygon_->reset(points);
   polygon_->clip_ears(polygon_->add_ring_of_all(), triangles);
 }
 
 void Triangulator::fill_loops(std::span<const LatticePoint> points, std::span<const Loop> loops,
+                              std::vector<Triangle>& triangles) {
+  sweep_.begin(points);
+  for (const Loop& loop : loops) sweep_.add_loop(loop);
+  if (!sweep_.fill(triangles)) clip_loops(points, loops, triangles);
+}
+
+void Triangulator::clip_loops(std::span<const LatticePoint> points, std::span<const Loop> loops,
                               std::vector<Triangle>& triangles) {
   const std::vector<std::int32_t> around = loops_around(points, loops);
   std::vector<std::vector<std::size_t>> holes(loops.size());

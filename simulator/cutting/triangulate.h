@@ -1,11 +1,12 @@
 /// Fills loops in a plane with triangles, holes left open, so that the result closes whatever the loops look like.
 ///
-/// Holes are joined to their outer loop by bridges; what results is clipped ear by ear. Reflex corners stand in a grid,
-/// so that an ear is tested against near corners only. A ring of n corners always gives n - 2 triangles that use each
-/// ring edge once. Where the ring runs back on itself, to two lattice steps, that spike is clipped before anything else, and
-/// a corner as near to an ear stands in its way: clipped in another order, such rings (an edge of the region along an edge of
-/// the bone) would leave triangles the wrong way up. Where no proper ear is left (loops that cross themselves) an
-/// improper one is taken, of no area wherever possible. The signed area is right in every case.
+/// A sweep fills loops that are simple (sweep_triangulator.h). What touches or crosses itself is filled ear by ear, its
+/// holes joined to their outer loop by bridges; reflex corners stand in a grid, so that an ear is tested against near
+/// corners only. A ring of n corners always gives n - 2 triangles that use each ring edge once. Where the ring runs back on
+/// itself, to two lattice steps, that spike is clipped before anything else, and a corner as near to an ear stands in its
+/// way: clipped in another order, such rings (an edge of the region along an edge of the bone) would leave triangles the
+/// wrong way up. Where no proper ear is left (loops that cross themselves) an improper one is taken, of no area wherever
+/// possible. The signed area is right in every case.
 #pragma once
 
 #include <memory>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "simulator/cutting/nesting.h"
+#include "simulator/cutting/sweep_triangulator.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::simulator {
@@ -38,6 +40,10 @@ class Triangulator {
 
  private:
   class Polygon;
+  void clip_loops(std::span<const LatticePoint> points, std::span<const Loop> loops,
+                  std::vector<Triangle>& triangles);
+
+  SweepTriangulator sweep_;
   std::unique_ptr<Polygon> polygon_;
 };
 
