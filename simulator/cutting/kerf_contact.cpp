@@ -1,7 +1,6 @@
 #include "simulator/cutting/kerf_contact.h"
 
 #include <algorithm>
-#include <span>
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/id_table.h"
@@ -10,10 +9,6 @@
 namespace hallux::simulator {
 
 namespace {
-
-std::uint64_t key_of(std::uint32_t a, std::uint32_t b) noexcept {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
-}
 
 /// A mesh edge as far as it lies in the slab.
 struct SlabEdge {
@@ -44,47 +39,37 @@ struct StripRing {
 
 class ContactSlicer {
  public:
-  ContactSlicer(const CutSolid& solid, KerfContact& contact, std::size_t touched_count)
-      : mesh_(solid.mesh),
+  ContactSlicer(const SlabSkin& skin, KerfContact& contact)
+      : skin_(skin),
         contact_(contact),
         half_mm_(0.5 * contact.plane.thickness_mm),
-        point_ids_(touched_count),
-        edge_ids_(2 * touched_count) {}
+        inside_points_(skin.points.size(), no_index),
+        edge_ids_(2 * skin.triangles.size()) {
+    slab_edges_.reserve(2 * skin.triangles.size());
+  }
 
   void slice(std::uint32_t touched);
 
  private:
-  struct Corner {
-    std::uint32_t point = 0;
-    double height_mm = 0.0;
-    SlabPart part = SlabPart::Inside;
-  };
-
-  Corner corner_of(std::uint32_t point) const noexcept;
   std::uint32_t add_point(const Vec3& point_in_bone_mm, double height_mm, std::uint32_t base_point);
-  std::uint32_t inside_point(const Corner& corner);
-  std::uint32_t end_of(const Corner& from, const Corner& to);
-  SlabEdge slab_edge(const Corner& a, const Corner& b);
-  StripRing ring_of(const std::array<Corner, 3>& corners);
+  std::uint32_t inside_point(std::uint32_t corner);
+  std::uint32_t end_of(std::uint32_t from, const SlabCorner& low, const SlabCorner& high);
+  SlabEdge slab_edge(std::uint32_t low, std::uint32_t high);
+  StripRing ring_of(const Triangle& corners);
   void add_contour_edges(StripRing& ring);
   void add_fan(const StripRing& ring);
   std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, SlabPart level);
   void add_triangle(const std::array<std::uint32_t, 3>& points,
                     const std::array<std::uint32_t, 3>& edges);
 
-  const IndexedMesh& mesh_;
+  const SlabSkin& skin_;
   KerfContact& contact_;
   double half_mm_;
-  IdTable point_ids_, edge_ids_;
-  std::vector<std::uint32_t> inside_points_;  // by id of the mesh point
-  std::vector<SlabEdge> slab_edges_;          // by id of the mesh edge
+  std::vector<std::uint32_t> inside_points_;  // per point of the skin
+  IdTable edge_ids_;
+  std::vector<SlabEdge> slab_edges_;  // by id of the edge
   std::uint32_t touched_ = 0;
 };
-
-ContactSlicer::Corner ContactSlicer::corner_of(std::uint32_t point) const noexcept {
-  const double corner_mm = height_mm(contact_.axes, mesh_.points_mm[point]);
-  return {point, corner_mm, slab_part(corner_mm, half_mm_)};
-}
 
 std::uint32_t ContactSlicer::add_point(const Vec3& point_in_bone_mm, double height_in_kerf_mm,
                                        std::uint32_t base_point) {
@@ -94,38 +79,38 @@ std::uint32_t ContactSlicer::add_point(const Vec3& point_in_bone_mm, double heig
   return static_cast<std::uint32_t>(contact_.points.size() - 1);
 }
 
-std::uint32_t ContactSlicer::inside_point(const Corner& corner) {
-  bool is_new = false;
-  const std::uint32_t id = point_ids_.id_of(corner.point, is_new);
-  if (is_new) {
-    inside_points_.push_back(
-        add_point(mesh_.points_mm[corner.point], corner.height_mm, corner.point));
+std::uint32_t ContactSlicer::inside_point(std::uint32_t corner) {
+  std::uint32_t& point = inside_points_[corner];
+  if (point == no_index) {
+    const SlabCorner& inside = skin_.points[corner];
+    point = add_point(inside.point_in_bone_mm, inside.height_mm, inside.base_point);
   }
-  return inside_points_[id];
+  return point;
 }
 
-/// The strip point at the end of the edge's inside part that lies towards `from`.
-std::uint32_t ContactSlicer::end_of(const Corner& from, const Corner& to) {
-  if (from.part == SlabPart::Inside) return inside_point(from);
-  const double level_mm = from.part == SlabPart::Above ? half_mm_ : -half_mm_;
-  // From the lower index, so that both triangles of the edge get the same bits.
-  const Corner& low = from.point < to.point ? from : to;
-  const Corner& high = from.point < to.point ? to : from;
+/// The strip point at the end of the edge's inside part that lies towards `from`, one of its two corners. The crossing is
+/// found from the edge's lower mesh point, so that both triangles of the edge would get the same bits.
+std::uint32_t ContactSlicer::end_of(std::uint32_t from, const SlabCorner& low,
+                                    const SlabCorner& high) {
+  const SlabPart part = skin_.points[from].part;
+  if (part == SlabPart::Inside) return inside_point(from);
+  const double level_mm = part == SlabPart::Above ? half_mm_ : -half_mm_;
   const double share = (level_mm - low.height_mm) / (high.height_mm - low.height_mm);
-  const Vec3& low_mm = mesh_.points_mm[low.point];
-  const Vec3& high_mm = mesh_.points_mm[high.point];
-  return add_point(low_mm + std::clamp(share, 0.0, 1.0) * (high_mm - low_mm), level_mm, no_index);
+  const Vec3 along_mm = high.point_in_bone_mm - low.point_in_bone_mm;
+  return add_point(low.point_in_bone_mm + std::clamp(share, 0.0, 1.0) * along_mm, level_mm,
+                   no_index);
 }
 
-SlabEdge ContactSlicer::slab_edge(const Corner& a, const Corner& b) {
+/// The edge from the corner of lower mesh point to that of higher.
+SlabEdge ContactSlicer::slab_edge(std::uint32_t low, std::uint32_t high) {
   bool is_new = false;
-  const std::uint32_t id = edge_ids_.id_of(key_of(a.point, b.point), is_new);
+  const std::uint32_t id = edge_ids_.id_of((static_cast<std::uint64_t>(low) << 32U) | high, is_new);
   if (!is_new) return slab_edges_[id];
-  const Corner& low = a.point < b.point ? a : b;
-  const Corner& high = a.point < b.point ? b : a;
+  const SlabCorner& low_corner = skin_.points[low];
+  const SlabCorner& high_corner = skin_.points[high];
   SlabEdge edge;
-  edge.low_end = end_of(low, high);
-  edge.high_end = end_of(high, low);
+  edge.low_end = end_of(low, low_corner, high_corner);
+  edge.high_end = end_of(high, low_corner, high_corner);
   edge.strip_edge = add_edge(edge.low_end, edge.high_end, SlabPart::Inside);
   slab_edges_.push_back(edge);
   return edge;
@@ -139,26 +124,25 @@ std::uint32_t ContactSlicer::add_edge(std::uint32_t a, std::uint32_t b, SlabPart
 /// Walks around the triangle. Where the walk leaves the slab it comes back through the same plane; the corners met
 /// between are the outer part's. The walk does not begin between two corners on one side, but may begin beyond a plane:
 /// then the last contour edge closes what the first corners began.
-StripRing ContactSlicer::ring_of(const std::array<Corner, 3>& corners) {
+StripRing ContactSlicer::ring_of(const Triangle& corners) {
   StripRing ring;
   OuterRun run, first_run;
   std::size_t start = 0;
-  while (corners[start].part != SlabPart::Inside &&
-         corners[start].part == corners[(start + 2) % 3].part) {
-    ++start;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Corner& from = corners[(start + i) % 3];
-    const Corner& to = corners[(start + i + 1) % 3];
+  const auto part = [&](std::size_t i) { return skin_.points[corners[i % 3]].part; };
+  while (part(start) != SlabPart::Inside && part(start) == part(start + 2)) ++start;
+  for (std::size_t i = start; i < start + 3; ++i) {
+    const SlabCorner& from = skin_.points[corners[i % 3]];
+    const SlabCorner& to = skin_.points[corners[(i + 1) % 3]];
     const bool is_outside = from.part != SlabPart::Inside;
-    if (is_outside) run.corners[run.count++] = from.point;
+    if (is_outside) run.corners[run.count++] = from.base_point;
     if (is_outside && from.part == to.part) continue;
     if (is_outside) {
       (ring.count > 0 ? ring.outer[ring.count - 1] : first_run) = run;
       run = {};
     }
-    const SlabEdge edge = slab_edge(from, to);
-    const bool runs_up = from.point < to.point;
+    const bool runs_up = from.base_point < to.base_point;
+    const SlabEdge edge = runs_up ? slab_edge(corners[i % 3], corners[(i + 1) % 3])
+                                  : slab_edge(corners[(i + 1) % 3], corners[i % 3]);
     ring.push(runs_up ? edge.low_end : edge.high_end, edge.strip_edge);
     if (to.part == SlabPart::Inside) continue;
     ring.push(runs_up ? edge.high_end : edge.low_end, no_index);
@@ -209,19 +193,21 @@ void ContactSlicer::slice(std::uint32_t touched) {
   TouchedTriangle& triangle = contact_.touched[touched];
   triangle.first_strip = static_cast<std::uint32_t>(contact_.triangles.size());
   triangle.first_outer = static_cast<std::uint32_t>(contact_.outer_parts.size());
-  std::array<Corner, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = corner_of(mesh_.triangles[triangle.base_triangle][k]);
-  }
-  StripRing ring = ring_of(corners);
+  StripRing ring = ring_of(skin_.corners[touched]);
   CHECK(ring.count >= 3);
   add_contour_edges(ring);
   add_fan(ring);
 }
 
-/// Each point's edges, as runs of one list.
+/// An edge as one of its ends sees it.
+struct Spoke {
+  std::uint32_t edge = 0, other_end = 0;
+};
+
+/// Each point's edges in ascending order, as runs of one list.
 struct PointEdges {
-  std::vector<std::uint32_t> first, edges;
+  std::vector<std::uint32_t> first;
+  std::vector<Spoke> spokes;
 };
 
 PointEdges edges_of_points(const KerfContact& contact) {
@@ -236,10 +222,11 @@ PointEdges edges_of_points(const KerfContact& contact) {
     sum += first;
     first = sum;
   }
-  lists.edges.resize(sum);
-  for (std::size_t i = contact.edges.size(); i-- > 0;) {
-    lists.edges[--lists.first[contact.edges[i].a]] = static_cast<std::uint32_t>(i);
-    lists.edges[--lists.first[contact.edges[i].b]] = static_cast<std::uint32_t>(i);
+  lists.spokes.resize(sum);
+  for (auto i = static_cast<std::uint32_t>(contact.edges.size()); i-- > 0;) {
+    const StripEdge& edge = contact.edges[i];
+    lists.spokes[--lists.first[edge.a]] = {i, edge.b};
+    lists.spokes[--lists.first[edge.b]] = {i, edge.a};
   }
   return lists;
 }
@@ -258,11 +245,10 @@ void grow_tree(KerfContact& contact) {
     for (; next < contact.tree.size(); ++next) {
       const std::uint32_t point = contact.tree[next].point;
       for (std::uint32_t i = lists.first[point]; i < lists.first[point + 1]; ++i) {
-        const StripEdge& edge = contact.edges[lists.edges[i]];
-        const std::uint32_t other = edge.a == point ? edge.b : edge.a;
-        if (skin_of_point[other] != no_index) continue;
-        skin_of_point[other] = skin;
-        contact.tree.push_back({other, point, lists.edges[i], skin});
+        const Spoke& spoke = lists.spokes[i];
+        if (skin_of_point[spoke.other_end] != no_index) continue;
+        skin_of_point[spoke.other_end] = skin;
+        contact.tree.push_back({spoke.other_end, point, spoke.edge, skin});
       }
     }
   }
@@ -281,16 +267,22 @@ void measure_box(KerfContact& contact) {
 }
 
 /// The lattice must reach over the region's box and over all the corners of the touched triangles' parts in the slab.
-PlaneLattice lattice_over(const IndexedMesh& mesh, const KerfAxes& axes,
-                          std::span<const std::uint32_t> triangles, Vec2 min_mm, Vec2 max_mm) {
-  for (const std::uint32_t triangle : triangles) {
-    for (const std::uint32_t corner : mesh.triangles[triangle]) {
-      const Vec2 corner_mm = place_mm(axes, mesh.points_mm[corner]);
-      min_mm = glm::min(min_mm, corner_mm);
-      max_mm = glm::max(max_mm, corner_mm);
-    }
+PlaneLattice lattice_over(const SlabSkin& skin, const KerfAxes& axes, Vec2 min_mm, Vec2 max_mm) {
+  for (const SlabCorner& corner : skin.points) {
+    const Vec2 corner_mm = place_mm(axes, corner.point_in_bone_mm);
+    min_mm = glm::min(min_mm, corner_mm);
+    max_mm = glm::max(max_mm, corner_mm);
   }
   return {min_mm, max_mm};
+}
+
+void reserve_for(KerfContact& contact, std::size_t touched_count) {
+  contact.touched.reserve(touched_count);
+  contact.origins.reserve(touched_count);
+  contact.points.reserve(2 * touched_count);
+  contact.edges.reserve(4 * touched_count);
+  contact.triangles.reserve(2 * touched_count);
+  contact.outer_parts.reserve(2 * touched_count);
 }
 
 }  // namespace
@@ -302,19 +294,16 @@ KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane
   contact.axes = axes_of(plane);
   contact.kerf = kerf;
   contact.base_point_count = static_cast<std::uint32_t>(solid.mesh.points_mm.size());
-  const std::vector<std::uint32_t> triangles =
-      triangles_reaching_slab(solid.mesh, bvh, contact.axes, 0.5 * plane.thickness_mm);
-  contact.lattice = lattice_over(solid.mesh, contact.axes, triangles, min_mm, max_mm);
-  contact.points.reserve(2 * triangles.size());
-  contact.edges.reserve(4 * triangles.size());
-  contact.triangles.reserve(2 * triangles.size());
-  contact.outer_parts.reserve(2 * triangles.size());
-  ContactSlicer slicer(solid, contact, triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    contact.touched.push_back({triangles[i]});
-    contact.origins.push_back(solid.origins[triangles[i]]);
-    slicer.slice(i);
+  const SlabSkin skin = gather_slab_skin(solid.mesh, bvh, contact.axes, 0.5 * plane.thickness_mm);
+  contact.lattice = lattice_over(skin, contact.axes, min_mm, max_mm);
+  reserve_for(contact, skin.triangles.size());
+  // In a loop of their own these scattered reads overlap.
+  for (const std::uint32_t triangle : skin.triangles) {
+    contact.touched.push_back({triangle});
+    contact.origins.push_back(solid.origins[triangle]);
   }
+  ContactSlicer slicer(skin, contact);
+  for (std::uint32_t i = 0; i < skin.triangles.size(); ++i) slicer.slice(i);
   grow_tree(contact);
   measure_box(contact);
   return contact;

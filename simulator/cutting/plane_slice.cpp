@@ -93,15 +93,6 @@ KerfAxes axes_of(const KerfPlane& plane) noexcept {
           transform_direction(bone_from_kerf, Vec3(0.0, 0.0, 1.0))};
 }
 
-double height_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept {
-  return glm::dot(axes.z, point_in_bone_mm - axes.origin_mm);
-}
-
-Vec2 place_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept {
-  const Vec3 arm_mm = point_in_bone_mm - axes.origin_mm;
-  return {glm::dot(axes.x, arm_mm), glm::dot(axes.y, arm_mm)};
-}
-
 PlaneSlice slice_plane(const IndexedMesh& mesh, const KerfAxes& axes,
                        std::span<const std::uint32_t> triangles, double level_mm) {
   const std::vector<Segment> segments = segments_at(mesh, axes, triangles, level_mm);

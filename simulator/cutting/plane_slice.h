@@ -21,9 +21,14 @@ struct KerfAxes {
 
 KerfAxes axes_of(const KerfPlane& plane) noexcept;
 /// Height above the kerf's middle plane [mm].
-double height_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept;
+inline double height_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept {
+  return glm::dot(axes.z, point_in_bone_mm - axes.origin_mm);
+}
 /// Place in the kerf's plane [mm].
-Vec2 place_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept;
+inline Vec2 place_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcept {
+  const Vec3 arm_mm = point_in_bone_mm - axes.origin_mm;
+  return {glm::dot(axes.x, arm_mm), glm::dot(axes.y, arm_mm)};
+}
 
 /// A mesh edge that the plane crosses; low < high are indices of mesh points.
 struct EdgeCrossing {

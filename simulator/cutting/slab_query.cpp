@@ -1,7 +1,9 @@
 #include "simulator/cutting/slab_query.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "simulator/cutting/id_table.h"
 
 namespace hallux::simulator {
 
@@ -34,6 +36,27 @@ std::vector<std::uint32_t> triangles_reaching_slab(const IndexedMesh& mesh, cons
     return !reaches_into_slab(mesh, axes, triangle, half_mm);
   });
   return triangles;
+}
+
+SlabSkin gather_slab_skin(const IndexedMesh& mesh, const Bvh& bvh, const KerfAxes& axes,
+                          double half_mm) {
+  SlabSkin skin;
+  skin.triangles = triangles_reaching_slab(mesh, bvh, axes, half_mm);
+  skin.corners.reserve(skin.triangles.size());
+  skin.points.reserve(skin.triangles.size());
+  IdTable ids(skin.triangles.size());
+  for (const std::uint32_t triangle : skin.triangles) {
+    Triangle& corners = skin.corners.emplace_back(mesh.triangles[triangle]);
+    for (std::uint32_t& corner : corners) {
+      bool is_new = false;
+      const std::uint32_t point = std::exchange(corner, ids.id_of(corner, is_new));
+      if (!is_new) continue;
+      const Vec3& point_mm = mesh.points_mm[point];
+      const double corner_mm = height_mm(axes, point_mm);
+      skin.points.push_back({point_mm, corner_mm, point, slab_part(corner_mm, half_mm)});
+    }
+  }
+  return skin;
 }
 
 }  // namespace hallux::simulator

@@ -24,4 +24,21 @@ inline SlabPart slab_part(double height_mm, double half_mm) noexcept {
 std::vector<std::uint32_t> triangles_reaching_slab(const IndexedMesh& mesh, const Bvh& bvh,
                                                    const KerfAxes& axes, double half_mm);
 
+/// A corner of such a triangle.
+struct SlabCorner {
+  Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
+  double height_mm = 0.0;
+  std::uint32_t base_point = 0;  ///< the mesh point
+  SlabPart part = SlabPart::Inside;
+};
+
+/// The same triangles with all that is asked about them, gathered from the mesh once.
+struct SlabSkin {
+  std::vector<std::uint32_t> triangles;  ///< of the mesh, ascending
+  std::vector<Triangle> corners;         ///< per triangle, indices of points
+  std::vector<SlabCorner> points;        ///< each mesh point once
+};
+SlabSkin gather_slab_skin(const IndexedMesh& mesh, const Bvh& bvh, const KerfAxes& axes,
+                          double half_mm);
+
 }  // namespace hallux::simulator

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "simulator/cutting/slab_query.h"
@@ -173,6 +174,32 @@ TEST(SlabQuery, APointOnTheUpperPlaneIsAboveAndOneOnTheLowerInside) {
       triangles_reaching_slab(block, Bvh(block), axes_of(axis_plane(2, 4.75, 0.5)), 0.25).empty());
   EXPECT_TRUE(
       triangles_reaching_slab(block, Bvh(block), axes_of(axis_plane(2, -5.25, 0.5)), 0.25).empty());
+}
+
+TEST(SlabQuery, ASkinNamesEachCornerOfTheTrianglesOnceAndKnowsItsHeight) {
+  const IndexedMesh tube = hollow_tube({.segments = 24, .rings = 8});
+  const Bvh bvh(tube);
+  const KerfAxes axes = axes_of(plane_through(Vec3(0.1), Vec3(0.3, 0.4, 1.0), 0.5));
+  const SlabSkin skin = gather_slab_skin(tube, bvh, axes, 0.25);
+  ASSERT_FALSE(skin.triangles.empty());
+  EXPECT_EQ(skin.triangles, triangles_reaching_slab(tube, bvh, axes, 0.25));
+  ASSERT_EQ(skin.corners.size(), skin.triangles.size());
+  std::set<std::uint32_t> named;
+  for (const SlabCorner& corner : skin.points) {
+    EXPECT_TRUE(named.insert(corner.base_point).second);
+    EXPECT_EQ(corner.point_in_bone_mm, tube.points_mm[corner.base_point]);
+    EXPECT_EQ(corner.height_mm, height_mm(axes, corner.point_in_bone_mm));
+    EXPECT_EQ(corner.part, slab_part(corner.height_mm, 0.25));
+  }
+  std::set<std::uint32_t> used;
+  for (std::size_t i = 0; i < skin.triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t base_point = skin.points[skin.corners[i][k]].base_point;
+      EXPECT_EQ(base_point, tube.triangles[skin.triangles[i]][k]);
+      used.insert(base_point);
+    }
+  }
+  EXPECT_EQ(used, named);
 }
 
 }  // namespace
