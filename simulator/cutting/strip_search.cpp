@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hallux::simulator {
 
@@ -16,30 +17,32 @@ StripSearch::StripSearch(const KerfContact& contact) : min_(contact.min) {
           1;
   columns_ = (contact.max.u - contact.min.u) / cell_ + 1;
   rows_ = (contact.max.v - contact.min.v) / cell_ + 1;
-  const auto place = [&](std::uint32_t point) { return contact.points[point].place; };
+  std::vector<Cell> cells_of_points;
+  cells_of_points.reserve(contact.points.size());
+  for (const StripPoint& point : contact.points) {
+    cells_of_points.push_back({static_cast<std::uint32_t>((point.place.u - min_.u) / cell_),
+                               static_cast<std::uint32_t>((point.place.v - min_.v) / cell_)});
+  }
+  const auto cell = [&](std::uint32_t point) { return cells_of_points[point]; };
   edges_ = sorted_into_cells(contact.edges.size(), [&](std::size_t i) {
-    const LatticePoint a = place(contact.edges[i].a), b = place(contact.edges[i].b);
-    return Box{{std::min(a.u, b.u), std::min(a.v, b.v)}, {std::max(a.u, b.u), std::max(a.v, b.v)}};
+    const Cell a = cell(contact.edges[i].a), b = cell(contact.edges[i].b);
+    return CellBox{std::minmax(a.column, b.column), std::minmax(a.row, b.row)};
   });
   triangles_ = sorted_into_cells(contact.triangles.size(), [&](std::size_t i) {
     const StripTriangle& triangle = contact.triangles[i];
-    if (triangle.facing == 0) return Box{{1, 1}, {0, 0}};
-    const LatticePoint a = place(triangle.points[0]), b = place(triangle.points[1]),
-                       c = place(triangle.points[2]);
-    return Box{{std::min({a.u, b.u, c.u}), std::min({a.v, b.v, c.v})},
-               {std::max({a.u, b.u, c.u}), std::max({a.v, b.v, c.v})}};
+    if (triangle.facing == 0) return CellBox{};
+    const Cell a = cell(triangle.points[0]), b = cell(triangle.points[1]),
+               c = cell(triangle.points[2]);
+    return CellBox{std::minmax({a.column, b.column, c.column}), std::minmax({a.row, b.row, c.row})};
   });
 }
 
 template <typename BoxOf>
 StripSearch::Lists StripSearch::sorted_into_cells(std::size_t count, BoxOf&& box_of) const {
   const auto for_each_cell = [&](std::size_t item, auto&& visit) {
-    const Box box = box_of(item);
-    if (box.min.u > box.max.u) return;
-    for (std::int64_t row = (box.min.v - min_.v) / cell_; row <= (box.max.v - min_.v) / cell_;
-         ++row) {
-      for (std::int64_t column = (box.min.u - min_.u) / cell_;
-           column <= (box.max.u - min_.u) / cell_; ++column) {
+    const CellBox box = box_of(item);
+    for (std::uint32_t row = box.rows.first; row <= box.rows.second; ++row) {
+      for (std::uint32_t column = box.columns.first; column <= box.columns.second; ++column) {
         visit(cell_at(column, row));
       }
     }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "simulator/cutting/kerf_contact.h"
@@ -40,8 +41,12 @@ class StripSearch {
       return {items.data() + first[cell], items.data() + first[cell + 1]};
     }
   };
-  struct Box {
-    LatticePoint min, max;
+  struct Cell {
+    std::uint32_t column = 0, row = 0;
+  };
+  /// First and last; unless told, of no cell.
+  struct CellBox {
+    std::pair<std::uint32_t, std::uint32_t> columns{1, 0}, rows{1, 0};
   };
 
   std::size_t cell_at(std::int64_t column, std::int64_t row) const noexcept {
