@@ -1,7 +1,6 @@
 #include "simulator/cutting/plane_lattice.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hallux::simulator {
 
@@ -9,8 +8,11 @@ namespace {
 
 constexpr double reach_steps = 67108863.0;  // 2^26 - 1
 
+/// floor(steps + 0.5); without -march the library's floor is a call.
 std::int64_t nearest_step(double steps) noexcept {
-  return static_cast<std::int64_t>(std::floor(steps + 0.5));
+  const double shifted = steps + 0.5;
+  const auto towards_zero = static_cast<std::int64_t>(shifted);
+  return towards_zero - (static_cast<double>(towards_zero) > shifted ? 1 : 0);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "simulator/base/random.h"
@@ -61,6 +62,17 @@ TEST(PlaneLattice, StepsAre2ToTheMinus20WithinReachAndDoubleBeyond) {
         PlaneLattice(Vec2(-reach_mm), Vec2(reach_mm)).snap(Vec2(reach_mm, -reach_mm));
     EXPECT_LE(corner.u, 1 << 26);
     EXPECT_GE(corner.v, -(1 << 26));
+  }
+}
+
+TEST(PlaneLattice, SnapsToTheNearestStepAndUpwardFromTheMiddleBetweenTwo) {
+  const PlaneLattice lattice(Vec2(-63.0), Vec2(63.0));
+  const double step_mm = 1.0 / (1 << 20);
+  const std::vector<std::pair<double, std::int64_t>> steps{{-1.6, -2}, {-1.5, -1}, {-1.4, -1},
+                                                           {-0.6, -1}, {-0.5, 0},  {0.0, 0},
+                                                           {0.4, 0},   {0.5, 1},   {1.5, 2}};
+  for (const auto& [asked, expected] : steps) {
+    EXPECT_EQ(lattice.snap_height(asked * step_mm), expected) << asked;
   }
 }
 
