@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "simulator/mesh/bvh_walk.h"
 #include "simulator/mesh/closest_point.h"
@@ -226,25 +227,30 @@ std::optional<RayHit> Bvh::first_hit(const Vec3& origin_mm, const Vec3& directio
 
 void Bvh::triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm,
                             std::vector<std::uint32_t>& triangles) const {
-  const Vec3 size{std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)};
+  // A height is a sum of three products, and rounding keeps the order of products and sums: to the last bit no corner in
+  // a box lies below the box's own lowest height or above its highest one.
+  const auto height_mm = [&](const Vec3& point_mm) {
+    return glm::dot(normal, point_mm) - offset_mm;
+  };
+  const auto reaches = [&](double lowest_mm, double highest_mm) {
+    return lowest_mm <= half_mm && highest_mm >= -half_mm;
+  };
   triangles.clear();
   visit_leaves(
       tree_->nodes, tree_->slots,
       [&](const TreeBox& box) {
-        const Vec3 low{box.low[0], box.low[1], box.low[2]};
-        const Vec3 high{box.high[0], box.high[1], box.high[2]};
-        const double middle = 0.5 * glm::dot(normal, low + high) - offset_mm;
-        const double reach = 0.5 * glm::dot(size, high - low) + half_mm;
-        // What the sums may have lost to rounding: a few parts in 1e16 of the largest term.
-        const double largest = glm::dot(size, Vec3{glm::max(glm::abs(low), glm::abs(high))});
-        return std::fabs(middle) <= reach + 1.0e-14 * (largest + std::fabs(offset_mm));
+        Vec3 lowest_mm{box.low[0], box.low[1], box.low[2]};
+        Vec3 highest_mm{box.high[0], box.high[1], box.high[2]};
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+          if (normal[axis] < 0.0) std::swap(lowest_mm[axis], highest_mm[axis]);
+        }
+        return reaches(height_mm(lowest_mm), height_mm(highest_mm));
       },
       [&](const TreeSlot& slot) {
-        const double a = glm::dot(normal, slot.corner_mm[0]) - offset_mm;
-        const double b = glm::dot(normal, slot.corner_mm[1]) - offset_mm;
-        const double c = glm::dot(normal, slot.corner_mm[2]) - offset_mm;
-        const auto [low, high] = std::minmax({a, b, c});
-        if (low <= half_mm && high >= -half_mm) triangles.push_back(slot.triangle);
+        const auto [lowest_mm, highest_mm] =
+            std::minmax({height_mm(slot.corner_mm[0]), height_mm(slot.corner_mm[1]),
+                         height_mm(slot.corner_mm[2])});
+        if (reaches(lowest_mm, highest_mm)) triangles.push_back(slot.triangle);
       });
   std::sort(triangles.begin(), triangles.end());
 }
