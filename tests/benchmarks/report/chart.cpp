@@ -7,10 +7,13 @@
 
 #include "simulator/base/check.h"
 #include "tests/benchmarks/report/table.h"
+#include "ui/report/html_text.h"
 
 namespace hallux::benchmarks {
 
 namespace {
+
+using ui::escaped;
 
 // Okabe and Ito's colours, yellow (too pale on white) replaced by brown, and grey: told apart by all eyes.
 constexpr std::array<const char*, 8> colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
@@ -25,26 +28,6 @@ struct Text {
   const char* anchor = "start";
   int size = 12;
 };
-
-std::string escaped(const std::string& words) {
-  std::string result;
-  for (const char letter : words) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
 
 class Drawing {
  public:
