@@ -61,14 +61,30 @@ class DepthBuffer {
   }
 
   bool shows(const PageTriangle& triangle) {
-    bool is_seen = false;
+    bool has_samples = false, is_seen = false;
     for_samples(triangle, [&](const double& kept, double depth) {
+      has_samples = true;
       is_seen = is_seen || depth >= kept - least_depth;
     });
-    return is_seen;
+    return has_samples ? is_seen : shows_middle(triangle);
   }
 
  private:
+  /// Whether the middle lies before what is seen at any of the nine samples around it.
+  bool shows_middle(const PageTriangle& triangle) const {
+    const auto& [a, b, c] = triangle.places_px;
+    const Vec2 cell = ((a + b + c) / 3.0 - min_) / sample_px;
+    const auto column = static_cast<std::size_t>(cell.x), row = static_cast<std::size_t>(cell.y);
+    double farthest = 1.0e300;
+    for (std::size_t i = std::max<std::size_t>(row, 1) - 1; i < std::min(row + 2, height_); ++i) {
+      for (std::size_t j = std::max<std::size_t>(column, 1) - 1; j < std::min(column + 2, width_);
+           ++j) {
+        farthest = std::min(farthest, depths_[i * width_ + j]);
+      }
+    }
+    return triangle.depths[0] + triangle.depths[1] + triangle.depths[2] >= 3.0 * farthest;
+  }
+
   template <typename Visit>
   void for_samples(const PageTriangle& triangle, Visit&& visit) {
     const Box box = box_of(triangle);

@@ -20,8 +20,8 @@ struct PageTriangle {
   std::uint32_t paint = 0;         ///< triangles of one paint are kept together where that is free
 };
 
-/// Those of which at least one of the samples half a pixel apart is seen, ascending. What falls between the samples is no
-/// wider than the lines around its neighbours.
+/// Those of which at least one of the samples half a pixel apart is seen, ascending. What falls between the samples goes by
+/// its middle.
 std::vector<std::uint32_t> seen_triangles(const std::vector<PageTriangle>& triangles);
 
 /// The given triangles from back to front.

@@ -22,6 +22,7 @@ Vec2 place_of(const KerfContact& contact, std::uint32_t point) {
 
 std::vector<Vec2> PlaneView::pages(const std::vector<Vec2>& places_mm) const {
   std::vector<Vec2> places;
+  places.reserve(places_mm.size());
   for (const Vec2& place : places_mm) places.push_back(page(place));
   return places;
 }

@@ -55,7 +55,7 @@ Vec3 unit(const Vec3& direction) { return direction / std::sqrt(glm::dot(directi
 
 /// From a lamp over the viewer's left shoulder.
 int shade_of(const Vec3& normal, const Camera& camera) {
-  const Vec3 lamp = unit(-0.45 * camera.right + 0.75 * camera.up + camera.toward);
+  const Vec3 lamp = unit(-0.35 * camera.right + 0.6 * camera.up + camera.toward);
   const double light = std::max(0.0, glm::dot(normal, lamp));
   return static_cast<int>(std::floor(light * (shades - 1) + 0.5));
 }
@@ -89,7 +89,7 @@ std::string style_name(std::uint32_t style) { return "f" + std::to_string(style)
 void add_style(SvgPage& page, std::uint32_t style, Lines lines) {
   const Style said = style_of(style);
   const Colour colour = said.is_back ? dulled(rgb_of(said.paint)) : rgb_of(said.paint);
-  const double light = 0.66 + 0.38 * static_cast<double>(said.shade) / (shades - 1);
+  const double light = 0.68 + 0.36 * static_cast<double>(said.shade) / (shades - 1);
   const std::string fill = css_colour(colour, light);
   // Its own colour around each triangle hides the seams between them.
   const bool has_lines = lines == Lines::Triangles;
@@ -214,6 +214,7 @@ std::size_t Scene::count(Paint paint) const noexcept {
 void draw(const Scene& scene, const Camera& camera, SvgPage& page, Lines lines, Shows shows) {
   const std::vector<Seen> all = look_at(scene, camera, shows);
   std::vector<PageTriangle> triangles;
+  triangles.reserve(all.size());
   for (const Seen& seen : all) triangles.push_back(seen.triangle);
   std::string run;
   std::uint32_t run_style = 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/screenshots/painter_order.h"
 #include "tests/screenshots/sawn_bones.h"
@@ -60,8 +61,12 @@ TEST(Scene, StripLiesBetweenThePlanesAndOuterPartsReachBeyond) {
     for (const Vec3& point : face.points_mm) {
       highest_mm = std::max(highest_mm, std::abs(transform_point(kerf_from_bone, point).z));
     }
-    if (face.paint == Paint::Strip) EXPECT_LE(highest_mm, 1.0 + 1.0e-9);
-    if (face.paint == Paint::OuterPart) EXPECT_GT(highest_mm, 1.0 + 1.0e-9);
+    if (face.paint == Paint::Strip) {
+      EXPECT_LE(highest_mm, 1.0 + 1.0e-9);
+    }
+    if (face.paint == Paint::OuterPart) {
+      EXPECT_GT(highest_mm, 1.0 + 1.0e-9);
+    }
   }
 }
 

@@ -130,7 +130,9 @@ std::string SvgPage::take() const {
                     height + "\" viewBox=\"0 0 " + width + " " + height +
                     "\" role=\"img\">\n<title>" + escaped(title_) + "</title>\n<style>" +
                     std::string(common_styles);
-  for (const auto& [name, rule] : styles_) svg += "." + name + "{" + rule + "}";
+  for (const auto& [name, rule] : styles_) {
+    svg.append(".").append(name).append("{").append(rule).append("}");
+  }
   svg += "</style>\n<rect x=\".5\" y=\".5\" width=\"" + coordinate(size_.x - 1.0) + "\" height=\"" +
          coordinate(size_.y - 1.0) + "\" rx=\"8\" fill=\"#fdfcf9\" stroke=\"#d9d4c8\"/>\n";
   return svg + body_ + "</svg>\n";
