@@ -1,0 +1,46 @@
+/// Values over attempts or time: points, their running median, a band of noise, a pass mark.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/charts/axis.h"
+#include "ui/widgets/charts/painter.h"
+#include "ui/widgets/theme.h"
+
+namespace hallux::ui {
+
+/// Whose values they are; decides colour, stroke and mark together.
+enum class SeriesRole { You, Median, Reference, Second, Cohort };
+
+struct Series {
+  SeriesRole role = SeriesRole::You;
+  std::string name = {};                ///< in the legend
+  std::vector<ChartPoint> points = {};  ///< x ascending
+  bool has_line = true, has_marks = false;
+};
+
+struct LineChart {
+  std::string y_unit = {};  ///< above the axis: "Points"
+  std::string x_name = {};  ///< at the right end: "Attempt"
+  double x_low = 0.0, x_high = 1.0, y_low = 0.0, y_high = 100.0;
+  std::vector<Series> series = {};
+  std::optional<double> noise = {};  ///< half width of the band around the median, in units of y
+  std::string noise_name = {};
+  std::optional<double> pass_mark = {};
+  std::string pass_name = {};                 ///< "pass 70"
+  std::optional<std::size_t> looked_at = {};  ///< the point of the first series that is pointed at
+};
+
+/// Draws it into `rect`; its frame, legend and ticks take their room inside.
+void draw_line_chart(ChartPainter& painter, const Theme& theme, const Rect& rect,
+                     const LineChart& chart);
+
+/// Where values lie when the chart is drawn into `rect`.
+Plot plot_of(const Rect& rect, const LineChart& chart);
+
+/// The point of the first series nearest to `place` across, within 24 px; nothing elsewhere.
+std::optional<std::size_t> point_near(const Rect& rect, const LineChart& chart, Point place);
+
+}  // namespace hallux::ui

@@ -1,0 +1,157 @@
+#include "ui/widgets/charts/timeline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace hallux::ui {
+namespace {
+
+constexpr float names_room = 124.0F, steps_height = 24.0F, events_top = 42.0F, tracks_top = 64.0F,
+                track_step = 62.0F, track_height = 48.0F, axis_height = 24.0F, end_room = 8.0F,
+                head_room = 12.0F;
+
+Plot plot_of(const Rect& rect, const Timeline& timeline) {
+  Plot plot;
+  plot.rect = {rect.x + names_room, rect.y + head_room,
+               std::max(1.0F, rect.w - names_room - end_room), rect.h - head_room};
+  plot.x_high = std::max(timeline.duration_s, 0.001);
+  return plot;
+}
+
+void draw_steps(ChartPainter& painter, const Theme& theme, const Rect& rect, const Plot& plot,
+                const Timeline& timeline) {
+  const float middle = plot.rect.y + steps_height / 2.0F;
+  painter.text({rect.x, middle}, Type::Caption, Align::Left, theme.text_secondary,
+               timeline.steps_name);
+  for (const TimelineStep& step : timeline.steps) {
+    const bool is_now = step.begin_s <= timeline.now_s && timeline.now_s < step.end_s;
+    const Rect band{plot.x(step.begin_s) + 1.0F, plot.rect.y,
+                    plot.x(step.end_s) - plot.x(step.begin_s) - 2.0F, steps_height};
+    painter.fill(band, is_now ? theme.accent_soft : theme.raise, radius::step);
+    const Type type = is_now ? Type::CaptionMedium : Type::Caption;
+    if (painter.width_of(type, step.name) + 8.0F <= band.w)
+      painter.text({band.mid_x(), middle}, type, Align::Centre,
+                   is_now ? theme.accent : theme.text_secondary, step.name);
+  }
+}
+
+void draw_event(ChartPainter& painter, const Theme& theme, Point at, Meaning meaning) {
+  switch (meaning) {
+    case Meaning::Neutral:
+      painter.fill({at.x - 1.0F, at.y - 6.0F, 2.0F, 12.0F}, theme.text_caption, 1.0F);
+      return;
+    case Meaning::Warn: {
+      const std::array<Point, 3> shape{
+          {{at.x, at.y - 6.5F}, {at.x + 7.0F, at.y + 5.5F}, {at.x - 7.0F, at.y + 5.5F}}};
+      painter.polygon(shape, theme.warn);
+      painter.fill({at.x - 0.8F, at.y - 2.4F, 1.6F, 4.0F}, theme.on_warn, 0.0F);
+      painter.fill({at.x - 0.8F, at.y + 2.6F, 1.6F, 1.6F}, theme.on_warn, 0.0F);
+      return;
+    }
+    case Meaning::Bad: {
+      const std::array<Point, 4> shape{
+          {{at.x, at.y - 7.0F}, {at.x + 7.0F, at.y}, {at.x, at.y + 7.0F}, {at.x - 7.0F, at.y}}};
+      painter.polygon(shape, theme.bad);
+      return;
+    }
+    case Meaning::Good:
+    case Meaning::Info: {
+      painter.disc(at, 6.0F, meaning == Meaning::Good ? theme.good : theme.accent);
+      const std::array<Point, 3> tick{
+          {{at.x - 2.9F, at.y + 0.1F}, {at.x - 0.7F, at.y + 2.3F}, {at.x + 3.0F, at.y - 2.2F}}};
+      painter.polyline(tick, theme.on_shape, 1.6F);
+      return;
+    }
+  }
+}
+
+void draw_track(ChartPainter& painter, const Theme& theme, const Rect& rect, const Plot& whole,
+                const TimelineTrack& track, float top) {
+  Plot plot = whole;
+  plot.rect.y = top;
+  plot.rect.h = track_height;
+  plot.y_high = track.high;
+  painter.text({rect.x, top + 9.0F}, Type::Caption, Align::Left, theme.text_secondary, track.name);
+  painter.text({rect.x, top + 27.0F}, Type::Caption, Align::Left, theme.text_caption, track.unit);
+  for (const double value : {0.0, track.high / 2.0, track.high}) {
+    painter.fill({plot.rect.x, std::round(plot.y(value)), plot.rect.w, 1.0F},
+                 value == 0.0 ? theme.axis : theme.line, 0.0F);
+    painter.text({plot.rect.x - 10.0F, plot.y(value)}, Type::Caption, Align::Right,
+                 theme.text_caption, tick_text(value, track.high / 2.0));
+  }
+  if (track.aim) {
+    const float y = plot.y(std::min(*track.aim, track.high));
+    painter.fill({plot.rect.x, y, plot.rect.w, plot.rect.bottom() - y}, faded(theme.good, 0.10F),
+                 0.0F);
+    painter.dashes({plot.rect.x, y}, {plot.rect.right(), y}, theme.good_text, 4.0F, 4.0F, 1.0F);
+  }
+  for (const std::vector<Point>& run : line_runs(plot, track.reference))
+    for (std::size_t k = 0; k + 3 < run.size(); k += 6)
+      painter.polyline(std::span(run).subspan(k, 4), theme.reference, 1.5F);
+  for (const std::vector<Point>& run : line_runs(plot, track.samples))
+    painter.polyline(run, theme.accent, 1.5F);
+}
+
+double axis_step_s(double duration_s, float width) {
+  for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0})
+    if (duration_s / step * 64.0 <= static_cast<double>(width)) return step;
+  return 1800.0;
+}
+
+}  // namespace
+
+float timeline_height(const Timeline& timeline) noexcept {
+  return head_room + tracks_top + track_step * static_cast<float>(timeline.tracks.size()) +
+         axis_height;
+}
+
+double time_at(const Rect& rect, const Timeline& timeline, float x) noexcept {
+  return std::clamp(plot_of(rect, timeline).value_at(x), 0.0, timeline.duration_s);
+}
+
+std::string clock_text(double time_s) {
+  const long seconds = static_cast<long>(std::floor(std::max(time_s, 0.0)));
+  char text[32];
+  if (seconds >= 3600)
+    std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", seconds / 3600, seconds / 60 % 60,
+                  seconds % 60);
+  else
+    std::snprintf(text, sizeof text, "%02ld:%02ld", seconds / 60, seconds % 60);
+  return text;
+}
+
+void draw_timeline(ChartPainter& painter, const Theme& theme, const Rect& rect,
+                   const Timeline& timeline) {
+  const Plot plot = plot_of(rect, timeline);
+  draw_steps(painter, theme, rect, plot, timeline);
+  const float events = plot.rect.y + events_top;
+  painter.text({rect.x, events}, Type::Caption, Align::Left, theme.text_secondary,
+               timeline.events_name);
+  painter.fill({plot.rect.x, std::round(events), plot.rect.w, 1.0F}, theme.line, 0.0F);
+  for (const TimelineEvent& event : timeline.events)
+    draw_event(painter, theme, {plot.x(event.time_s), events}, event.meaning);
+  float top = plot.rect.y + tracks_top;
+  for (const TimelineTrack& track : timeline.tracks) {
+    draw_track(painter, theme, rect, plot, track, top);
+    top += track_step;
+  }
+  const double step = axis_step_s(timeline.duration_s, plot.rect.w);
+  for (double time_s = 0.0; time_s <= timeline.duration_s; time_s += step)
+    painter.text({plot.x(time_s), top + 6.0F}, Type::Caption, Align::Centre, theme.text_caption,
+                 clock_text(time_s));
+  const float now = std::round(plot.x(timeline.now_s));
+  painter.fill({now - 1.0F, plot.rect.y - 4.0F, 2.0F, top - plot.rect.y - 6.0F}, theme.text, 1.0F);
+  const std::array<Point, 3> head{{{now - 7.0F, plot.rect.y - 11.0F},
+                                   {now + 7.0F, plot.rect.y - 11.0F},
+                                   {now, plot.rect.y - 2.0F}}};
+  painter.polygon(head, theme.text);
+  for (const TimelineNote& note : timeline.notes) {
+    painter.disc({plot.x(note.time_s), events}, 9.0F, theme.accent);
+    painter.text({plot.x(note.time_s), events}, Type::CaptionMedium, Align::Centre, theme.on_accent,
+                 note.number);
+  }
+}
+
+}  // namespace hallux::ui

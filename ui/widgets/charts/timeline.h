@@ -1,0 +1,58 @@
+/// The time of an attempt: its steps, events, notes and measured tracks over one axis, with the playhead.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/charts/axis.h"
+#include "ui/widgets/charts/painter.h"
+#include "ui/widgets/theme.h"
+
+namespace hallux::ui {
+
+struct TimelineStep {
+  double begin_s = 0.0, end_s = 0.0;
+  std::string name = {};
+};
+
+struct TimelineEvent {
+  double time_s = 0.0;
+  Meaning meaning = Meaning::Neutral;  ///< Neutral: a plain tick
+};
+
+struct TimelineNote {
+  double time_s = 0.0;
+  std::string number = {};
+};
+
+struct TimelineTrack {
+  std::string name = {}, unit = {};      ///< "Force" and "N, aim <= 15"
+  std::vector<ChartPoint> samples = {};  ///< x in seconds
+  std::vector<ChartPoint> reference = {};
+  double high = 1.0;               ///< the scale goes from 0 to this
+  std::optional<double> aim = {};  ///< good below it
+};
+
+struct Timeline {
+  double duration_s = 1.0, now_s = 0.0;
+  std::string steps_name = {}, events_name = {};
+  std::vector<TimelineStep> steps = {};
+  std::vector<TimelineEvent> events = {};
+  std::vector<TimelineNote> notes = {};
+  std::vector<TimelineTrack> tracks = {};
+};
+
+void draw_timeline(ChartPainter& painter, const Theme& theme, const Rect& rect,
+                   const Timeline& timeline);
+
+/// The height that steps, events, tracks and the axis take.
+float timeline_height(const Timeline& timeline) noexcept;
+
+/// The moment under `x` when the timeline is drawn into `rect`, inside [0, duration].
+double time_at(const Rect& rect, const Timeline& timeline, float x) noexcept;
+
+/// 02:31 for 151 s; 1:02:31 above an hour.
+std::string clock_text(double time_s);
+
+}  // namespace hallux::ui

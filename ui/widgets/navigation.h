@@ -1,0 +1,47 @@
+/// The way between the screens of one role: at the left, 216 wide, or a rail of icons where the window is narrow.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+struct NavigationItem {
+  std::string_view id = {};  ///< of the control, "nav.history"
+  std::string_view label = {};
+  Icon icon = Icon::None;
+  int badge = 0;  ///< what waits there; 0 shows none
+};
+
+/// Who is signed in; always visible at the foot.
+struct SignedIn {
+  std::string_view name = {}, role = {}, initials = {};
+  int hue = 0;
+};
+
+struct NavigationSpec {
+  std::span<const NavigationItem> items = {};
+  int chosen = -1;
+  SignedIn who = {};
+  bool is_rail = false;
+};
+
+enum class NavigationAction : std::uint8_t { None, Item, Help, Person };
+struct NavigationResponse {
+  NavigationAction action = NavigationAction::None;
+  int item = -1;
+  Rect person = {};  ///< the place a menu of the person opens above
+};
+
+/// Draws the whole height of the display's left edge; Help is `nav.help`, the person `nav.person`.
+NavigationResponse side_navigation(Ui& ui, const NavigationSpec& spec);
+
+/// Its width at this size of the window: the rail below 1180.
+float navigation_width(const Ui& ui, bool is_rail) noexcept;
+/// True where the window is too narrow for the words.
+bool wants_rail(const Ui& ui) noexcept;
+
+}  // namespace hallux::ui

@@ -1,0 +1,67 @@
+/// Rows with columns: choose one or many, sort by a head, open by Enter or a double click.
+///
+/// Only what is in sight is laid out, so a table may have a hundred thousand rows. Arrows move, Space chooses,
+/// Shift+arrows extend, Enter opens, Ctrl+A chooses all. The row with the focus stays in sight.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+struct TableColumn {
+  std::string_view head = {};
+  float width = 0.0F;  ///< logical pixels; 0: a share of what the others leave, by `share`
+  float share = 1.0F;
+  Align align = Align::Left;  ///< numbers right, words left
+  bool can_sort = false;
+};
+
+struct TableSort {
+  int column = -1;
+  bool is_descending = false;
+};
+
+/// What a table remembers between frames; owned by the screen.
+struct TableState {
+  std::set<std::string> chosen;  ///< ids of rows
+  std::string anchor = {};       ///< where Shift extends from
+  TableSort sort;
+};
+
+struct TableSpec {
+  std::span<const TableColumn> columns = {};
+  int row_count = 0;
+  float row_height = 42.0F;     ///< 36-48
+  bool has_checkboxes = false;  ///< many may be chosen; else a press opens
+  std::string_view label = {};  ///< what the table lists
+  /// The id of a row, stable while rows come and go: "trainee-02". It becomes `id.row_id` of the control.
+  std::function<std::string(int row)> row_id;
+  /// What a person would call the row.
+  std::function<std::string(int row)> row_label;
+  /// Draws one cell inside `cell`.
+  std::function<void(Ui& ui, int row, int column, const Rect& cell)> draw_cell;
+};
+
+struct TableResponse {
+  std::optional<int> opened;  ///< row
+  bool has_sort_changed = false;
+  bool has_choice_changed = false;
+};
+
+/// Head 40 high, then the rows, which scroll inside `rect`.
+TableResponse table(Ui& ui, std::string_view id, const Rect& rect, const TableSpec& spec,
+                    TableState& state);
+
+/// What can be done with the chosen rows, 40 high at the table's foot: "2 chosen", the actions as links named
+/// `id.0`, `id.1` ..., and a text at the right. Returns the action pressed, -1 none.
+int action_bar(Ui& ui, std::string_view id, const Rect& rect, std::string_view chosen,
+               std::span<const std::string_view> actions, std::string_view right);
+
+}  // namespace hallux::ui

@@ -1,0 +1,315 @@
+#include "ui/widgets/ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "simulator/base/check.h"
+#include "ui/widgets/focus.h"
+#include "ui/widgets/text_layout.h"
+
+namespace hallux::ui {
+namespace {
+
+constexpr float hover_s = 0.08F;
+constexpr float wheel_step = 56.0F;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// What no frame asked for any more is forgotten.
+template <typename Memory>
+void forget_untouched(Memory& memory) {
+  for (auto entry = memory.begin(); entry != memory.end();)
+    entry = std::exchange(entry->second.is_touched, false) ? std::next(entry) : memory.erase(entry);
+}
+
+}  // namespace
+
+// Dear ImGui keeps one context for the whole process; it is ours while a frame is made.
+struct Ui::ImGuiOwner {
+  ImGuiContext* context = ImGui::CreateContext();
+
+  ImGuiOwner() {
+    make_current();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.CircleTessellationMaxError = 0.2F;
+    style.AntiAliasedLinesUseTex = true;
+  }
+  ImGuiOwner(const ImGuiOwner&) = delete;
+  ImGuiOwner& operator=(const ImGuiOwner&) = delete;
+  ~ImGuiOwner() { ImGui::DestroyContext(context); }
+  void make_current() const { ImGui::SetCurrentContext(context); }
+};
+
+Ui::Ui(const Texts& texts, Clipboard& clipboard, ThemeName theme, float scale)
+    : texts_(&texts),
+      clipboard_(&clipboard),
+      theme_(make_theme(theme)),
+      wanted_scale_(scale),
+      imgui_(std::make_unique<ImGuiOwner>()) {
+  build_fonts();
+}
+
+Ui::~Ui() = default;
+
+void Ui::build_fonts() {
+  imgui_->make_current();
+  fonts_ = std::make_unique<FontAtlas>(*ImGui::GetIO().Fonts, find_fonts(), wanted_scale_);
+  ++fonts_version_;
+}
+
+void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s) {
+  imgui_->make_current();
+  if (wanted_scale_ != fonts_->scale()) build_fonts();
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {std::max(width, 1.0F), std::max(height, 1.0F)};
+  last_time_s_ = time_s_;
+  time_s_ = std::max(time_s, time_s_);
+  io.DeltaTime = std::clamp(static_cast<float>(time_s_ - last_time_s_), 0.001F, 0.1F);
+  display_ = {0.0F, 0.0F, io.DisplaySize.x / scale(), io.DisplaySize.y / scale()};
+  forget_last_frame();
+  take_events(queue);
+  ImGui::NewFrame();
+  building_ = {};
+  building_shortcuts_.clear();
+  canvas_ = std::make_unique<Canvas>(*ImGui::GetBackgroundDrawList(), *fonts_, building_, display_);
+}
+
+void Ui::forget_last_frame() {
+  pressed_.clear();
+  clicked_area_.clear();
+  wheel_target_.clear();
+  pressed_by_ = PressedBy::Nothing;
+  is_double_ = is_focus_extended_ = has_focus_moved_ = false;
+  wheel_ = 0.0F;
+  key_.reset();
+  edits_.clear();
+  dragged_ = {};
+  first_focus_.clear();
+  pointer_shape_ = PointerShape::Arrow;
+  due_in_s_ = never;
+}
+
+void Ui::end_frame() {
+  CHECK(open_scrolls_.empty());
+  canvas_->finish();
+  canvas_.reset();
+  ImGui::Render();
+  settle_focus();
+  shown_ = std::move(building_);
+  shown_shortcuts_ = std::move(building_shortcuts_);
+  forget_untouched(motions_);
+  forget_untouched(scrolls_);
+  std::erase_if(edits_of_,
+                [this](const auto& entry) { return find_widget(shown_, entry.first) == nullptr; });
+}
+
+const ImDrawData& Ui::draw_data() const {
+  imgui_->make_current();
+  const ImDrawData* data = ImGui::GetDrawData();
+  CHECK(data != nullptr);
+  return *data;
+}
+
+double Ui::next_frame_in_s() const noexcept {
+  return is_settling_ || has_waiting_events_ ? 0.0 : due_in_s_;
+}
+
+void Ui::want_frame_in_s(double seconds) noexcept {
+  due_in_s_ = std::min(due_in_s_, std::max(seconds, 0.0));
+}
+
+// A menu or question that appears takes the focus and gives it back when it goes.
+void Ui::settle_focus() {
+  const Layer before = reachable_layer(shown_), now = reachable_layer(building_);
+  const std::string focus_before = focus_;
+  if (now > before) {
+    focus_below_[before] = focus_;
+    focus_.clear();
+  } else if (now < before) {
+    focus_ = focus_below_[now];
+  }
+  const Widget* widget = find_widget(building_, focus_);
+  if (widget == nullptr || !can_have_focus(building_, *widget)) focus_.clear();
+  const bool is_new = first_focus_ != shown_first_focus_;
+  if (!first_focus_.empty() && (is_new || (focus_.empty() && now > Layer::Page))) {
+    const Widget* first = find_widget(building_, first_focus_);
+    if (first != nullptr && can_have_focus(building_, *first) && now >= before)
+      focus_ = first_focus_;
+  }
+  shown_first_focus_ = first_focus_;
+  if (focus_ != focus_before) want_frame_in_s(0.0);
+}
+
+float Ui::width_of(Type type, std::string_view line) const noexcept {
+  return text_width(fonts_->face(type), line) / fonts_->scale();
+}
+
+float Ui::paragraph_height(Type type, std::string_view text, float width) const {
+  const auto lines = broken_lines(fonts_->face(type), text, width * scale() + 0.5F).size();
+  return static_cast<float>(lines) * line_height(type);
+}
+
+void Ui::focus(std::string_view id) {
+  focus_ = id;
+  want_frame_in_s(0.0);
+}
+
+void Ui::focus_first(std::string_view id) {
+  if (canvas_->layer() >= reachable_layer(building_)) first_focus_ = id;
+}
+
+Response Ui::control(Widget widget) {
+  CHECK(!widget.id.empty());
+  widget.layer = canvas_->layer();
+  widget.visible = intersection(widget.rect, canvas_->clip());
+  widget.scroll = open_scrolls_.empty() ? -1 : open_scrolls_.back().second;
+  Response response;
+  const bool is_under_pointer = hovered_ == widget.id;
+  const HeldButton& left = held_[0];
+  response.is_held = widget.is_enabled && left.is_down && left.id == widget.id;
+  response.is_hovered = is_under_pointer && (!left.is_down || response.is_held);
+  response.has_focus = widget.is_enabled && focus_ == widget.id;
+  response.shows_ring = response.has_focus && is_ring_shown_;
+  if (widget.is_enabled && pressed_ == widget.id) {
+    response.pressed_by = pressed_by_;
+    response.is_double = is_double_;
+  }
+  response.hover = eased(widget.id, response.is_hovered && widget.is_enabled, hover_s);
+  if (response.is_hovered && widget.is_enabled)
+    pointer_shape_ = widget.role == Role::Field ? PointerShape::Text : PointerShape::Hand;
+  building_.widgets.push_back(std::move(widget));
+  return response;
+}
+
+AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect) {
+  Widget widget;
+  widget.id = id;
+  widget.label = label;
+  widget.rect = rect;
+  widget.role = Role::Area;
+  widget.is_focusable = false;
+  const std::string name = widget.id;
+  AreaResponse response;
+  response.is_hovered = control(std::move(widget)).is_hovered;
+  pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
+  response.pointer = pointer_;
+  for (std::size_t button = 0; button < held_.size(); ++button) {
+    if (held_[button].id != name) continue;
+    response.is_down[button] = held_[button].is_down;
+    response.dragged[button] = dragged_[button];
+  }
+  response.was_clicked = clicked_area_ == name;
+  if (wheel_target_ == name) response.wheel = wheel_;
+  return response;
+}
+
+std::vector<FieldEvent> Ui::field_events(const std::string& id) const {
+  std::vector<FieldEvent> events;
+  for (const Edit& edit : edits_)
+    if (edit.id == id) events.push_back(edit.event);
+  return events;
+}
+
+TextEdit& Ui::text_edit(const std::string& id) { return edits_of_[id]; }
+
+bool Ui::shortcut(Chord chord, std::string_view label) {
+  building_shortcuts_.push_back({chord, std::string(label)});
+  if (!key_ || *key_ != chord || canvas_->layer() < reachable_layer(shown_)) return false;
+  key_.reset();
+  return true;
+}
+
+float Ui::eased(const std::string& id, bool is_on, float duration_s) {
+  Motion& motion = motions_.try_emplace(id, Motion{.value = 0.0F}).first->second;
+  motion.is_touched = true;
+  const float target = is_on ? 1.0F : 0.0F;
+  if (is_motion_reduced_ || duration_s <= 0.0F) {
+    motion.value = target;
+  } else {
+    const float step = static_cast<float>(time_s_ - last_time_s_) / duration_s;
+    motion.value = std::clamp(target, motion.value - step, motion.value + step);
+  }
+  if (motion.value != target) want_frame_in_s(0.0);
+  return motion.value;
+}
+
+double Ui::hovered_for_s(std::string_view id) const noexcept {
+  return hovered_ == id ? time_s_ - hovered_since_s_ : 0.0;
+}
+
+float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& view,
+                       float content_height) {
+  const std::string name(id);
+  ScrollState& state = scrolls_[name];
+  state.is_touched = true;
+  state.view = view;
+  state.content_height = content_height;
+  const float longest = std::max(0.0F, content_height - view.h);
+  if (wheel_target_ == name) state.offset -= wheel_ * wheel_step;
+  scroll_to_focus(name, state);
+  state.offset = std::clamp(state.offset, 0.0F, longest);
+  Widget region;
+  region.id = name;
+  region.label = label;
+  region.rect = view;
+  region.role = Role::Scroll;
+  region.is_focusable = false;
+  control(std::move(region));
+  pointer_shape_ = PointerShape::Arrow;
+  open_scrolls_.emplace_back(name, static_cast<int>(building_.widgets.size()) - 1);
+  canvas_->push_clip(view);
+  canvas_->push_room({view.x, view.y - state.offset, view.w, std::max(content_height, view.h)});
+  return state.offset;
+}
+
+// After the keyboard moved the focus, the region it lies in shows it.
+void Ui::scroll_to_focus(const std::string& id, ScrollState& state) {
+  const Widget* focus = has_focus_moved_ ? find_widget(shown_, focus_) : nullptr;
+  if (focus == nullptr || focus->scroll < 0 ||
+      shown_.widgets[static_cast<std::size_t>(focus->scroll)].id != id)
+    return;
+  constexpr float margin = 12.0F;
+  state.offset += std::max(0.0F, focus->rect.bottom() + margin - state.view.bottom());
+  state.offset -= std::max(0.0F, state.view.y - (focus->rect.y - margin));
+}
+
+void Ui::end_scroll() {
+  CHECK(!open_scrolls_.empty());
+  const std::string id = open_scrolls_.back().first;
+  canvas_->pop_room();
+  canvas_->pop_clip();
+  open_scrolls_.pop_back();
+  draw_scroll_bar(id, scrolls_[id]);
+}
+
+void Ui::draw_scroll_bar(const std::string& id, ScrollState& state) {
+  const float longest = state.content_height - state.view.h;
+  if (longest <= 0.5F) return;
+  const Rect track{state.view.right() - 10.0F, state.view.y, 10.0F, state.view.h};
+  const float length = std::max(32.0F, track.h * state.view.h / state.content_height);
+  const float travel = track.h - length;
+  Widget widget;
+  widget.id = id + ".bar";
+  widget.label = std::string(text("scroll.bar"));
+  widget.rect = track;
+  widget.role = Role::Area;
+  widget.is_focusable = false;
+  const Response response = control(std::move(widget));
+  pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
+  if (response.is_held && travel > 0.0F && dragged_[0].y != 0.0F) {
+    state.offset = std::clamp(state.offset + dragged_[0].y * longest / travel, 0.0F, longest);
+    want_frame_in_s(0.0);
+  }
+  const Rect thumb{track.x + 3.0F, track.y + travel * state.offset / longest, 4.0F, length};
+  canvas_->fill(thumb, faded(theme_.border, response.is_hovered || response.is_held ? 0.9F : 0.5F),
+                2.0F);
+}
+
+}  // namespace hallux::ui

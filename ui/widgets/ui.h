@@ -1,0 +1,225 @@
+/// One window's user interface, drawn frame by frame: who was pressed, where the keyboard is, what was drawn.
+///
+/// A screen is a function that draws controls by name with the components of this room; each answers whether it was
+/// pressed in this frame. Between two frames only the names connect: events are resolved against the frame that the
+/// person saw. Picture of one frame:
+///
+///     begin_frame(queue)   events -> pressed, focus, edits      (against the last frame's content)
+///       button(ui, "x")    draws, registers, answers            (into this frame's content)
+///     end_frame()          this frame's content becomes the one people see
+///
+/// Keyboard: Tab and Shift+Tab visit every control, arrows move inside a group, Space presses what has the ring, Enter
+/// presses it too and else the screen's primary button. The ring shows after Tab or an arrow and hides on a mouse press.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/widgets/canvas.h"
+#include "ui/widgets/event_queue.h"
+#include "ui/widgets/text_edit.h"
+#include "ui/widgets/texts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widget.h"
+
+struct ImDrawData;
+
+namespace hallux::ui {
+
+/// How a control was pressed.
+enum class PressedBy : std::uint8_t { Nothing, Mouse, Enter, Space };
+
+/// What happened to a control in this frame.
+struct Response {
+  bool is_hovered = false, is_held = false;
+  bool has_focus = false;   ///< keys go here
+  bool shows_ring = false;  ///< and the person steers by keyboard
+  PressedBy pressed_by = PressedBy::Nothing;
+  bool is_double = false;  ///< the second of two quick clicks
+  float hover = 0.0F;      ///< 0-1, eased
+
+  bool is_pressed() const noexcept { return pressed_by != PressedBy::Nothing; }
+};
+
+/// What the pointer did in an area that is no control: the view of the bone, a chart.
+struct AreaResponse {
+  bool is_hovered = false;
+  std::array<bool, mouse_button_count> is_down{};
+  std::array<Point, mouse_button_count>
+      dragged{};             ///< since the last frame, while the button was held from inside
+  bool was_clicked = false;  ///< left, without having been dragged away
+  Point pointer;
+  float wheel = 0.0F;  ///< notches
+};
+
+/// An event for the field that has the focus, in order.
+struct FieldEvent {
+  char32_t character = 0;  ///< 0: a key
+  Chord chord;
+};
+
+struct Shortcut {
+  Chord chord;
+  std::string label = {};
+};
+
+enum class PointerShape : std::uint8_t { Arrow, Text, Hand };
+
+class Ui {
+ public:
+  /// errors  std::runtime_error where no font is installed
+  Ui(const Texts& texts, Clipboard& clipboard, ThemeName theme, float scale);
+  Ui(const Ui&) = delete;
+  Ui& operator=(const Ui&) = delete;
+  ~Ui();
+
+  // -- the frame, called by the window or a test
+  /// Takes events up to the one that changes the screen. `width` and `height` are device pixels, `time_s` only grows.
+  void begin_frame(EventQueue& queue, float width, float height, double time_s);
+  void end_frame();
+  const ImDrawData& draw_data() const;
+  /// Seconds until a frame is due without any event: 0 now, infinity never.
+  double next_frame_in_s() const noexcept;
+  /// What the last finished frame showed.
+  const FrameContent& shown() const noexcept { return shown_; }
+  /// Counts the font pictures made; the painter takes a new one where it changed.
+  int fonts_version() const noexcept { return fonts_version_; }
+  PointerShape pointer_shape() const noexcept { return pointer_shape_; }
+
+  // -- settings; scale and theme take effect with the next frame
+  void set_scale(float scale) noexcept { wanted_scale_ = scale; }
+  void set_theme(ThemeName name) noexcept { theme_ = make_theme(name); }
+  void set_reduced_motion(bool is_reduced) noexcept { is_motion_reduced_ = is_reduced; }
+  float scale() const noexcept { return fonts_->scale(); }
+
+  // -- for components and screens, inside a frame
+  Canvas& canvas() noexcept { return *canvas_; }
+  const Theme& theme() const noexcept { return theme_; }
+  const Texts& texts() const noexcept { return *texts_; }
+  /// A text of the catalogue; see Texts.
+  std::string_view text(std::string_view id) const { return texts_->text(id); }
+  /// Logical pixels of one line.
+  float width_of(Type type, std::string_view line) const noexcept;
+  /// Logical pixels of a text broken into lines of this width.
+  float paragraph_height(Type type, std::string_view text, float width) const;
+  Rect display() const noexcept { return display_; }
+  double time_s() const noexcept { return time_s_; }
+  Point pointer() const noexcept { return pointer_; }
+  Modifiers modifiers() const noexcept { return modifiers_; }
+  bool is_motion_reduced() const noexcept { return is_motion_reduced_; }
+
+  /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and the flags.
+  Response control(Widget widget);
+  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect);
+  /// Events for the field `id` in this frame, and what it remembers of its editing.
+  std::vector<FieldEvent> field_events(const std::string& id) const;
+  TextEdit& text_edit(const std::string& id);
+  Clipboard& clipboard() noexcept { return *clipboard_; }
+
+  /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that writes a letter does
+  /// not come while a field has the focus; none comes from below a menu or a question. The label is listed under F1.
+  bool shortcut(Chord chord, std::string_view label);
+  const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
+
+  void focus(std::string_view id);
+  const std::string& focused() const noexcept { return focus_; }
+  /// Gives `id` the focus when the screen or question it belongs to appears.
+  void focus_first(std::string_view id);
+  /// The focus was moved in this frame by an arrow held with Shift (lists extend their selection).
+  bool focus_was_extended() const noexcept { return is_focus_extended_; }
+
+  /// Opens a region that scrolls; everything until end_scroll lies in it. Returns how far it is scrolled down.
+  float begin_scroll(std::string_view id, std::string_view label, const Rect& view,
+                     float content_height);
+  void end_scroll();
+
+  /// 0 to 1, moving towards 1 while `is_on` and back else, in `duration_s`; at once where motion is reduced.
+  float eased(const std::string& id, bool is_on, float duration_s);
+  /// Seconds that the pointer rests on the control.
+  double hovered_for_s(std::string_view id) const noexcept;
+  /// Asks for another frame in so many seconds at the latest.
+  void want_frame_in_s(double seconds) noexcept;
+
+ private:
+  struct Motion {
+    float value = 0.0F;
+    bool is_touched = false;
+  };
+  struct ScrollState {
+    float offset = 0.0F, content_height = 0.0F;
+    Rect view;
+    bool is_touched = false;
+  };
+  struct HeldButton {
+    std::string id;  ///< pressed there; empty: not held, or pressed on nothing
+    bool is_down = false, has_moved = false;
+    Point pressed_at;
+  };
+  struct Edit {
+    std::string id;
+    FieldEvent event;
+  };
+
+  void build_fonts();
+  void forget_last_frame();
+  void take_events(EventQueue& queue);
+  bool apply(const InputEvent& event);
+  void move_pointer(Point position);
+  bool press_button(const InputEvent& event);
+  bool release_button(const InputEvent& event);
+  bool press_key(Chord chord);
+  bool edit_key(const Widget& field, Chord chord);
+  bool press_by_key(const Widget* focus, Chord chord);
+  bool move_focus(const Widget* focus, Chord chord);
+  void turn_wheel(const InputEvent& event);
+  void settle_focus();
+  void scroll_to_focus(const std::string& id, ScrollState& state);
+  void draw_scroll_bar(const std::string& id, ScrollState& state);
+
+  const Texts* texts_;
+  Clipboard* clipboard_;
+  Theme theme_;
+  float wanted_scale_;
+  bool is_motion_reduced_ = false;
+  int fonts_version_ = 0;
+  struct ImGuiOwner;
+  std::unique_ptr<ImGuiOwner> imgui_;
+  std::unique_ptr<FontAtlas> fonts_;
+  std::unique_ptr<Canvas> canvas_;
+
+  Rect display_;
+  double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0;
+  bool is_settling_ = false, has_waiting_events_ = false;
+  FrameContent shown_, building_;
+  std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;
+
+  Point pointer_;
+  bool is_pointer_inside_ = false;
+  Modifiers modifiers_;
+  std::array<HeldButton, mouse_button_count> held_;
+  std::array<Point, mouse_button_count> dragged_{};
+  std::string hovered_, pressed_, clicked_area_, wheel_target_;
+  double hovered_since_s_ = 0.0, last_press_s_ = -1.0;
+  std::string last_pressed_;
+  PressedBy pressed_by_ = PressedBy::Nothing;
+  bool is_double_ = false;
+  float wheel_ = 0.0F;
+  std::optional<Chord> key_;
+  std::vector<Edit> edits_;
+
+  std::string focus_, first_focus_, shown_first_focus_;
+  std::map<Layer, std::string> focus_below_;
+  bool is_ring_shown_ = false, is_focus_extended_ = false, has_focus_moved_ = false;
+  PointerShape pointer_shape_ = PointerShape::Arrow;
+
+  std::map<std::string, Motion> motions_;
+  std::map<std::string, TextEdit> edits_of_;
+  std::map<std::string, ScrollState> scrolls_;
+  std::vector<std::pair<std::string, int>> open_scrolls_;
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,32 @@
+/// Tells accessibility tools and tests, in a file, which widgets are on the screen and where.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "ui/widgets/widget.h"
+
+namespace hallux::ui {
+
+/// One JSON value: {"widgets": [{"id", "label", "x", "y", "w", "h", "enabled"}, ...]} in device pixels of the window.
+/// Only what can be seen and reached; never what a field holds.
+std::string ui_map_json(const FrameContent& content, float scale);
+
+/// Keeps the file up to date: replaced as a whole, so that no reader sees half of it, and at most ten times a second.
+class UiMap {
+ public:
+  explicit UiMap(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// Writes where the content has changed and the last writing is 0.1 s ago. Returns the seconds until it wants to be
+  /// called again; infinity where the file says what is shown.
+  /// errors  std::runtime_error naming the file and what to do
+  double update(const FrameContent& content, float scale, double time_s);
+
+ private:
+  std::filesystem::path file_;
+  std::string written_;
+  double written_at_s_ = -1.0;
+  bool has_written_ = false;
+};
+
+}  // namespace hallux::ui
