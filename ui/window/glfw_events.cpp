@@ -1,0 +1,179 @@
+#include "ui/window/glfw_events.h"
+
+#include <GLFW/glfw3.h>
+
+#include <cstring>
+
+namespace hallux::ui {
+namespace {
+
+WindowEvents& events_of(GLFWwindow* window) {
+  return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
+}
+
+Modifiers modifiers_of(int bits) {
+  return {(bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_ALT) != 0};
+}
+
+Modifiers held_modifiers(GLFWwindow* window) {
+  const auto is_down = [&](int left, int right) {
+    return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+  };
+  return {is_down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+          is_down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+          is_down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+Key offset_key(Key first, int by) { return static_cast<Key>(static_cast<int>(first) + by); }
+
+Key key_of_letter(char letter) {
+  if (letter >= 'a' && letter <= 'z') return offset_key(Key::A, letter - 'a');
+  if (letter >= '0' && letter <= '9') return offset_key(Key::Digit0, letter - '0');
+  constexpr char signs[] = "+-,.[]/=";
+  constexpr Key keys[] = {Key::Plus,        Key::Minus,        Key::Comma, Key::Period,
+                          Key::LeftBracket, Key::RightBracket, Key::Slash, Key::Plus};
+  const char* found = std::strchr(signs, letter);
+  return letter == '\0' || found == nullptr ? Key::None : keys[found - signs];
+}
+
+Key key_of_code(int code) {
+  if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return offset_key(Key::F1, code - GLFW_KEY_F1);
+  if (code >= GLFW_KEY_KP_0 && code <= GLFW_KEY_KP_9)
+    return offset_key(Key::Digit0, code - GLFW_KEY_KP_0);
+  switch (code) {
+    case GLFW_KEY_TAB:
+      return Key::Tab;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return Key::Enter;
+    case GLFW_KEY_ESCAPE:
+      return Key::Escape;
+    case GLFW_KEY_SPACE:
+      return Key::Space;
+    case GLFW_KEY_LEFT:
+      return Key::Left;
+    case GLFW_KEY_RIGHT:
+      return Key::Right;
+    case GLFW_KEY_UP:
+      return Key::Up;
+    case GLFW_KEY_DOWN:
+      return Key::Down;
+    case GLFW_KEY_HOME:
+      return Key::Home;
+    case GLFW_KEY_END:
+      return Key::End;
+    case GLFW_KEY_PAGE_UP:
+      return Key::PageUp;
+    case GLFW_KEY_PAGE_DOWN:
+      return Key::PageDown;
+    case GLFW_KEY_BACKSPACE:
+      return Key::Backspace;
+    case GLFW_KEY_DELETE:
+      return Key::Delete;
+    case GLFW_KEY_KP_ADD:
+      return Key::Plus;
+    case GLFW_KEY_KP_SUBTRACT:
+      return Key::Minus;
+    default:
+      return Key::None;
+  }
+}
+
+// A letter key counts as what is printed on it in the person's layout, not as where it lies.
+Key key_of(int code, int scan_code) {
+  if (const Key key = key_of_code(code); key != Key::None) return key;
+  const char* printed = glfwGetKeyName(code, scan_code);
+  if (printed != nullptr && printed[0] != '\0' && printed[1] == '\0')
+    if (const Key key = key_of_letter(printed[0]); key != Key::None) return key;
+  if (code >= GLFW_KEY_A && code <= GLFW_KEY_Z) return offset_key(Key::A, code - GLFW_KEY_A);
+  if (code >= GLFW_KEY_0 && code <= GLFW_KEY_9) return offset_key(Key::Digit0, code - GLFW_KEY_0);
+  return Key::None;
+}
+
+void hear_key(GLFWwindow* window, int code, int scan_code, int action, int bits) {
+  InputEvent event;
+  event.kind = action == GLFW_RELEASE ? EventKind::KeyReleased : EventKind::KeyPressed;
+  event.key = key_of(code, scan_code);
+  event.modifiers = modifiers_of(bits);
+  if (event.key == Key::Plus) event.modifiers.shift = false;  // many keyboards write it with Shift
+  // A modifier alone says nothing but that it is held from now on: as a release it moves nothing and tells it.
+  if (event.key == Key::None) {
+    event.kind = EventKind::KeyReleased;
+    event.modifiers = held_modifiers(window);
+  }
+  events_of(window).queue.push(event);
+}
+
+void hear_character(GLFWwindow* window, unsigned character) {
+  InputEvent event;
+  event.kind = EventKind::Character;
+  event.character = character;
+  event.modifiers = held_modifiers(window);
+  events_of(window).queue.push(event);
+}
+
+InputEvent pointer_event(GLFWwindow* window, EventKind kind) {
+  double x = 0.0, y = 0.0;
+  glfwGetCursorPos(window, &x, &y);
+  InputEvent event;
+  event.kind = kind;
+  const float unit = events_of(window).pixels_per_unit;
+  event.position = {static_cast<float>(x) * unit, static_cast<float>(y) * unit};
+  event.modifiers = held_modifiers(window);
+  return event;
+}
+
+void hear_pointer(GLFWwindow* window, double, double) {
+  events_of(window).queue.push(pointer_event(window, EventKind::PointerMoved));
+}
+
+void hear_button(GLFWwindow* window, int button, int action, int bits) {
+  if (button < 0 || button >= mouse_button_count) return;
+  InputEvent event = pointer_event(
+      window, action == GLFW_PRESS ? EventKind::ButtonPressed : EventKind::ButtonReleased);
+  event.button = static_cast<MouseButton>(button);
+  event.modifiers = modifiers_of(bits);
+  events_of(window).queue.push(event);
+}
+
+void hear_wheel(GLFWwindow* window, double, double notches) {
+  InputEvent event = pointer_event(window, EventKind::Wheel);
+  event.wheel = static_cast<float>(notches);
+  events_of(window).queue.push(event);
+}
+
+void hear_pointer_at_edge(GLFWwindow* window, int is_inside) {
+  events_of(window).queue.push(
+      pointer_event(window, is_inside != 0 ? EventKind::PointerMoved : EventKind::PointerLeft));
+}
+
+void hear_focus(GLFWwindow* window, int has_focus) {
+  if (has_focus != 0) return;
+  InputEvent event;
+  event.kind = EventKind::FocusLost;
+  events_of(window).queue.push(event);
+}
+
+}  // namespace
+
+void listen(GLFWwindow* window, WindowEvents& events) {
+  glfwSetWindowUserPointer(window, &events);
+  glfwSetKeyCallback(window, hear_key);
+  glfwSetCharCallback(window, hear_character);
+  glfwSetCursorPosCallback(window, hear_pointer);
+  glfwSetMouseButtonCallback(window, hear_button);
+  glfwSetScrollCallback(window, hear_wheel);
+  glfwSetCursorEnterCallback(window, hear_pointer_at_edge);
+  glfwSetWindowFocusCallback(window, hear_focus);
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* on) { events_of(on).wants_frame = true; });
+  glfwSetFramebufferSizeCallback(
+      window, [](GLFWwindow* on, int, int) { events_of(on).wants_frame = true; });
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* on, float scale, float) {
+    events_of(on).content_scale = scale;
+    events_of(on).wants_frame = true;
+  });
+  float down = 1.0F;
+  glfwGetWindowContentScale(window, &events.content_scale, &down);
+}
+
+}  // namespace hallux::ui

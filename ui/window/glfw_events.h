@@ -1,0 +1,22 @@
+/// Puts what GLFW reports into our event queue, in order.
+#pragma once
+
+#include "ui/widgets/event_queue.h"
+
+struct GLFWwindow;
+
+namespace hallux::ui {
+
+/// Where the callbacks of one window put what they hear; the window's user pointer names it.
+struct WindowEvents {
+  EventQueue queue;
+  bool wants_frame =
+      true;  ///< the window must be drawn although nobody did anything: uncovered, resized
+  float content_scale = 1.0F;    ///< of the display it is on
+  float pixels_per_unit = 1.0F;  ///< framebuffer pixels per unit of the pointer's position
+};
+
+/// Sets every callback; `events` outlives the window.
+void listen(GLFWwindow* window, WindowEvents& events);
+
+}  // namespace hallux::ui

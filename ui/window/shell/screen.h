@@ -1,0 +1,38 @@
+/// One screen of the window: it fills it, one after the other, as in a game.
+#pragma once
+
+#include <string_view>
+
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+class Shell;
+
+/// What the shell draws around a screen.
+enum class Surround {
+  Nothing,     ///< sign-in: nobody is known yet
+  Navigation,  ///< the way to the other screens, and the person at its foot
+  Rail,        ///< the same as icons, for screens that need the width
+  Badge,       ///< only the person, in a corner of the picture: operating
+};
+
+class Screen {
+ public:
+  virtual ~Screen() = default;
+
+  /// The navigation item it belongs to, "nav.history"; "" for none.
+  virtual std::string_view navigation_id() const { return {}; }
+  virtual Surround surround() const { return Surround::Navigation; }
+  /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded. Finish or abandon
+  /// it."); "" where it may.
+  virtual std::string_view why_not_leave() const { return {}; }
+  /// Called when it becomes the screen that is shown: for the first time, and when the one above it went.
+  virtual void enter(Shell&) {}
+  /// Called when another screen takes its place or lies above it.
+  virtual void leave(Shell&) {}
+  /// Draws one frame into `content`. What it asks of the shell happens after the frame.
+  virtual void draw(Ui& ui, const Rect& content, Shell& shell) = 0;
+};
+
+}  // namespace hallux::ui

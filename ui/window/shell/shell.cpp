@@ -1,0 +1,232 @@
+#include "ui/window/shell/shell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/widgets/card.h"
+#include "ui/widgets/marks.h"
+#include "ui/widgets/menu.h"
+#include "ui/widgets/shapes.h"
+#include "ui/window/shell/help.h"
+
+namespace hallux::ui {
+namespace {
+
+constexpr double message_s = 6.0, work_shown_after_s = 0.3, work_frame_s = 0.1;
+constexpr float corner = 24.0F, message_gap = 12.0F, badge_inset = 0.06F;
+constexpr float smallest_scale = 0.8F, largest_scale = 2.0F, scale_step = 0.1F;
+constexpr float largest_display_scale =
+    3.0F;  // beyond, the fonts' picture outgrows common textures
+
+bool stays(const Message& message) {
+  return message.meaning == Meaning::Bad || message.meaning == Meaning::Warn;
+}
+
+}  // namespace
+
+void Shell::push(std::unique_ptr<Screen> screen) {
+  requests_.push_back({Change::Push, std::move(screen)});
+}
+void Shell::pop() { requests_.push_back({Change::Pop, nullptr}); }
+void Shell::replace_all(std::unique_ptr<Screen> screen) {
+  requests_.push_back({Change::ReplaceAll, std::move(screen)});
+}
+
+void Shell::say(Message message) {
+  messages_.push_back({std::move(message), "message." + std::to_string(next_message_++)});
+  if (messages_.size() > 4) messages_.erase(messages_.begin());
+}
+
+bool Shell::may_leave(Ui& ui) {
+  if (top() == nullptr || top()->why_not_leave().empty()) return true;
+  say({Meaning::Warn, std::string(ui.text("leave.refused")), std::string(top()->why_not_leave())});
+  ui.want_frame_in_s(0.0);
+  return false;
+}
+
+void Shell::navigate(Ui& ui, const std::string& id) {
+  if (may_leave(ui) && on_navigate_) on_navigate_(id);
+}
+
+void Shell::sign_out(Ui& ui) {
+  if (may_leave(ui) && on_sign_out_) on_sign_out_();
+}
+
+// What was asked for happens between two frames: no screen ends while it draws.
+void Shell::carry_out(Ui& ui) {
+  if (requests_.empty()) return;
+  for (Request& request : std::exchange(requests_, {})) {
+    if (request.change == Change::Pop && screens_.size() < 2) continue;
+    if (top() != nullptr) top()->leave(*this);
+    if (request.change == Change::Pop) screens_.pop_back();
+    if (request.change == Change::ReplaceAll) screens_.clear();
+    if (request.screen != nullptr) screens_.push_back(std::move(request.screen));
+    top()->enter(*this);
+  }
+  ui.want_frame_in_s(0.0);
+}
+
+void Shell::apply_preferences(Ui& ui) {
+  if (ui.theme().name != preferences_.theme) ui.set_theme(preferences_.theme);
+  ui.set_reduced_motion(preferences_.is_motion_reduced);
+  const float scale =
+      std::clamp(preferences_.scale * display_scale_, smallest_scale, largest_display_scale);
+  if (std::abs(scale - ui.scale()) < 0.001F) return;
+  ui.set_scale(scale);
+  ui.want_frame_in_s(0.0);
+}
+
+void Shell::draw(Ui& ui) {
+  apply_preferences(ui);
+  background_.collect();
+  carry_out(ui);
+  ui.canvas().fill(ui.display(), ui.theme().page);
+  if (top() != nullptr) {
+    const Rect content = draw_surround(ui);
+    top()->draw(ui, content, *this);
+    if (top()->surround() == Surround::Badge) draw_badge(ui);
+  }
+  draw_person_menu(ui);
+  if (is_help_shown_) draw_help(ui);
+  draw_messages(ui);
+  hear_shortcuts(ui);
+  carry_out(ui);
+}
+
+Rect Shell::draw_surround(Ui& ui) {
+  const Screen& screen = *top();
+  const bool has_navigation =
+      screen.surround() == Surround::Navigation || screen.surround() == Surround::Rail;
+  return has_navigation && visitor_ ? draw_navigation(ui, screen) : ui.display();
+}
+
+Rect Shell::draw_navigation(Ui& ui, const Screen& screen) {
+  std::vector<NavigationItem> items;
+  NavigationSpec spec;
+  for (const Visitor::Place& place : visitor_->places) {
+    if (place.id == screen.navigation_id()) spec.chosen = static_cast<int>(items.size());
+    items.push_back({place.id, place.label, place.icon, place.badge});
+  }
+  spec.items = items;
+  spec.who = {visitor_->name, visitor_->role, visitor_->initials, visitor_->hue};
+  spec.is_rail = screen.surround() == Surround::Rail;
+  const NavigationResponse response = side_navigation(ui, spec);
+  if (response.action == NavigationAction::Help) is_help_shown_ = true;
+  if (response.action == NavigationAction::Person) person_menu_ = response.person;
+  if (response.action == NavigationAction::Item)
+    navigate(ui, visitor_->places[static_cast<std::size_t>(response.item)].id);
+  const float width = navigation_width(ui, spec.is_rail);
+  return {width, 0.0F, ui.display().w - width, ui.display().h};
+}
+
+// Inside the part of the picture that both eyes see whole.
+void Shell::draw_badge(Ui& ui) {
+  if (!visitor_) return;
+  const Rect display = ui.display();
+  const float width = 46.0F + ui.width_of(Type::Small, visitor_->name) + 16.0F;
+  const Rect badge{display.w * badge_inset, display.h * badge_inset + 56.0F, width, 36.0F};
+  draw_hud_panel(ui.canvas(), ui.theme(), badge, 18.0F);
+  avatar(ui, {badge.x + 22.0F, badge.mid_y()}, 12.0F, visitor_->initials, visitor_->hue);
+  ui.canvas().text({badge.x + 42.0F, badge.mid_y()}, {Type::Small, ui.theme().text},
+                   visitor_->name);
+}
+
+void Shell::draw_person_menu(Ui& ui) {
+  if (!person_menu_) return;
+  const bool is_dark = preferences_.theme == ThemeName::Dark;
+  const std::array<MenuItem, 4> items{{
+      {ui.text(is_dark ? "person.light" : "person.dark"), is_dark ? Icon::Light : Icon::Dark},
+      {ui.text("person.help"), Icon::Help, "F1"},
+      {ui.text("person.change"), Icon::People},
+      {ui.text("person.sign_out"), Icon::SignOut},
+  }};
+  const float height = menu_height(items);
+  const int chosen = menu(ui, "person", {person_menu_->x, person_menu_->y - height - 8.0F}, items);
+  if (chosen == menu_open) return;
+  person_menu_.reset();
+  if (chosen == 0) preferences_.theme = is_dark ? ThemeName::Light : ThemeName::Dark;
+  if (chosen == 1) is_help_shown_ = true;
+  if (chosen == 2 || chosen == 3) sign_out(ui);
+}
+
+// Work that runs stands below the messages, in the same corner. Returns the height it takes.
+float Shell::draw_work(Ui& ui) {
+  const Rect display = ui.display();
+  const float width = std::min(toast_width, display.w - 2.0F * corner);
+  float y = display.bottom() - corner;
+  for (const Background::Running& work : background_.running()) {
+    if (work.elapsed_s < work_shown_after_s) {
+      ui.want_frame_in_s(work_shown_after_s - work.elapsed_s);
+      continue;
+    }
+    y -= 48.0F;
+    std::string left;
+    if (work.share > 0.05 && work.elapsed_s / work.share - work.elapsed_s > 10.0)
+      left = ui.texts().say_count("work.left",
+                                  std::lround(work.elapsed_s / work.share - work.elapsed_s));
+    if (progress(ui, work.id, {display.right() - corner - width, y, width, 48.0F},
+                 {work.label, left, static_cast<float>(work.share)}))
+      background_.cancel(work.id);
+    y -= message_gap;
+    ui.want_frame_in_s(work_frame_s);
+  }
+  return display.bottom() - corner - y;
+}
+
+void Shell::draw_messages(Ui& ui) {
+  const LayerScope layer(ui.canvas(), Layer::Toast);
+  const Rect display = ui.display();
+  const float width = std::min(toast_width, display.w - 2.0F * corner);
+  float y = display.bottom() - corner - draw_work(ui);
+  std::string closed;
+  std::function<void()> action;
+  for (auto shown = messages_.rbegin(); shown != messages_.rend(); ++shown) {
+    if (shown->since_s < 0.0) shown->since_s = ui.time_s();
+    const double left_s = message_s - (ui.time_s() - shown->since_s);
+    if (!stays(shown->message)) {
+      if (left_s <= 0.0) closed = shown->id;
+      ui.want_frame_in_s(left_s);
+    }
+    const Toast words{shown->message.meaning, shown->message.title, shown->message.detail,
+                      shown->message.action};
+    const float height = toast_height_for(ui, words, width);
+    y -= height;
+    const float rise = 8.0F * (1.0F - ui.eased(shown->id + ".rise", true, 0.16F));
+    const ToastAnswer answer =
+        toast(ui, shown->id, {display.right() - corner - width, y + rise, width, height}, words);
+    y -= message_gap;
+    if (answer != ToastAnswer::Waiting) closed = shown->id;
+    if (answer == ToastAnswer::Action) action = shown->message.on_action;
+  }
+  if (closed.empty()) return;
+  std::erase_if(messages_, [&](const ShownMessage& shown) { return shown.id == closed; });
+  ui.want_frame_in_s(0.0);
+  if (action) action();
+}
+
+void Shell::draw_help(Ui& ui) {
+  if (draw_shortcut_list(ui)) is_help_shown_ = false;
+}
+
+void Shell::hear_shortcuts(Ui& ui) {
+  if (visitor_ && top() != nullptr && top()->surround() != Surround::Nothing)
+    for (std::size_t number = 0; number < std::min<std::size_t>(visitor_->places.size(), 6);
+         ++number) {
+      const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + static_cast<int>(number));
+      if (ui.shortcut(with_control(key), visitor_->places[number].label))
+        navigate(ui, visitor_->places[number].id);
+    }
+  if (ui.shortcut({Key::F1}, ui.text("shortcut.help"))) is_help_shown_ = true;
+  if (ui.shortcut({Key::F11}, ui.text("shortcut.full_screen")))
+    preferences_.is_full_screen = !preferences_.is_full_screen;
+  float step = 0.0F;
+  if (ui.shortcut(with_control(Key::Plus), ui.text("shortcut.larger"))) step = scale_step;
+  if (ui.shortcut(with_control(Key::Minus), ui.text("shortcut.smaller"))) step = -scale_step;
+  preferences_.scale = std::clamp(std::round((preferences_.scale + step) * 10.0F) / 10.0F,
+                                  smallest_scale, largest_scale);
+  if (screens_.size() > 1 && ui.shortcut({Key::Escape}, ui.text("shortcut.back")) && may_leave(ui))
+    pop();
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,118 @@
+/// What stays while screens come and go: their stack, who is signed in, messages, running work, help, scale and theme.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/navigation.h"
+#include "ui/window/shell/background.h"
+#include "ui/window/shell/screen.h"
+
+namespace hallux::ui {
+
+/// A message in the corner. It goes after six seconds; with Bad or Warn it stays until it is closed.
+struct Message {
+  Meaning meaning = Meaning::Good;
+  std::string title = {}, detail = {}, action = {};
+  std::function<void()> on_action = {};
+};
+
+/// Who is signed in, and where they may go.
+struct Visitor {
+  std::string name = {}, role = {}, initials = {};
+  int hue = 0;
+  struct Place {
+    std::string id = {}, label = {};
+    Icon icon = Icon::None;
+    int badge = 0;
+  };
+  std::vector<Place> places = {};
+};
+
+/// What a person prefers; the window keeps it.
+struct Preferences {
+  ThemeName theme = ThemeName::Dark;
+  float scale = 1.0F;  ///< 0.8-2.0, of the person; the screen's own scale multiplies it
+  bool is_full_screen = false;
+  bool is_motion_reduced = false;
+};
+
+class Shell {
+ public:
+  /// `wake` brings the window to draw a frame, from any thread.
+  explicit Shell(std::function<void()> wake = {}) : background_(std::move(wake)) {}
+
+  // -- screens; each of these happens after the frame in which it was asked for
+  void push(std::unique_ptr<Screen> screen);
+  /// Goes back to the screen below; nothing at the lowest.
+  void pop();
+  /// Leaves every screen for this one.
+  void replace_all(std::unique_ptr<Screen> screen);
+  std::size_t depth() const noexcept { return screens_.size(); }
+  Screen* top() const noexcept { return screens_.empty() ? nullptr : screens_.back().get(); }
+
+  // -- who is there
+  void set_visitor(std::optional<Visitor> visitor) { visitor_ = std::move(visitor); }
+  const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
+  /// Called when a place of the navigation was chosen, with its id.
+  void on_navigate(std::function<void(const std::string&)> action) {
+    on_navigate_ = std::move(action);
+  }
+  /// Called when the person asked to sign out or to change; not while the screen says why it may not be left.
+  void on_sign_out(std::function<void()> action) { on_sign_out_ = std::move(action); }
+
+  // -- messages and work
+  void say(Message message);
+  Background& background() noexcept { return background_; }
+
+  Preferences& preferences() noexcept { return preferences_; }
+  /// The content scale that the desktop asks for on this display; the person's multiplies it.
+  void set_display_scale(float scale) noexcept { display_scale_ = scale; }
+
+  /// Draws the top screen with what surrounds it, and does what was asked for.
+  void draw(Ui& ui);
+
+ private:
+  struct ShownMessage {
+    Message message;
+    std::string id;
+    double since_s = -1.0;
+  };
+  enum class Change { Push, Pop, ReplaceAll };
+  struct Request {
+    Change change;
+    std::unique_ptr<Screen> screen;
+  };
+
+  Rect draw_surround(Ui& ui);
+  Rect draw_navigation(Ui& ui, const Screen& screen);
+  void draw_badge(Ui& ui);
+  void draw_person_menu(Ui& ui);
+  void draw_messages(Ui& ui);
+  float draw_work(Ui& ui);
+  void draw_help(Ui& ui);
+  void hear_shortcuts(Ui& ui);
+  void navigate(Ui& ui, const std::string& id);
+  void sign_out(Ui& ui);
+  bool may_leave(Ui& ui);
+  void apply_preferences(Ui& ui);
+  void carry_out(Ui& ui);
+
+  std::vector<std::unique_ptr<Screen>> screens_;
+  std::vector<Request> requests_;
+  std::optional<Visitor> visitor_;
+  std::function<void(const std::string&)> on_navigate_;
+  std::function<void()> on_sign_out_;
+  std::vector<ShownMessage> messages_;
+  int next_message_ = 0;
+  Preferences preferences_;
+  float display_scale_ = 1.0F;
+  std::optional<Rect> person_menu_;
+  bool is_help_shown_ = false;
+  Background background_;
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,65 @@
+/// The real window: GLFW, an OpenGL 3.3 core context, and frames only when something is to be shown.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "ui/widgets/texts.h"
+#include "ui/widgets/theme.h"
+
+namespace hallux::ui {
+
+class Shell;
+
+/// There is no display, or none with OpenGL 3.3; says what to do.
+class WindowError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct WindowSetting {
+  std::string title = "Hallux";
+  int width = 1440, height = 900;  ///< logical pixels
+  std::optional<std::filesystem::path> ui_map =
+      {};  ///< written while the window is open; see ui_map.h
+};
+
+class Window {
+ public:
+  /// Opens the window and makes its context current.
+  /// errors  WindowError
+  Window(const Texts& texts, const WindowSetting& setting);
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+  ~Window();
+
+  /// Shows the shell until the window is closed or close() is called. An idle window waits and costs next to nothing.
+  /// needs   the shell and what its screens keep on the graphics card end before the window
+  /// thread  the one that opened the window
+  /// errors  std::runtime_error where the map of the window cannot be written
+  void run(Shell& shell);
+
+  /// Ends run() after the frame.
+  void close() noexcept;
+  /// Keeps the next frame as a PNG file.
+  void keep_picture(std::filesystem::path file);
+  /// Brings the window to draw a frame.
+  /// thread  any
+  static void wake() noexcept;
+  /// Frames drawn so far.
+  long frames() const noexcept;
+
+ private:
+  void wait_for_frame();
+  void draw_frame(Shell& shell);
+  void update_map();
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hallux::ui
