@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ui/widgets/charts/line_chart.h"
+#include "ui/widgets/charts/svg_painter.h"
+#include "ui/widgets/charts/timeline.h"
+
+namespace hallux::ui {
+namespace {
+
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Axis, StepsByOneTwoOrFive) {
+  EXPECT_EQ(nice_ticks(0.0, 100.0, 6), (std::vector<double>{0, 20, 40, 60, 80, 100}));
+  EXPECT_EQ(nice_ticks(0.0, 3.4, 5), (std::vector<double>{0, 1, 2, 3}));
+  EXPECT_EQ(nice_ticks(0.5, 16.5, 20),
+            (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}));
+}
+
+RC_GTEST_PROP(Axis, TicksLieInsideAndAreFew, ()) {
+  const double low = *rc::gen::inRange(-1000, 1000), width = *rc::gen::inRange(1, 100000) * 0.01;
+  const int most = *rc::gen::inRange(2, 12);
+  const std::vector<double> ticks = nice_ticks(low, low + width, most);
+  RC_ASSERT(!ticks.empty());
+  RC_ASSERT(static_cast<int>(ticks.size()) <= most);
+  RC_ASSERT(ticks.front() >= low - width * 1e-6);
+  RC_ASSERT(ticks.back() <= low + width * (1.0 + 1e-6));
+}
+
+TEST(Axis, WritesNoMoreDecimalsThanTheStepHas) {
+  EXPECT_EQ(tick_text(20.0, 20.0), "20");
+  EXPECT_EQ(tick_text(0.5, 0.5), "0.5");
+  EXPECT_EQ(tick_text(-2.0, 1.0),
+            "\xE2\x88\x92"
+            "2");
+  EXPECT_EQ(tick_text(-1e-12, 0.1), "0.0");
+}
+
+TEST(Lines, AreNeverDrawnThroughAGap) {
+  const Plot plot{{0, 0, 100, 100}, 0, 10, 0, 10};
+  const std::vector<ChartPoint> points{{0, 1},   {1, 2},   {2, gap}, {3, 4},
+                                       {4, gap}, {5, gap}, {6, 7},   {7, 8}};
+  const auto runs = line_runs(plot, points);
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_EQ(runs[0].size(), 2U);
+  EXPECT_EQ(runs[1].size(), 1U);
+  EXPECT_EQ(runs[2].back(), (Point{70, 20}));
+}
+
+TEST(Lines, KeepEveryPeakWhereManySamplesShareAColumn) {
+  const Plot plot{{0, 0, 200, 100}, 0, 1, 0, 100};
+  std::vector<ChartPoint> points;
+  for (int k = 0; k <= 200000; ++k)
+    points.push_back({k / 200000.0, k == 77777 ? 95.0 : k == 123456 ? 3.0 : 50.0});
+  const auto runs = line_runs(plot, points);
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_LE(runs[0].size(), 4U * 201U);
+  float highest = 100.0F, lowest = 0.0F;
+  for (const Point& point : runs[0])
+    highest = std::min(highest, point.y), lowest = std::max(lowest, point.y);
+  EXPECT_FLOAT_EQ(highest, 5.0F);
+  EXPECT_FLOAT_EQ(lowest, 97.0F);
+}
+
+LineChart small_chart() {
+  LineChart chart;
+  chart.y_unit = "Points", chart.x_name = "Attempt";
+  chart.x_low = 0.5, chart.x_high = 3.5;
+  chart.series = {{SeriesRole::You, "attempt", {{1, 20}, {2, gap}, {3, 60}}, false, true}};
+  chart.pass_mark = 70.0, chart.pass_name = "pass 70 & more";
+  return chart;
+}
+
+TEST(LineCharts, FindThePointThatIsPointedAt) {
+  const LineChart chart = small_chart();
+  const Rect rect{100, 100, 500, 300};
+  const Plot plot = plot_of(rect, chart);
+  EXPECT_EQ(point_near(rect, chart, {plot.x(1.0) + 5.0F, 300}), 0U);
+  EXPECT_EQ(point_near(rect, chart, {plot.x(3.0) - 5.0F, 300}), 2U);
+  EXPECT_EQ(point_near(rect, chart, {plot.x(2.0), 300}), std::nullopt)
+      << "nothing was measured there";
+  EXPECT_EQ(point_near(rect, chart, {50, 300}), std::nullopt);
+}
+
+TEST(LineCharts, AreTheSameInAFile) {
+  SvgPainter painter(600, 400, rgb(0xFFFFFF));
+  draw_line_chart(painter, make_theme(ThemeName::Light), {0, 0, 600, 400}, small_chart());
+  const std::string svg = painter.document();
+  EXPECT_TRUE(svg.starts_with("<svg "));
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_NE(svg.find("pass 70 &amp; more"), std::string::npos);
+  EXPECT_NE(svg.find(">Points</text>"), std::string::npos);
+  std::size_t marks = 0;
+  for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
+    ++marks;
+  EXPECT_EQ(marks, 5U) << "two points with their gap of card colour, and the legend's";
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(Timelines, TellTheMomentUnderThePointer) {
+  Timeline timeline;
+  timeline.duration_s = 236.0;
+  const Rect rect{0, 0, 1000, 200};
+  EXPECT_EQ(time_at(rect, timeline, -50.0F), 0.0);
+  EXPECT_EQ(time_at(rect, timeline, 2000.0F), 236.0);
+  EXPECT_NEAR(time_at(rect, timeline, 124.0F + 868.0F / 2.0F), 118.0, 0.5);
+}
+
+TEST(Timelines, WriteClockTimes) {
+  EXPECT_EQ(clock_text(0.0), "00:00");
+  EXPECT_EQ(clock_text(151.9), "02:31");
+  EXPECT_EQ(clock_text(3751.0), "1:02:31");
+}
+
+TEST(Timelines, ShowWhatWasHappeningAtThePlayhead) {
+  Timeline timeline;
+  timeline.duration_s = 100.0, timeline.now_s = 50.0;
+  timeline.steps_name = "Steps", timeline.events_name = "Events";
+  timeline.steps = {{0, 40, "Mark"}, {40, 100, "Cut 1"}};
+  timeline.tracks = {{"Force", "N", {{0, 1}, {50, gap}, {100, 3}}, {}, 30.0, 15.0}};
+  SvgPainter painter(1000, timeline_height(timeline), rgb(0xFFFFFF));
+  const Theme theme = make_theme(ThemeName::Light);
+  draw_timeline(painter, theme, {0, 0, 1000, timeline_height(timeline)}, timeline);
+  const std::string svg = painter.document();
+  EXPECT_NE(svg.find(">Cut 1</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">00:50</text>"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,76 @@
+// The example of ui/widgets/README.md: a screen written with the components, and its test.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "tests/ui/widgets/driver.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/field.h"
+
+namespace hallux::ui {
+namespace {
+
+using testing::IsEmpty;
+
+struct RenameState {
+  std::string name, error;
+};
+
+/// Asks for a new name. Returns the name once it was saved.
+std::optional<std::string> draw_rename_screen(Ui& ui, RenameState& state) {
+  ui.canvas().fill(ui.display(), ui.theme().page);
+  const Rect content = card(ui, centred(ui.display(), 420.0F, 220.0F), ui.text("rename.title"));
+  FieldSpec name;
+  name.label = ui.text("rename.name");
+  name.error = state.error;
+  field(ui, "rename.name", {content.x, content.y + field_label_height, content.w, field_height},
+        state.name, name);
+  ui.focus_first("rename.name");
+  ButtonSpec save{ui.text("rename.save"), ButtonLook::Primary};
+  save.is_enabled = !state.name.empty();
+  const Rect foot{content.x, content.bottom() - button_height, button_width(ui, save),
+                  button_height};
+  if (button(ui, "rename.save", foot, save)) return state.name;
+  return std::nullopt;
+}
+
+class RenameScreen : public testing::TestWithParam<float> {
+ protected:
+  const Texts texts{"rename.title = Rename\nrename.name = Name\nrename.save = Save name\n"};
+  RenameState state;
+  std::optional<std::string> saved;
+  Driver driver{texts,
+                [this](Ui& ui) {
+                  if (auto name = draw_rename_screen(ui, state)) saved = name;
+                },
+                {1280.0F, 720.0F, GetParam()}};
+};
+
+TEST_P(RenameScreen, EnterSavesTheName) {
+  driver.press(Key::Enter);
+  EXPECT_EQ(saved, std::nullopt) << "an empty name is not saved";
+  driver.type("Trainee 12");
+  driver.press(Key::Enter);
+  EXPECT_EQ(saved, "Trainee 12");
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+TEST_P(RenameScreen, TheMouseSavesTheName) {
+  driver.click("rename.name");
+  driver.type("Trainee 12");
+  driver.click("rename.save");
+  EXPECT_EQ(saved, "Trainee 12");
+}
+
+TEST_P(RenameScreen, SaysWhatIsWrong) {
+  state.error = "No spaces in a name. Example: trainee-12";
+  driver.frame();
+  EXPECT_TRUE(driver.sees("Example: trainee-12"));
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(AtEveryScale, RenameScreen, testing::Values(0.8F, 1.0F, 1.5F));
+
+}  // namespace
+}  // namespace hallux::ui

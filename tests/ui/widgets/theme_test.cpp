@@ -1,0 +1,112 @@
+#include "ui/widgets/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hallux::ui {
+namespace {
+
+constexpr double readable = 4.5, visible = 3.0;
+
+using NamedColor = std::pair<std::string, Color>;
+
+std::vector<NamedColor> grounds_of(const Theme& theme) {
+  return {{"page", theme.page},   {"side", theme.side},
+          {"card", theme.card},   {"raise", theme.raise},
+          {"chip", theme.chip},   {"accent_soft", theme.accent_soft},
+          {"popup", theme.popup}, {"popup_raise", theme.popup_raise},
+          {"badge", theme.badge}};
+}
+
+class ThemeContrast : public testing::TestWithParam<ThemeName> {
+ protected:
+  const Theme theme = make_theme(GetParam());
+
+  static void expect_at_least(double least, const NamedColor& ink, const NamedColor& ground) {
+    EXPECT_GE(contrast(ink.second, ground.second), least) << ink.first << " on " << ground.first;
+  }
+};
+
+TEST_P(ThemeContrast, TextsCanBeReadOnEveryGround) {
+  for (const NamedColor& ground : grounds_of(theme)) {
+    expect_at_least(readable, {"text", theme.text}, ground);
+    expect_at_least(readable, {"text_secondary", theme.text_secondary}, ground);
+  }
+  for (const NamedColor& ground : {NamedColor{"page", theme.page},
+                                   {"card", theme.card},
+                                   {"side", theme.side},
+                                   {"raise", theme.raise},
+                                   {"accent_soft", theme.accent_soft},
+                                   {"chip", theme.chip},
+                                   {"field", theme.field}})
+    expect_at_least(ground.first == "chip" ? 4.4 : readable, {"text_caption", theme.text_caption},
+                    ground);
+}
+
+TEST_P(ThemeContrast, AccentAndItsTextCanBeRead) {
+  expect_at_least(readable, {"on_accent", theme.on_accent}, {"accent", theme.accent});
+  for (const NamedColor& ground : {NamedColor{"page", theme.page},
+                                   {"card", theme.card},
+                                   {"raise", theme.raise},
+                                   {"accent_soft", theme.accent_soft},
+                                   {"popup", theme.popup}})
+    expect_at_least(readable, {"accent", theme.accent}, ground);
+  expect_at_least(readable, {"bad_text on its button", theme.bad_text}, {"danger", theme.danger});
+  for (const Color& hue : theme.avatars)
+    expect_at_least(readable, {"initials", theme.on_avatar}, {"avatar", hue});
+}
+
+TEST_P(ThemeContrast, WordsWithAMeaningCanBeReadOnTheirTint) {
+  for (const Meaning meaning :
+       {Meaning::Good, Meaning::Warn, Meaning::Bad, Meaning::Info, Meaning::Neutral})
+    for (const Color ground : {theme.page, theme.card})
+      EXPECT_GE(contrast(text_of(theme, meaning), composed(tint_of(theme, meaning), ground)),
+                readable)
+          << static_cast<int>(meaning);
+}
+
+TEST_P(ThemeContrast, ShapesAndBordersCanBeSeen) {
+  for (const Meaning meaning :
+       {Meaning::Good, Meaning::Warn, Meaning::Bad, Meaning::Info, Meaning::Neutral})
+    EXPECT_GE(contrast(fill_of(theme, meaning), theme.card), visible) << static_cast<int>(meaning);
+  for (const NamedColor& ink : {NamedColor{"border", theme.border},
+                                {"focus", theme.focus},
+                                {"toggle_off", theme.toggle_off},
+                                {"accent", theme.accent},
+                                {"reference", theme.reference}})
+    expect_at_least(visible, ink, {"card", theme.card});
+  expect_at_least(visible, {"focus", theme.focus}, {"page", theme.page});
+}
+
+TEST_P(ThemeContrast, WordsOnAPanelOverThePictureCanBeRead) {
+  // The brightest and the darkest thing that may lie below it.
+  for (const Color below : {rgb(0xF2E6D0), rgb(0x0D1318)})
+    if (theme.is_dark() == (luminance(below) > 0.5)) {
+      const Color ground = composed(theme.hud, below);
+      EXPECT_GE(contrast(theme.text, ground), readable);
+      EXPECT_GE(contrast(theme.text_secondary, ground), readable);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ThemeContrast, testing::Values(ThemeName::Light, ThemeName::Dark),
+                         [](const auto& tested) {
+                           return tested.param == ThemeName::Dark ? "Dark" : "Light";
+                         });
+
+TEST(Color, ContrastOfBlackAndWhiteIsTwentyOne) {
+  EXPECT_NEAR(contrast(rgb(0x000000), rgb(0xFFFFFF)), 21.0, 1e-9);
+  EXPECT_NEAR(contrast(rgb(0x123456), rgb(0x123456)), 1.0, 1e-12);
+  EXPECT_EQ(contrast(rgb(0x10161B), rgb(0xE9EFF3)), contrast(rgb(0xE9EFF3), rgb(0x10161B)));
+}
+
+TEST(Color, ComposingHalfAlphaMeetsInTheMiddle) {
+  EXPECT_EQ(composed(rgb(0xFFFFFF, 255), rgb(0x000000)), rgb(0xFFFFFF));
+  EXPECT_EQ(composed(rgb(0xFFFFFF, 0), rgb(0x204060)), rgb(0x204060));
+  EXPECT_NEAR(composed(rgb(0xFFFFFF, 128), rgb(0x000000)).red, 128, 1);
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,114 @@
+#include "ui/widgets/ui_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tests/ui/widgets/driver.h"
+#include "ui/widgets/field.h"
+#include "ui/widgets/menu.h"
+
+namespace hallux::ui {
+namespace {
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class UiMapFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = std::filesystem::temp_directory_path() /
+             ("hallux_ui_map_" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
+              "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::filesystem::path folder;
+  Texts texts = english_texts();
+};
+
+TEST_F(UiMapFile, NamesWhatCanBeSeenAndReachedButNeverWhatAFieldHolds) {
+  std::string login = "trainee-12", password = "geheim";
+  bool is_asking = false;
+  Driver driver(texts,
+                [&](Ui& ui) {
+                  field(ui, "form.login", {20, 60, 300, 42}, login, {"Login"});
+                  FieldSpec secret{"Password"};
+                  secret.is_secret = true;
+                  field(ui, "form.password", {20, 150, 300, 42}, password, secret);
+                  ButtonSpec off{"Sign in"};
+                  off.is_enabled = false;
+                  button(ui, "form.submit", {20, 220, 300, 44}, off);
+                  if (is_asking) question(ui, "ask", {"Sure?", "All of it.", "Erase", "Keep"});
+                },
+                {1440, 900, 1.5F});
+  const std::string text = ui_map_json(driver.content(), 1.5F);
+  EXPECT_EQ(text.find("trainee-12"), std::string::npos);
+  EXPECT_EQ(text.find("geheim"), std::string::npos);
+  const nlohmann::json map = nlohmann::json::parse(text);
+  ASSERT_EQ(map["widgets"].size(), 4U);
+  EXPECT_EQ(
+      map["widgets"][0],
+      nlohmann::json::parse(
+          R"({"id":"form.login","label":"Login","x":30,"y":90,"w":450,"h":63,"enabled":true})"));
+  EXPECT_EQ(map["widgets"][3]["enabled"], false);
+  is_asking = true;
+  driver.frame();
+  driver.settle();
+  const nlohmann::json asked = nlohmann::json::parse(ui_map_json(driver.content(), 1.5F));
+  ASSERT_EQ(asked["widgets"].size(), 2U) << "what lies below a question cannot be reached";
+  EXPECT_EQ(asked["widgets"][0]["id"], "ask.keep");
+}
+
+FrameContent content_with(const std::string& id) {
+  FrameContent content;
+  Widget widget;
+  widget.id = id, widget.label = "L", widget.rect = widget.visible = {1, 2, 3, 4};
+  content.widgets = {widget};
+  return content;
+}
+
+TEST_F(UiMapFile, IsWrittenAtMostTenTimesASecond) {
+  const std::filesystem::path file = folder / "map.json";
+  UiMap map(file);
+  EXPECT_TRUE(std::isinf(map.update(content_with("a"), 1.0F, 10.0)));
+  EXPECT_NE(content_of(file).find("\"a\""), std::string::npos);
+  EXPECT_NEAR(map.update(content_with("b"), 1.0F, 10.04), 0.06, 1e-9);
+  EXPECT_EQ(content_of(file).find("\"b\""), std::string::npos);
+  EXPECT_TRUE(std::isinf(map.update(content_with("b"), 1.0F, 10.11)));
+  EXPECT_NE(content_of(file).find("\"b\""), std::string::npos);
+}
+
+TEST_F(UiMapFile, IsReplacedAsAWhole) {
+  const std::filesystem::path file = folder / "map.json";
+  UiMap map(file);
+  map.update(content_with("a"), 1.0F, 0.0);
+  std::ifstream reader(file);  // opened before the replacement: sees the old file to its end
+  map.update(content_with("b"), 1.0F, 1.0);
+  const std::string old{std::istreambuf_iterator<char>(reader), {}};
+  EXPECT_TRUE(nlohmann::json::accept(old));
+  EXPECT_NE(old.find("\"a\""), std::string::npos);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1)
+      << "nothing is left beside it";
+}
+
+TEST_F(UiMapFile, ThatCannotBeWrittenIsNamed) {
+  UiMap map(folder / "no" / "map.json");
+  try {
+    map.update(content_with("a"), 1.0F, 0.0);
+    FAIL() << "nothing was thrown";
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("map.json"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Uses a real window under Xvfb as a person does, with xdotool, finding controls by the map of the window.
+
+usage: window_check.py GALLERY_WINDOW [PICTURE]
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+IDLE_S = 10.0
+MAX_IDLE_CPU_SHARE = 0.01
+
+
+def start_display(size):
+    """(Xvfb process, display name); Xvfb itself finds a free number."""
+    reader, writer = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", size, "-nolisten", "tcp"],
+                              pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(writer)
+    with os.fdopen(reader) as stream:
+        number = stream.readline().strip()
+    if not number:
+        raise SystemExit("Xvfb did not start")
+    return server, ":" + number
+
+
+def wait_until(what, condition, timeout_s=30.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.05)
+    raise SystemExit(f"not within {timeout_s:.0f} s: {what}")
+
+
+def cpu_s(pid):
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+class Person:
+    """Finds controls in the map of the window and uses mouse and keyboard through the X server."""
+
+    def __init__(self, map_file, environment):
+        self.map_file = map_file
+        self.environment = environment
+
+    def widgets(self):
+        if not self.map_file.exists():
+            return {}
+        return {each["id"]: each for each in json.loads(self.map_file.read_text())["widgets"]}
+
+    def xdotool(self, *words):
+        subprocess.run(["xdotool", *words], check=True, env=self.environment)
+
+    def click(self, name):
+        place = wait_until(f"control {name}", lambda: self.widgets().get(name))
+        x, y = place["x"] + place["w"] // 2, place["y"] + place["h"] // 2
+        self.xdotool("mousemove", str(x), str(y), "click", "1")
+
+    def press(self, *keys):
+        self.xdotool("key", "--delay", "0", *keys)
+
+    def type(self, letters):
+        self.xdotool("type", "--delay", "0", letters)
+
+
+def use_window(person):
+    """Presses, types as fast as the X server takes it, answers a question by keyboard."""
+    person.click("gallery.search")
+    person.type("Chevron 12.3, 0 ms between keys")
+    person.click("gallery.segment.2")
+    person.click("gallery.failed.action")  # asks
+    wait_until("the question", lambda: "gallery.question.keep" in person.widgets())
+    if "gallery.search" in person.widgets():
+        raise SystemExit("what lies below a question is in the map")
+    person.press("Tab", "Return")          # the dangerous answer, by keyboard alone
+    wait_until("the end of the question", lambda: "gallery.question.keep" not in person.widgets())
+    before = person.widgets()["gallery.search"]["w"]
+    person.press("ctrl+plus")
+    wait_until("a larger scale", lambda: person.widgets()["gallery.search"]["w"] > before)
+
+
+def check_idle(window):
+    time.sleep(1.0)
+    before = cpu_s(window.pid)
+    time.sleep(IDLE_S)
+    share = (cpu_s(window.pid) - before) / IDLE_S
+    print(f"idle: {share * 100.0:.2f} % of one processor over {IDLE_S:.0f} s")
+    if share > MAX_IDLE_CPU_SHARE:
+        raise SystemExit("an idle window takes too much of the processor")
+
+
+def run(program, folder, display, picture):
+    environment = dict(os.environ, DISPLAY=display)
+    map_file, report = folder / "map.json", folder / "report.txt"
+    command = [program, "--ui-map", str(map_file), "--report", str(report), "--picture", str(picture)]
+    window = subprocess.Popen(command, env=environment)
+    try:
+        person = Person(map_file, environment)
+        wait_until("the window", lambda: "gallery.search" in person.widgets())
+        check_idle(window)
+        use_window(person)
+        person.press("F11")
+        time.sleep(0.5)
+        person.press("F11")
+        time.sleep(0.5)
+        person.press("F10")
+        if window.wait(timeout=20) != 0:
+            raise SystemExit(f"the window ended with {window.returncode}")
+    finally:
+        if window.poll() is None:
+            window.kill()
+    return dict(line.split("=", 1) for line in report.read_text().splitlines())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program")
+    parser.add_argument("picture", nargs="?", type=pathlib.Path)
+    arguments = parser.parse_args()
+    server, display = start_display("1600x1000x24")
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            found = run(arguments.program, place, display, arguments.picture or place / "picture.png")
+    finally:
+        server.terminate()
+        server.wait()
+    wanted = {"search": "Chevron 12.3, 0 ms between keys", "segment": "2", "presses": "1", "scale": "1.1"}
+    wrong = {key: found.get(key) for key, value in wanted.items() if found.get(key) != value}
+    if wrong:
+        sys.exit(f"wanted {wanted}, found {wrong}")
+    print(f"window check: passed, {found['frames']} frames")
+
+
+if __name__ == "__main__":
+    main()
