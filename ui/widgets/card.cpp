@@ -68,6 +68,23 @@ bool failed_card(Ui& ui, std::string_view id, const Rect& content, const FailedC
   return draw_notice(ui, id, content, failed.title, failed.reason, failed.action, mark);
 }
 
+bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow& row) {
+  Canvas& canvas = ui.canvas();
+  const Theme& theme = ui.theme();
+  const float side = std::max(ui.width_of(Type::SmallMedium, row.right),
+                              ui.width_of(Type::SmallMedium, row.action));
+  const float room = rect.w - 32.0F - side - 24.0F, middle = rect.y + 27.0F;
+  draw_meaning(canvas, theme, row.meaning, {rect.x + 10.0F, middle}, 8.0F);
+  canvas.text_in({rect.x + 32.0F, middle - 12.0F, room, 24.0F}, {Type::BodyStrong, theme.text},
+                 row.head);
+  canvas.paragraph({rect.x + 32.0F, rect.y + 41.0F, room, rect.h - 41.0F},
+                   {Type::Small, theme.text_secondary}, row.body);
+  canvas.text({rect.right(), middle}, {Type::SmallMedium, theme.text, Align::Right}, row.right);
+  if (row.action.empty()) return false;
+  return link(ui, std::string(id) + ".action", {rect.right(), middle + 24.0F}, row.action,
+              Align::Right, Type::SmallMedium);
+}
+
 void loading_rows(Ui& ui, const Rect& content, int rows, double since_s) {
   const double waited_s = ui.time_s() - since_s;
   if (waited_s < quick_s) {

@@ -8,7 +8,7 @@
 namespace hallux::ui {
 namespace {
 
-constexpr float padding = 14.0F, icon_room = 24.0F, eye_room = 40.0F, caret_width = 1.5F;
+constexpr float padding = 14.0F, icon_room = 24.0F, eye_room = 40.0F, caret_width = 2.0F;
 constexpr std::string_view dot = "\xE2\x80\xA2";
 
 // The letters as they are shown: themselves, or a dot for each.

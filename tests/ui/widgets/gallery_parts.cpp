@@ -121,6 +121,20 @@ void draw_operation_cards(Ui& ui, const Rect& place) {
                {place.x + 295.0F, place.y, picture_card_width, picture_card_height}, silver);
 }
 
+void draw_message_rows(Ui& ui, const Rect& place) {
+  Rect rest = card(ui, place, "What to take from this attempt");
+  message_row(ui, "parts.angle", take_top(rest, message_row_height),
+              {Meaning::Warn, "You removed 12.3\xC2\xB0; the plan was 10.0\xC2\xB0",
+               "The base was 3.1 mm at the medial cortex, plan 2.5. Measure it before cut 2, blade "
+               "thickness included.",
+               "5.2 points lost", "Drill: Measure the base"});
+  ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
+  message_row(ui, "parts.inside", take_top(rest, message_row_height),
+              {Meaning::Good, "The blade stayed inside the bone",
+               "No plunge in any of 41 strokes, and no contact with the tendon or the joint.",
+               "16 of 16 kept", "See 03:02"});
+}
+
 void draw_score(Ui& ui, const Rect& place) {
   card(ui, place, "");
   score_ring(ui, {place.x + 108.0F, place.y + 108.0F}, 72.0F,
@@ -153,7 +167,7 @@ void draw_larger_parts(Ui& ui, GalleryState& state) {
   const float left = navigation_width(ui, false);
   const Rect view{left, 0.0F, ui.display().w - left, ui.display().h};
   const float x = left + space::page,
-              shift = -ui.begin_scroll("parts", "Larger parts", view, 1120.0F);
+              shift = -ui.begin_scroll("parts", "Larger parts", view, 1390.0F);
   page_title(ui, {x, 32.0F + shift}, "Larger parts", "Lists, cards, scores and charts.");
   filter_pill(ui, "parts.all", {x + 420.0F, 70.0F + shift}, "All 18", true);
   filter_pill(ui, "parts.idle", {x + 500.0F, 70.0F + shift}, "4 idle over 14 days", false);
@@ -168,7 +182,8 @@ void draw_larger_parts(Ui& ui, GalleryState& state) {
     return std::pair<std::string, std::string>{"Attempt " + std::to_string(point + 1),
                                                "24 Feb, 3:21"};
   });
-  const Rect times = card(ui, {x + 590.0F, 824.0F + shift, 570.0F, 280.0F}, "Replay");
+  draw_message_rows(ui, {x + 590.0F, 824.0F + shift, 570.0F, 260.0F});
+  const Rect times = card(ui, {x, 1104.0F + shift, 1160.0F, 280.0F}, "Replay");
   timeline(ui, "parts.timeline", times, attempt_timeline());
   ui.end_scroll();
 }

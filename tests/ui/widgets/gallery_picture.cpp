@@ -15,9 +15,10 @@ namespace {
 using namespace hallux::ui;
 
 void draw_picture(const std::filesystem::path& folder, const std::string& name, ThemeName theme,
-                  float scale, const Driver::Draw& draw, Point pointer) {
+                  float scale, const Driver::Draw& draw, Point pointer,
+                  float height_at_one = 900.0F) {
   const int width = static_cast<int>(std::lround(1440.0F * scale)),
-            height = static_cast<int>(std::lround(900.0F * scale));
+            height = static_cast<int>(std::lround(height_at_one * scale));
   const Offscreen offscreen(width, height);
   const Texts texts = english_texts();
   DriverSetting setting{static_cast<float>(width), static_cast<float>(height), scale, theme};
@@ -49,8 +50,9 @@ int main(int count, char** arguments) {
                    [&](Ui& ui) { draw_components(ui, components); }, {-9.0F, -9.0F});
       parts.people.chosen = {"person-1", "person-2"};
       parts.people.sort = {0, false};
-      draw_picture(folder, "parts", theme, scale, [&](Ui& ui) { draw_larger_parts(ui, parts); },
-                   {700.0F, 780.0F});
+      draw_picture(
+          folder, "parts", theme, scale, [&](Ui& ui) { draw_larger_parts(ui, parts); },
+          {700.0F, 780.0F}, 1400.0F);
       asked.has_question = true;
       if (scale == 1.0F)
         draw_picture(folder, "question", theme, scale, [&](Ui& ui) { draw_components(ui, asked); },
