@@ -6,6 +6,7 @@
 
 #include "database/audit.h"
 #include "database/chain.h"
+#include "database/simulated_course.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -15,10 +16,14 @@ namespace {
 constexpr std::string_view header_columns =
     "SELECT a.uuid, a.scenario_version_id, a.person_id, a.hand, a.seed, a.device_class, a.pacing, "
     "a.stereo_mode, a.bone_digest, a.engine_version, a.started_utc, a.state, a.duration_ticks, "
-    "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli "
+    "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli, a.kind, "
+    "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
+    "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
+    "a.attempt_id, s.measured_weight_milli < 100000 "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
-    "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL ";
+    "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
+    "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL ";
 
 AttemptId random_attempt_id() {
   std::array<unsigned char, 16> bytes{};
@@ -46,6 +51,7 @@ NewAttempt begun_in(SQLite::Statement& row) {
   begun.stereo_mode = row.getColumn(7).getString();
   begun.bone = digest_in(row.getColumn(8)).value_or(Digest{});
   begun.engine = row.getColumn(9).getInt();
+  begun.kind = attempt_kind_from(row.getColumn(20).getString()).value_or(AttemptKind::Practice);
   return begun;
 }
 
@@ -64,6 +70,15 @@ AttemptHeader header_in(SQLite::Statement& row) {
   header.scenario_digest = digest_in(row.getColumn(17)).value_or(Digest{});
   header.login = row.getColumn(18).getString();
   if (!row.getColumn(19).isNull()) header.score_milli = row.getColumn(19).getInt64();
+  header.is_simulated = row.getColumn(21).getInt() != 0;
+  if (!row.getColumn(22).isNull()) {
+    header.decision = decision_kind_from(row.getColumn(22).getString());
+    if (!row.getColumn(23).isNull()) header.decided_milli = row.getColumn(23).getInt64();
+    header.decision_is_of_score_in_force = row.getColumn(24).getInt() != 0;
+  }
+  header.is_complete = row.getColumn(25).getInt() != 0;
+  header.order = row.getColumn(26).getInt64();
+  header.is_partial = row.getColumn(27).getInt() != 0;
   return header;
 }
 
@@ -71,8 +86,10 @@ void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& a
   SQLite::Statement insert{database.connection(),
                            "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, "
                            "device_class, pacing, "
-                           "stereo_mode, bone_digest, engine_version, started_utc, state) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'recording')"};
+                           "stereo_mode, bone_digest, engine_version, started_utc, kind, "
+                           "is_simulated, state) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                           "EXISTS (SELECT 1 FROM simulated_course), 'recording')"};
   insert.bind(1, id.text);
   insert.bind(2, attempt.scenario.number);
   if (attempt.person) insert.bind(3, attempt.person->number);
@@ -84,7 +101,16 @@ void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& a
   bind_digest(insert, 9, attempt.bone);
   insert.bind(10, attempt.engine);
   insert.bind(11, utc_now(database));
+  bind_text(insert, 12, name_of(attempt.kind));
   insert.exec();
+}
+
+/// A person's attempt is made by that person's own hand; only in a simulated course is it a scripted one's.
+void check_whose_hand(Database& database, const NewAttempt& attempt) {
+  if (!attempt.person || attempt.hand.empty() || is_simulated_course(database)) return;
+  throw DatabaseError{DatabaseErrorKind::BadInput,
+                      "the scripted hand '" + attempt.hand +
+                          "' belongs to the robot; a person's attempt is made by their own hand"};
 }
 
 bool is_uuid_start(const std::string& text) noexcept {
@@ -95,12 +121,13 @@ bool is_uuid_start(const std::string& text) noexcept {
 }  // namespace
 
 WriterLease create_attempt(Database& database, const NewAttempt& attempt) {
+  check_whose_hand(database, attempt);
   // The lease comes first: a row without one would be taken for an interrupted attempt.
   WriterLease lease = WriterLease::take(database.directory(), random_attempt_id());
   in_transaction(database, "begin an attempt (its scenario version and bone must be stored)", [&] {
     insert_attempt(database, lease.attempt(), attempt);
-    append_audit(database,
-                 {attempt.person, "attempt_begun", "attempt", lease.attempt().text, false, {}, ""});
+    append_audit(database, {attempt.person, "attempt_begun", "attempt", lease.attempt().text, false,
+                            purpose_digest(attempt.kind, is_simulated_course(database)), ""});
   });
   return lease;
 }
@@ -119,9 +146,12 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
   if (filter.of_nobody) either("a.person_id IS NULL");
   return translating(database, "list the attempts", [&] {
     SQLite::Statement rows{database.connection(),
-                           std::string{header_columns} + where + " ORDER BY a.attempt_id DESC"};
+                           std::string{header_columns} + where +
+                               " ORDER BY a.started_utc DESC, a.attempt_id DESC" +
+                               (filter.count_max ? " LIMIT ?3" : "")};
     if (filter.person) rows.bind(1, filter.person->number);
     if (filter.cohort) rows.bind(2, filter.cohort->number);
+    if (filter.count_max) rows.bind(3, *filter.count_max);
     std::vector<AttemptHeader> headers;
     while (rows.executeStep()) headers.push_back(header_in(rows));
     return headers;

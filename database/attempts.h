@@ -14,14 +14,16 @@ namespace hallux::database {
 
 /// Stores a new attempt in state recording and takes its lease: give it to a Recorder. Where the lease goes away without
 /// a seal, the next opening for writing marks the attempt as interrupted.
-/// errors  DatabaseError: BadInput where the scenario version or the bone is not stored; storage failures
+/// errors  DatabaseError: BadInput where the scenario version or the bone is not stored, or where a person is named with a
+///         scripted hand outside a simulated course; storage failures
 WriterLease create_attempt(Database& database, const NewAttempt& attempt);
 
 /// Whose attempts a list holds.
 struct AttemptFilter {
-  std::optional<PersonId> person;  ///< of this person
-  std::optional<CohortId> cohort;  ///< of the trainees of this cohort
-  bool of_nobody = false;          ///< the robot's; alone or together with one of the others
+  std::optional<PersonId> person;         ///< of this person
+  std::optional<CohortId> cohort;         ///< of the trainees of this cohort
+  bool of_nobody = false;                 ///< the robot's; alone or together with one of the others
+  std::optional<std::int32_t> count_max;  ///< at most so many, the newest
 };
 
 /// Newest first; all where the filter asks for nothing.

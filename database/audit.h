@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "database/connection.h"
+#include "database/records/audit_line.h"
 #include "database/records/ids.h"
 #include "simulator/base/digest.h"
 
@@ -39,5 +40,9 @@ void append_audit(Database& database, const AuditEntry& entry);
 /// The rows, oldest first.
 /// errors  DatabaseError Damaged naming the first row whose link does not fit
 std::vector<AuditRow> read_audit(Database& database);
+
+/// Newest first, with names where they can still be named. The chain is not checked: that is verify's.
+/// errors  DatabaseError
+AuditPage read_audit_page(Database& database, const AuditRequest& request);
 
 }  // namespace hallux::database

@@ -33,4 +33,11 @@ Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept {
   return digester.finish();
 }
 
+Digest purpose_digest(AttemptKind kind, bool is_simulated) noexcept {
+  Digester digester;
+  digester.add_text(name_of(kind));
+  digester.add_int(is_simulated ? 1 : 0);
+  return digester.finish();
+}
+
 }  // namespace hallux::database

@@ -28,4 +28,7 @@ Digest link_of(const Digest& before, const AttemptId& attempt, const ChunkPlace&
 /// needs   duration_ticks is known
 Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept;
 
+/// Binds what an attempt is for to the audit row of its beginning: BLAKE2b-256 of the name of the kind and 1 or 0.
+Digest purpose_digest(AttemptKind kind, bool is_simulated) noexcept;
+
 }  // namespace hallux::database

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "database/database_error.h"
 
@@ -23,6 +24,9 @@ struct OpenOptions {
   Access access = Access::ReadWrite;
   int busy_timeout_ms = 5000;
   std::string vfs_name;  ///< empty: SQLite's own; tests name one that fails on purpose
+  /// The time that rows are stored with, ISO 8601; empty: the clock's. For simulated courses, which tell of past weeks,
+  /// and for tests of what expires.
+  std::string pretended_utc = {};
 };
 
 /// A connection with the settings that every connection has. One thread at a time may use it.
@@ -45,6 +49,8 @@ class Database {
   SQLite::Database& connection() noexcept { return *connection_; }
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
+  const std::string& pretended_utc() const noexcept { return options_.pretended_utc; }
+  void pretend_it_is(std::string utc) { options_.pretended_utc = std::move(utc); }
 
  private:
   Database(std::filesystem::path directory, const OpenOptions& options);

@@ -9,19 +9,12 @@ namespace hallux::database {
 namespace {
 
 constexpr std::array<std::string_view, action_count> action_names{
-    "begin_attempt",   "list_attempts", "view_attempt", "store_score",
-    "change_password", "set_password",  "add_person",   "list_people",
-    "disable_person",  "add_cohort",    "enrol"};
-
-Relation relation_to_attempt(Database& database, const DeskHolder& holder,
-                             const std::optional<PersonId>& owner) {
-  if (!owner) return Relation::Robot;
-  if (holder.person == owner) return Relation::Own;
-  if (holder.cohort && role_in(database, *holder.cohort, *owner) == CohortRole::Trainee) {
-    return Relation::Cohort;
-  }
-  return Relation::Other;
-}
+    "begin_attempt",   "list_attempts",      "view_attempt",    "store_score",   "list_operations",
+    "read_notes",      "read_private_notes", "write_note",      "reply_to_note", "ask_for_help",
+    "read_help",       "answer_help",        "decide_result",   "see_cohort",    "change_password",
+    "set_password",    "issue_code",         "add_person",      "list_people",   "disable_person",
+    "change_role",     "add_cohort",         "list_cohorts",    "enrol",         "list_scenarios",
+    "import_scenario", "publish_scenario",   "retire_scenario", "read_audit",    "back_up"};
 
 /// A desk taken at sign-in may outlive the right to it.
 bool still_holds_role(Database& database, const DeskHolder& holder) {
@@ -32,20 +25,6 @@ bool still_holds_role(Database& database, const DeskHolder& holder) {
   if (holder.role != Role::Instructor) return true;
   return holder.cohort &&
          role_in(database, *holder.cohort, *holder.person) == CohortRole::Instructor;
-}
-
-/// The header, once the table allowed `action` on it.
-AttemptHeader allowed_header(Database& database, const DeskHolder& holder, Action action,
-                             const AttemptId& id) {
-  AttemptHeader header = load_header(database, id);
-  const Relation relation = relation_to_attempt(database, holder, header.begun.person);
-  require(database, holder, action, relation, "attempt " + header.id.text);
-  return header;
-}
-
-void audit_person(Database& database, const DeskHolder& holder, const char* action, PersonId id) {
-  append_audit(database,
-               {holder.person, action, "person", std::to_string(id.number), false, {}, ""});
 }
 
 }  // namespace
@@ -60,6 +39,28 @@ void require(Database& database, const DeskHolder& holder, Action action, Relati
                                                       "; sign in with --as as someone who may"};
 }
 
+Relation AttemptDesk::relation_to(const std::optional<PersonId>& owner) {
+  if (!owner) return Relation::Robot;
+  if (holder_.person == owner) return Relation::Own;
+  if (holder_.cohort && role_in(*database_, *holder_.cohort, *owner) == CohortRole::Trainee) {
+    return Relation::Cohort;
+  }
+  return Relation::Other;
+}
+
+AttemptHeader AttemptDesk::allowed_header(Action action, const AttemptId& id) {
+  AttemptHeader header = load_header(*database_, id);
+  require(*database_, holder_, action, relation_to(header.begun.person),
+          "attempt " + header.id.text);
+  return header;
+}
+
+void AttemptDesk::audit(const std::string& action, const char* subject_kind,
+                        std::string subject_id) {
+  append_audit(*database_,
+               {holder_.person, action, subject_kind, std::move(subject_id), false, {}, ""});
+}
+
 std::vector<AttemptHeader> AttemptDesk::attempts() {
   AttemptFilter filter;
   filter.of_nobody = allows(holder_.role, Action::ListAttempts, Relation::Robot);
@@ -70,103 +71,59 @@ std::vector<AttemptHeader> AttemptDesk::attempts() {
 }
 
 AttemptHeader AttemptDesk::header(const AttemptId& id) {
-  return allowed_header(*database_, holder_, Action::ViewAttempt, id);
+  return allowed_header(Action::ViewAttempt, id);
 }
 
 simulator::Recording AttemptDesk::recording(const AttemptId& id) {
-  const AttemptHeader header = allowed_header(*database_, holder_, Action::ViewAttempt, id);
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
   if (header.begun.person && header.begun.person != holder_.person) {
-    append_audit(*database_,
-                 {holder_.person, "attempt_viewed", "attempt", header.id.text, false, {}, ""});
+    audit("attempt_viewed", "attempt", header.id.text);
   }
   return load_recording(*database_, header.id);
 }
 
 std::optional<StoredScore> AttemptDesk::score(const AttemptId& id) {
-  return load_score(*database_, allowed_header(*database_, holder_, Action::ViewAttempt, id).id);
+  return load_score(*database_, allowed_header(Action::ViewAttempt, id).id);
+}
+
+std::vector<Decision> AttemptDesk::decisions(const AttemptId& id) {
+  return load_decisions(*database_, allowed_header(Action::ViewAttempt, id).id);
 }
 
 bool AttemptDesk::may(Action action, const AttemptHeader& header) {
-  const Relation relation = relation_to_attempt(*database_, holder_, header.begun.person);
-  return allows(holder_.role, action, relation) && still_holds_role(*database_, holder_);
+  return allows(holder_.role, action, relation_to(header.begun.person)) &&
+         still_holds_role(*database_, holder_);
 }
 
 ScoreId AttemptDesk::store_score(const AttemptId& id, const ScoreCard& card) {
-  return database::store_score(*database_,
-                               allowed_header(*database_, holder_, Action::StoreScore, id).id, card,
+  return database::store_score(*database_, allowed_header(Action::StoreScore, id).id, card,
                                holder_.person);
 }
 
 WriterLease AttemptDesk::begin(const NewAttempt& attempt) {
-  require(*database_, holder_, Action::BeginAttempt,
-          relation_to_attempt(*database_, holder_, attempt.person), "a new attempt");
+  require(*database_, holder_, Action::BeginAttempt, relation_to(attempt.person), "a new attempt");
   return create_attempt(*database_, attempt);
 }
 
-Relation AdministratorDesk::relation_to(const Person& person) const noexcept {
-  return holder_.person == person.id ? Relation::Own : Relation::Other;
+std::vector<Note> CourseDesk::notes(const AttemptId& id) {
+  const AttemptHeader header = allowed_header(Action::ReadNotes, id);
+  return list_notes(
+      *database_, header.id,
+      allows(holder_.role, Action::ReadPrivateNotes, relation_to(header.begun.person)));
 }
 
-PersonId AdministratorDesk::add_person(const NewPerson& person, const SecretText& password,
-                                       const PasswordCost& cost) {
-  require(*database_, holder_, Action::AddPerson, Relation::Other, "a new person");
-  return in_transaction(*database_, "add a person", [&] {
-    const PersonId id = create_person(*database_, person, password, cost);
-    audit_person(*database_, holder_, "person_added", id);
-    return id;
-  });
-}
-
-std::vector<Person> AdministratorDesk::people() {
-  require(*database_, holder_, Action::ListPeople, Relation::Other, "the people");
-  return list_people(*database_);
-}
-
-void AdministratorDesk::set_password(const std::string& login, const SecretText& password,
-                                     const PasswordCost& cost) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::SetPassword, relation_to(person),
-          "the password of " + login);
-  in_transaction(*database_, "set a password", [&] {
-    database::set_password(*database_, person.id, password, cost);
-    audit_person(*database_, holder_, "password_set", person.id);
-  });
-}
-
-void AdministratorDesk::set_disabled(const std::string& login, bool is_disabled) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::DisablePerson, relation_to(person), login);
-  in_transaction(*database_, "disable or enable a person", [&] {
-    database::set_disabled(*database_, person.id, is_disabled);
-    audit_person(*database_, holder_, is_disabled ? "person_disabled" : "person_enabled",
-                 person.id);
-  });
-}
-
-CohortId AdministratorDesk::add_cohort(const std::string& name) {
-  require(*database_, holder_, Action::AddCohort, Relation::Other, "a new cohort");
-  return in_transaction(*database_, "add a cohort", [&] {
-    const CohortId id = create_cohort(*database_, name);
-    append_audit(
-        *database_,
-        {holder_.person, "cohort_added", "cohort", std::to_string(id.number), false, {}, ""});
-    return id;
-  });
-}
-
-void AdministratorDesk::enrol(CohortId cohort, const std::string& login, CohortRole role) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::Enrol, relation_to(person), login);
-  in_transaction(*database_, "enrol a person", [&] {
-    database::enrol(*database_, cohort, person.id, role);
-    append_audit(*database_,
-                 {holder_.person,
-                  role == CohortRole::Trainee ? "enrolled_as_trainee" : "enrolled_as_instructor",
-                  "membership",
-                  std::to_string(cohort.number) + "/" + std::to_string(person.id.number),
-                  false,
-                  {},
-                  ""});
+void CourseDesk::reply(NoteId note, const std::string& text) {
+  const Note replied = load_note(*database_, note);
+  const AttemptHeader header = allowed_header(Action::ReplyToNote, replied.attempt);
+  if (replied.is_private &&
+      !allows(holder_.role, Action::ReadPrivateNotes, relation_to(header.begun.person))) {
+    throw DatabaseError{
+        DatabaseErrorKind::NotFound,
+        "there is no note " + std::to_string(note.number) + " in " + database_->file().string()};
+  }
+  in_transaction(*database_, "reply to a note", [&] {
+    add_reply(*database_, note, text, *holder_.person);
+    audit("note_replied", "note", std::to_string(note.number));
   });
 }
 

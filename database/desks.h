@@ -2,7 +2,8 @@
 ///
 /// A desk offers only what its role may ever do; whether this person may do it to that row is decided by the policy table
 /// (database/policy.h), which each method asks first. A refusal is written to the audit and thrown. A desk is had from a
-/// Session, or from the house for what belongs to nobody (database/session.h); it must not outlive the Database.
+/// Session, or from the house for what belongs to nobody (database/session.h); it must not outlive the Database. Here is
+/// what desks share; the desks of people are in trainee_desk.h, instructor_desk.h and administrator_desk.h.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,9 @@
 #include <vector>
 
 #include "database/attempts.h"
+#include "database/cohorts.h"
+#include "database/decisions.h"
+#include "database/notes.h"
 #include "database/people.h"
 #include "database/policy.h"
 #include "database/scores.h"
@@ -18,7 +22,6 @@
 namespace hallux::database {
 
 class Session;
-class OpenHouse;
 
 /// Who sits at a desk.
 struct DeskHolder {
@@ -36,6 +39,8 @@ class AttemptDesk {
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
+  /// What instructors decided about it, newest first.
+  std::vector<Decision> decisions(const AttemptId& id);
   /// Whether the table allows `action` on that attempt; asking is no refusal and is not written to the audit.
   bool may(Action action, const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
@@ -43,6 +48,12 @@ class AttemptDesk {
  protected:
   AttemptDesk(Database& database, DeskHolder holder) : database_(&database), holder_(holder) {}
   WriterLease begin(const NewAttempt& attempt);
+  /// What this desk's holder is to an attempt of `owner`.
+  Relation relation_to(const std::optional<PersonId>& owner);
+  /// The header, once the table allowed `action` on it.
+  AttemptHeader allowed_header(Action action, const AttemptId& id);
+  /// An audit row of something done by the holder.
+  void audit(const std::string& action, const char* subject_kind, std::string subject_id);
 
   Database* database_;
   DeskHolder holder_;
@@ -56,40 +67,16 @@ class HouseDesk : public AttemptDesk {
   WriterLease begin_attempt(const NewAttempt& attempt) { return begin(attempt); }
 };
 
-class TraineeDesk : public AttemptDesk {
+/// What trainees and instructors share: talking about an attempt.
+class CourseDesk : public AttemptDesk {
  public:
-  /// errors  DatabaseError Refused where the attempt is not this person's
-  WriterLease begin_attempt(const NewAttempt& attempt) { return begin(attempt); }
+  /// By moment, with their replies; private ones for those whom the table lets read them.
+  std::vector<Note> notes(const AttemptId& id);
+  /// errors  DatabaseError: NotFound, also for a private note that this desk may not read; BadInput for the text
+  void reply(NoteId note, const std::string& text);
 
- private:
-  friend class Session;
+ protected:
   using AttemptDesk::AttemptDesk;
-};
-
-class InstructorDesk : public AttemptDesk {
- private:
-  friend class Session;
-  using AttemptDesk::AttemptDesk;
-};
-
-/// People, and of the attempts the robot's only.
-/// errors  DatabaseError: Refused; and as in database/people.h
-class AdministratorDesk : public AttemptDesk {
- public:
-  PersonId add_person(const NewPerson& person, const SecretText& password,
-                      const PasswordCost& cost = {});
-  std::vector<Person> people();
-  void set_password(const std::string& login, const SecretText& password,
-                    const PasswordCost& cost = {});
-  /// Disables, or enables again.
-  void set_disabled(const std::string& login, bool is_disabled);
-  CohortId add_cohort(const std::string& name);
-  void enrol(CohortId cohort, const std::string& login, CohortRole role);
-
- private:
-  friend class Session;
-  using AttemptDesk::AttemptDesk;
-  Relation relation_to(const Person& person) const noexcept;
 };
 
 /// Asks the policy table, and whether the holder still has the role; writes a refusal to the audit.

@@ -8,12 +8,18 @@ namespace {
 
 constexpr const char* person_columns =
     "SELECT p.person_id, coalesce(d.login, ''), coalesce(d.display_name, ''), p.is_administrator, "
-    "p.is_disabled, p.created_utc FROM person p LEFT JOIN person_detail d USING (person_id) ";
+    "p.is_disabled, p.created_utc, "
+    "(SELECT max(s.started_utc) FROM session s WHERE s.person_id = p.person_id), "
+    "EXISTS (SELECT 1 FROM password w WHERE w.person_id = p.person_id), c.expires_utc "
+    "FROM person p LEFT JOIN person_detail d USING (person_id) "
+    "LEFT JOIN one_time_code c USING (person_id) ";
 
 Person person_in(SQLite::Statement& row) {
   return {PersonId{row.getColumn(0).getInt64()}, row.getColumn(1).getString(),
           row.getColumn(2).getString(),          row.getColumn(3).getInt() != 0,
-          row.getColumn(4).getInt() != 0,        row.getColumn(5).getString()};
+          row.getColumn(4).getInt() != 0,        row.getColumn(5).getString(),
+          row.getColumn(6).getString(),          row.getColumn(7).getInt() != 0,
+          row.getColumn(8).getString()};
 }
 
 void check_login_rules(const std::string& login) {
@@ -65,15 +71,26 @@ PersonId insert_person(Database& database, const NewPerson& person) {
   return id;
 }
 
-void check_an_administrator_remains(Database& database) {
-  SQLite::Statement count{
-      database.connection(),
-      "SELECT count(*) FROM person WHERE is_administrator = 1 AND is_disabled = 0"};
+/// One who can sign in: a code that nobody redeemed yet may expire.
+void check_an_administrator_remains(Database& database, const char* what_cannot_be) {
+  SQLite::Statement count{database.connection(),
+                          "SELECT count(*) FROM person JOIN password USING (person_id) "
+                          "WHERE is_administrator = 1 AND is_disabled = 0"};
   count.executeStep();
   if (count.getColumn(0).getInt() > 0) return;
-  throw DatabaseError{DatabaseErrorKind::Refused,
-                      "the last administrator of " + database.file().string() +
-                          " cannot be disabled; make another administrator first"};
+  throw DatabaseError{DatabaseErrorKind::Refused, "the last administrator of " +
+                                                      database.file().string() +
+                                                      " who can sign in " + what_cannot_be +
+                                                      "; make another administrator first"};
+}
+
+PersonId insert_new_person(Database& database, const NewPerson& person) {
+  if (person_named(database, person.login)) {
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        "the login '" + person.login + "' is taken in " + database.file().string() +
+                            "; choose another"};
+  }
+  return insert_person(database, person);
 }
 
 }  // namespace
@@ -83,17 +100,17 @@ PersonId create_person(Database& database, const NewPerson& person, const Secret
   check_login_rules(person.login);
   check_password_rules(password);
   const std::string argon2id = hash_password(password, cost);
-  const auto create = [&] {
-    if (person_named(database, person.login)) {
-      throw DatabaseError{DatabaseErrorKind::BadInput,
-                          "the login '" + person.login + "' is taken in " +
-                              database.file().string() + "; choose another"};
-    }
-    const PersonId id = insert_person(database, person);
+  return in_transaction_of_caller(database, "add a person", [&] {
+    const PersonId id = insert_new_person(database, person);
     store_hash(database, id, argon2id);
     return id;
-  };
-  return in_transaction_of_caller(database, "add a person", create);
+  });
+}
+
+PersonId create_person_without_password(Database& database, const NewPerson& person) {
+  check_login_rules(person.login);
+  return in_transaction_of_caller(database, "add a person",
+                                  [&] { return insert_new_person(database, person); });
 }
 
 std::vector<Person> list_people(Database& database) {
@@ -112,6 +129,10 @@ bool has_people(Database& database) {
     row.executeStep();
     return row.getColumn(0).getInt() != 0;
   });
+}
+
+std::optional<Person> known_person(Database& database, std::string_view login) {
+  return translating(database, "look for a person", [&] { return person_named(database, login); });
 }
 
 Person find_person(Database& database, std::string_view login) {
@@ -178,66 +199,28 @@ void set_disabled(Database& database, PersonId id, bool is_disabled) {
     update.bind(1, is_disabled ? 1 : 0);
     update.bind(2, id.number);
     update.exec();
-    check_an_administrator_remains(database);
+    check_an_administrator_remains(database, "cannot be disabled");
   });
 }
 
-CohortId create_cohort(Database& database, const std::string& name) {
-  if (name.empty()) {
-    throw DatabaseError{DatabaseErrorKind::BadInput, "a cohort needs a name"};
-  }
-  return in_transaction_of_caller(database, "add a cohort", [&] {
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT INTO cohort (name, created_utc) VALUES (?, ?) ON CONFLICT (name) DO NOTHING"};
-    insert.bind(1, name);
-    insert.bind(2, utc_now(database));
-    if (insert.exec() == 1) return CohortId{database.connection().getLastInsertRowid()};
-    throw DatabaseError{DatabaseErrorKind::BadInput, "there is a cohort '" + name + "' already"};
+void set_administrator(Database& database, PersonId id, bool is_administrator) {
+  in_transaction_of_caller(database, "change a role", [&] {
+    load_person(database, id);
+    SQLite::Statement update{database.connection(),
+                             "UPDATE person SET is_administrator = ? WHERE person_id = ?"};
+    update.bind(1, is_administrator ? 1 : 0);
+    update.bind(2, id.number);
+    update.exec();
+    check_an_administrator_remains(database, "cannot lose the role");
   });
 }
 
-void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role) {
-  in_transaction_of_caller(database, "enrol a person", [&] {
-    load_person(database, person);
-    SQLite::Statement found{database.connection(), "SELECT 1 FROM cohort WHERE cohort_id = ?"};
-    found.bind(1, cohort.number);
-    if (!found.executeStep()) {
-      throw DatabaseError{DatabaseErrorKind::NotFound, "there is no cohort with number " +
-                                                           std::to_string(cohort.number) + " in " +
-                                                           database.file().string()};
-    }
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT INTO membership (cohort_id, person_id, role) VALUES (?, ?, ?) "
-        "ON CONFLICT (cohort_id, person_id) DO UPDATE SET role = excluded.role"};
-    insert.bind(1, cohort.number);
-    insert.bind(2, person.number);
-    insert.bind(3, role == CohortRole::Trainee ? "trainee" : "instructor");
-    insert.exec();
-  });
-}
-
-std::vector<CohortId> cohorts_taught_by(Database& database, PersonId person) {
-  return translating(database, "look for the cohorts of an instructor", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT cohort_id FROM membership WHERE person_id = ? AND role = "
-                           "'instructor' ORDER BY cohort_id"};
-    rows.bind(1, person.number);
-    std::vector<CohortId> cohorts;
-    while (rows.executeStep()) cohorts.push_back({rows.getColumn(0).getInt64()});
-    return cohorts;
-  });
-}
-
-std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person) {
-  return translating(database, "look for a membership", [&]() -> std::optional<CohortRole> {
-    SQLite::Statement row{database.connection(),
-                          "SELECT role FROM membership WHERE cohort_id = ? AND person_id = ?"};
-    row.bind(1, cohort.number);
-    row.bind(2, person.number);
-    if (!row.executeStep()) return std::nullopt;
-    return row.getColumn(0).getString() == "trainee" ? CohortRole::Trainee : CohortRole::Instructor;
+void remove_password(Database& database, PersonId id) {
+  in_transaction_of_caller(database, "remove a password", [&] {
+    SQLite::Statement remove{database.connection(), "DELETE FROM password WHERE person_id = ?"};
+    remove.bind(1, id.number);
+    remove.exec();
+    check_an_administrator_remains(database, "cannot lose their password");
   });
 }
 

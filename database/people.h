@@ -1,4 +1,4 @@
-/// People, their passwords and the cohorts they belong to. The desks (database/desks.h) decide who may call what.
+/// People and their passwords. The desks (database/desks.h) decide who may call what.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,15 @@ namespace hallux::database {
 PersonId create_person(Database& database, const NewPerson& person, const SecretText& password,
                        const PasswordCost& cost = {});
 
+/// errors  DatabaseError BadInput for a login against the rules or one that is taken
+PersonId create_person_without_password(Database& database, const NewPerson& person);
+
 /// By login.
 std::vector<Person> list_people(Database& database);
 bool has_people(Database& database);
 
+/// Nothing where there is nobody of that login.
+std::optional<Person> known_person(Database& database, std::string_view login);
 /// errors  DatabaseError NotFound naming the login
 Person find_person(Database& database, std::string_view login);
 /// errors  DatabaseError NotFound
@@ -34,17 +39,14 @@ std::optional<Person> verify_person(Database& database, std::string_view login,
 void set_password(Database& database, PersonId id, const SecretText& password,
                   const PasswordCost& cost = {});
 
-/// errors  DatabaseError Refused where no enabled administrator would remain
+/// errors  DatabaseError Refused where no administrator who can sign in would remain
 void set_disabled(Database& database, PersonId id, bool is_disabled);
 
-/// errors  DatabaseError BadInput where the name is empty or taken
-CohortId create_cohort(Database& database, const std::string& name);
-/// Puts a person into a cohort, or changes what they are there.
-/// errors  DatabaseError NotFound
-void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role);
-/// By number.
-std::vector<CohortId> cohorts_taught_by(Database& database, PersonId person);
-/// Nothing where the person is not in the cohort.
-std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person);
+/// errors  DatabaseError Refused where no administrator who can sign in would remain
+void set_administrator(Database& database, PersonId id, bool is_administrator);
+
+/// Nobody can sign in as them until a one-time code was redeemed (database/one_time_codes.h).
+/// errors  DatabaseError Refused where no administrator who can sign in would remain
+void remove_password(Database& database, PersonId id);
 
 }  // namespace hallux::database

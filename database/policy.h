@@ -1,7 +1,7 @@
 /// The one table of who may do what to whose: role x action x relation.
 ///
 /// A role is what a desk stands for, a relation what the person at the desk is to the row. What the table does not allow
-/// is refused; each action of each role has exactly one line, so that nothing is left out by oversight.
+/// is refused; each action has exactly one line with an entry for each role, so that nothing is left out by oversight.
 #pragma once
 
 #include <array>
@@ -21,86 +21,111 @@ inline constexpr std::size_t role_count = 4;
 enum class Action : std::uint8_t {
   BeginAttempt,
   ListAttempts,
-  ViewAttempt,  ///< header, recording, score
+  ViewAttempt,  ///< header, recording, score, decisions
   StoreScore,
+  ListOperations,  ///< what is published
+  ReadNotes,       ///< those the trainee sees
+  ReadPrivateNotes,
+  WriteNote,
+  ReplyToNote,
+  AskForHelp,
+  ReadHelp,
+  AnswerHelp,
+  DecideResult,    ///< confirm, override, void
+  SeeCohort,       ///< its trainees and how they stand
   ChangePassword,  ///< knowing the old one
   SetPassword,     ///< without the old one
+  IssueCode,       ///< in place of a password
   AddPerson,
   ListPeople,
   DisablePerson,
+  ChangeRole,  ///< administrator or not
   AddCohort,
-  Enrol
+  ListCohorts,
+  Enrol,  ///< and take out again
+  ListScenarios,
+  ImportScenario,
+  PublishScenario,
+  RetireScenario,
+  ReadAudit,
+  BackUp
 };
-inline constexpr std::size_t action_count = 11;
+inline constexpr std::size_t action_count = 30;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
   Cohort,  ///< of a trainee of the desk's cohort
   Robot,   ///< of nobody
-  Other    ///< of anybody else
+  Other    ///< of anybody else; or of no person at all, as a cohort or a scenario
 };
 inline constexpr std::size_t relation_count = 4;
 
-/// Which relations a role may do an action in.
+/// A set of relations: one bit for each.
+using Relations = std::uint8_t;
+constexpr Relations only(Relation relation) noexcept {
+  return static_cast<Relations>(1U << static_cast<unsigned>(relation));
+}
+
+/// In which relations each role may do an action.
 struct PolicyLine {
-  Role role;
   Action action;
-  bool own, cohort, robot, other;
+  std::array<Relations, role_count> allowed;
 };
 
-inline constexpr std::array<PolicyLine, role_count * action_count> policy{{
-    //                                             own    cohort robot  other
-    {Role::House, Action::BeginAttempt, false, false, true, false},
-    {Role::House, Action::ListAttempts, false, false, true, false},
-    {Role::House, Action::ViewAttempt, false, false, true, false},
-    {Role::House, Action::StoreScore, false, false, true, false},
-    {Role::House, Action::ChangePassword, false, false, false, false},
-    {Role::House, Action::SetPassword, false, false, false, false},
-    {Role::House, Action::AddPerson, false, false, false, false},
-    {Role::House, Action::ListPeople, false, false, false, false},
-    {Role::House, Action::DisablePerson, false, false, false, false},
-    {Role::House, Action::AddCohort, false, false, false, false},
-    {Role::House, Action::Enrol, false, false, false, false},
-    {Role::Trainee, Action::BeginAttempt, true, false, false, false},
-    {Role::Trainee, Action::ListAttempts, true, false, true, false},
-    {Role::Trainee, Action::ViewAttempt, true, false, true, false},
-    {Role::Trainee, Action::StoreScore, true, false, false, false},
-    {Role::Trainee, Action::ChangePassword, true, false, false, false},
-    {Role::Trainee, Action::SetPassword, false, false, false, false},
-    {Role::Trainee, Action::AddPerson, false, false, false, false},
-    {Role::Trainee, Action::ListPeople, false, false, false, false},
-    {Role::Trainee, Action::DisablePerson, false, false, false, false},
-    {Role::Trainee, Action::AddCohort, false, false, false, false},
-    {Role::Trainee, Action::Enrol, false, false, false, false},
-    {Role::Instructor, Action::BeginAttempt, false, false, false, false},
-    {Role::Instructor, Action::ListAttempts, false, true, true, false},
-    {Role::Instructor, Action::ViewAttempt, false, true, true, false},
-    {Role::Instructor, Action::StoreScore, false, true, true, false},
-    {Role::Instructor, Action::ChangePassword, true, false, false, false},
-    {Role::Instructor, Action::SetPassword, false, false, false, false},
-    {Role::Instructor, Action::AddPerson, false, false, false, false},
-    {Role::Instructor, Action::ListPeople, false, false, false, false},
-    {Role::Instructor, Action::DisablePerson, false, false, false, false},
-    {Role::Instructor, Action::AddCohort, false, false, false, false},
-    {Role::Instructor, Action::Enrol, false, false, false, false},
-    {Role::Administrator, Action::BeginAttempt, false, false, false, false},
-    {Role::Administrator, Action::ListAttempts, false, false, true, false},
-    {Role::Administrator, Action::ViewAttempt, false, false, true, false},
-    {Role::Administrator, Action::StoreScore, false, false, true, false},
-    {Role::Administrator, Action::ChangePassword, true, false, false, false},
-    {Role::Administrator, Action::SetPassword, true, false, false, true},
-    {Role::Administrator, Action::AddPerson, false, false, false, true},
-    {Role::Administrator, Action::ListPeople, false, false, false, true},
-    {Role::Administrator, Action::DisablePerson, true, false, false, true},
-    {Role::Administrator, Action::AddCohort, false, false, false, true},
-    {Role::Administrator, Action::Enrol, true, false, false, true},
-}};
+namespace policy_words {
+inline constexpr Relations no = 0;
+inline constexpr Relations own = only(Relation::Own);
+inline constexpr Relations cohort = only(Relation::Cohort);
+inline constexpr Relations robot = only(Relation::Robot);
+inline constexpr Relations other = only(Relation::Other);
+inline constexpr Relations own_robot = own | robot;
+inline constexpr Relations cohort_robot = cohort | robot;
+inline constexpr Relations own_other = own | other;
+}  // namespace policy_words
+
+inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
+  using namespace policy_words;
+  return {{
+      //                          house  trainee    instructor    administrator
+      {Action::BeginAttempt, {{robot, own, no, no}}},
+      {Action::ListAttempts, {{robot, own_robot, cohort_robot, robot}}},
+      {Action::ViewAttempt, {{robot, own_robot, cohort_robot, robot}}},
+      {Action::StoreScore, {{robot, own, cohort_robot, robot}}},
+      {Action::ListOperations, {{no, own, no, no}}},
+      {Action::ReadNotes, {{no, own, cohort, no}}},
+      {Action::ReadPrivateNotes, {{no, no, cohort, no}}},
+      {Action::WriteNote, {{no, no, cohort, no}}},
+      {Action::ReplyToNote, {{no, own, cohort, no}}},
+      {Action::AskForHelp, {{no, own, no, no}}},
+      {Action::ReadHelp, {{no, own, cohort, no}}},
+      {Action::AnswerHelp, {{no, no, cohort, no}}},
+      {Action::DecideResult, {{no, no, cohort, no}}},
+      {Action::SeeCohort, {{no, no, cohort, no}}},
+      {Action::ChangePassword, {{no, own, own, own}}},
+      {Action::SetPassword, {{no, no, no, own_other}}},
+      {Action::IssueCode, {{no, no, no, other}}},
+      {Action::AddPerson, {{no, no, no, other}}},
+      {Action::ListPeople, {{no, no, no, other}}},
+      {Action::DisablePerson, {{no, no, no, own_other}}},
+      {Action::ChangeRole, {{no, no, no, own_other}}},
+      {Action::AddCohort, {{no, no, no, other}}},
+      {Action::ListCohorts, {{no, no, no, other}}},
+      {Action::Enrol, {{no, no, no, own_other}}},
+      {Action::ListScenarios, {{no, no, no, other}}},
+      {Action::ImportScenario, {{no, no, no, other}}},
+      {Action::PublishScenario, {{no, no, no, other}}},
+      {Action::RetireScenario, {{no, no, no, other}}},
+      {Action::ReadAudit, {{no, no, no, other}}},
+      {Action::BackUp, {{no, no, no, other}}},
+  }};
+}
+
+inline constexpr std::array<PolicyLine, action_count> policy = make_policy();
 
 constexpr bool allows(Role role, Action action, Relation relation) noexcept {
   for (const PolicyLine& line : policy) {
-    if (line.role != role || line.action != action) continue;
-    const std::array<bool, relation_count> allowed{line.own, line.cohort, line.robot, line.other};
-    return allowed[static_cast<std::size_t>(relation)];
+    if (line.action != action) continue;
+    return (line.allowed[static_cast<std::size_t>(role)] & only(relation)) != 0;
   }
   return false;
 }

@@ -1,5 +1,8 @@
 #include "database/session.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "database/audit.h"
 #include "database/sql.h"
 
@@ -37,6 +40,27 @@ Session sign_in(Database& database, std::string_view login, const SecretText& pa
   return {database, std::move(*person), number};
 }
 
+Session redeem_code(Database& database, std::string_view login, const SecretText& code,
+                    const SecretText& new_password, const PasswordCost& cost) {
+  const std::optional<Person> person = verify_code(database, login, code, cost);
+  if (!person) {
+    append_audit(database,
+                 {std::nullopt, "code_redeemed", "login", "", true, {}, std::string{login}});
+    throw DatabaseError{DatabaseErrorKind::Refused,
+                        "could not sign in as '" + std::string{login} +
+                            "': the login or the code is wrong, the code has expired or was used, "
+                            "or the person is disabled; an administrator can issue another code"};
+  }
+  in_transaction(database, "redeem a one-time code", [&] {
+    set_password(database, person->id, new_password, cost);
+    remove_code(database, person->id);
+    append_audit(database,
+                 {person->id, "code_redeemed", "person", number_text(person->id), false, {}, ""});
+  });
+  const std::int64_t number = open_session(database, person->id);
+  return {database, load_person(database, person->id), number};
+}
+
 std::optional<TraineeDesk> Session::trainee() {
   if (load_person(*database_, person_.id).is_disabled) return std::nullopt;
   return TraineeDesk{*database_, DeskHolder{Role::Trainee, person_.id, std::nullopt}};
@@ -54,17 +78,43 @@ std::optional<AdministratorDesk> Session::administrator() {
   return AdministratorDesk{*database_, DeskHolder{Role::Administrator, person_.id, std::nullopt}};
 }
 
+std::vector<Membership> Session::memberships() { return memberships_of(*database_, person_.id); }
+
+std::vector<AttemptDesk> Session::desks() {
+  std::vector<AttemptDesk> held;
+  if (const auto own = trainee()) held.push_back(*own);
+  for (const Membership& membership : memberships()) {
+    if (const auto taught = instructor_of(membership.cohort)) held.push_back(*taught);
+  }
+  if (const auto administered = administrator()) held.push_back(*administered);
+  return held;
+}
+
+std::vector<AttemptHeader> Session::attempts() {
+  std::vector<AttemptHeader> listed;
+  for (AttemptDesk& desk : desks()) {
+    for (AttemptHeader& header : desk.attempts()) listed.push_back(std::move(header));
+  }
+  const auto key = [](const AttemptHeader& header) {
+    return std::tie(header.started_utc, header.order);
+  };
+  std::sort(listed.begin(), listed.end(),
+            [&](const AttemptHeader& a, const AttemptHeader& b) { return key(a) > key(b); });
+  listed.erase(
+      std::unique(listed.begin(), listed.end(),
+                  [](const AttemptHeader& a, const AttemptHeader& b) { return a.id == b.id; }),
+      listed.end());
+  return listed;
+}
+
 std::optional<AttemptDesk> Session::desk_for(Action action, const AttemptId& id) {
   const AttemptHeader header = load_header(*database_, id);
-  std::optional<AttemptDesk> own = trainee();
-  if (!own || own->may(action, header)) return own;
-  for (const CohortId cohort : cohorts_taught_by(*database_, person_.id)) {
-    std::optional<AttemptDesk> taught = instructor_of(cohort);
-    if (taught && taught->may(action, header)) return taught;
+  std::vector<AttemptDesk> held = desks();
+  for (AttemptDesk& desk : held) {
+    if (desk.may(action, header)) return desk;
   }
-  std::optional<AttemptDesk> administered = administrator();
-  if (administered && administered->may(action, header)) return administered;
-  return own;
+  if (held.empty()) return std::nullopt;
+  return held.front();
 }
 
 void Session::change_password(const SecretText& old_password, const SecretText& new_password,

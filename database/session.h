@@ -3,8 +3,12 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "database/administrator_desk.h"
 #include "database/desks.h"
+#include "database/instructor_desk.h"
+#include "database/trainee_desk.h"
 
 namespace hallux::database {
 
@@ -19,8 +23,15 @@ class Session {
   std::optional<InstructorDesk> instructor_of(CohortId cohort);
   /// Nothing where the person is not an administrator.
   std::optional<AdministratorDesk> administrator();
-  /// The first of this person's desks (as trainee, as instructor of each cohort they teach, as administrator) from which
-  /// the table allows `action` on that attempt; the trainee's where none does, which refuses; nothing for a person disabled
+  /// In which cohorts the person is what, by name.
+  std::vector<Membership> memberships();
+
+  /// All desks of this person: as trainee, as instructor of each cohort they teach, as administrator. None for a person
+  /// disabled since.
+  std::vector<AttemptDesk> desks();
+  /// What they may list from any of them, each attempt once, newest first.
+  std::vector<AttemptHeader> attempts();
+  /// The first of this person's desks from which the table allows `action` on that attempt; the trainee's where none does, which refuses; nothing for a person disabled
   /// since. Looking for it is not written to the audit.
   /// errors  DatabaseError NotFound
   std::optional<AttemptDesk> desk_for(Action action, const AttemptId& id);
@@ -33,6 +44,8 @@ class Session {
  private:
   friend Session sign_in(Database& database, std::string_view login, const SecretText& password,
                          const PasswordCost& cost);
+  friend Session redeem_code(Database& database, std::string_view login, const SecretText& code,
+                             const SecretText& new_password, const PasswordCost& cost);
   Session(Database& database, Person person, std::int64_t number)
       : database_(&database), person_(std::move(person)), number_(number) {}
 
@@ -45,6 +58,12 @@ class Session {
 /// errors  DatabaseError Refused
 Session sign_in(Database& database, std::string_view login, const SecretText& password,
                 const PasswordCost& cost = {});
+
+/// Signs in with a one-time code, which is then gone, and sets the password chosen with it. An unknown login, a wrong and
+/// an expired code are answered alike, and written to the audit.
+/// errors  DatabaseError: Refused; BadInput for a weak password, which leaves the code as it is
+Session redeem_code(Database& database, std::string_view login, const SecretText& code,
+                    const SecretText& new_password, const PasswordCost& cost = {});
 
 /// A data directory without people: no sign-in is needed, and whoever is there may add the first administrator.
 class OpenHouse {

@@ -51,6 +51,7 @@ bool is_in_transaction(Database& database) noexcept {
 }
 
 std::string utc_now(Database& database) {
+  if (!database.pretended_utc().empty()) return database.pretended_utc();
   SQLite::Statement now{database.connection(), "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"};
   now.executeStep();
   return now.getColumn(0).getString();

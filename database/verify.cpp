@@ -5,6 +5,8 @@
 #include "database/assets.h"
 #include "database/attempts.h"
 #include "database/audit.h"
+#include "database/chain.h"
+#include "database/decisions.h"
 #include "database/recordings.h"
 #include "database/sql.h"
 
@@ -47,6 +49,7 @@ void check_against_audit(Database& database, const AuditRow& row) {
       fail_altered(database, "score " + entry.subject_id);
     }
   }
+  if (entry.subject_kind == "decision") check_decision(database, entry);
   if (entry.subject_kind != "attempt") return;
   const auto attempt = [&] {
     try {
@@ -60,6 +63,11 @@ void check_against_audit(Database& database, const AuditRow& row) {
   }
   if (entry.action == "attempt_begun" && attempt.begun.person != entry.actor) {
     fail_altered(database, "the person of attempt " + entry.subject_id);
+  }
+  if (entry.action == "attempt_begun" &&
+      purpose_digest(attempt.begun.kind, attempt.is_simulated) !=
+          entry.detail.value_or(purpose_digest(AttemptKind::Practice, false))) {
+    fail_altered(database, "what attempt " + entry.subject_id + " was for");
   }
 }
 
@@ -117,6 +125,7 @@ Verification verify(Database& database, const std::function<bool(double)>& progr
     check_contents(database, found);
     check_attempts(database, progress, found);
     check_scores(database, found);
+    check_decisions_are_whole(database);
     for (const AuditRow& row : read_audit(database)) {
       check_against_audit(database, row);
       ++found.audit_rows;

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "database/records/decision.h"
 #include "database/records/ids.h"
 #include "simulator/base/digest.h"
 #include "simulator/record/record.h"
@@ -24,6 +25,13 @@ std::string_view name_of(
 /// Nothing where `name` is none of the four.
 std::optional<AttemptState> attempt_state_from(std::string_view name) noexcept;
 
+/// What an attempt was for. In an assessment nothing helps: no ghost of the plan, no read-out.
+enum class AttemptKind { Practice, Assessment };
+
+std::string_view name_of(AttemptKind kind) noexcept;  ///< "practice", "assessment"
+/// Nothing where `name` is none of the two.
+std::optional<AttemptKind> attempt_kind_from(std::string_view name) noexcept;
+
 /// What is known when an attempt begins; none of it changes later.
 struct NewAttempt {
   ScenarioVersionId scenario;
@@ -35,21 +43,34 @@ struct NewAttempt {
   std::string stereo_mode = "none";
   Digest bone;  ///< the asset operated on; stored before the attempt
   std::int32_t engine = simulator::engine_version;
+  AttemptKind kind = AttemptKind::Practice;
 };
 
 struct AttemptHeader {
   AttemptId id;
+  std::int64_t order = 0;  ///< in which attempts were begun in this directory
   NewAttempt begun;
   std::string scenario_name;
   std::int32_t scenario_version = 0;
   Digest scenario_digest;
-  std::string login;        ///< of `begun.person`; "" for the robot and for erased people
-  std::string started_utc;  ///< ISO 8601
+  bool is_simulated = false;  ///< of a simulated course: never a person's, never a grade
+  std::string login;          ///< of `begun.person`; "" for the robot and for erased people
+  std::string started_utc;    ///< ISO 8601
   AttemptState state = AttemptState::Recording;
   std::optional<std::int64_t> duration_ticks;  ///< once closed
   std::string quality_json;                    ///< once closed
+  bool is_complete = false;                    ///< once closed: no sample was lost
   std::optional<Digest> seal;                  ///< once closed
-  std::optional<std::int64_t> score_milli;     ///< of the score in force, 0 to 100 000
+  std::optional<std::int64_t> score_milli;     ///< of the machine's score in force, 0 to 100 000
+  bool is_partial = false;                     ///< that score: not all of the rubric was measured
+  std::optional<DecisionKind> decision;  ///< in force; nothing: the machine's score is advisory
+  std::optional<std::int64_t>
+      decided_milli;  ///< the score that stands once confirmed or overridden
+  bool decision_is_of_score_in_force = false;  ///< false: the machine scored anew since
 };
+
+/// Whether the result counts: an assessment of a person, with every sample, and either confirmed where the whole rubric
+/// was measured, or overridden by an instructor.
+bool is_grade(const AttemptHeader& header) noexcept;
 
 }  // namespace hallux::database

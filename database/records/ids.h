@@ -32,4 +32,19 @@ struct ScoreId {
   friend auto operator<=>(const ScoreId&, const ScoreId&) = default;
 };
 
+struct NoteId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const NoteId&, const NoteId&) = default;
+};
+
+struct HelpRequestId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const HelpRequestId&, const HelpRequestId&) = default;
+};
+
+struct DecisionId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const DecisionId&, const DecisionId&) = default;
+};
+
 }  // namespace hallux::database

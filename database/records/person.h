@@ -1,4 +1,4 @@
-/// People and cohorts as they are listed; never a password.
+/// People as they are listed; never a password.
 #pragma once
 
 #include <string>
@@ -22,6 +22,9 @@ struct Person {
   bool is_administrator = false;
   bool is_disabled = false;
   std::string created_utc;
+  std::string last_sign_in_utc;  ///< "" where there was none
+  bool has_password = true;      ///< false: nobody can sign in as them until a code was redeemed
+  std::string code_expires_utc;  ///< of the one-time code that waits for them; "" for none
 };
 
 }  // namespace hallux::database

@@ -72,6 +72,25 @@ TEST(Audit, StaysWholeWhenItsTextsAreErased) {
   EXPECT_EQ(damage_after("DELETE FROM audit_text"), "");
 }
 
+TEST(Audit, IsReadInPagesFromTheNewest) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  for (int i = 0; i < 3; ++i) fill(database);
+  const AuditPage first = read_audit_page(database, {std::nullopt, 4, false});
+  ASSERT_EQ(first.lines.size(), 4U);
+  EXPECT_EQ(first.lines.front().number, 9);
+  EXPECT_EQ(first.total, 9);
+  ASSERT_EQ(first.older, 6);
+  const AuditPage last = read_audit_page(database, {2, 4, false});
+  ASSERT_EQ(last.lines.size(), 1U);
+  EXPECT_FALSE(last.older);
+  const AuditPage refused = read_audit_page(database, {std::nullopt, 50, true});
+  EXPECT_EQ(refused.total, 3);
+  ASSERT_EQ(refused.lines.size(), 3U);
+  EXPECT_EQ(refused.lines[0].text, "eve");
+  EXPECT_TRUE(refused.lines[0].was_refused);
+}
+
 TEST(Audit, IsUndoneWithTheTransactionItIsIn) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());

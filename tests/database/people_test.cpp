@@ -91,17 +91,24 @@ TEST(People, AlwaysHaveAnAdministrator) {
   EXPECT_FALSE(load_person(database, second).is_disabled);
 }
 
-TEST(People, BelongToACohortInOneRole) {
+TEST(People, AlwaysHaveAnAdministratorWhoCanSignIn) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
-  const PersonId id = add(database, "ada");
-  const CohortId cohort = create_cohort(database, "autumn");
-  EXPECT_FALSE(role_in(database, cohort, id));
-  enrol(database, cohort, id, CohortRole::Trainee);
-  enrol(database, cohort, id, CohortRole::Instructor);
-  EXPECT_EQ(role_in(database, cohort, id), CohortRole::Instructor);
-  EXPECT_THROW(create_cohort(database, "autumn"), DatabaseError);
-  EXPECT_THROW(enrol(database, {99}, id, CohortRole::Trainee), DatabaseError);
+  const PersonId only = add(database, "ada", true);
+  create_person_without_password(database, {"bob", "", true});
+  EXPECT_THROW(set_disabled(database, only, true), DatabaseError);
+  EXPECT_THROW(set_administrator(database, only, false), DatabaseError);
+  EXPECT_THROW(remove_password(database, only), DatabaseError);
+  EXPECT_TRUE(load_person(database, only).is_administrator);
+  EXPECT_TRUE(verify_person(database, "ada", secret(good_password), cheap));
+}
+
+TEST(People, WithoutAPasswordAreNotKnown) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  create_person_without_password(database, {"ada", "", false});
+  EXPECT_FALSE(verify_person(database, "ada", secret(""), cheap));
+  EXPECT_FALSE(find_person(database, "ada").has_password);
 }
 
 TEST(Passwords, MustBeLongAndUncommon) {

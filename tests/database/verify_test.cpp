@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "database/scores.h"
-#include "tests/database/some_database.h"
+#include "tests/database/some_course.h"
 
 namespace hallux::database {
 
@@ -89,6 +89,53 @@ TEST(Verify, NamesTheAlteredAuditRow) {
   EXPECT_TRUE(names(damage_after("DROP TRIGGER audit_is_never_altered; "
                                  "UPDATE audit SET action = 'attempt_lost' WHERE audit_id = 2"),
                     "row 2 of the audit"));
+}
+
+/// What verify says about an overridden result and a voided attempt after `sql` was run on them.
+std::string damage_of_decisions_after(const std::string& sql) {
+  SomeCourse course;
+  const AttemptId overridden = course.scored_by("ada", 50'000);
+  const AttemptId voided = course.scored_by("ada", 60'000);
+  InstructorDesk desk = course.instructor("kim", course.autumn());
+  desk.decide({overridden, DecisionKind::Confirmed, 0, "seen"});
+  desk.decide({overridden, DecisionKind::Overridden, 70'000, "the station slipped"});
+  desk.decide({voided, DecisionKind::Voided, 0, "the power went"});
+  tamper(course.database(), sql);
+  return verify(course.database()).first_damage.value_or("");
+}
+
+TEST(Verify, SeesAnAlteredDecision) {
+  const std::string without_trigger =
+      "DROP TRIGGER decision_is_superseded_not_overwritten; "
+      "DROP TRIGGER decision_is_never_deleted; ";
+  const auto damage = [&](const std::string& sql) {
+    return damage_of_decisions_after(without_trigger + sql);
+  };
+  EXPECT_EQ(damage(""), "");
+  EXPECT_TRUE(names(damage("UPDATE decision SET score_milli = 99000 WHERE decision_id = 2"),
+                    "decision 2 "));
+  EXPECT_TRUE(
+      names(damage("UPDATE decision SET kind = 'confirmed' WHERE decision_id = 2"), "decision 2 "));
+  EXPECT_TRUE(names(damage("UPDATE decision SET reason = 'a favour'"), "decision 1 "));
+  EXPECT_TRUE(names(damage("UPDATE decision SET decided_by_person_id = 1 WHERE decision_id = 2"),
+                    "decision 2 "));
+  EXPECT_TRUE(names(damage("DELETE FROM decision WHERE decision_id = 3; "
+                           "UPDATE attempt SET state = 'closed'"),
+                    "the list of decisions"));
+  EXPECT_TRUE(
+      names(damage("UPDATE attempt SET state = 'closed' WHERE state = 'void'"), "decision 3 "));
+  EXPECT_TRUE(
+      names(damage("UPDATE attempt SET state = 'void' WHERE attempt_id = 1"), "decision 2 "));
+  EXPECT_TRUE(names(damage("UPDATE decision SET superseded_by = 2 WHERE decision_id = 2; "
+                           "UPDATE decision SET superseded_by = NULL WHERE decision_id = 1"),
+                    "decision 1 "));
+}
+
+TEST(Verify, SeesWhatAnAttemptWasForAltered) {
+  EXPECT_TRUE(names(damage_after("UPDATE attempt SET kind = 'assessment' WHERE attempt_id = 1"),
+                    "was for"));
+  EXPECT_TRUE(
+      names(damage_after("UPDATE attempt SET is_simulated = 1 WHERE attempt_id = 1"), "was for"));
 }
 
 TEST(Verify, StoppedIsNotDamaged) {

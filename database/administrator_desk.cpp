@@ -1,0 +1,170 @@
+#include "database/administrator_desk.h"
+
+#include "database/audit.h"
+#include "database/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+std::string membership_text(CohortId cohort, PersonId person) {
+  return std::to_string(cohort.number) + "/" + std::to_string(person.number);
+}
+
+}  // namespace
+
+Relation AdministratorDesk::relation_to_person(const Person& person) const noexcept {
+  return holder_.person == person.id ? Relation::Own : Relation::Other;
+}
+
+std::vector<Person> AdministratorDesk::people() {
+  require(*database_, holder_, Action::ListPeople, Relation::Other, "the people");
+  return list_people(*database_);
+}
+
+AddedPerson AdministratorDesk::add_person_with_code(const NewPerson& person,
+                                                    const PasswordCost& cost) {
+  require(*database_, holder_, Action::AddPerson, Relation::Other, "a new person");
+  return in_transaction(*database_, "add a person", [&] {
+    const PersonId id = create_person_without_password(*database_, person);
+    audit("person_added", "person", std::to_string(id.number));
+    IssuedCode issued = issue_code(*database_, id, *holder_.person, cost);
+    audit("code_issued", "person", std::to_string(id.number));
+    return AddedPerson{id, std::move(issued)};
+  });
+}
+
+PersonId AdministratorDesk::add_person(const NewPerson& person, const SecretText& password,
+                                       const PasswordCost& cost) {
+  require(*database_, holder_, Action::AddPerson, Relation::Other, "a new person");
+  return in_transaction(*database_, "add a person", [&] {
+    const PersonId id = create_person(*database_, person, password, cost);
+    audit("person_added", "person", std::to_string(id.number));
+    return id;
+  });
+}
+
+IssuedCode AdministratorDesk::reset(const std::string& login, const PasswordCost& cost) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::IssueCode, relation_to_person(person),
+          "the password of " + login);
+  return in_transaction(*database_, "reset a password", [&] {
+    remove_password(*database_, person.id);
+    IssuedCode issued = issue_code(*database_, person.id, *holder_.person, cost);
+    audit("password_reset", "person", std::to_string(person.id.number));
+    return issued;
+  });
+}
+
+void AdministratorDesk::set_password(const std::string& login, const SecretText& password,
+                                     const PasswordCost& cost) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::SetPassword, relation_to_person(person),
+          "the password of " + login);
+  in_transaction(*database_, "set a password", [&] {
+    database::set_password(*database_, person.id, password, cost);
+    remove_code(*database_, person.id);
+    audit("password_set", "person", std::to_string(person.id.number));
+  });
+}
+
+void AdministratorDesk::set_disabled(const std::string& login, bool is_disabled) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::DisablePerson, relation_to_person(person), login);
+  in_transaction(*database_, "disable or enable a person", [&] {
+    database::set_disabled(*database_, person.id, is_disabled);
+    audit(is_disabled ? "person_disabled" : "person_enabled", "person",
+          std::to_string(person.id.number));
+  });
+}
+
+void AdministratorDesk::set_administrator(const std::string& login, bool is_administrator) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::ChangeRole, relation_to_person(person), login);
+  in_transaction(*database_, "change a role", [&] {
+    database::set_administrator(*database_, person.id, is_administrator);
+    audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
+          std::to_string(person.id.number));
+  });
+}
+
+std::vector<Cohort> AdministratorDesk::cohorts() {
+  require(*database_, holder_, Action::ListCohorts, Relation::Other, "the cohorts");
+  return list_cohorts(*database_);
+}
+
+std::vector<CohortMember> AdministratorDesk::members(CohortId cohort) {
+  require(*database_, holder_, Action::ListCohorts, Relation::Other, "the cohorts");
+  return list_members(*database_, load_cohort(*database_, cohort).id);
+}
+
+CohortId AdministratorDesk::add_cohort(const std::string& name) {
+  require(*database_, holder_, Action::AddCohort, Relation::Other, "a new cohort");
+  return in_transaction(*database_, "add a cohort", [&] {
+    const CohortId id = create_cohort(*database_, name);
+    audit("cohort_added", "cohort", std::to_string(id.number));
+    return id;
+  });
+}
+
+void AdministratorDesk::enrol(CohortId cohort, const std::string& login, CohortRole role) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::Enrol, relation_to_person(person), login);
+  in_transaction(*database_, "enrol a person", [&] {
+    database::enrol(*database_, cohort, person.id, role);
+    audit(role == CohortRole::Trainee ? "enrolled_as_trainee" : "enrolled_as_instructor",
+          "membership", membership_text(cohort, person.id));
+  });
+}
+
+void AdministratorDesk::remove_from_cohort(CohortId cohort, const std::string& login) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::Enrol, relation_to_person(person), login);
+  in_transaction(*database_, "take a person out of a cohort", [&] {
+    database::remove_from_cohort(*database_, cohort, person.id);
+    audit("removed_from_cohort", "membership", membership_text(cohort, person.id));
+  });
+}
+
+std::vector<ScenarioVersion> AdministratorDesk::scenarios() {
+  require(*database_, holder_, Action::ListScenarios, Relation::Other, "the scenario versions");
+  return list_scenario_versions(*database_);
+}
+
+ScenarioText AdministratorDesk::scenario_text(ScenarioVersionId id) {
+  require(*database_, holder_, Action::ListScenarios, Relation::Other, "the scenario versions");
+  return get_scenario_version(*database_, id);
+}
+
+ScenarioVersionId AdministratorDesk::import_scenario(const ScenarioText& text) {
+  require(*database_, holder_, Action::ImportScenario, Relation::Other, "a scenario");
+  return database::import_scenario(*database_, text, *holder_.person);
+}
+
+void AdministratorDesk::publish_scenario(ScenarioVersionId id) {
+  require(*database_, holder_, Action::PublishScenario, Relation::Other, "a scenario");
+  database::publish_scenario(*database_, id, *holder_.person);
+}
+
+void AdministratorDesk::retire_scenario(ScenarioVersionId id) {
+  require(*database_, holder_, Action::RetireScenario, Relation::Other, "a scenario");
+  database::retire_scenario(*database_, id, *holder_.person);
+}
+
+AuditPage AdministratorDesk::audit_page(const AuditRequest& request) {
+  require(*database_, holder_, Action::ReadAudit, Relation::Other, "the audit");
+  return read_audit_page(*database_, request);
+}
+
+Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
+                                  const std::function<bool(double)>& progress) {
+  require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
+  const Backup backup = database::back_up(
+      *database_, directory.empty() ? database_->directory() / "backups" : directory, progress);
+  append_audit(
+      *database_,
+      {holder_.person, "backup_made", "database", "", false, {}, backup.file.filename().string()});
+  return backup;
+}
+
+}  // namespace hallux::database

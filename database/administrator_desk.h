@@ -1,0 +1,70 @@
+/// What an administrator may do: people, cohorts, scenario versions, the audit, backups. Of the attempts the robot's only.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "database/backup.h"
+#include "database/catalogue.h"
+#include "database/desks.h"
+#include "database/one_time_codes.h"
+#include "database/records/audit_line.h"
+
+namespace hallux::database {
+
+struct AddedPerson {
+  PersonId id;
+  IssuedCode issued;
+};
+
+/// errors  DatabaseError: Refused, NotFound; and as in the files that are included
+class AdministratorDesk : public AttemptDesk {
+ public:
+  // People.
+  std::vector<Person> people();
+  /// A person who chooses their password with the code that is returned.
+  AddedPerson add_person_with_code(const NewPerson& person, const PasswordCost& cost = {});
+  PersonId add_person(const NewPerson& person, const SecretText& password,
+                      const PasswordCost& cost = {});
+  /// Takes the password away and returns a code in its place. Not of oneself: change the password instead.
+  IssuedCode reset(const std::string& login, const PasswordCost& cost = {});
+  void set_password(const std::string& login, const SecretText& password,
+                    const PasswordCost& cost = {});
+  /// Disables, or enables again.
+  /// errors  DatabaseError Refused for the last administrator who can sign in
+  void set_disabled(const std::string& login, bool is_disabled);
+  /// errors  DatabaseError Refused where it would take the role from the last administrator who can sign in
+  void set_administrator(const std::string& login, bool is_administrator);
+
+  // Cohorts.
+  std::vector<Cohort> cohorts();
+  std::vector<CohortMember> members(CohortId cohort);
+  CohortId add_cohort(const std::string& name);
+  /// Puts a person into a cohort, or changes what they are there.
+  void enrol(CohortId cohort, const std::string& login, CohortRole role);
+  /// Takes a person out; their attempts stay theirs.
+  void remove_from_cohort(CohortId cohort, const std::string& login);
+
+  // Scenarios.
+  std::vector<ScenarioVersion> scenarios();
+  ScenarioText scenario_text(ScenarioVersionId id);
+  /// needs   the text was checked (ui/jobs)
+  ScenarioVersionId import_scenario(const ScenarioText& text);
+  void publish_scenario(ScenarioVersionId id);
+  void retire_scenario(ScenarioVersionId id);
+
+  // The directory.
+  AuditPage audit_page(const AuditRequest& request);
+  /// Into `directory`, or where that is empty into `backups` of the data directory.
+  Backup back_up(const std::filesystem::path& directory = {},
+                 const std::function<bool(double)>& progress = {});
+
+ private:
+  friend class Session;
+  using AttemptDesk::AttemptDesk;
+  Relation relation_to_person(const Person& person) const noexcept;
+};
+
+}  // namespace hallux::database

@@ -1,0 +1,56 @@
+#include "database/instructor_desk.h"
+
+#include "database/sql.h"
+
+namespace hallux::database {
+
+Cohort InstructorDesk::cohort() {
+  require(*database_, holder_, Action::SeeCohort, Relation::Cohort, "the cohort");
+  return load_cohort(*database_, *holder_.cohort);
+}
+
+std::vector<TraineeStanding> InstructorDesk::trainees(std::int32_t attempts_max) {
+  require(*database_, holder_, Action::SeeCohort, Relation::Cohort, "the cohort");
+  return list_standings(*database_, *holder_.cohort, attempts_max);
+}
+
+std::vector<AttemptHeader> InstructorDesk::attempts_of(PersonId trainee) {
+  require(*database_, holder_, Action::ListAttempts, relation_to(trainee),
+          "the attempts of person " + std::to_string(trainee.number));
+  AttemptFilter filter;
+  filter.person = trainee;
+  return list_attempts(*database_, filter);
+}
+
+NoteId InstructorDesk::add_note(const NewNote& note) {
+  NewNote allowed = note;
+  allowed.attempt = allowed_header(Action::WriteNote, note.attempt).id;
+  return in_transaction(*database_, "add a note", [&] {
+    const NoteId id = database::add_note(*database_, allowed, *holder_.person);
+    audit("note_written", "note", std::to_string(id.number));
+    return id;
+  });
+}
+
+std::vector<HelpRequest> InstructorDesk::help_requests(bool open_only) {
+  require(*database_, holder_, Action::ReadHelp, Relation::Cohort, "the help requests");
+  return list_help_requests(*database_, {std::nullopt, holder_.cohort, open_only});
+}
+
+void InstructorDesk::answer(HelpRequestId request, const std::string& text) {
+  const HelpRequest asked = load_help_request(*database_, request);
+  require(*database_, holder_, Action::AnswerHelp, relation_to(asked.asker),
+          "help request " + std::to_string(request.number));
+  in_transaction(*database_, "answer a help request", [&] {
+    answer_help_request(*database_, request, text, *holder_.person);
+    audit("help_answered", "help_request", std::to_string(request.number));
+  });
+}
+
+DecisionId InstructorDesk::decide(const NewDecision& decision) {
+  NewDecision allowed = decision;
+  allowed.attempt = allowed_header(Action::DecideResult, decision.attempt).id;
+  return database::decide(*database_, allowed, *holder_.person);
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,34 @@
+/// What an instructor may do for the trainees of one cohort: see, replay, note, answer, decide.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/desks.h"
+#include "database/help_requests.h"
+
+namespace hallux::database {
+
+/// Of the attempts those of the cohort's trainees, and the robot's, which belongs to no cohort.
+/// errors  DatabaseError: Refused, NotFound; and as in the files that are included
+class InstructorDesk : public CourseDesk {
+ public:
+  Cohort cohort();
+  /// By login, each with at most `attempts_max` of their newest attempts.
+  std::vector<TraineeStanding> trainees(std::int32_t attempts_max = 5);
+  /// Those of one trainee, newest first.
+  std::vector<AttemptHeader> attempts_of(PersonId trainee);
+
+  NoteId add_note(const NewNote& note);
+  /// The inbox: open first, oldest first; then the answered, newest first.
+  std::vector<HelpRequest> help_requests(bool open_only = false);
+  void answer(HelpRequestId request, const std::string& text);
+  /// Confirms, overrides or voids; the machine's score is kept.
+  DecisionId decide(const NewDecision& decision);
+
+ private:
+  friend class Session;
+  using CourseDesk::CourseDesk;
+};
+
+}  // namespace hallux::database

@@ -1,0 +1,82 @@
+/// Cohorts, who is in them and how they stand; scenario versions and the operations that are published.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "database/records/attempt.h"
+#include "database/records/ids.h"
+#include "database/records/person.h"
+
+namespace hallux::database {
+
+struct Cohort {
+  CohortId id;
+  std::string name;
+  std::string created_utc;
+  std::int32_t trainees = 0, instructors = 0;
+};
+
+struct CohortMember {
+  PersonId id;
+  std::string login, display_name;
+  CohortRole role = CohortRole::Trainee;
+  bool is_disabled = false;
+  std::string enrolled_utc;  ///< "" where that was not noted yet
+};
+
+struct Membership {
+  CohortId cohort;
+  std::string cohort_name;
+  CohortRole role = CohortRole::Trainee;
+};
+
+/// How one person stands in one operation, over all its versions. Void attempts and those without a score count as
+/// attempts only. Never the robot's.
+struct OperationStanding {
+  std::string scenario_name;
+  std::int32_t attempts = 0;
+  std::optional<std::int64_t> best_milli, last_milli;  ///< the decided score where there is one
+  std::string last_started_utc;
+};
+
+struct TraineeStanding {
+  PersonId id;
+  std::string login, display_name;
+  bool is_disabled = false;
+  std::vector<OperationStanding> operations;  ///< by name
+  std::vector<AttemptHeader> last_attempts;   ///< newest first, at most as many as were asked for
+  std::int32_t open_help_requests = 0;
+};
+
+enum class ScenarioState { Draft, Published, Retired };
+
+std::string_view name_of(ScenarioState state) noexcept;  ///< "draft", "published", "retired"
+/// Nothing where `name` is none of the three.
+std::optional<ScenarioState> scenario_state_from(std::string_view name) noexcept;
+
+struct ScenarioVersion {
+  ScenarioVersionId id;
+  std::string name;
+  std::int32_t version = 1;
+  bool is_reviewed = false;  ///< a surgeon signed it
+  ScenarioState state = ScenarioState::Draft;
+  std::string changed_by;  ///< who put it into that state; "" for erased people
+  std::string since_utc;
+  std::int32_t attempts = 0;  ///< made with it, the robot's included
+};
+
+/// A published operation as its trainee sees it.
+struct Operation {
+  ScenarioVersionId scenario;
+  std::string name;
+  std::int32_t version = 1;
+  bool is_reviewed = false;
+  std::string published_utc;
+  OperationStanding standing;  ///< the trainee's own
+};
+
+}  // namespace hallux::database

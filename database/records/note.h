@@ -1,0 +1,77 @@
+/// What instructors and trainees say to each other about a moment of an attempt.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/records/ids.h"
+
+namespace hallux::database {
+
+/// A point on a body: 0 is the bone as it was, 1... the pieces by number. In the frame of the bone before anything moved.
+struct BonePoint {
+  std::int32_t body = 0;
+  std::array<double, 3> point_in_bone_mm{};
+  friend bool operator==(const BonePoint&, const BonePoint&) = default;
+};
+
+/// When in an attempt, and perhaps where.
+struct AttemptMoment {
+  std::int64_t moment_us = 0;  ///< simulated, from the attempt's first tick
+  std::optional<BonePoint> place = std::nullopt;
+};
+
+struct NewNote {
+  AttemptId attempt;
+  AttemptMoment moment;
+  bool is_private = false;  ///< for the instructors of the cohort only
+  std::string text;
+};
+
+struct NoteReply {
+  PersonId author;
+  std::string author_name;  ///< as shown; "" for erased people
+  std::string text;
+  std::string written_utc;
+};
+
+struct Note {
+  NoteId id;
+  AttemptId attempt;
+  AttemptMoment moment;
+  PersonId author;
+  std::string author_name;
+  bool is_private = false;
+  std::string text;
+  std::string written_utc;
+  std::vector<NoteReply> replies;  ///< oldest first
+};
+
+struct NewHelpRequest {
+  AttemptId attempt;
+  AttemptMoment moment;
+  std::string question;
+};
+
+struct HelpAnswer {
+  std::string by_name;
+  std::string text;
+  std::string answered_utc;
+};
+
+struct HelpRequest {
+  HelpRequestId id;
+  AttemptId attempt;
+  std::string scenario_name;
+  AttemptMoment moment;
+  PersonId asker;
+  std::string asker_name;
+  std::string question;
+  std::string asked_utc;
+  std::optional<HelpAnswer> answer;  ///< nothing: open
+};
+
+}  // namespace hallux::database

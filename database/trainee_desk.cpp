@@ -1,0 +1,36 @@
+#include "database/trainee_desk.h"
+
+#include "database/sql.h"
+
+namespace hallux::database {
+
+std::vector<Operation> TraineeDesk::operations() {
+  require(*database_, holder_, Action::ListOperations, Relation::Own, "the operations");
+  return list_operations(*database_, *holder_.person);
+}
+
+WriterLease TraineeDesk::begin_attempt(const NewAttempt& attempt) {
+  require(*database_, holder_, Action::BeginAttempt, relation_to(attempt.person), "a new attempt");
+  if (!is_published(*database_, attempt.scenario)) {
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        "this version of the operation is not published; choose one that is"};
+  }
+  return begin(attempt);
+}
+
+HelpRequestId TraineeDesk::ask_for_help(const NewHelpRequest& request) {
+  NewHelpRequest allowed = request;
+  allowed.attempt = allowed_header(Action::AskForHelp, request.attempt).id;
+  return in_transaction(*database_, "ask for help", [&] {
+    const HelpRequestId id = add_help_request(*database_, allowed, *holder_.person);
+    audit("help_asked", "help_request", std::to_string(id.number));
+    return id;
+  });
+}
+
+std::vector<HelpRequest> TraineeDesk::help_requests() {
+  require(*database_, holder_, Action::ReadHelp, Relation::Own, "the help requests");
+  return list_help_requests(*database_, {holder_.person, std::nullopt, false});
+}
+
+}  // namespace hallux::database

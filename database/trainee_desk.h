@@ -1,0 +1,30 @@
+/// What any person may do with what is their own: operate, see how they stand, answer notes, ask for help.
+#pragma once
+
+#include <vector>
+
+#include "database/catalogue.h"
+#include "database/desks.h"
+#include "database/help_requests.h"
+
+namespace hallux::database {
+
+/// Of the attempts the own and the robot's. Nothing here names another trainee.
+/// errors  DatabaseError: Refused, NotFound; and as in the files that are included
+class TraineeDesk : public CourseDesk {
+ public:
+  /// What is published, with how this person stands in each.
+  std::vector<Operation> operations();
+  /// errors  DatabaseError: Refused where the attempt is not this person's; BadInput where its scenario is not published
+  WriterLease begin_attempt(const NewAttempt& attempt);
+  /// Flags a moment of an own attempt with a question to the instructors of the person's cohorts.
+  HelpRequestId ask_for_help(const NewHelpRequest& request);
+  /// The own ones: open first, then the answered, newest first.
+  std::vector<HelpRequest> help_requests();
+
+ private:
+  friend class Session;
+  using CourseDesk::CourseDesk;
+};
+
+}  // namespace hallux::database
