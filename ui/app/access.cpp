@@ -38,20 +38,6 @@ database::Database open_or_make(const VerbContext& context) {
   return database::Database::open(context.data_directory);
 }
 
-using DeskChoice = std::function<std::optional<database::AttemptDesk>(database::Session&)>;
-
-ExitCode at_desk(const VerbContext& context, database::Database& database, const DeskChoice& choose,
-                 const DeskWork& work) {
-  if (context.login.empty()) {
-    database::HouseDesk desk(database);
-    return work(desk);
-  }
-  database::Session session = sign_in_as(context, database);
-  std::optional<database::AttemptDesk> desk = choose(session);
-  if (!desk) throw VerbError(ExitCode::Refused, context.login + " has no desk here");
-  return work(*desk);
-}
-
 }  // namespace
 
 bool has_database(const VerbContext& context) {
@@ -107,19 +93,15 @@ database::Session sign_in_as(const VerbContext& context, database::Database& dat
 }
 
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
-                         const DeskWork& work) {
-  return at_desk(
-      context, database, [](database::Session& session) { return session.trainee(); }, work);
-}
-
-ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
                          const AttemptAction& wanted, const DeskWork& work) {
-  return at_desk(
-      context, database,
-      [&wanted](database::Session& session) {
-        return session.desk_for(wanted.action, wanted.attempt);
-      },
-      work);
+  if (context.login.empty()) {
+    database::HouseDesk desk(database);
+    return work(desk);
+  }
+  database::Session session = sign_in_as(context, database);
+  std::optional<database::AttemptDesk> desk = session.desk_for(wanted.action, wanted.attempt);
+  if (!desk) throw VerbError(ExitCode::Refused, context.login + " has no desk here");
+  return work(*desk);
 }
 
 }  // namespace hallux::ui

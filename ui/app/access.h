@@ -35,18 +35,14 @@ database::Session sign_in_as(const VerbContext& context, database::Database& dat
 
 using DeskWork = std::function<ExitCode(database::AttemptDesk&)>;
 
-/// Runs `work` at the own desk of whoever signed in with --as, or at the house's desk (the robot's attempts) without it.
-ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
-                         const DeskWork& work);
-
 /// What a verb will do, and to which attempt.
 struct AttemptAction {
   database::Action action;
   database::AttemptId attempt;
 };
 
-/// The same at the desk from which who signed in may do what is wanted; where none of theirs may, at their own, which
-/// refuses. (Session::desk_for)
+/// Runs `work` at the desk from which who signed in with --as may do what is wanted; where none of theirs may, at their
+/// own, which refuses (Session::desk_for). Without --as at the house's desk: the robot's attempts.
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
                          const AttemptAction& wanted, const DeskWork& work);
 

@@ -15,6 +15,7 @@
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_attempt.h"
 #include "ui/app/verb_cut.h"
+#include "ui/app/verb_demo.h"
 #include "ui/app/verb_error.h"
 #include "ui/app/verb_replay.h"
 #include "ui/app/verb_scenario.h"
@@ -110,6 +111,7 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_scenario_verb(app, context);
   add_user_verb(app, context);
   add_verify_verb(app, context);
+  add_demo_verb(app, context);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <memory>
 #include <ostream>
+#include <vector>
 
 #include "scenarios/hands/scripted_hand.h"
 #include "simulator/base/units.h"
@@ -85,8 +86,11 @@ ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& opti
   return ExitCode::Done;
 }
 
-ordered_json attempt_json(const database::AttemptHeader& header,
-                          const std::optional<database::StoredScore>& score) {
+ordered_json points_json(const std::optional<std::int64_t>& milli) {
+  return milli ? ordered_json(static_cast<double>(*milli) / 1000.0) : ordered_json();
+}
+
+ordered_json attempt_json(const database::AttemptHeader& header) {
   return {{"attempt", header.id.text},
           {"scenario", header.scenario_name},
           {"person", header.begun.person ? ordered_json(header.login) : ordered_json()},
@@ -94,24 +98,37 @@ ordered_json attempt_json(const database::AttemptHeader& header,
           {"seed", header.begun.seed},
           {"started", header.started_utc},
           {"state", database::name_of(header.state)},
-          {"score", score ? ordered_json(static_cast<double>(score->card.score_milli) / 1000.0)
-                          : ordered_json()}};
+          {"score", points_json(header.score_milli)},
+          {"kind", database::name_of(header.begun.kind)},
+          {"decision",
+           header.decision ? ordered_json(database::name_of(*header.decision)) : ordered_json()},
+          {"decided_score", points_json(header.decided_milli)},
+          {"simulated", header.is_simulated}};
 }
 
-void print_attempt(std::ostream& out, const database::AttemptHeader& header,
-                   const std::optional<database::StoredScore>& score) {
+void print_attempt(std::ostream& out, const database::AttemptHeader& header) {
   const std::string who =
       header.begun.person ? header.login : "robot, " + terminal_text(header.begun.hand);
   out << header.id.text << "  " << header.started_utc << "  " << std::left << std::setw(12)
       << header.scenario_name << std::setw(20) << who << std::setw(12)
       << database::name_of(header.state);
-  if (score) {
-    out << std::fixed << std::setprecision(1)
-        << static_cast<double>(score->card.score_milli) / 1000.0;
+  if (header.score_milli) {
+    out << std::fixed << std::setprecision(1) << static_cast<double>(*header.score_milli) / 1000.0;
   } else {
     out << "not scored";
   }
-  out << "\n";
+  if (header.decision) out << "  " << database::name_of(*header.decision);
+  if (header.decided_milli && header.decided_milli != header.score_milli) {
+    out << " " << static_cast<double>(*header.decided_milli) / 1000.0;
+  }
+  out << (header.is_simulated ? "  simulated" : "") << "\n";
+}
+
+/// Those that who signed in may list from any of their desks; the robot's without --as.
+std::vector<database::AttemptHeader> visible_attempts(const VerbContext& context,
+                                                      database::Database& database) {
+  if (context.login.empty()) return database::HouseDesk(database).attempts();
+  return sign_in_as(context, database).attempts();
 }
 
 ExitCode list_attempts_on(const VerbContext& context) {
@@ -122,16 +139,13 @@ ExitCode list_attempts_on(const VerbContext& context) {
     return ExitCode::Done;
   }
   database::Database database = open_kept(context);
-  return at_attempt_desk(context, database, [&](database::AttemptDesk& desk) {
-    ordered_json rows = ordered_json::array();
-    for (const database::AttemptHeader& header : desk.attempts()) {
-      const std::optional<database::StoredScore> score = desk.score(header.id);
-      if (context.json) rows.push_back(attempt_json(header, score));
-      if (!context.json) print_attempt(context.out, header, score);
-    }
-    if (context.json) write_json(context.out, rows);
-    return ExitCode::Done;
-  });
+  ordered_json rows = ordered_json::array();
+  for (const database::AttemptHeader& header : visible_attempts(context, database)) {
+    if (context.json) rows.push_back(attempt_json(header));
+    if (!context.json) print_attempt(context.out, header);
+  }
+  if (context.json) write_json(context.out, rows);
+  return ExitCode::Done;
 }
 
 }  // namespace

@@ -115,6 +115,46 @@ class People(CommandTest):
         self.assertIs(self.ask("verify")["whole"], True)
 
 
+class Cohort(CommandTest):
+    """An instructor lists the attempts of the trainees of their cohort, and of nobody else."""
+
+    PEOPLE = {"ada": 1, "ben": 2, "cyd": 3, "kim": 4}
+
+    def setUp(self):
+        super().setUp()
+        self.ask("user", "add", "ada", "--administrator", stdin=lines(ADMINISTRATOR))
+        for login in ("ben", "cyd", "kim"):
+            self.ask("user", "add", login, "--as", "ada", stdin=lines(ADMINISTRATOR, TRAINEE))
+        self.alter("INSERT INTO cohort (cohort_id, name, created_utc) VALUES (1, 'autumn', '')")
+        self.enrol("ben", "trainee")
+        self.enrol("kim", "instructor")
+        self.alter("INSERT INTO scenario_version VALUES (1, 'silver', 1, '{}', zeroblob(32), 0, '')")
+        self.alter("INSERT INTO asset VALUES (1, zeroblob(32), 'bone', 0, x'')")
+        for login in ("ben", "cyd", "kim"):
+            self.alter("INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, device_class, pacing, "
+                       "stereo_mode, bone_digest, engine_version, started_utc, state) "
+                       "VALUES (?, 1, ?, '', 0, 'mouse', 'real_time', 'none', zeroblob(32), 2, ?, 'interrupted')",
+                       (f"0000{login}", self.PEOPLE[login], f"2026-03-0{self.PEOPLE[login]}"))
+
+    def enrol(self, login, role):
+        self.alter("INSERT INTO membership (cohort_id, person_id, role) VALUES (1, ?, ?)", (self.PEOPLE[login], role))
+
+    def listed_for(self, login, password=TRAINEE):
+        return [row["person"] for row in self.ask("attempts", "--as", login, stdin=lines(password))]
+
+    def test_is_listed_for_its_instructor_beside_their_own(self):
+        self.assertEqual(self.listed_for("kim"), ["kim", "ben"])
+
+    def test_is_not_listed_for_its_trainees_nor_for_an_administrator(self):
+        self.assertEqual(self.listed_for("ben"), ["ben"])
+        self.assertEqual(self.listed_for("cyd"), ["cyd"])
+        self.assertEqual(self.listed_for("ada", ADMINISTRATOR), [])
+
+    def test_is_not_listed_any_more_for_an_instructor_who_left(self):
+        self.alter("DELETE FROM membership WHERE role = 'instructor'")
+        self.assertEqual(self.listed_for("kim"), ["kim"])
+
+
 class FirstPerson(CommandTest):
     def test_the_first_person_must_be_an_administrator(self):
         self.expect_refusal(BAD_INPUT, ["--administrator"], "user", "add", "ada", stdin=lines(ADMINISTRATOR))

@@ -21,6 +21,7 @@ OPTIONS = {
     ("user", "list"): (),
     ("user", "passwd"): ("login",),
     ("user", "disable"): ("login", "--enable"),
+    ("demo",): ("--attempts",),
     ("verify",): (),
 }
 
@@ -35,6 +36,9 @@ WRONG = [
     ["attempt", "silver", "--pacing", "slow"],
     ["attempt", "silver", "--hand"],
     ["attempt", "silver", "gold"],
+    ["demo", "--attempts", "0"],
+    ["demo", "--attempts", "7"],
+    ["demo", "course"],
     ["attempts", "verify"],
     ["replay"],
     ["score"],
