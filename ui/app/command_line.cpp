@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "assessment/progress.h"
 #include "database/database_error.h"
@@ -12,6 +13,7 @@
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/record/record.h"
 #include "ui/app/interrupt.h"
+#include "ui/app/open_window.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_attempt.h"
 #include "ui/app/verb_cut.h"
@@ -122,7 +124,10 @@ ExitCode run_command_line(int argc, const char* const* argv, std::istream& in, s
   std::ostream notes(err.rdbuf());
   VerbContext context{out, notes, in, default_data_directory(), {}, false, false, {}};
 
-  CLI::App app("Hallux: a bone-surgery trainer. Scenarios are not surgeon-reviewed.", "hallux");
+  CLI::App app(
+      "Hallux: a bone-surgery trainer. Without a verb it opens its window. Scenarios are not "
+      "surgeon-reviewed.",
+      "hallux");
   app.fallthrough();
   app.require_subcommand(0, 1);
   app.set_version_flag("--version",
@@ -135,6 +140,10 @@ ExitCode run_command_line(int argc, const char* const* argv, std::istream& in, s
                  "sign in as this person; the password comes from the terminal or stdin");
   app.add_flag("--json", context.json, "answer with exactly one JSON value on stdout");
   app.add_flag("--quiet", context.quiet, "no progress on stderr");
+  std::optional<std::filesystem::path> ui_map;
+  app.add_option(
+      "--ui-map", ui_map,
+      "without a verb: keep what the window shows in this file, as JSON, for accessibility tools");
   add_verbs(app, context);
   try {
     app.parse(argc, argv);
@@ -142,10 +151,14 @@ ExitCode run_command_line(int argc, const char* const* argv, std::istream& in, s
     const int code = app.exit(error, out, err);
     return code == 0 ? ExitCode::Done : ExitCode::WrongUsage;
   }
-  if (!context.chosen) {
-    err << "hallux: say what to do; the verbs are:\n" << app.help();
+  const bool wants_window = !context.chosen;
+  if (wants_window ? context.json || !context.login.empty() : ui_map.has_value()) {
+    err << (wants_window ? "hallux: --json and --as belong to a verb; the verbs are:\n"
+                         : "hallux: --ui-map belongs to the window, which opens without a verb:\n")
+        << app.help();
     return ExitCode::WrongUsage;
   }
+  if (wants_window) context.chosen = [&] { return open_window(context, ui_map); };
   if (context.quiet) notes.rdbuf(&null_buffer);
   const InterruptWatch interrupts;
   return run_chosen(context, err);

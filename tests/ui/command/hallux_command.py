@@ -18,7 +18,7 @@ import unittest
 
 PROGRAM = os.environ["HALLUX_PROGRAM"]
 SILVER = pathlib.Path(os.environ["HALLUX_SILVER"])
-DONE, CHECK_FAILED, WRONG_USAGE, BAD_INPUT, REFUSED, INTERRUPTED, STORAGE = range(7)
+DONE, CHECK_FAILED, WRONG_USAGE, BAD_INPUT, REFUSED, INTERRUPTED, STORAGE, NO_DISPLAY = range(8)
 
 
 def coarse_silver(**changes):
@@ -58,7 +58,8 @@ class CommandTest(unittest.TestCase):
 
     def environment(self):
         home, xdg, _ = self.untouched
-        return {**os.environ, "HOME": str(home), "XDG_DATA_HOME": str(xdg)}
+        without_display = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        return {**without_display, "HOME": str(home), "XDG_DATA_HOME": str(xdg)}
 
     def line(self, arguments):
         return [PROGRAM, *map(str, arguments), "--data", str(self.data)]

@@ -3,7 +3,7 @@
 
 import unittest
 
-from hallux_command import DONE, WRONG_USAGE, CommandTest
+from hallux_command import DONE, NO_DISPLAY, WRONG_USAGE, CommandTest
 
 OPTIONS = {
     ("attempt",): ("scenario", "--hand", "--seed", "--pacing"),
@@ -26,7 +26,9 @@ OPTIONS = {
 }
 
 WRONG = [
-    [],
+    ["--json"],
+    ["--as", "ada"],
+    ["attempts", "--ui-map", "map.json"],
     ["operate"],
     ["--loud", "attempts"],
     ["attempt"],
@@ -88,10 +90,8 @@ class Usage(CommandTest):
                 self.assertEqual(answer.out, "")
                 self.assertNotEqual(answer.err, "")
 
-    def test_no_verb_at_all_lists_the_verbs(self):
-        answer = self.hallux()
-        for verb in OPTIONS:
-            self.assertIn(verb[0], answer.err)
+    def test_no_verb_opens_the_window_which_needs_a_display(self):
+        self.expect_refusal(NO_DISPLAY, ["display"])
 
     def test_the_version_names_the_engine(self):
         answer = self.hallux("--version")

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Opens the command's window on an empty folder under Xvfb: the first administrator comes in, signs out, and signs in again.
+
+usage: course_check.py HALLUX [PICTURE_FOLDER]
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from window_check import Person, start_display, wait_until
+
+PASSWORD = "a long enough phrase"
+
+
+def use_course(person, take_picture):
+    """By mouse, then by keyboard alone."""
+    wait_until("the first screen", lambda: "entry.begin" in person.widgets())
+    take_picture("first_start")
+    for field, words in (("entry.login", "admin-1"), ("entry.name", "Administrator"), ("entry.password", PASSWORD),
+                         ("entry.password_again", PASSWORD)):
+        person.click(field)
+        person.type(words)
+    person.click("entry.begin")
+    wait_until("the attempts", lambda: "nav.attempts" in person.widgets())
+    take_picture("attempts")
+    person.click("nav.person")
+    wait_until("the menu", lambda: "person.3" in person.widgets())
+    person.click("person.3")
+    wait_until("the way in", lambda: "entry.sign_in" in person.widgets())
+    take_picture("sign_in")
+    person.type("admin-1")
+    person.press("Tab")
+    person.type(PASSWORD)
+    person.press("Return")
+    wait_until("the attempts again", lambda: "nav.attempts" in person.widgets())
+
+
+def main():
+    program = sys.argv[1]
+    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    server, display = start_display("1440x900x24")
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            environment = dict(os.environ, DISPLAY=display)
+            window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                      env=environment)
+
+            def take_picture(name):
+                if pictures:
+                    time.sleep(1.0)
+                    subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
+
+            try:
+                use_course(Person(place / "map.json", environment), take_picture)
+                if PASSWORD in (place / "map.json").read_text():
+                    sys.exit("a password is in the map")
+                if window.poll() is not None:
+                    sys.exit(f"the window ended with {window.returncode}")
+            finally:
+                window.kill()
+                window.wait()
+    finally:
+        server.terminate()
+        server.wait()
+    print("course check: passed")
+
+
+if __name__ == "__main__":
+    main()

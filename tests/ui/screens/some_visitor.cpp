@@ -1,0 +1,48 @@
+#include "tests/ui/screens/some_visitor.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace hallux::ui {
+
+namespace {
+
+DriverSetting at_scale(float scale) {
+  DriverSetting setting;
+  setting.width *= scale;
+  setting.height *= scale;
+  setting.scale = scale;
+  return setting;
+}
+
+}  // namespace
+
+SomeVisitor::SomeVisitor(std::unique_ptr<Screen> screen, float scale)
+    : driver_(
+          texts_, [this](Ui& ui) { shell_.draw(ui); }, at_scale(scale)) {
+  shell_.set_display_scale(scale);
+  shell_.preferences().is_motion_reduced = true;
+  shell_.push(std::move(screen));
+  driver_.frame();
+  driver_.settle();
+  finish_work();
+}
+
+void SomeVisitor::finish_work() {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!shell_.background().is_idle()) {
+    if (std::chrono::steady_clock::now() > end) {
+      ADD_FAILURE() << "work did not end within ten seconds";
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    driver_.frame();
+  }
+  driver_.frame();
+  driver_.settle();
+}
+
+}  // namespace hallux::ui

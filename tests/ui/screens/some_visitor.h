@@ -1,0 +1,25 @@
+/// Screens driven without a window: a shell, its driver, and waiting for the work that runs beside it.
+#pragma once
+
+#include "tests/ui/widgets/driver.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class SomeVisitor {
+ public:
+  explicit SomeVisitor(std::unique_ptr<Screen> screen, float scale = 1.0F);
+
+  Shell& shell() noexcept { return shell_; }
+  Driver& driver() noexcept { return driver_; }
+  /// Makes frames until no work runs beside the window.
+  /// errors  fails the test after ten seconds
+  void finish_work();
+
+ private:
+  Shell shell_;
+  const Texts texts_ = english_texts();
+  Driver driver_;
+};
+
+}  // namespace hallux::ui

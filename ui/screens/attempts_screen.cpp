@@ -1,0 +1,172 @@
+#include "ui/screens/attempts_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/screens/words.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/marks.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::AttemptHeader;
+
+enum Column { Number, Operation, PersonColumn, Started, Kind, StateColumn, Score, column_count };
+
+/// -1, 0 or 1: how two attempts stand to each other in a column.
+int compared(const AttemptHeader& a, const AttemptHeader& b, int column) {
+  const auto order = [](const auto& x, const auto& y) { return x < y ? -1 : (y < x ? 1 : 0); };
+  switch (column) {
+    case Operation:
+      return order(a.scenario_name, b.scenario_name);
+    case PersonColumn:
+      return order(a.login, b.login);
+    case Score:
+      return order(a.score_milli, b.score_milli);
+    default:
+      return order(a.order, b.order);
+  }
+}
+
+void draw_score(Ui& ui, const AttemptHeader& attempt, const Rect& cell) {
+  const Theme& theme = ui.theme();
+  if (!attempt.score_milli) {
+    ui.canvas().text_in(cell, {Type::Small, theme.text_caption, Align::Right},
+                        ui.text("attempts.not_scored"));
+    return;
+  }
+  const std::int64_t milli = attempt.decided_milli.value_or(*attempt.score_milli);
+  ui.canvas().text_in(cell, {Type::BodyMedium, theme.text, Align::Right}, points_text(milli));
+}
+
+void draw_state(Ui& ui, const AttemptHeader& attempt, const Rect& cell) {
+  const Point at{cell.x, cell.mid_y()};
+  using database::AttemptState;
+  if (attempt.state == AttemptState::Void) {
+    pill(ui, at, ui.text("attempts.void"), Meaning::Neutral, false);
+  } else if (attempt.state == AttemptState::Interrupted) {
+    pill(ui, at, ui.text("attempts.interrupted"), Meaning::Warn);
+  } else if (attempt.state == AttemptState::Recording) {
+    pill(ui, at, ui.text("attempts.recording"), Meaning::Info);
+  } else if (attempt.decision) {
+    pill(ui, at, ui.text("attempts.decided"), Meaning::Good);
+  } else {
+    pill(ui, at, ui.text("attempts.advisory"), Meaning::Neutral, false);
+  }
+}
+
+void draw_cell(Ui& ui, const AttemptHeader& attempt, int column, const Rect& cell) {
+  const Theme& theme = ui.theme();
+  const TextStyle plain{Type::Body, theme.text_secondary};
+  switch (column) {
+    case Number:
+      ui.canvas().text_in(cell, {Type::Body, theme.text_caption, Align::Right},
+                          grouped(static_cast<long>(attempt.order)));
+      break;
+    case Operation:
+      ui.canvas().text_in(cell, {Type::BodyMedium, theme.text}, attempt.scenario_name, true);
+      break;
+    case PersonColumn:
+      ui.canvas().text_in(
+          cell, plain,
+          attempt.begun.person ? std::string_view(attempt.login) : ui.text("attempts.robot"), true);
+      break;
+    case Started:
+      ui.canvas().text_in(cell, plain, moment_text(attempt.started_utc));
+      break;
+    case Kind: {
+      const bool is_assessment = attempt.begun.kind == database::AttemptKind::Assessment;
+      ui.canvas().text_in(cell, plain,
+                          ui.text(is_assessment ? "attempts.assessment" : "attempts.practice"));
+      break;
+    }
+    case StateColumn:
+      draw_state(ui, attempt, cell);
+      break;
+    default:
+      draw_score(ui, attempt, cell);
+  }
+}
+
+}  // namespace
+
+std::string_view AttemptsScreen::why_not_leave() const {
+  return state_ == State::Reading ? std::string_view(reading_) : std::string_view();
+}
+
+void AttemptsScreen::read(Ui& ui, Shell& shell) {
+  state_ = State::Reading;
+  reading_since_s_ = ui.time_s();
+  reading_ = ui.text("attempts.reading");
+  shell.background().start(
+      reading_, [this](WorkReport&) { read_ = visit_.session->attempts(); },
+      [this](WorkEnd end, const std::string& reason) {
+        state_ = end == WorkEnd::Done ? State::Shown : State::Failed;
+        fault_ = sentence_of(reason);
+        attempts_ = std::move(read_);
+        sort();
+      });
+}
+
+void AttemptsScreen::sort() {
+  const TableSort& by = table_.sort;
+  std::stable_sort(attempts_.begin(), attempts_.end(),
+                   [&](const AttemptHeader& a, const AttemptHeader& b) {
+                     const int order = compared(a, b, by.column);
+                     return by.is_descending || by.column < 0 ? order > 0 : order < 0;
+                   });
+}
+
+void AttemptsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (state_ == State::New) read(ui, shell);
+  Rect page = inset(content, space::page);
+  page_title(ui, {page.x, page.y}, ui.text("attempts.title"), ui.text("attempts.sentence"));
+  take_top(page, 76.0F);
+  const Rect inside = card(ui, page, {});
+  if (state_ == State::Reading) {
+    loading_rows(ui, inside, 8, reading_since_s_);
+  } else if (state_ == State::Failed) {
+    if (failed_card(ui, "attempts.failed", inside,
+                    {ui.text("attempts.failed"), fault_, ui.text("attempts.try_again")})) {
+      state_ = State::New;
+      ui.want_frame_in_s(0.0);
+    }
+  } else if (attempts_.empty()) {
+    empty_card(ui, "attempts.empty", inside,
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+  } else {
+    draw_table(ui, inside);
+  }
+}
+
+void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
+  const std::array<TableColumn, column_count> columns{{
+      {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, true},
+      {ui.text("attempts.operation"), 0.0F, 1.4F, Align::Left, true},
+      {ui.text("attempts.person"), 0.0F, 1.0F, Align::Left, true},
+      {ui.text("attempts.started"), 160.0F, 1.0F, Align::Left, true},
+      {ui.text("attempts.kind"), 104.0F},
+      {ui.text("attempts.state"), 190.0F},
+      {ui.text("attempts.score"), 88.0F, 1.0F, Align::Right, true},
+  }};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(attempts_.size());
+  spec.label = ui.text("attempts.title");
+  const auto at = [this](int row) -> const AttemptHeader& {
+    return attempts_[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = [&](int row) { return std::to_string(at(row).order); };
+  spec.row_label = [&](int row) {
+    return ui.texts().say("attempts.row", {{"operation", at(row).scenario_name},
+                                           {"moment", moment_text(at(row).started_utc)}});
+  };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    draw_cell(own, at(row), column, cell);
+  };
+  if (table(ui, "attempts", content, spec, table_).has_sort_changed) sort();
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,22 @@
+/// Values as people read them: points, moments, initials.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace hallux::ui {
+
+/// Thousandths of a point with one decimal: 76 830 is "76.8".
+std::string points_text(std::int64_t milli);
+
+/// An ISO 8601 time in UTC as "3 Mar 2026, 14:02"; what is no such time is shown as it is.
+std::string moment_text(std::string_view utc);
+
+/// What an error says, which begins small behind the command's name, as a sentence of its own: "Could not open it."
+std::string sentence_of(std::string_view reason);
+
+/// At most two letters or digits for an avatar: "Ada Mueller" is "AM", "trainee-12" is "T1".
+std::string initials_of(std::string_view name);
+
+}  // namespace hallux::ui
