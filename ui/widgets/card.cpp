@@ -9,6 +9,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float title_baseline = 36.0F, title_height = 52.0F;
+constexpr float message_body_top = 41.0F;
 constexpr double quick_s = 0.15;
 
 // The mark is drawn by the caller, 42 above the title.
@@ -34,6 +35,13 @@ Point mark_of(const Ui& ui, const Rect& content, std::string_view sentence,
   const float height =
       72.0F + 16.0F + 20.0F * lines + (action.empty() ? 0.0F : header_button_height);
   return {content.mid_x(), content.mid_y() - height / 2.0F + 16.0F};
+}
+
+// The width that head and body have beside the shape and what stands at the right.
+float message_room(const Ui& ui, const MessageRow& row, float width) {
+  const float side = std::max(ui.width_of(Type::SmallMedium, row.right),
+                              ui.width_of(Type::SmallMedium, row.action));
+  return std::max(1.0F, width - 32.0F - side - 24.0F);
 }
 
 }  // namespace
@@ -68,16 +76,19 @@ bool failed_card(Ui& ui, std::string_view id, const Rect& content, const FailedC
   return draw_notice(ui, id, content, failed.title, failed.reason, failed.action, mark);
 }
 
+float message_row_height(const Ui& ui, const MessageRow& row, float width) {
+  const float words = ui.paragraph_height(Type::Small, row.body, message_room(ui, row, width));
+  return message_body_top + std::max(words, 40.0F) + 14.0F;
+}
+
 bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow& row) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
-  const float side = std::max(ui.width_of(Type::SmallMedium, row.right),
-                              ui.width_of(Type::SmallMedium, row.action));
-  const float room = rect.w - 32.0F - side - 24.0F, middle = rect.y + 27.0F;
+  const float room = message_room(ui, row, rect.w), middle = rect.y + 27.0F;
   draw_meaning(canvas, theme, row.meaning, {rect.x + 10.0F, middle}, 8.0F);
   canvas.text_in({rect.x + 32.0F, middle - 12.0F, room, 24.0F}, {Type::BodyStrong, theme.text},
                  row.head);
-  canvas.paragraph({rect.x + 32.0F, rect.y + 41.0F, room, rect.h - 41.0F},
+  canvas.paragraph({rect.x + 32.0F, rect.y + message_body_top, room, rect.h - message_body_top},
                    {Type::Small, theme.text_secondary}, row.body);
   canvas.text({rect.right(), middle}, {Type::SmallMedium, theme.text, Align::Right}, row.right);
   if (row.action.empty()) return false;

@@ -28,15 +28,16 @@ struct FailedCard {
 };
 bool failed_card(Ui& ui, std::string_view id, const Rect& content, const FailedCard& failed);
 
-/// One thing to take away: a shape, what happened in one line, why and what next in two, and at the right what it cost
+/// One thing to take away: a shape, what happened in one line, why and what next below it, and at the right what it cost
 /// with a way on (either may be empty).
 struct MessageRow {
   Meaning meaning = Meaning::Good;
   std::string_view head = {}, body = {}, right = {}, action = {};
 };
-/// 95 high. True where the way on was pressed, named `id.action`.
+/// True where the way on was pressed, named `id.action`.
 bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow& row);
-inline constexpr float message_row_height = 95.0F;
+/// The height in which the body has room at this width: 95 for two lines.
+float message_row_height(const Ui& ui, const MessageRow& row, float width);
 
 /// Bars in the shape of rows that are still being read; nothing before 150 ms, so that what is quick does not flicker.
 /// `since_s` is the frame time at which loading began.

@@ -123,16 +123,18 @@ void draw_operation_cards(Ui& ui, const Rect& place) {
 
 void draw_message_rows(Ui& ui, const Rect& place) {
   Rect rest = card(ui, place, "What to take from this attempt");
-  message_row(ui, "parts.angle", take_top(rest, message_row_height),
-              {Meaning::Warn, "You removed 12.3\xC2\xB0; the plan was 10.0\xC2\xB0",
-               "The base was 3.1 mm at the medial cortex, plan 2.5. Measure it before cut 2, blade "
-               "thickness included.",
-               "5.2 points lost", "Drill: Measure the base"});
+  const MessageRow angle{
+      Meaning::Warn, "You removed 12.3\xC2\xB0; the plan was 10.0\xC2\xB0",
+      "The base was 3.1 mm at the medial cortex, plan 2.5. Measure it before cut 2, blade "
+      "thickness included.",
+      "5.2 points lost", "Drill: Measure the base"};
+  message_row(ui, "parts.angle", take_top(rest, message_row_height(ui, angle, rest.w)), angle);
   ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
-  message_row(ui, "parts.inside", take_top(rest, message_row_height),
-              {Meaning::Good, "The blade stayed inside the bone",
-               "No plunge in any of 41 strokes, and no contact with the tendon or the joint.",
-               "16 of 16 kept", "See 03:02"});
+  const MessageRow inside{
+      Meaning::Good, "The blade stayed inside the bone",
+      "No plunge in any of 41 strokes, and no contact with the tendon or the joint.",
+      "16 of 16 kept", "See 03:02"};
+  message_row(ui, "parts.inside", take_top(rest, message_row_height(ui, inside, rest.w)), inside);
 }
 
 void draw_score(Ui& ui, const Rect& place) {

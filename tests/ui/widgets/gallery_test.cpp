@@ -30,10 +30,10 @@ class Gallery : public testing::TestWithParam<Case> {
   const Texts texts = english_texts();
   GalleryState state;
 
-  // A window of 1440 x 900 logical pixels.
+  // A window in which the whole page is in sight.
   Driver driver_at(float scale, ThemeName theme = ThemeName::Light) {
     return Driver(texts, [this](Ui& ui) { GetParam().page.draw(ui, state); },
-                  {1440.0F * scale, 900.0F * scale, scale, theme});
+                  {1440.0F * scale, 1400.0F * scale, scale, theme});
   }
 };
 

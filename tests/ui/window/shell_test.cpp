@@ -181,10 +181,17 @@ TEST_F(ShellJourney, RunningWorkIsSeenAndCancelled) {
 }
 
 TEST_F(ShellJourney, ANarrowOrLargeWindowCutsNothingOff) {
-  for (const auto& [width, height] :
-       {std::pair{1280.0F, 720.0F}, {3840.0F, 2160.0F}, {1440.0F, 900.0F}}) {
-    driver.resize(width, height);
-    EXPECT_THAT(driver.faults(), IsEmpty()) << width;
+  struct Size {
+    float width, height, scale;
+  };
+  for (const Size& size :
+       {Size{1280, 720, 1.0F}, {1280, 720, 2.0F}, {3840, 2160, 1.5F}, {1440, 900, 0.8F}}) {
+    shell.preferences().scale = size.scale;
+    driver.resize(size.width, size.height);
+    driver.press(Key::F1);
+    EXPECT_THAT(driver.faults(), IsEmpty()) << size.width;
+    driver.press(Key::Escape);
+    EXPECT_THAT(driver.faults(), IsEmpty()) << size.width;
   }
 }
 

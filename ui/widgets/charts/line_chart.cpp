@@ -34,9 +34,9 @@ SeriesLook look_of(const Theme& theme, SeriesRole role) {
 
 void draw_dashed(ChartPainter& painter, const std::vector<Point>& run, const SeriesLook& look,
                  bool is_dotted) {
-  for (std::size_t k = 0; k + 1 < run.size(); ++k)
-    painter.dashes(run[k], run[k + 1], look.color, is_dotted ? 2.0F : 7.0F, is_dotted ? 3.0F : 4.0F,
-                   look.thickness);
+  for (const std::vector<Point>& dash :
+       dashes_along(run, is_dotted ? 2.0F : 7.0F, is_dotted ? 3.0F : 4.0F))
+    painter.polyline(dash, look.color, look.thickness);
 }
 
 void draw_axes(ChartPainter& painter, const Theme& theme, const Rect& rect, const Plot& plot,

@@ -54,6 +54,10 @@ void draw_event(ChartPainter& painter, const Theme& theme, Point at, Meaning mea
       const std::array<Point, 4> shape{
           {{at.x, at.y - 7.0F}, {at.x + 7.0F, at.y}, {at.x, at.y + 7.0F}, {at.x - 7.0F, at.y}}};
       painter.polygon(shape, theme.bad);
+      const std::array<Point, 2> down{{{at.x - 2.0F, at.y - 2.0F}, {at.x + 2.0F, at.y + 2.0F}}};
+      const std::array<Point, 2> up{{{at.x - 2.0F, at.y + 2.0F}, {at.x + 2.0F, at.y - 2.0F}}};
+      painter.polyline(down, theme.on_shape, 1.6F);
+      painter.polyline(up, theme.on_shape, 1.6F);
       return;
     }
     case Meaning::Good:
@@ -88,8 +92,8 @@ void draw_track(ChartPainter& painter, const Theme& theme, const Rect& rect, con
     painter.dashes({plot.rect.x, y}, {plot.rect.right(), y}, theme.good_text, 4.0F, 4.0F, 1.0F);
   }
   for (const std::vector<Point>& run : line_runs(plot, track.reference))
-    for (std::size_t k = 0; k + 3 < run.size(); k += 6)
-      painter.polyline(std::span(run).subspan(k, 4), theme.reference, 1.5F);
+    for (const std::vector<Point>& dash : dashes_along(run, 7.0F, 4.0F))
+      painter.polyline(dash, theme.reference, 1.5F);
   for (const std::vector<Point>& run : line_runs(plot, track.samples))
     painter.polyline(run, theme.accent, 1.5F);
 }
