@@ -47,6 +47,7 @@ std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& r
       widget.rect = {plot.x(points[number].x) - 10.0F, plot.y(points[number].y) - 10.0F, 20.0F,
                      20.0F};
       widget.group = id;
+      widget.is_in_sequence = true;
       widget.role = Role::Option;
       const Response response = ui.control(std::move(widget));
       if (response.shows_ring) focused = number;

@@ -40,6 +40,23 @@ float distance_by_arrow(const Rect& from, const Rect& to, Key arrow) {
   return along + 2.0F * aside;
 }
 
+// The one before or behind `from` in its group.
+const Widget* neighbour(const FrameContent& content, const Widget& from, Key arrow) {
+  const bool is_forwards = arrow == Key::Right || arrow == Key::Down;
+  const Widget* before = nullptr;
+  bool was_found = false;
+  for (const Widget& widget : content.widgets) {
+    if (widget.group != from.group || !can_have_focus(content, widget)) continue;
+    if (was_found) return &widget;
+    if (widget.id == from.id) {
+      if (!is_forwards) return before;
+      was_found = true;
+    }
+    before = &widget;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 bool can_have_focus(const FrameContent& content, const Widget& widget) noexcept {
@@ -60,6 +77,10 @@ std::string next_in_tab_order(const FrameContent& content, const std::string& fo
 std::string next_by_arrow(const FrameContent& content, const std::string& focus, Key arrow) {
   const Widget* from = find_widget(content, focus);
   if (from == nullptr || from->group.empty()) return focus;
+  if (from->is_in_sequence && arrow != Key::Home && arrow != Key::End) {
+    const Widget* next = neighbour(content, *from, arrow);
+    return next == nullptr ? focus : next->id;
+  }
   const Widget* best = nullptr;
   float best_distance = std::numeric_limits<float>::infinity();
   for (const Widget& widget : content.widgets) {

@@ -29,6 +29,8 @@ struct Widget {
   bool takes_new_line = false;  ///< a field in which Enter makes a new line
   bool is_chosen = false;       ///< the option of its group that Tab goes to
   std::string group = {};       ///< arrows move inside a group, Tab visits it once
+  bool is_in_sequence =
+      false;        ///< arrows follow the order of the group, not the places: points of a chart
   int scroll = -1;  ///< the scroll region it lies in, as an index of the frame's widgets
 };
 

@@ -69,6 +69,22 @@ TEST(Focus, ArrowsCrossAGridAsTheEyeDoes) {
   EXPECT_EQ(next_by_arrow(content, "card.4", Key::Up), "card.1");
 }
 
+TEST(Focus, PointsOfAChartAreWalkedInTheirOrder) {
+  FrameContent content;
+  for (int point = 0; point < 4; ++point) {
+    content.widgets.push_back(
+        control("point." + std::to_string(point),
+                {20.0F * static_cast<float>(point), point == 2 ? 500.0F : 0.0F, 10, 10}, "point"));
+    content.widgets.back().is_in_sequence = true;
+  }
+  EXPECT_EQ(next_by_arrow(content, "point.1", Key::Right), "point.2")
+      << "a peak is not jumped over";
+  EXPECT_EQ(next_by_arrow(content, "point.3", Key::Left), "point.2");
+  EXPECT_EQ(next_by_arrow(content, "point.0", Key::Left), "point.0");
+  EXPECT_EQ(next_by_arrow(content, "point.3", Key::Right), "point.3");
+  EXPECT_EQ(next_by_arrow(content, "point.1", Key::End), "point.3");
+}
+
 TEST(Widgets, TheTopmostReachableOneIsUnderThePointer) {
   FrameContent content;
   content.widgets = {control("row", {0, 0, 100, 40}), control("button", {60, 10, 30, 20})};

@@ -169,7 +169,7 @@ void draw_larger_parts(Ui& ui, GalleryState& state) {
   const float left = navigation_width(ui, false);
   const Rect view{left, 0.0F, ui.display().w - left, ui.display().h};
   const float x = left + space::page,
-              shift = -ui.begin_scroll("parts", "Larger parts", view, 1390.0F);
+              shift = -ui.begin_scroll("parts", "Larger parts", view, 1434.0F);
   page_title(ui, {x, 32.0F + shift}, "Larger parts", "Lists, cards, scores and charts.");
   filter_pill(ui, "parts.all", {x + 420.0F, 70.0F + shift}, "All 18", true);
   filter_pill(ui, "parts.idle", {x + 500.0F, 70.0F + shift}, "4 idle over 14 days", false);
@@ -179,13 +179,13 @@ void draw_larger_parts(Ui& ui, GalleryState& state) {
   draw_people(ui, card(ui, {x, 240.0F + shift, 570.0F, 420.0F}, "People"), state);
   draw_operation_cards(ui, {x + 590.0F, 106.0F + shift, 0.0F, 0.0F});
   draw_score(ui, {x + 590.0F, 458.0F + shift, 400.0F, 346.0F});
-  const Rect chart = card(ui, {x, 680.0F + shift, 570.0F, 404.0F}, "Score by attempt");
+  const Rect chart = card(ui, {x, 680.0F + shift, 570.0F, 434.0F}, "Score by attempt");
   line_chart(ui, "parts.chart", chart, score_chart(), [](std::size_t point) {
     return std::pair<std::string, std::string>{"Attempt " + std::to_string(point + 1),
                                                "24 Feb, 3:21"};
   });
-  draw_message_rows(ui, {x + 590.0F, 824.0F + shift, 570.0F, 260.0F});
-  const Rect times = card(ui, {x, 1104.0F + shift, 1160.0F, 280.0F}, "Replay");
+  draw_message_rows(ui, {x + 590.0F, 824.0F + shift, 570.0F, 290.0F});
+  const Rect times = card(ui, {x, 1134.0F + shift, 1160.0F, 280.0F}, "Replay");
   timeline(ui, "parts.timeline", times, attempt_timeline());
   ui.end_scroll();
 }

@@ -52,7 +52,7 @@ int main(int count, char** arguments) {
       parts.people.sort = {0, false};
       draw_picture(
           folder, "parts", theme, scale, [&](Ui& ui) { draw_larger_parts(ui, parts); },
-          {700.0F, 780.0F}, 1400.0F);
+          {700.0F, 780.0F}, 1434.0F);
       asked.has_question = true;
       if (scale == 1.0F)
         draw_picture(folder, "question", theme, scale, [&](Ui& ui) { draw_components(ui, asked); },

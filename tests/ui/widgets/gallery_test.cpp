@@ -33,7 +33,7 @@ class Gallery : public testing::TestWithParam<Case> {
   // A window in which the whole page is in sight.
   Driver driver_at(float scale, ThemeName theme = ThemeName::Light) {
     return Driver(texts, [this](Ui& ui) { GetParam().page.draw(ui, state); },
-                  {1440.0F * scale, 1400.0F * scale, scale, theme});
+                  {1440.0F * scale, 1434.0F * scale, scale, theme});
   }
 };
 
