@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace hallux::ui {
@@ -83,6 +84,7 @@ inline std::vector<Rect> columns(const Rect& rect, int count, float gap) {
   const auto number = static_cast<float>(std::max(count, 1));
   const float width = (rect.w - gap * (number - 1.0F)) / number;
   std::vector<Rect> result = {};
+  result.reserve(static_cast<std::size_t>(std::max(count, 0)));
   for (int column = 0; column < count; ++column)
     result.push_back({rect.x + static_cast<float>(column) * (width + gap), rect.y, width, rect.h});
   return result;
