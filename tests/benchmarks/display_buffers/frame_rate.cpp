@@ -1,0 +1,88 @@
+// How many pictures a second the operating view makes here, mono and stereo, with the bone at about 50,000 triangles: the whole
+// of a frame is measured, from the patch's upload to the last pixel (glFinish).
+//
+//     operating_frames [EDGE_MM]     0.21 gives a phalanx of about 50,000 triangles
+#include <epoxy/gl.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/table.h"
+#include "tests/ui/render/operating_world.h"
+#include "ui/render/headless_context.h"
+#include "ui/render/stereo.h"
+
+namespace hallux::benchmarks {
+
+namespace {
+
+using namespace ui;
+
+struct Case {
+  std::string name;
+  StereoMode mode = StereoMode::Mono;
+  PixelSize size{1280, 720};
+  int samples = 0;
+  bool is_sawing = true;
+};
+
+double measured_ms(Renderer& renderer, StereoStage& stage, tests::OperatingWorld& world,
+                   const Case& what, const RenderTarget& window, double& reach_mm) {
+  using Clock = std::chrono::steady_clock;
+  if (what.is_sawing) world.saw_to(reach_mm += 0.02);
+  const Scene scene = world.scene();
+  const auto begin = Clock::now();
+  stage.draw(renderer, scene, world.camera(), {.mode = what.mode, .viewer = {}}, window.target());
+  glFinish();
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+int run(double edge_mm) {
+  const HeadlessContext context;
+  tests::OperatingWorld world(edge_mm);
+  StereoStage stage;
+  double reach_mm = -6.0;
+  Table table{.name = "operating_frames",
+              .title = "The operating view on " + renderer_name(),
+              .columns = {"picture", "triangles", "median ms", "p99 ms", "pictures a second"},
+              .rows = {},
+              .notes = {"pictures a second: 1000 / median"}};
+  const std::vector<Case> cases{
+      {"mono 1280 x 720"},
+      {"mono 1280 x 720, bone at rest", StereoMode::Mono, {1280, 720}, 0, false},
+      {"side by side 1280 x 720", StereoMode::SideBySide},
+      {"anaglyph 1280 x 720", StereoMode::Anaglyph},
+      {"mono 1280 x 720, 4 samples", StereoMode::Mono, {1280, 720}, 4}};
+  for (const Case& what : cases) {
+    Renderer renderer({.samples = what.samples});
+    const RenderTarget window(what.size);
+    std::vector<double> times_ms;
+    for (int frame = 0; frame < 90; ++frame) {
+      const double time_ms = measured_ms(renderer, stage, world, what, window, reach_mm);
+      if (frame >= 10) times_ms.push_back(time_ms);
+    }
+    const Spread spread = spread_of(times_ms);
+    table.rows.push_back({what.name, static_cast<double>(renderer.counts().triangles),
+                          spread.median, spread.p99, 1000.0 / spread.median});
+  }
+  print_table(std::cout, table);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace hallux::benchmarks
+
+int main(int count, char** words) {
+  try {
+    return hallux::benchmarks::run(count > 1 ? std::atof(words[1]) : 0.21);
+  } catch (const std::exception& error) {
+    std::cerr << "operating_frames: " << error.what() << '\n';
+    return 1;
+  }
+}

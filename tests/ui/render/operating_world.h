@@ -1,0 +1,45 @@
+/// An Akin operation in the middle of its first cut, as data for pictures: the worlds of the renderer's tests.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "scenarios/plan.h"
+#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/solid_patch.h"
+#include "ui/render/camera.h"
+#include "ui/render/scene.h"
+
+namespace hallux::tests {
+
+/// A phalanx with a neighbour and a saw; what a scene borrows lives here.
+class OperatingWorld {
+ public:
+  /// `edge_mm` is the edge length of the bones' surfaces: their density. 0.3 is the product's.
+  explicit OperatingWorld(double edge_mm);
+  ~OperatingWorld();
+
+  /// Saws from medial until the teeth stand this far from the kerf's origin, and shows that as a patch.
+  void saw_to(double reach_mm);
+  /// Both cuts done, committed, the wedge taken out.
+  void take_wedge_out();
+
+  /// The operating view as it is now.
+  ui::Scene scene() const;
+  ui::Camera camera() const;
+  /// The tool's pose where the teeth stand.
+  RigidTransform world_from_tool() const;
+
+  const simulator::Bone& phalanx() const noexcept;
+  const scenarios::PlannedCut& cut() const;
+  /// The planned face of that name as a plane: z its normal, y along the tooth line, x where the saw goes.
+  RigidTransform world_from_face(std::string_view name) const;
+  const simulator::SolidPatch& patch() const noexcept;
+  const ui::BoneMesh& mesh() const noexcept;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hallux::tests

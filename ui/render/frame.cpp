@@ -1,0 +1,47 @@
+#include "ui/render/frame.h"
+
+namespace hallux::ui {
+
+namespace {
+
+/// The view's axes: x right, y up, z to the viewer.
+Float3 direction(const EyeView& view, const Vec3& in_view) {
+  return to_float(view.world_from_view * glm::normalize(in_view));
+}
+
+}  // namespace
+
+Frame frame_of(const Scene& scene, const EyeView& view, const DrawTarget& target,
+               double pixel_scale) noexcept {
+  return {scene,
+          view,
+          target,
+          pixel_scale,
+          view.clip_from_world(),
+          palette_of(scene.ground),
+          direction(view, Vec3(-0.55, 0.75, 0.60))};
+}
+
+void set_light(ShaderProgram& program, const Frame& frame) {
+  const EyeView& view = frame.view;
+  program.set("eye_mm", to_float(view.eye_in_world_mm));
+  program.set("key_light", frame.key_light);
+  program.set("fill_light", direction(view, Vec3(0.90, -0.10, 0.45)));
+  program.set("rim_light", direction(view, Vec3(0.30, 0.55, -0.75)));
+  program.set("view_up", direction(view, Vec3(0.0, 1.0, 0.0)));
+  program.set("view_right", direction(view, Vec3(1.0, 0.0, 0.0)));
+  program.set("view_back", direction(view, Vec3(0.0, 0.0, 1.0)));
+  program.set("is_light_ground", frame.scene.ground == Ground::Light ? 1.0F : 0.0F);
+}
+
+void set_ground(ShaderProgram& program, const Frame& frame) {
+  program.set("ground_middle", frame.palette.ground_middle);
+  program.set("ground_rim", frame.palette.ground_rim);
+  program.set("ground_place", to_float(frame.scene.light_place));
+  program.set("picture", Float4(frame.target.left, frame.target.bottom,
+                                1.0F / static_cast<float>(frame.target.size.width),
+                                1.0F / static_cast<float>(frame.target.size.height)));
+  program.set("picture_aspect", static_cast<float>(frame.view.width_over_height));
+}
+
+}  // namespace hallux::ui

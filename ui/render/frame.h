@@ -1,0 +1,30 @@
+/// What all painters of one picture share; inside this room only.
+#pragma once
+
+#include "ui/render/camera.h"
+#include "ui/render/palette.h"
+#include "ui/render/render_target.h"
+#include "ui/render/scene.h"
+#include "ui/render/shader_program.h"
+
+namespace hallux::ui {
+
+struct Frame {
+  const Scene& scene;
+  const EyeView& view;
+  DrawTarget target;
+  double pixel_scale = 1.0;  ///< pixels drawn along each side of one shown
+  DoubleMatrix4 clip_from_world{1.0};
+  Palette palette;
+  Float3 key_light{0.0F};  ///< direction towards it, world
+};
+
+Frame frame_of(const Scene& scene, const EyeView& view, const DrawTarget& target,
+               double pixel_scale) noexcept;
+
+/// Sets the uniforms of light.glsl.
+void set_light(ShaderProgram& program, const Frame& frame);
+/// Sets the uniforms of ground.glsl.
+void set_ground(ShaderProgram& program, const Frame& frame);
+
+}  // namespace hallux::ui

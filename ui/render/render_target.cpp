@@ -1,0 +1,105 @@
+#include "ui/render/render_target.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <string>
+
+#include "ui/render/graphics_error.h"
+
+namespace hallux::ui {
+
+namespace {
+
+PixelSize at_least_one(PixelSize size) {
+  return {std::max(size.width, 1), std::max(size.height, 1)};
+}
+
+void check_complete(PixelSize size) {
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
+  throw GraphicsError("the graphics driver makes no picture of " + std::to_string(size.width) +
+                      " x " + std::to_string(size.height) +
+                      " pixels to draw into; choose a smaller window or picture");
+}
+
+/// Puts the framebuffer that was bound back, so that making a target disturbs nobody.
+class BoundFramebuffer {
+ public:
+  explicit BoundFramebuffer(unsigned framebuffer) {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  }
+  ~BoundFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(before_)); }
+  BoundFramebuffer(const BoundFramebuffer&) = delete;
+  BoundFramebuffer& operator=(const BoundFramebuffer&) = delete;
+
+ private:
+  int before_ = 0;
+};
+
+void copy_picture(const DrawTarget& from, const DrawTarget& to) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
+  const GLenum filter = from.size == to.size ? GL_NEAREST : GL_LINEAR;
+  glBlitFramebuffer(from.left, from.bottom, from.left + from.size.width,
+                    from.bottom + from.size.height, to.left, to.bottom, to.left + to.size.width,
+                    to.bottom + to.size.height, GL_COLOR_BUFFER_BIT, filter);
+  glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
+}
+
+}  // namespace
+
+RenderTarget::RenderTarget(PixelSize size) : size_(at_least_one(size)) {
+  glBindTexture(GL_TEXTURE_2D, colour_.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_.width, size_.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size_.width, size_.height);
+  const BoundFramebuffer bound(framebuffer_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  check_complete(size_);
+}
+
+Pixels RenderTarget::read() const {
+  Pixels pixels{size_, {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(size_.width);
+  pixels.rgba.resize(row * static_cast<std::size_t>(size_.height));
+  const BoundFramebuffer bound(framebuffer_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.rgba.data());
+  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {
+    const auto first = pixels.rgba.begin() + static_cast<std::ptrdiff_t>(row) * low;
+    std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row),
+                     pixels.rgba.begin() + static_cast<std::ptrdiff_t>(row) * high);
+  }
+  return pixels;
+}
+
+void RenderTarget::copy_into(const DrawTarget& target) const {
+  copy_picture(this->target(), target);
+}
+
+SampledTarget::SampledTarget(PixelSize size, int samples)
+    : size_(at_least_one(size)), samples_(samples) {
+  glBindRenderbuffer(GL_RENDERBUFFER, colour_.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, size_.width, size_.height);
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size_.width,
+                                   size_.height);
+  const BoundFramebuffer bound(framebuffer_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  check_complete(size_);
+}
+
+void SampledTarget::copy_into(const DrawTarget& target) const {
+  copy_picture(this->target(), target);
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,51 @@
+/// Draws the saw and the ghosts of blades; inside this room only.
+#pragma once
+
+#include <optional>
+
+#include "ui/render/display_buffer.h"
+#include "ui/render/frame.h"
+#include "ui/render/tool_model.h"
+
+namespace hallux::ui {
+
+/// One part of a tool on the card.
+class ToolView {
+ public:
+  explicit ToolView(const ToolMesh& mesh);
+  void draw() const;
+  std::size_t triangle_count() const noexcept { return triangles_.size(); }
+
+ private:
+  GlVertexArray array_;
+  DisplayBuffer<ToolVertex> vertices_;
+  DisplayBuffer<simulator::Triangle> triangles_;
+};
+
+class SawPainter {
+ public:
+  SawPainter();
+
+  void draw(const Frame& frame);
+  /// After everything that is not translucent.
+  void draw_ghosts(const Frame& frame);
+  std::size_t triangle_count() const noexcept;
+
+ private:
+  struct Model {
+    simulator::BladeSize size;
+    double thickness_mm = 0.0;
+    ToolView blade, handpiece;
+  };
+
+  Model& model_of(const simulator::BladeSize& size, double thickness_mm);
+  void draw_part(const Frame& frame, const ToolView& part, const RigidTransform& world_from_part);
+  void draw_ghost(const Frame& frame, const ToolView& part, const RigidTransform& world_from_part,
+                  const Float4& ink);
+
+  ShaderProgram tool_, ghost_;
+  GlTexture noise_;
+  std::optional<Model> model_, ghost_model_;
+};
+
+}  // namespace hallux::ui

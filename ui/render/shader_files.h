@@ -1,0 +1,12 @@
+/// The files of shaders/, compiled in.
+#pragma once
+
+#include <span>
+
+#include "simulator/base/embedded.h"
+
+namespace hallux::ui {
+
+std::span<const EmbeddedText> shader_files() noexcept;
+
+}  // namespace hallux::ui

@@ -1,0 +1,20 @@
+layout(location = 0) in vec3 point_in_bone_mm;
+layout(location = 1) in vec4 normal_and_openness;
+layout(location = 2) in vec2 kerf_and_side;
+
+uniform mat4 clip_from_bone, world_from_bone, tool_from_bone;
+
+out vec3 in_bone_mm, in_world_mm, in_tool_mm, normal_in_world;
+out float openness;
+flat out vec2 face;
+
+void main() {
+  vec4 point = vec4(point_in_bone_mm, 1.0);
+  in_bone_mm = point_in_bone_mm;
+  in_world_mm = (world_from_bone * point).xyz;
+  in_tool_mm = (tool_from_bone * point).xyz;
+  normal_in_world = mat3(world_from_bone) * normal_and_openness.xyz;
+  openness = normal_and_openness.w;
+  face = kerf_and_side;
+  gl_Position = clip_from_bone * point;
+}

@@ -1,0 +1,103 @@
+#include "ui/render/stereo.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "simulator/base/check.h"
+
+namespace hallux::ui {
+
+namespace {
+
+void bind_picture(int unit, unsigned texture) {
+  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void resize(std::optional<RenderTarget>& target, PixelSize size) {
+  if (target && target->size() == size) return;
+  target.reset();
+  target.emplace(size);
+}
+
+}  // namespace
+
+AnaglyphMatrices anaglyph_matrices() noexcept {
+  AnaglyphMatrices matrices;
+  // Columns: what red, green and blue of the eye's picture give.
+  matrices.shown_from_left[0] = Float4(0.437F, -0.062F, -0.048F, 0.0F);
+  matrices.shown_from_left[1] = Float4(0.449F, -0.062F, -0.050F, 0.0F);
+  matrices.shown_from_left[2] = Float4(0.164F, -0.024F, -0.017F, 0.0F);
+  matrices.shown_from_right[0] = Float4(-0.011F, 0.377F, -0.026F, 0.0F);
+  matrices.shown_from_right[1] = Float4(-0.032F, 0.761F, -0.093F, 0.0F);
+  matrices.shown_from_right[2] = Float4(-0.007F, 0.009F, 1.234F, 0.0F);
+  return matrices;
+}
+
+StereoStage::StereoStage() : compose_("ground.vert", "compose.frag") {}
+
+void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
+  setting_ = setting;
+  window_ = {std::max(window.width, 1), std::max(window.height, 1)};
+  PixelSize eye = window_;
+  if (setting.mode == StereoMode::SideBySide) eye.width = std::max(window_.width / 2, 1);
+  resize(left_, eye);
+  if (setting.mode == StereoMode::Mono) {
+    right_.reset();
+  } else {
+    resize(right_, eye);
+  }
+}
+
+const RenderTarget& StereoStage::eye(Eye eye) const {
+  const std::optional<RenderTarget>& target = eye == Eye::Right ? right_ : left_;
+  CHECK(target.has_value());
+  return *target;
+}
+
+EyeView StereoStage::view(Eye eye, const Camera& camera) const noexcept {
+  const double aspect = static_cast<double>(window_.width) / window_.height;
+  if (setting_.mode == StereoMode::Mono) eye = Eye::Middle;
+  return view_of(camera, setting_.viewer, eye, aspect);
+}
+
+void StereoStage::compose(const DrawTarget& window) {
+  const RenderTarget& first = eye(Eye::Left);
+  const RenderTarget& second = setting_.mode == StereoMode::Mono ? first : eye(Eye::Right);
+  glBindFramebuffer(GL_FRAMEBUFFER, window.framebuffer);
+  glViewport(window.left, window.bottom, window.size.width, window.size.height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  compose_.use();
+  bind_picture(1, (setting_.is_swapped ? first : second).texture());
+  bind_picture(0, (setting_.is_swapped ? second : first).texture());
+  glActiveTexture(GL_TEXTURE0);
+  compose_.set("left_eye", 0);
+  compose_.set("right_eye", 1);
+  compose_.set("mode", static_cast<int>(setting_.mode));
+  compose_.set("picture",
+               Float4(window.left, window.bottom, 1.0F / static_cast<float>(window.size.width),
+                      1.0F / static_cast<float>(window.size.height)));
+  const AnaglyphMatrices matrices = anaglyph_matrices();
+  compose_.set("left_to_shown", matrices.shown_from_left);
+  compose_.set("right_to_shown", matrices.shown_from_right);
+  glBindVertexArray(no_attributes_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glUseProgram(0);
+}
+
+void StereoStage::draw(Renderer& renderer, const Scene& scene, const Camera& camera,
+                       const StereoSetting& setting, const DrawTarget& window) {
+  begin(setting, window.size);
+  for (const Eye eye : {Eye::Left, Eye::Right}) {
+    if (eye == Eye::Right && eye_count() == 1) break;
+    renderer.draw(scene, view(eye, camera), this->eye(eye).target());
+  }
+  compose(window);
+}
+
+}  // namespace hallux::ui
