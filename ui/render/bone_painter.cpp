@@ -154,6 +154,10 @@ void BonePainter::place(ShaderProgram& program, const Frame& frame, const BoneIn
   program.set("world_from_bone", to_float(world_from_bone));
   program.set("clip_from_bone", to_float(frame.clip_from_world * world_from_bone));
   program.set("presence", static_cast<float>(bone.presence));
+  if (bone.cut_away) {
+    program.set("cut_away",
+                Float4(to_float(bone.cut_away->normal_in_bone), bone.cut_away->offset_mm));
+  }
   if (frame.scene.saw) {
     const RigidTransform tool_from_world = inverse(frame.scene.saw->world_from_tool);
     program.set("tool_from_bone", to_float(matrix_of(tool_from_world * bone.world_from_bone)));
@@ -163,7 +167,9 @@ void BonePainter::place(ShaderProgram& program, const Frame& frame, const BoneIn
 void BonePainter::draw_skin(const Frame& frame, const BoneInScene& bone, const BoneView& view) {
   skin_.use();
   place(skin_, frame, bone);
+  if (bone.cut_away) glDisable(GL_CULL_FACE);
   view.draw_skin();
+  glEnable(GL_CULL_FACE);
 }
 
 void BonePainter::draw_cut_faces(const Frame& frame, const BoneInScene& bone, const BoneView& view,
@@ -191,8 +197,11 @@ void BonePainter::draw(const Frame& frame, std::uint64_t picture) {
     const BoneView& view = view_of(bone, picture);
     uploaded_bytes_ += view.uploaded_bytes() - before;
     triangle_count_ += view.triangle_count();
+    const GlTexture& depth = depth_of(*bone.look, picture);
+    if (bone.cut_away) glEnable(GL_CLIP_DISTANCE0);
     draw_skin(frame, bone, view);
-    draw_cut_faces(frame, bone, view, depth_of(*bone.look, picture));
+    draw_cut_faces(frame, bone, view, depth);
+    glDisable(GL_CLIP_DISTANCE0);
   }
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);

@@ -77,13 +77,17 @@ void SawPainter::draw_ghost(const Frame& frame, const ToolView& part,
   ghost_.use();
   ghost_.set("ink", ink);
   ghost_.set("clip_from_ghost", to_float(frame.clip_from_world * matrix_of(world_from_part)));
-  // Depth first: of what lies behind each other in the ghost only the nearest is seen through.
+  // Depth first: of what lies behind each other in the ghost only the nearest is seen through. A little behind its place:
+  // where the blade itself stands, the blade is seen.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0F, 8.0F);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   part.draw();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_BLEND);
   part.draw();
   glDisable(GL_BLEND);
+  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void SawPainter::draw(const Frame& frame) {

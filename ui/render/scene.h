@@ -27,6 +27,12 @@ struct SignedMap {
   double range_mm = 2.0;               ///< where the colours end
 };
 
+/// Bone with normal . p > offset is not drawn: what lies behind it is looked into.
+struct CutAway {
+  Vec3 normal_in_bone{0.0, 0.0, 1.0};
+  double offset_mm = 0.0;
+};
+
 struct BoneInScene {
   const BoneMesh* mesh = nullptr;
   const BoneLook* look = nullptr;  ///< of the bone; one look serves all its pieces
@@ -36,6 +42,7 @@ struct BoneInScene {
   RigidTransform world_from_bone;    ///< of this piece
   double presence = 1.0;             ///< towards 0 it fades into the ground: a neighbour
   std::optional<SignedMap> map;
+  std::optional<CutAway> cut_away;
 };
 
 struct SawInScene {

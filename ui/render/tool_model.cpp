@@ -95,7 +95,7 @@ std::array<Vec2, 4> plate_stations(const BladeSize& blade, double gullet_mm) {
 
 }  // namespace
 
-double pivot_x_mm(const BladeSize& blade) noexcept { return -blade.depth_mm - 5.0; }
+double pivot_x_mm(const BladeSize& blade) noexcept { return -blade.depth_mm - 4.0; }
 
 ToolMesh blade_mesh(const BladeSize& blade, double thickness_mm) {
   ToolBuilder builder;
@@ -138,23 +138,25 @@ ToolMesh handpiece_mesh(const BladeSize& blade) {
   constexpr auto band = ToolMaterial::Band;
   ToolBuilder builder;
   // The hub that clamps the blade, about the pivot.
-  constexpr std::array<ProfilePoint, 8> hub{{{-4.4, 0.0, steel},
-                                             {-4.4, 4.6, steel},
-                                             {-3.6, 5.6, steel},
-                                             {3.2, 5.6, steel},
-                                             {4.0, 4.8, steel},
-                                             {4.0, 2.2, steel},
-                                             {4.8, 2.0, band},
-                                             {4.8, 0.0, steel}}};
+  constexpr std::array<ProfilePoint, 9> hub{{{-3.6, 0.0, steel},
+                                             {-3.6, 3.9, steel},
+                                             {-3.0, 4.6, steel},
+                                             {2.6, 4.6, steel},
+                                             {3.2, 4.0, steel},
+                                             {3.2, 2.6, steel},
+                                             {3.1, 2.4, band},
+                                             {3.9, 2.2, band},
+                                             {3.9, 0.0, steel}}};
   builder.add_turned(hub, {Quat(1.0, 0.0, 0.0, 0.0), Vec3(pivot_x_mm(blade), 0.0, 0.0)});
   // Neck, grip and cable: along -x from the hub; `along` counts from the pivot.
-  constexpr std::array<ProfilePoint, 24> body{
-      {{3.0, 0.0, steel},  {3.0, 4.1, steel},  {9.0, 4.3, steel},   {15.0, 5.2, steel},
-       {19.0, 7.0, steel}, {20.5, 7.6, steel}, {22.0, 7.6, band},   {22.5, 7.2, grip},
-       {24.0, 8.2, grip},  {34.0, 8.9, grip},  {48.0, 8.7, grip},   {62.0, 8.5, grip},
-       {62.6, 8.0, band},  {64.4, 8.0, band},  {65.0, 8.6, grip},   {84.0, 9.2, grip},
-       {104.0, 9.4, grip}, {112.0, 8.6, grip}, {115.0, 7.2, steel}, {119.0, 6.6, steel},
-       {120.0, 4.2, grip}, {126.0, 3.0, grip}, {240.0, 3.0, grip},  {240.0, 0.0, grip}}};
+  constexpr std::array<ProfilePoint, 26> body{
+      {{2.0, 0.0, steel},   {2.0, 3.3, steel},   {7.0, 3.4, steel},  {10.0, 4.0, steel},
+       {12.0, 5.6, steel},  {13.2, 6.2, steel},  {14.6, 6.2, band},  {15.0, 5.8, grip},
+       {15.6, 5.8, grip},   {16.6, 6.9, grip},   {24.0, 7.9, grip},  {36.0, 8.2, grip},
+       {50.0, 8.0, grip},   {60.0, 8.0, grip},   {60.6, 7.5, band},  {62.4, 7.5, band},
+       {63.0, 8.1, grip},   {82.0, 8.8, grip},   {102.0, 9.0, grip}, {110.0, 8.2, grip},
+       {113.0, 6.9, steel}, {117.0, 6.3, steel}, {118.0, 4.2, grip}, {124.0, 3.0, grip},
+       {240.0, 3.0, grip},  {240.0, 0.0, grip}}};
   const Quat along_handle = rotation_from_axes(Vec3(0.0, 0.0, 1.0), Vec3(0.0, 1.0, 0.0));
   builder.add_turned(body, {along_handle, Vec3(pivot_x_mm(blade), 0.0, 0.0)});
   return builder.take();

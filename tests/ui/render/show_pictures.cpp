@@ -9,6 +9,7 @@
 #include "ui/render/headless_context.h"
 #include "ui/render/picture.h"
 #include "ui/render/stereo.h"
+#include "ui/render/swarf.h"
 
 namespace hallux::tests {
 
@@ -54,12 +55,20 @@ void add_wedge(Album& album, OperatingWorld& world) {
   album.add("wedge_light", on_light(scene), camera);
   camera.magnification = 20.0;
   album.add("wedge_near", scene, standard_view(camera, StandardView::AlongBlade));
-  scene.bones.front().map =
-      SignedMap{.kerf = 0,
-                .side = 0,
-                .normal_in_bone = glm::normalize(world.cut().face.normal + Vec3(0.0, 0.03, 0.06)),
-                .offset_mm = world.cut().face.offset_mm,
-                .range_mm = 2.0};
+  // As if the plan had been a little oblique to what was cut.
+  const Vec3 normal = glm::normalize(world.cut().face.normal + Vec3(0.0, 0.10, 0.14));
+  const Vec3 middle_mm =
+      0.5 * (world.cut().entry_point_in_bone_mm + world.cut().exit_point_in_bone_mm);
+  scene.bones.front().map = SignedMap{.kerf = 0,
+                                      .side = 0,
+                                      .normal_in_bone = normal,
+                                      .offset_mm = glm::dot(normal, middle_mm) - 0.2,
+                                      .range_mm = 2.0};
+  scene.bones.front().cut_away =
+      CutAway{world.cut().face.normal, world.cut().face.offset_mm + 0.25};
+  camera.magnification = 14.0;
+  camera = standard_view(camera, StandardView::Distal);
+  camera = orbited(camera, -0.45, 0.30);
   scene.planes = {{world.world_from_face("proximal_face"), Vec2(16.0, 13.0), Ink::Accent, false}};
   album.add("map", scene, camera);
 }
@@ -78,6 +87,10 @@ void show(const std::filesystem::path& folder, double edge_mm) {
   scene.saw->is_running = true;
   scene.saw->swing = 0.3;
   scene.planes.clear();
+  Swarf swarf(1);
+  const SwarfSource source{scene.saw->world_from_tool, 12.0, 8.0, false};
+  for (int frame = 0; frame < 40; ++frame) swarf.advance(1.0 / 30.0, source);
+  scene.chips = swarf.chips();
   album.add("running", scene, camera);
   Camera near = camera;
   near.magnification = 22.0;

@@ -40,18 +40,20 @@ vec3 raised(vec3 normal, float height) {
 void main() {
   // Fibres run along the shaft (x): everything is drawn out that way.
   vec4 patches = texture(noise, in_bone_mm * vec3(0.020, 0.027, 0.027));
-  vec4 fine = texture(noise, in_bone_mm * vec3(0.075, 0.130, 0.130) + 0.37);
+  vec4 fine = texture(noise, in_bone_mm * vec3(0.085, 0.150, 0.150) + 0.37);
 
   float warm = smoothstep(0.25, 0.75, patches.r), stain = smoothstep(0.50, 0.95, patches.b);
   vec3 albedo = mix(vec3(0.70, 0.585, 0.405), vec3(0.855, 0.775, 0.625), warm);
   albedo = mix(albedo, vec3(0.66, 0.50, 0.335), 0.35 * stain);
   albedo *= 0.90 + 0.20 * fine.r;
   // Pores are rare: where the clouds are thick.
-  float pore = (1.0 - smoothstep(0.10, 0.30, fine.g)) * smoothstep(0.48, 0.70, fine.b);
-  albedo *= 1.0 - 0.42 * pore;
+  float pore = (1.0 - smoothstep(0.06, 0.24, fine.g)) * smoothstep(0.34, 0.66, fine.b);
+  albedo *= 1.0 - 0.34 * pore;
 
+  // Seen from inside only where bone is cut away, at what still hangs together behind it.
+  if (!gl_FrontFacing) albedo = vec3(0.22, 0.13, 0.085);
   vec3 to_eye = normalize(eye_mm - in_world_mm);
-  vec3 normal = raised(normalize(normal_in_world), 0.11 * fine.r + 0.06 * fine.b - 0.05 * pore);
+  vec3 normal = raised(normalize(normal_in_world), 0.075 * fine.r + 0.05 * fine.b - 0.022 * pore);
   float open = openness * openness;
   float key_share = key_share_at(in_tool_mm);
   vec3 light = lit(albedo, normal, to_eye, open, key_share);

@@ -21,15 +21,21 @@ vec3 studio(vec3 way, float blur) {
 }
 
 vec3 blade(vec3 normal, vec3 to_eye) {
-  float scratch = texture(noise, in_tool_mm * vec3(0.05, 1.1, 0.5)).a - 0.5;
-  vec3 brushed = normalize(normal + scratch * 0.07 * view_up);
-  vec3 steel = vec3(0.56, 0.58, 0.61) * studio(reflect(-to_eye, brushed), 0.25) +
-               vec3(0.13, 0.14, 0.15) * (0.55 + 0.45 * max(dot(brushed, key_light), 0.0));
+  // Brushed along the blade: what it mirrors is drawn out across it, and the flat plate bends the light a little.
+  float scratch = texture(noise, in_tool_mm * vec3(0.02, 0.9, 0.5)).a - 0.5;
+  float broad = texture(noise, in_tool_mm * vec3(0.012, 0.03, 0.3)).r - 0.5;
+  vec3 brushed = normalize(normal + (0.06 * scratch + 0.30 * broad) * view_up + 0.10 * broad * view_right);
+  float along = dot(brushed, normalize(key_light + to_eye));
+  float sheen = exp2(-14.0 * (1.0 - along));
+  vec3 steel = vec3(0.52, 0.54, 0.57) * studio(reflect(-to_eye, brushed), 0.35) +
+               vec3(0.15, 0.16, 0.175) * (0.6 + 0.4 * max(dot(brushed, key_light), 0.0)) +
+               vec3(0.62, 0.64, 0.66) * sheen;
   // Depth marks across the blade each 5 mm, and a rim where it was ground.
   float mark = abs(fract(in_tool_mm.x / 5.0 + 0.5) - 0.5) * 5.0;
   float width = max(fwidth(in_tool_mm.x), 0.02);
   float etched = (1.0 - smoothstep(0.09, 0.09 + width, mark)) * step(in_tool_mm.x, -2.0) *
                  step(abs(in_tool_mm.y), 3.4) * is_face;
+  steel *= 1.0 - 0.10 * smoothstep(0.10, 0.9, abs(scratch) * 2.0);
   return steel * (1.0 - 0.62 * etched) * (1.0 + 0.18 * (1.0 - is_face));
 }
 
