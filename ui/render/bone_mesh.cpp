@@ -200,6 +200,12 @@ BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneL
     light_skin(made.vertices.back(), look.depth);
   }
   sort_by_kind(made, triangles, look);
+  made.low_mm = Vec3(1e300);
+  made.high_mm = Vec3(-1e300);
+  for (const Vec3& point_mm : solid.mesh.points_mm) {
+    made.low_mm = glm::min(made.low_mm, point_mm);
+    made.high_mm = glm::max(made.high_mm, point_mm);
+  }
   return made;
 }
 

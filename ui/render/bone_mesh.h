@@ -27,6 +27,7 @@ struct BoneVertex {
 struct BoneMesh {
   std::uint64_t id = 0;  ///< another content has another; given by whoever makes it
   simulator::CutSolid solid;
+  Vec3 low_mm{0.0, 0.0, 0.0}, high_mm{0.0, 0.0, 0.0};  ///< the box around it
   std::vector<BoneVertex> vertices;
   std::vector<simulator::Triangle> triangles;  ///< by vertices; the skin's first
   std::size_t skin_count =

@@ -2,28 +2,27 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "simulator/base/check.h"
-#include "ui/render/noise_volume.h"
 
 namespace hallux::ui {
 
 namespace {
 
-constexpr int noise_unit = 0, depth_unit = 1;
+/// Two values of the stencil each.
+constexpr std::size_t bones_at_most = 127;
 
 void bind_volume(int unit, const GlTexture& texture) {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(GL_TEXTURE_3D, texture.name());
 }
 
-void set_filter(GLint minified, GLint wrap) {
-  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, minified);
-  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-    glTexParameteri(GL_TEXTURE_3D, side, wrap);
-  }
+void bind_picture(int unit, unsigned texture) {
+  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
 }
 
 /// The bone frame in the depth volume's texture coordinates: nodes lie in the middle of texels.
@@ -43,13 +42,16 @@ void set_cortex(ShaderProgram& program, const BoneLook& look) {
               Float4(look.cortex->mid_mm, look.cortex->floor_mm, look.cortex->length_mm, 1.0));
 }
 
-void set_map(ShaderProgram& program, const std::optional<SignedMap>& map) {
+void set_map(ShaderProgram& program, const BoneInScene& bone) {
+  const std::optional<SignedMap>& map = bone.map;
   if (!map) {
     program.set("map_faces", Float4(0.0F));
     return;
   }
   program.set("map_plane", Float4(to_float(map->normal_in_bone), map->offset_mm));
   program.set("map_faces", Float4(map->kerf, map->side, map->range_mm, 1.0));
+  program.set("map_normal_in_world",
+              to_float(transform_direction(bone.world_from_bone, map->normal_in_bone)));
   program.set("map_low", map_low);
   program.set("map_middle", map_middle);
   program.set("map_high", map_high);
@@ -73,11 +75,35 @@ void set_lines(ShaderProgram& program, const Frame& frame) {
                                0.5 * lines[i].width_pixels * frame.pixel_scale);
     uniforms.half[i] = Float4(lines[i].half_width_mm, 0.0, 0.0, 0.0);
   }
-  program.set("line_count", static_cast<int>(lines.size()));
   program.set("line_plane", uniforms.plane);
   program.set("line_window", uniforms.window);
   program.set("line_style", uniforms.style);
   program.set("line_half", uniforms.half);
+}
+
+/// Restricts drawing to the pixels that the mesh can cover: the box around its box's corners.
+void bound_to(const Frame& frame, const BoneInScene& bone) {
+  Vec3 low(1e9), high(-1e9);
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 share((corner & 1U) != 0 ? 1.0 : 0.0, (corner & 2U) != 0 ? 1.0 : 0.0,
+                     (corner & 4U) != 0 ? 1.0 : 0.0);
+    const Vec3 corner_mm = glm::mix(bone.mesh->low_mm, bone.mesh->high_mm, share);
+    const Vec3 place =
+        place_in_picture(frame.view, transform_point(bone.world_from_bone, corner_mm));
+    if (!(std::abs(place.z) <= 1.0)) {  // before the eye or beyond sight: nothing is known
+      low = Vec3(0.0);
+      high = Vec3(1.0);
+      break;
+    }
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  const double width = frame.target.size.width, height = frame.target.size.height;
+  const auto pixel = [](double share, double size) {
+    return static_cast<int>(std::clamp(std::floor(share * size), 0.0, size));
+  };
+  const int left = pixel(low.x, width), bottom = pixel(1.0 - high.y, height);
+  glScissor(left, bottom, pixel(high.x, width) + 1 - left, pixel(1.0 - low.y, height) + 1 - bottom);
 }
 
 /// The saw's shadow on bones.
@@ -97,24 +123,8 @@ void set_shadow(ShaderProgram& program, const Frame& frame) {
 
 }  // namespace
 
-GlTexture make_noise_texture() {
-  const NoiseVolume noise = make_noise(64);
-  const auto side = static_cast<GLsizei>(noise.side);
-  GlTexture texture;
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_3D, texture.name());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, side, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-               noise.rgba.data());
-  set_filter(GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT);
-  glGenerateMipmap(GL_TEXTURE_3D);
-  return texture;
-}
-
-BonePainter::BonePainter()
-    : skin_("bone.vert", "bone_skin.frag"),
-      cut_("bone.vert", "bone_cut.frag"),
-      noise_(make_noise_texture()) {}
+BonePainter::BonePainter(const NoiseTextures& noise)
+    : noise_(noise), shape_("bone.vert", "bone.frag"), cut_("ground.vert", "bone_cut.frag") {}
 
 const GlTexture& BonePainter::depth_of(const BoneLook& look, std::uint64_t picture) {
   const auto [at, is_new] = looks_.try_emplace(look.id);
@@ -126,7 +136,11 @@ const GlTexture& BonePainter::depth_of(const BoneLook& look, std::uint64_t pictu
   glTexImage3D(GL_TEXTURE_3D, 0, GL_R16, static_cast<GLsizei>(depth.x_count),
                static_cast<GLsizei>(depth.y_count), static_cast<GLsizei>(depth.z_count), 0, GL_RED,
                GL_UNSIGNED_SHORT, depth.nodes.data());
-  set_filter(GL_LINEAR, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    glTexParameteri(GL_TEXTURE_3D, side, GL_CLAMP_TO_EDGE);
+  }
   return at->second.depth;
 }
 
@@ -140,69 +154,119 @@ BoneView& BonePainter::view_of(const BoneInScene& bone, std::uint64_t picture) {
   return at->second.view;
 }
 
-void BonePainter::begin(ShaderProgram& program, const Frame& frame) {
+void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const BoneView& view,
+                             int stencil) {
+  const DoubleMatrix4 world_from_bone = matrix_of(bone.world_from_bone);
+  shape_.set("world_from_bone", to_float(world_from_bone));
+  shape_.set("clip_from_bone", to_float(frame.clip_from_world * world_from_bone));
+  if (bone.cut_away) {
+    shape_.set("cut_away",
+               Float4(to_float(bone.cut_away->normal_in_bone), bone.cut_away->offset_mm));
+    glEnable(GL_CLIP_DISTANCE0);
+    glDisable(GL_CULL_FACE);
+  }
+  glStencilFunc(GL_ALWAYS, stencil, 0xff);
+  view.draw_skin();
+  glStencilFunc(GL_ALWAYS, stencil + 1, 0xff);
+  view.draw_cut_faces();
+  glEnable(GL_CULL_FACE);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+void BonePainter::draw_shapes(const Frame& frame, std::uint64_t picture) {
+  CHECK(frame.scene.bones.size() <= bones_at_most);
+  triangle_count_ = 0;
+  uploaded_bytes_ = 0;
+  shape_.use();
+  glEnable(GL_STENCIL_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  int stencil = 1;
+  for (const BoneInScene& bone : frame.scene.bones) {
+    CHECK(bone.mesh != nullptr && bone.look != nullptr);
+    const auto seen = bones_.find(bone.mesh->id);
+    const std::uint64_t before = seen == bones_.end() ? 0 : seen->second.view.uploaded_bytes();
+    const BoneView& view = view_of(bone, picture);
+    uploaded_bytes_ += view.uploaded_bytes() - before;
+    triangle_count_ += view.triangle_count();
+    depth_of(*bone.look, picture);
+    draw_shape(frame, bone, view, stencil);
+    stencil += 2;
+  }
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glBindVertexArray(0);
+}
+
+ShaderProgram& BonePainter::skin_program(const Frame& frame, const BoneInScene& bone) {
+  std::string settings = "#define LINES " + std::to_string(frame.scene.lines.size()) + "\n";
+  if (frame.scene.saw) settings += "#define SHADOW\n";
+  if (bone.presence < 1.0) settings += "#define FADED\n";
+  auto at = skins_.find(settings);
+  if (at == skins_.end()) {
+    at = skins_.emplace(settings, ShaderProgram("ground.vert", "bone_skin.frag", settings)).first;
+  }
+  return at->second;
+}
+
+void BonePainter::light_skin(const Frame& frame, const BoneInScene& bone) {
+  ShaderProgram& program = skin_program(frame, bone);
+  begin_light(program, frame);
+  set_lines(program, frame);
+  program.set("relief", relief_unit);
+  program.set("slope_scale", static_cast<float>(noise_.slope_scale()));
+  place(program, frame, bone);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void BonePainter::begin_light(ShaderProgram& program, const Frame& frame) {
   program.use();
   set_light(program, frame);
   set_ground(program, frame);
+  set_seen_bone(program, frame);
   set_shadow(program, frame);
   program.set("noise", noise_unit);
   program.set("depth_volume", depth_unit);
 }
 
 void BonePainter::place(ShaderProgram& program, const Frame& frame, const BoneInScene& bone) {
-  const DoubleMatrix4 world_from_bone = matrix_of(bone.world_from_bone);
-  program.set("world_from_bone", to_float(world_from_bone));
-  program.set("clip_from_bone", to_float(frame.clip_from_world * world_from_bone));
+  program.use();
+  program.set("world_from_bone", to_float(matrix_of(bone.world_from_bone)));
   program.set("presence", static_cast<float>(bone.presence));
-  if (bone.cut_away) {
-    program.set("cut_away",
-                Float4(to_float(bone.cut_away->normal_in_bone), bone.cut_away->offset_mm));
-  }
-  if (frame.scene.saw) {
-    const RigidTransform tool_from_world = inverse(frame.scene.saw->world_from_tool);
-    program.set("tool_from_bone", to_float(matrix_of(tool_from_world * bone.world_from_bone)));
-  }
+  if (!frame.scene.saw) return;
+  const RigidTransform tool_from_world = inverse(frame.scene.saw->world_from_tool);
+  program.set("tool_from_bone", to_float(matrix_of(tool_from_world * bone.world_from_bone)));
 }
 
-void BonePainter::draw_skin(const Frame& frame, const BoneInScene& bone, const BoneView& view) {
-  skin_.use();
-  place(skin_, frame, bone);
-  if (bone.cut_away) glDisable(GL_CULL_FACE);
-  view.draw_skin();
-  glEnable(GL_CULL_FACE);
-}
-
-void BonePainter::draw_cut_faces(const Frame& frame, const BoneInScene& bone, const BoneView& view,
-                                 const GlTexture& depth) {
-  bind_volume(depth_unit, depth);
-  cut_.use();
+void BonePainter::light_cut_faces(const Frame& frame, const BoneInScene& bone) {
+  bind_volume(depth_unit, looks_.at(bone.look->id).depth);
   place(cut_, frame, bone);
   set_depth(cut_, bone.look->depth);
   set_cortex(cut_, *bone.look);
-  set_map(cut_, bone.map);
-  view.draw_cut_faces();
+  set_map(cut_, bone);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void BonePainter::draw(const Frame& frame, std::uint64_t picture) {
-  begin(skin_, frame);
-  set_lines(skin_, frame);
-  begin(cut_, frame);
-  bind_volume(noise_unit, noise_);
-  triangle_count_ = 0;
-  uploaded_bytes_ = 0;
+void BonePainter::draw_light(const Frame& frame) {
+  begin_light(cut_, frame);
+  noise_.bind();
+  bind_picture(place_unit, frame.place_texture);
+  bind_picture(normal_unit, frame.normal_texture);
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_STENCIL_TEST);
+  glBindVertexArray(no_attributes_.name());
+  int stencil = 1;
   for (const BoneInScene& bone : frame.scene.bones) {
-    CHECK(bone.mesh != nullptr && bone.look != nullptr);
-    const std::uint64_t before =
-        bones_.contains(bone.mesh->id) ? bones_.at(bone.mesh->id).view.uploaded_bytes() : 0;
-    const BoneView& view = view_of(bone, picture);
-    uploaded_bytes_ += view.uploaded_bytes() - before;
-    triangle_count_ += view.triangle_count();
-    const GlTexture& depth = depth_of(*bone.look, picture);
-    if (bone.cut_away) glEnable(GL_CLIP_DISTANCE0);
-    draw_skin(frame, bone, view);
-    draw_cut_faces(frame, bone, view, depth);
-    glDisable(GL_CLIP_DISTANCE0);
+    bound_to(frame, bone);
+    glStencilFunc(GL_EQUAL, stencil, 0xff);
+    light_skin(frame, bone);
+    glStencilFunc(GL_EQUAL, stencil + 1, 0xff);
+    light_cut_faces(frame, bone);
+    stencil += 2;
   }
+  glDisable(GL_STENCIL_TEST);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glScissor(0, 0, frame.target.size.width, frame.target.size.height);
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
 }

@@ -3,18 +3,25 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 
 #include "ui/render/bone_view.h"
 #include "ui/render/frame.h"
+#include "ui/render/noise_textures.h"
 
 namespace hallux::ui {
 
 class BonePainter {
  public:
-  BonePainter();
+  /// Borrows the noise.
+  explicit BonePainter(const NoiseTextures& noise);
 
-  /// Draws them all; `noise` is the bound texture's unit.
-  void draw(const Frame& frame, std::uint64_t picture);
+  /// Writes which bone is where, with depth; into the stencil what is to be lit how.
+  /// needs   the shapes' framebuffer is bound and cleared
+  void draw_shapes(const Frame& frame, std::uint64_t picture);
+  /// Lays light on them, once a pixel.
+  /// needs   draw_shapes of the same frame; the picture's framebuffer is bound
+  void draw_light(const Frame& frame);
   /// Lets go of what was not drawn since.
   void forget_before(std::uint64_t picture);
 
@@ -33,22 +40,21 @@ class BonePainter {
 
   BoneView& view_of(const BoneInScene& bone, std::uint64_t picture);
   const GlTexture& depth_of(const BoneLook& look, std::uint64_t picture);
-  void begin(ShaderProgram& program, const Frame& frame);
+  void draw_shape(const Frame& frame, const BoneInScene& bone, const BoneView& view, int stencil);
+  ShaderProgram& skin_program(const Frame& frame, const BoneInScene& bone);
+  void begin_light(ShaderProgram& program, const Frame& frame);
+  void light_skin(const Frame& frame, const BoneInScene& bone);
   void place(ShaderProgram& program, const Frame& frame, const BoneInScene& bone);
-  void draw_skin(const Frame& frame, const BoneInScene& bone, const BoneView& view);
-  void draw_cut_faces(const Frame& frame, const BoneInScene& bone, const BoneView& view,
-                      const GlTexture& depth);
+  void light_cut_faces(const Frame& frame, const BoneInScene& bone);
 
-  ShaderProgram skin_, cut_;
-  GlTexture noise_;
+  const NoiseTextures& noise_;
+  ShaderProgram shape_, cut_;
+  std::map<std::string, ShaderProgram> skins_;  ///< by settings, made when first needed
+  GlVertexArray no_attributes_;
   std::map<std::uint64_t, SeenBone> bones_;
   std::map<std::uint64_t, SeenLook> looks_;
   std::size_t triangle_count_ = 0;
   std::uint64_t uploaded_bytes_ = 0;
 };
-
-/// A block of noise as a texture that repeats; made once and shared by the painters.
-/// needs   a current context
-GlTexture make_noise_texture();
 
 }  // namespace hallux::ui

@@ -11,15 +11,18 @@ Float3 direction(const EyeView& view, const Vec3& in_view) {
 
 }  // namespace
 
-Frame frame_of(const Scene& scene, const EyeView& view, const DrawTarget& target,
+Frame frame_of(const Scene& scene, const EyeView& view, const PictureBuffers& buffers,
                double pixel_scale) noexcept {
   return {scene,
           view,
-          target,
+          buffers.picture(),
           pixel_scale,
           view.clip_from_world(),
           palette_of(scene.ground),
-          direction(view, Vec3(-0.55, 0.75, 0.60))};
+          direction(view, Vec3(-0.55, 0.75, 0.60)),
+          buffers.shapes(),
+          buffers.place_texture(),
+          buffers.normal_texture()};
 }
 
 void set_light(ShaderProgram& program, const Frame& frame) {
@@ -32,6 +35,16 @@ void set_light(ShaderProgram& program, const Frame& frame) {
   program.set("view_right", direction(view, Vec3(1.0, 0.0, 0.0)));
   program.set("view_back", direction(view, Vec3(0.0, 0.0, 1.0)));
   program.set("is_light_ground", frame.scene.ground == Ground::Light ? 1.0F : 0.0F);
+}
+
+void set_seen_bone(ShaderProgram& program, const Frame& frame) {
+  const DoubleMatrix4& clip = frame.view.clip_from_view;
+  const Vec3 right = frame.view.world_from_view * Vec3(1.0, 0.0, 0.0);
+  const Vec3 up = frame.view.world_from_view * Vec3(0.0, 1.0, 0.0);
+  program.set("pixel_right", to_float(right * (2.0 / (clip[0][0] * frame.target.size.width))));
+  program.set("pixel_up", to_float(up * (2.0 / (clip[1][1] * frame.target.size.height))));
+  program.set("place_picture", place_unit);
+  program.set("normal_picture", normal_unit);
 }
 
 void set_ground(ShaderProgram& program, const Frame& frame) {

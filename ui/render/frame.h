@@ -3,11 +3,16 @@
 
 #include "ui/render/camera.h"
 #include "ui/render/palette.h"
+#include "ui/render/picture_buffers.h"
 #include "ui/render/render_target.h"
 #include "ui/render/scene.h"
 #include "ui/render/shader_program.h"
 
 namespace hallux::ui {
+
+/// Texture units.
+inline constexpr int noise_unit = 0, depth_unit = 1, place_unit = 2, normal_unit = 3,
+                     relief_unit = 4;
 
 struct Frame {
   const Scene& scene;
@@ -17,13 +22,17 @@ struct Frame {
   DoubleMatrix4 clip_from_world{1.0};
   Palette palette;
   Float3 key_light{0.0F};  ///< direction towards it, world
+  unsigned shapes = 0;     ///< the framebuffer of the bones' shapes
+  unsigned place_texture = 0, normal_texture = 0;
 };
 
-Frame frame_of(const Scene& scene, const EyeView& view, const DrawTarget& target,
+Frame frame_of(const Scene& scene, const EyeView& view, const PictureBuffers& buffers,
                double pixel_scale) noexcept;
 
 /// Sets the uniforms of light.glsl.
 void set_light(ShaderProgram& program, const Frame& frame);
+/// Sets the uniforms of seen_bone.glsl but for its matrices.
+void set_seen_bone(ShaderProgram& program, const Frame& frame);
 /// Sets the uniforms of ground.glsl.
 void set_ground(ShaderProgram& program, const Frame& frame);
 

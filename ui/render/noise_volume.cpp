@@ -111,7 +111,57 @@ class Clouds {
   std::array<ValueNoise, 3> octaves_;
 };
 
+double smooth_step(double low, double high, double value) {
+  const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
+  return share * share * (3.0 - 2.0 * share);
+}
+
+struct SkinCell {
+  double height_mm = 0.0, shade = 1.0;
+};
+
+/// Pores are small, and rare: where the clouds are thick.
+SkinCell skin_cell(const std::uint8_t* rgba) {
+  const double red = rgba[0] / 255.0, scattered = rgba[1] / 255.0, blue = rgba[2] / 255.0;
+  const double pore = (1.0 - smooth_step(0.06, 0.24, scattered)) * smooth_step(0.34, 0.66, blue);
+  return {0.075 * red + 0.05 * blue - 0.022 * pore, (0.85 + 0.15 * red) * (1.0 - 0.36 * pore)};
+}
+
+/// Slopes of the heights at a cell, over the block's side.
+Vec3 slope_at(const std::vector<SkinCell>& cells, std::uint32_t side,
+              const std::array<std::uint32_t, 3>& at) {
+  const auto height = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return cells[((z % side) * side + y % side) * side + x % side].height_mm;
+  };
+  const auto [x, y, z] = at;
+  const double over = 0.5 * side;
+  return over * Vec3(height(x + 1, y, z) - height(x + side - 1, y, z),
+                     height(x, y + 1, z) - height(x, y + side - 1, z),
+                     height(x, y, z + 1) - height(x, y, z + side - 1));
+}
+
 }  // namespace
+
+ReliefVolume make_relief(const NoiseVolume& noise) {
+  const std::uint32_t side = noise.side;
+  std::vector<SkinCell> cells;
+  for (std::size_t i = 0; i < noise.rgba.size(); i += 4) cells.push_back(skin_cell(&noise.rgba[i]));
+  std::vector<Vec3> slopes;
+  double steepest = 0.0;
+  for (std::uint32_t i = 0; i < cells.size(); ++i) {
+    slopes.push_back(slope_at(cells, side, {i % side, i / side % side, i / (side * side)}));
+    const Vec3 size = glm::abs(slopes.back());
+    steepest = std::max({steepest, size.x, size.y, size.z});
+  }
+  ReliefVolume relief{{side, {}}, 2.0 * steepest};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Vec3 share = Vec3(0.5) + slopes[i] / relief.slope_scale;
+    relief.volume.rgba.insert(
+        relief.volume.rgba.end(),
+        {byte_of(share.x), byte_of(share.y), byte_of(share.z), byte_of(cells[i].shade)});
+  }
+  return relief;
+}
 
 NoiseVolume make_noise(std::uint32_t side) {
   CHECK(side >= 32 && (side & (side - 1)) == 0);

@@ -10,7 +10,8 @@ class OverlayPainter {
  public:
   OverlayPainter();
 
-  /// Before everything.
+  /// Where no bone is.
+  /// needs   the bones' shapes in the stencil
   void draw_ground(const Frame& frame);
   void draw_chips(const Frame& frame);
   /// After everything that is not translucent.

@@ -9,13 +9,11 @@
 
 namespace hallux::ui {
 
-namespace {
-
-PixelSize at_least_one(PixelSize size) {
+PixelSize at_least_one(PixelSize size) noexcept {
   return {std::max(size.width, 1), std::max(size.height, 1)};
 }
 
-void check_complete(PixelSize size) {
+void check_framebuffer(PixelSize size) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
   throw GraphicsError("the graphics driver makes no picture of " + std::to_string(size.width) +
@@ -23,20 +21,14 @@ void check_complete(PixelSize size) {
                       " pixels to draw into; choose a smaller window or picture");
 }
 
-/// Puts the framebuffer that was bound back, so that making a target disturbs nobody.
-class BoundFramebuffer {
- public:
-  explicit BoundFramebuffer(unsigned framebuffer) {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  }
-  ~BoundFramebuffer() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(before_)); }
-  BoundFramebuffer(const BoundFramebuffer&) = delete;
-  BoundFramebuffer& operator=(const BoundFramebuffer&) = delete;
+BoundFramebuffer::BoundFramebuffer(unsigned framebuffer) {
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
 
- private:
-  int before_ = 0;
-};
+BoundFramebuffer::~BoundFramebuffer() {
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(before_));
+}
 
 void copy_picture(const DrawTarget& from, const DrawTarget& to) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
@@ -47,8 +39,6 @@ void copy_picture(const DrawTarget& from, const DrawTarget& to) {
                     to.bottom + to.size.height, GL_COLOR_BUFFER_BIT, filter);
   glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
 }
-
-}  // namespace
 
 RenderTarget::RenderTarget(PixelSize size) : size_(at_least_one(size)) {
   glBindTexture(GL_TEXTURE_2D, colour_.name());
@@ -63,7 +53,7 @@ RenderTarget::RenderTarget(PixelSize size) : size_(at_least_one(size)) {
   const BoundFramebuffer bound(framebuffer_.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-  check_complete(size_);
+  check_framebuffer(size_);
 }
 
 Pixels RenderTarget::read() const {
@@ -79,27 +69,6 @@ Pixels RenderTarget::read() const {
                      pixels.rgba.begin() + static_cast<std::ptrdiff_t>(row) * high);
   }
   return pixels;
-}
-
-void RenderTarget::copy_into(const DrawTarget& target) const {
-  copy_picture(this->target(), target);
-}
-
-SampledTarget::SampledTarget(PixelSize size, int samples)
-    : size_(at_least_one(size)), samples_(samples) {
-  glBindRenderbuffer(GL_RENDERBUFFER, colour_.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, size_.width, size_.height);
-  glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size_.width,
-                                   size_.height);
-  const BoundFramebuffer bound(framebuffer_.name());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-  check_complete(size_);
-}
-
-void SampledTarget::copy_into(const DrawTarget& target) const {
-  copy_picture(this->target(), target);
 }
 
 }  // namespace hallux::ui

@@ -40,8 +40,6 @@ class RenderTarget {
 
   /// needs   drawing is done; waits for it
   Pixels read() const;
-  /// Into a target of another size the picture is scaled linearly.
-  void copy_into(const DrawTarget& target) const;
 
  private:
   PixelSize size_;
@@ -50,24 +48,25 @@ class RenderTarget {
   GlFramebuffer framebuffer_;
 };
 
-/// Several samples a pixel, for smooth edges; drawn into, then copied into another target.
-class SampledTarget {
- public:
-  /// errors  as RenderTarget
-  SampledTarget(PixelSize size, int samples);
+/// Copies what is seen; into a target of another size it is scaled linearly.
+/// ensures the target's framebuffer is bound afterwards
+void copy_picture(const DrawTarget& from, const DrawTarget& to);
 
-  PixelSize size() const noexcept { return size_; }
-  int samples() const noexcept { return samples_; }
-  DrawTarget target() const noexcept { return {framebuffer_.name(), 0, 0, size_}; }
-  /// Writes the mean of the samples.
-  /// needs   a target of the same size
-  void copy_into(const DrawTarget& target) const;
+/// A size with sides of at least one pixel.
+PixelSize at_least_one(PixelSize size) noexcept;
+/// errors  GraphicsError where the bound framebuffer cannot be drawn into
+void check_framebuffer(PixelSize size);
+
+/// Binds a framebuffer, and puts the one that was bound before back at its end, so that making a target disturbs nobody.
+class BoundFramebuffer {
+ public:
+  explicit BoundFramebuffer(unsigned framebuffer);
+  ~BoundFramebuffer();
+  BoundFramebuffer(const BoundFramebuffer&) = delete;
+  BoundFramebuffer& operator=(const BoundFramebuffer&) = delete;
 
  private:
-  PixelSize size_;
-  int samples_;
-  GlRenderbuffer colour_, depth_;
-  GlFramebuffer framebuffer_;
+  int before_ = 0;
 };
 
 }  // namespace hallux::ui

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "ui/render/bone_painter.h"
 #include "ui/render/frame.h"
@@ -18,13 +19,14 @@ namespace {
 constexpr std::uint64_t kept_pictures = 300;
 
 /// Drawing begins from a state that is said, not from the one that somebody left.
-void begin_drawing(const DrawTarget& target) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-  glViewport(target.left, target.bottom, target.size.width, target.size.height);
-  glScissor(target.left, target.bottom, target.size.width, target.size.height);
+void begin_drawing(const Frame& frame) {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.shapes);
+  glViewport(0, 0, frame.target.size.width, frame.target.size.height);
+  glScissor(0, 0, frame.target.size.width, frame.target.size.height);
   glEnable(GL_SCISSOR_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
+  glStencilMask(0xff);
   glDisable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
@@ -34,7 +36,9 @@ void begin_drawing(const DrawTarget& target) {
   glCullFace(GL_BACK);
   glFrontFace(GL_CCW);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  glClear(GL_DEPTH_BUFFER_BIT);
+  glClearDepth(1.0);
+  glClearStencil(0);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 void end_drawing() {
@@ -47,28 +51,43 @@ void end_drawing() {
 
 }  // namespace
 
-RenderQuality live_quality() {
-  return is_software_renderer() ? RenderQuality{} : RenderQuality{.samples = 4};
-}
+RenderQuality live_quality() { return {.supersampling = is_software_renderer() ? 1 : 2}; }
 
 struct Renderer::Parts {
   RenderQuality quality;
   OverlayPainter overlays;
-  BonePainter bones;
-  SawPainter saw;
-  std::optional<SampledTarget> sampled;
-  std::optional<RenderTarget> larger;
+  NoiseTextures noise;
+  BonePainter bones{noise};
+  SawPainter saw{noise};
+  std::optional<PictureBuffers> buffers;
+  std::vector<RenderTarget>
+      halved;  ///< each half as large as the one before, down to twice the picture's size
   std::uint64_t picture = 0;
   DrawCounts counts;
 
+  void make_room(PixelSize size);
   void draw_all(const Frame& frame);
-  void draw_sampled(const Scene& scene, const EyeView& view, const DrawTarget& target);
+  void copy_into(const DrawTarget& target);
 };
 
+void Renderer::Parts::make_room(PixelSize size) {
+  const int scale = quality.supersampling;
+  const PixelSize large{at_least_one(size).width * scale, at_least_one(size).height * scale};
+  if (buffers && buffers->size() == large) return;
+  buffers.reset();
+  halved.clear();
+  buffers.emplace(large);
+  for (int part = scale / 2; part > 1; part /= 2) {
+    halved.emplace_back(PixelSize{large.width * part / scale, large.height * part / scale});
+  }
+}
+
 void Renderer::Parts::draw_all(const Frame& frame) {
-  begin_drawing(frame.target);
+  begin_drawing(frame);
+  bones.draw_shapes(frame, picture);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.target.framebuffer);
   overlays.draw_ground(frame);
-  bones.draw(frame, picture);
+  bones.draw_light(frame);
   saw.draw(frame);
   overlays.draw_chips(frame);
   saw.draw_ghosts(frame);
@@ -79,27 +98,14 @@ void Renderer::Parts::draw_all(const Frame& frame) {
             bones.uploaded_bytes()};
 }
 
-/// Larger and with samples; then the samples become pixels, then pixels become fewer.
-void Renderer::Parts::draw_sampled(const Scene& scene, const EyeView& view,
-                                   const DrawTarget& target) {
-  const int scale = quality.supersampling, samples = std::max(quality.samples, 1);
-  const PixelSize size{std::max(target.size.width, 1) * scale,
-                       std::max(target.size.height, 1) * scale};
-  if (!sampled || !(sampled->size() == size) || sampled->samples() != samples) {
-    sampled.reset();
-    sampled.emplace(size, samples);
+/// By halves: a linear copy to half the size takes the mean of four pixels, to less it would leave some out.
+void Renderer::Parts::copy_into(const DrawTarget& target) {
+  DrawTarget from = buffers->picture();
+  for (const RenderTarget& half : halved) {
+    copy_picture(from, half.target());
+    from = half.target();
   }
-  draw_all(frame_of(scene, view, sampled->target(), scale));
-  if (scale == 1) {
-    sampled->copy_into(target);
-    return;
-  }
-  if (!larger || !(larger->size() == size)) {
-    larger.reset();
-    larger.emplace(size);
-  }
-  sampled->copy_into(larger->target());
-  larger->copy_into(target);
+  copy_picture(from, target);
 }
 
 Renderer::Renderer(const RenderQuality& quality) : parts_(std::make_unique<Parts>()) {
@@ -111,11 +117,9 @@ Renderer::~Renderer() = default;
 void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& target) {
   Parts& parts = *parts_;
   ++parts.picture;
-  if (parts.quality.samples > 0 || parts.quality.supersampling > 1) {
-    parts.draw_sampled(scene, view, target);
-  } else {
-    parts.draw_all(frame_of(scene, view, target, 1.0));
-  }
+  parts.make_room(target.size);
+  parts.draw_all(frame_of(scene, view, *parts.buffers, parts.quality.supersampling));
+  parts.copy_into(target);
   if (parts.picture > kept_pictures) parts.bones.forget_before(parts.picture - kept_pictures);
 }
 
@@ -127,11 +131,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const DrawTarget& 
 
 void Renderer::forget_bones() noexcept { parts_->bones.forget_before(parts_->picture + 1); }
 
-void Renderer::set_quality(const RenderQuality& quality) noexcept {
-  parts_->quality = quality;
-  parts_->sampled.reset();
-  parts_->larger.reset();
-}
+void Renderer::set_quality(const RenderQuality& quality) noexcept { parts_->quality = quality; }
 
 const RenderQuality& Renderer::quality() const noexcept { return parts_->quality; }
 

@@ -11,15 +11,15 @@
 namespace hallux::ui {
 
 struct RenderQuality {
-  int samples = 0;        ///< a pixel, for smooth edges; 0: one
-  int supersampling = 1;  ///< pixels drawn along each side of one shown
+  int supersampling =
+      1;  ///< pixels drawn along each side of one shown, for smooth edges: 1, 2 or 4
 };
 
-/// What this machine draws fast enough to be lived with: samples only where a graphics card draws.
+/// What this machine draws fast enough to be lived with: 2 only where a graphics card draws.
 /// needs   a current context
 RenderQuality live_quality();
 /// For pictures that stand still.
-inline constexpr RenderQuality still_quality{.samples = 4, .supersampling = 2};
+inline constexpr RenderQuality still_quality{.supersampling = 4};
 
 /// Of the last picture.
 struct DrawCounts {

@@ -4,8 +4,6 @@
 
 #include <cstddef>
 
-#include "ui/render/bone_painter.h"
-
 namespace hallux::ui {
 
 namespace {
@@ -48,10 +46,11 @@ void ToolView::draw() const {
   glBindVertexArray(0);
 }
 
-SawPainter::SawPainter()
-    : tool_("tool.vert", "tool.frag"),
-      ghost_("ghost.vert", "ghost.frag"),
-      noise_(make_noise_texture()) {}
+SawPainter::SawPainter(const NoiseTextures& noise)
+    : noise_(noise),
+      blade_("tool.vert", "tool.frag", "#define BLADE\n"),
+      handpiece_("tool.vert", "tool.frag"),
+      ghost_("ghost.vert", "ghost.frag") {}
 
 SawPainter::Model& SawPainter::model_of(const simulator::BladeSize& size, double thickness_mm) {
   const bool is_same = model_ && model_->size.width_mm == size.width_mm &&
@@ -64,11 +63,14 @@ SawPainter::Model& SawPainter::model_of(const simulator::BladeSize& size, double
   return *model_;
 }
 
-void SawPainter::draw_part(const Frame& frame, const ToolView& part,
+void SawPainter::draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
                            const RigidTransform& world_from_part) {
   const DoubleMatrix4 matrix = matrix_of(world_from_part);
-  tool_.set("world_from_tool", to_float(matrix));
-  tool_.set("clip_from_tool", to_float(frame.clip_from_world * matrix));
+  program.use();
+  set_light(program, frame);
+  program.set("noise", noise_unit);
+  program.set("world_from_tool", to_float(matrix));
+  program.set("clip_from_tool", to_float(frame.clip_from_world * matrix));
   part.draw();
 }
 
@@ -94,13 +96,10 @@ void SawPainter::draw(const Frame& frame) {
   if (!frame.scene.saw) return;
   const SawInScene& saw = *frame.scene.saw;
   const Model& model = model_of(saw.blade, saw.thickness_mm);
-  tool_.use();
-  set_light(tool_, frame);
-  tool_.set("noise", 0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_3D, noise_.name());
-  draw_part(frame, model.handpiece, saw.world_from_tool);
-  draw_part(frame, model.blade, saw.is_running ? swung(saw, saw.swing) : saw.world_from_tool);
+  noise_.bind();
+  draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
+  draw_part(blade_, frame, model.blade,
+            saw.is_running ? swung(saw, saw.swing) : saw.world_from_tool);
 }
 
 void SawPainter::draw_ghosts(const Frame& frame) {

@@ -5,6 +5,7 @@
 
 #include "ui/render/display_buffer.h"
 #include "ui/render/frame.h"
+#include "ui/render/noise_textures.h"
 #include "ui/render/tool_model.h"
 
 namespace hallux::ui {
@@ -24,7 +25,8 @@ class ToolView {
 
 class SawPainter {
  public:
-  SawPainter();
+  /// Borrows the noise.
+  explicit SawPainter(const NoiseTextures& noise);
 
   void draw(const Frame& frame);
   /// After everything that is not translucent.
@@ -39,12 +41,13 @@ class SawPainter {
   };
 
   Model& model_of(const simulator::BladeSize& size, double thickness_mm);
-  void draw_part(const Frame& frame, const ToolView& part, const RigidTransform& world_from_part);
+  void draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
+                 const RigidTransform& world_from_part);
   void draw_ghost(const Frame& frame, const ToolView& part, const RigidTransform& world_from_part,
                   const Float4& ink);
 
-  ShaderProgram tool_, ghost_;
-  GlTexture noise_;
+  const NoiseTextures& noise_;
+  ShaderProgram blade_, handpiece_, ghost_;
   std::optional<Model> model_, ghost_model_;
 };
 

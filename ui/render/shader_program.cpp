@@ -20,8 +20,11 @@ constexpr std::string_view include_begin = "#include \"";
 /// A shader's text with its includes taken in; `#line` keeps the driver's line numbers true to the files.
 class ShaderSource {
  public:
-  ShaderSource(std::span<const EmbeddedText> files, std::string_view main) : files_(files) {
+  ShaderSource(std::span<const EmbeddedText> files, std::string_view main,
+               std::string_view settings)
+      : files_(files) {
     text_ = "#version 330 core\n";
+    text_ += settings;
     take_in(main);
   }
 
@@ -117,13 +120,14 @@ unsigned link(const Shader& vertex, const Shader& fragment, const std::string& w
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(std::string_view vertex_file, std::string_view fragment_file)
-    : ShaderProgram(shader_files(), vertex_file, fragment_file) {}
+ShaderProgram::ShaderProgram(std::string_view vertex_file, std::string_view fragment_file,
+                             std::string_view settings)
+    : ShaderProgram(shader_files(), vertex_file, fragment_file, settings) {}
 
 ShaderProgram::ShaderProgram(std::span<const EmbeddedText> files, std::string_view vertex_file,
-                             std::string_view fragment_file) {
-  const Shader vertex(GL_VERTEX_SHADER, ShaderSource(files, vertex_file));
-  const Shader fragment(GL_FRAGMENT_SHADER, ShaderSource(files, fragment_file));
+                             std::string_view fragment_file, std::string_view settings) {
+  const Shader vertex(GL_VERTEX_SHADER, ShaderSource(files, vertex_file, settings));
+  const Shader fragment(GL_FRAGMENT_SHADER, ShaderSource(files, fragment_file, settings));
   name_ = link(vertex, fragment, std::string(vertex_file) + " and " + std::string(fragment_file));
 }
 

@@ -15,12 +15,14 @@ namespace hallux::ui {
 
 class ShaderProgram {
  public:
-  /// Of the embedded files.
+  /// Of the embedded files. `settings` are lines that are put before both, "#define LINES 2\n": a program for each case runs
+  /// faster than one that asks at every pixel.
   /// errors  GraphicsError naming the shader, the line and what the driver says
-  ShaderProgram(std::string_view vertex_file, std::string_view fragment_file);
+  ShaderProgram(std::string_view vertex_file, std::string_view fragment_file,
+                std::string_view settings = {});
   /// Of other texts; includes are looked for there, too.
   ShaderProgram(std::span<const EmbeddedText> files, std::string_view vertex_file,
-                std::string_view fragment_file);
+                std::string_view fragment_file, std::string_view settings = {});
   ~ShaderProgram();
   ShaderProgram(ShaderProgram&& other) noexcept;
   ShaderProgram& operator=(ShaderProgram&& other) noexcept;

@@ -3,10 +3,8 @@
 #include "light.glsl"
 #include "ground.glsl"
 #include "tool_shadow.glsl"
+#include "seen_bone.glsl"
 
-in vec3 in_bone_mm, in_world_mm, in_tool_mm, normal_in_world;
-in float openness;
-flat in vec2 face;
 out vec4 colour;
 
 uniform sampler3D noise, depth_volume;
@@ -14,6 +12,7 @@ uniform vec3 depth_scale, depth_shift;  // lattice coordinates from the bone fra
 uniform vec4 cortex;                    // thickness in the middle, floor, length [mm]; 1 where there is a law
 uniform float presence;
 uniform vec4 map_plane;  // normal in the bone frame, offset
+uniform vec3 map_normal_in_world;
 uniform vec4 map_faces;  // kerf (-1: all), side (0: both), range [mm], 1 where the map is on
 uniform vec3 map_low, map_middle, map_high;  // sRGB
 
@@ -31,9 +30,12 @@ vec3 spongy(out float hollow) {
   return mix(strut, marrow, hollow);
 }
 
+const float canal = -8.0;  // face = 4 kerf + side
+
 bool is_mapped() {
-  return map_faces.w > 0.5 && face.x >= 0.0 && (map_faces.x < 0.0 || map_faces.x == face.x) &&
-         (map_faces.y == 0.0 ? face.y != 0.0 : map_faces.y == face.y);
+  float kerf = floor((face + 1.5) / 4.0), side = face - 4.0 * kerf;
+  return map_faces.w > 0.5 && kerf >= 0.0 && (map_faces.x < 0.0 || map_faces.x == kerf) &&
+         (map_faces.y == 0.0 ? abs(side) > 0.5 : map_faces.y == side);
 }
 
 // Signed distance to the plan, unlit, with a dark line at each whole millimetre and a stronger one at none.
@@ -42,12 +44,13 @@ vec3 mapped(float cortical) {
   float share = clamp(off / map_faces.z, -1.0, 1.0);
   vec3 base = share < 0.0 ? mix(map_middle, map_low, -share) : mix(map_middle, map_high, share);
   base *= mix(1.0, 0.955, cortical);
-  float pixels = abs(fract(off + 0.5) - 0.5) / max(fwidth(off), 1e-5);
+  float pixels = abs(fract(off + 0.5) - 0.5) / change_over_pixel(map_normal_in_world);
   float half_width = abs(off) < 0.5 ? 1.2 : 0.7;
   return base * (1.0 - 0.45 * (1.0 - smoothstep(half_width, half_width + 1.0, pixels)));
 }
 
 void main() {
+  look(eye_mm);
   float depth = 32.0 * texture(depth_volume, in_bone_mm * depth_scale + depth_shift).r - 16.0;
   vec4 rough = texture(noise, in_bone_mm * 0.16);
   float edge = depth - cortex_mm() + 0.9 * (rough.r - 0.5);
@@ -57,13 +60,12 @@ void main() {
   vec3 soft = spongy(hollow);
   vec3 dense = vec3(0.80, 0.70, 0.53) * (0.86 + 0.24 * rough.a) * (0.94 + 0.10 * rough.b);
   vec3 albedo = mix(dense, soft, inside);
-  if (face.x < -1.5) albedo = mix(vec3(0.42, 0.19, 0.10), vec3(0.56, 0.34, 0.19), rough.r);
+  if (face < canal + 1.5) albedo = mix(vec3(0.42, 0.19, 0.10), vec3(0.56, 0.34, 0.19), rough.r);
 
-  vec3 to_eye = normalize(eye_mm - in_world_mm);
-  vec3 normal = normalize(normal_in_world);
+  vec3 normal = plain_normal;
   // A slot is dark because its other wall is near; how dark follows from how deep one looks into it.
   float open = mix(exp2(-1.6 * max(depth, 0.0)), 1.0, openness);
-  if (face.x < -1.5) open = 0.30;
+  if (face < canal + 1.5) open = 0.30;
   open *= 1.0 - 0.55 * hollow * inside;
   float key_share = key_share_at(in_tool_mm) * mix(open, 1.0, openness);
   vec3 light = lit(albedo, normal, to_eye, open, key_share);

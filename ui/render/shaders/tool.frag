@@ -20,40 +20,37 @@ vec3 studio(vec3 way, float blur) {
          vec3(0.50, 0.58, 0.68) * (0.55 * strip);
 }
 
+#ifdef BLADE
 vec3 blade(vec3 normal, vec3 to_eye) {
-  // Brushed along the blade: what it mirrors is drawn out across it, and the flat plate bends the light a little.
+  // Brushed along the blade; never quite flat, so light runs over it in broad soft bands.
   float scratch = texture(noise, in_tool_mm * vec3(0.02, 0.9, 0.5)).a - 0.5;
-  float broad = texture(noise, in_tool_mm * vec3(0.012, 0.03, 0.3)).r - 0.5;
-  vec3 brushed = normalize(normal + (0.06 * scratch + 0.30 * broad) * view_up + 0.10 * broad * view_right);
-  float along = dot(brushed, normalize(key_light + to_eye));
-  float sheen = exp2(-14.0 * (1.0 - along));
-  vec3 steel = vec3(0.52, 0.54, 0.57) * studio(reflect(-to_eye, brushed), 0.35) +
-               vec3(0.15, 0.16, 0.175) * (0.6 + 0.4 * max(dot(brushed, key_light), 0.0)) +
-               vec3(0.62, 0.64, 0.66) * sheen;
+  float broad = texture(noise, in_tool_mm * vec3(0.016, 0.022, 0.3) + 0.1).r - 0.5;
+  vec3 brushed = normalize(normal + (0.10 * scratch + 0.9 * broad) * view_up + 0.5 * broad * view_right);
+  float sheen = exp2(-9.0 * (1.0 - dot(brushed, normalize(key_light + to_eye))));
+  vec3 steel = vec3(0.46, 0.48, 0.51) * studio(reflect(-to_eye, brushed), 0.5) +
+               vec3(0.115, 0.122, 0.135) * (0.75 + 0.5 * broad + 0.35 * scratch) +
+               vec3(0.50, 0.52, 0.54) * sheen;
   // Depth marks across the blade each 5 mm, and a rim where it was ground.
   float mark = abs(fract(in_tool_mm.x / 5.0 + 0.5) - 0.5) * 5.0;
   float width = max(fwidth(in_tool_mm.x), 0.02);
   float etched = (1.0 - smoothstep(0.09, 0.09 + width, mark)) * step(in_tool_mm.x, -2.0) *
                  step(abs(in_tool_mm.y), 3.4) * is_face;
-  steel *= 1.0 - 0.10 * smoothstep(0.10, 0.9, abs(scratch) * 2.0);
   return steel * (1.0 - 0.62 * etched) * (1.0 + 0.18 * (1.0 - is_face));
 }
 
+#endif
+
 void main() {
   vec3 to_eye = normalize(eye_mm - in_world_mm), normal = normalize(normal_in_world);
+#ifdef BLADE
+  vec3 light = blade(normal, to_eye);
+#else
   vec3 mirrored = reflect(-to_eye, normal);
-  vec3 light;
-  if (material < 0.5) {
-    light = blade(normal, to_eye);
-  } else if (material < 1.5) {
-    light = vec3(0.60, 0.615, 0.64) * studio(mirrored, 0.12) + vec3(0.035) * around(normal);
-  } else if (material < 2.5) {
-    float grain = texture(noise, in_tool_mm * 0.9).a;
-    light = lit(vec3(0.030, 0.034, 0.040) * (0.85 + 0.3 * grain), normal, to_eye, 1.0, 1.0) +
-            studio(mirrored, 0.45) * (0.030 + 0.26 * fresnel(normal, to_eye));
-  } else {
-    light = lit(vec3(0.21, 0.225, 0.245), normal, to_eye, 1.0, 1.0) +
-            studio(mirrored, 0.3) * (0.05 + 0.3 * fresnel(normal, to_eye));
-  }
+  bool is_steel = material < 1.5, is_grip = !is_steel && material < 2.5;
+  float grazing = fresnel(normal, to_eye);
+  vec3 own = is_steel ? vec3(0.035) : is_grip ? vec3(0.030, 0.034, 0.040) : vec3(0.21, 0.225, 0.245);
+  vec3 mirror = is_steel ? vec3(0.60, 0.615, 0.64) : vec3(0.035 + 0.27 * grazing);
+  vec3 light = lit(own, normal, to_eye, 1.0, 1.0) + mirror * studio(mirrored, is_steel ? 0.12 : 0.42);
+#endif
   colour = vec4(shown(light), 1.0);
 }
