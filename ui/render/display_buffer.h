@@ -5,7 +5,7 @@
 ///     card     ===========================================....  room to grow
 ///
 /// Nothing goes to the card before upload(), and then only what changed since the last one. How much room is taken when the
-/// room ends, and how elements leave, are parameters; docs/display_buffers.md says what each costs, measured.
+/// room ends, and how elements leave, are parameters.
 /// source  thesis 5.3
 #pragma once
 
