@@ -159,7 +159,7 @@ AuditPage AdministratorDesk::audit_page(const AuditRequest& request) {
 Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
                                   const std::function<bool(double)>& progress) {
   require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
-  const Backup backup = database::back_up(
+  Backup backup = database::back_up(
       *database_, directory.empty() ? database_->directory() / "backups" : directory, progress);
   append_audit(
       *database_,

@@ -291,13 +291,11 @@ void Triangulator::Polygon::clip_round(Leniency leniency, std::vector<Triangle>&
     is_listed_[corner] = 0;
     if (is_clipped_[corner] != 0) continue;
     if (left_ < 3) return;
-    if (corner == waiting) {
-      list(corner);
-    } else if (is_ear(corner, leniency)) {
+    if (corner != waiting && is_ear(corner, leniency)) {
       waiting = corners_[corner].behind;
       clip(corner, triangles);
       if (leniency > Leniency::Proper) return;
-    } else if (turn_at(corner) > 0) {
+    } else if (corner == waiting || turn_at(corner) > 0) {
       list(corner);
     }
   }

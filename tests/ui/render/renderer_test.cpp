@@ -34,8 +34,9 @@ Facts facts_of(const Pixels& picture) {
     const std::size_t pixel = i / 4, width = static_cast<std::size_t>(picture.size.width);
     if (red > 90 && red > blue + 20) {
       count += 1.0;
-      facts.bone_x += static_cast<double>(pixel % width);
-      facts.bone_y += static_cast<double>(pixel / width);
+      const std::size_t row = pixel / width;
+      facts.bone_x += static_cast<double>(pixel - row * width);
+      facts.bone_y += static_cast<double>(row);
     }
     if (red > 80 && std::abs(red - green) < 16 && std::abs(red - blue) < 24) facts.blade += 1.0;
   }
