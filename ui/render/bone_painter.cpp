@@ -225,6 +225,7 @@ void BonePainter::begin_light(ShaderProgram& program, const Frame& frame) {
   set_shadow(program, frame);
   program.set("noise", noise_unit);
   program.set("depth_volume", depth_unit);
+  program.set("pixel_scale", static_cast<float>(frame.pixel_scale));
 }
 
 void BonePainter::place(ShaderProgram& program, const Frame& frame, const BoneInScene& bone) {

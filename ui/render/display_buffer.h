@@ -42,7 +42,7 @@ enum class RemovalPolicy : std::uint8_t {
 };
 
 struct BufferPolicy {
-  GrowthPolicy growth;
+  GrowthPolicy growth{};
   RemovalPolicy removal = RemovalPolicy::Overwrite;
   /// Changed ranges that lie no further apart go to the card as one: a call costs more than these bytes.
   std::size_t join_bytes = 2048;

@@ -63,6 +63,7 @@ void OverlayPainter::draw_chips(const Frame& frame) {
 void OverlayPainter::draw_planes(const Frame& frame) {
   if (frame.scene.planes.empty()) return;
   plane_.use();
+  plane_.set("pixel_scale", static_cast<float>(frame.pixel_scale));
   glBindVertexArray(no_attributes_.name());
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);

@@ -27,6 +27,7 @@ void attach_depth(const GlRenderbuffer& depth) {
 }  // namespace
 
 PictureBuffers::PictureBuffers(PixelSize size) : size_(at_least_one(size)) {
+  forget_graphics_errors();
   make_texture(colour_, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
   make_texture(place_, size_, GL_RGBA32F, GL_FLOAT);
   make_texture(normal_, size_, GL_RGBA32F, GL_FLOAT);

@@ -15,10 +15,16 @@ PixelSize at_least_one(PixelSize size) noexcept {
 
 void check_framebuffer(PixelSize size) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-  if (status == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
+  if (!forget_graphics_errors() && status == GL_FRAMEBUFFER_COMPLETE) return;
   throw GraphicsError("the graphics driver makes no picture of " + std::to_string(size.width) +
                       " x " + std::to_string(size.height) +
                       " pixels to draw into; choose a smaller window or picture");
+}
+
+bool forget_graphics_errors() noexcept {
+  bool was_any = false;
+  while (glGetError() != GL_NO_ERROR) was_any = true;
+  return was_any;
 }
 
 BoundFramebuffer::BoundFramebuffer(unsigned framebuffer) {
@@ -41,6 +47,7 @@ void copy_picture(const DrawTarget& from, const DrawTarget& to) {
 }
 
 RenderTarget::RenderTarget(PixelSize size) : size_(at_least_one(size)) {
+  forget_graphics_errors();
   glBindTexture(GL_TEXTURE_2D, colour_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_.width, size_.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                nullptr);

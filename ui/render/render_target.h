@@ -54,7 +54,9 @@ void copy_picture(const DrawTarget& from, const DrawTarget& to);
 
 /// A size with sides of at least one pixel.
 PixelSize at_least_one(PixelSize size) noexcept;
-/// errors  GraphicsError where the bound framebuffer cannot be drawn into
+/// Takes the errors that OpenGL has noted; whether there were any.
+bool forget_graphics_errors() noexcept;
+/// errors  GraphicsError where the bound framebuffer cannot be drawn into, or an error was noted since the last were taken
 void check_framebuffer(PixelSize size);
 
 /// Binds a framebuffer, and puts the one that was bound before back at its end, so that making a target disturbs nobody.

@@ -18,7 +18,7 @@ enum class StereoMode : std::uint8_t {
 struct StereoSetting {
   StereoMode mode = StereoMode::Mono;
   bool is_swapped = false;  ///< the left eye's picture goes to the right eye
-  Viewer viewer;
+  Viewer viewer{};
 };
 
 /// How the colours of an anaglyph follow from those of its two pictures, in linear light.

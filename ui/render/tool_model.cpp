@@ -144,7 +144,7 @@ ToolMesh handpiece_mesh(const BladeSize& blade) {
                                              {2.6, 4.6, steel},
                                              {3.2, 4.0, steel},
                                              {3.2, 2.6, steel},
-                                             {3.1, 2.4, band},
+                                             {3.4, 2.4, band},
                                              {3.9, 2.2, band},
                                              {3.9, 0.0, steel}}};
   builder.add_turned(hub, {Quat(1.0, 0.0, 0.0, 0.0), Vec3(pivot_x_mm(blade), 0.0, 0.0)});

@@ -39,7 +39,7 @@ FrameTime measure(Renderer& renderer, StereoStage& stage, tests::OperatingWorld&
   if (what.is_sawing) world.saw_to(reach_mm += 0.02);
   const Scene scene = world.scene();
   const Stopwatch watch;
-  stage.draw(renderer, scene, world.camera(), {.mode = what.mode, .viewer = {}}, window.target());
+  stage.draw(renderer, scene, world.camera(), {.mode = what.mode}, window.target());
   glFinish();
   return {watch.milliseconds(), watch.worked_milliseconds()};
 }

@@ -66,7 +66,7 @@ OperatingWorld::OperatingWorld(double edge_mm) : parts_(std::make_unique<Parts>(
   parts.phalanx = scenarios::make_first_proximal_phalanx(scenarios::first_proximal_phalanx_table(),
                                                          {.length_mm = 33.0, .edge_mm = edge_mm});
   parts.metatarsal = scenarios::make_first_metatarsal(scenarios::first_metatarsal_table(),
-                                                      {.edge_mm = 2.0 * edge_mm});
+                                                      {.edge_mm = std::min(1.5, 2.0 * edge_mm)});
   parts.plan = scenarios::plan_on(parts.scenario, parts.phalanx);
   parts.phalanx_look = ui::look_of(1, parts.phalanx);
   parts.metatarsal_look = ui::look_of(2, parts.metatarsal);

@@ -1,17 +1,16 @@
-// Facts of pictures, measured: what is where, in which colours, and what went to the card for it.
 #include "ui/render/renderer.h"
 
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <filesystem>
+#include <cstdlib>
 #include <fstream>
+#include <memory>
 
+#include "tests/ui/render/graphics.h"
 #include "tests/ui/render/operating_world.h"
-#include "ui/render/headless_context.h"
 #include "ui/render/picture.h"
 #include "ui/render/stereo.h"
+#include "ui/render/swarf.h"
 
 namespace hallux::tests {
 namespace {
@@ -19,117 +18,295 @@ namespace {
 using namespace ui;
 
 constexpr PixelSize size{640, 360};
-constexpr double coarse_mm = 0.75;
 
-struct Facts {
-  double bone = 0.0, blade = 0.0;     ///< shares of the picture that are warm, or grey and bright
-  double bone_x = 0.0, bone_y = 0.0;  ///< middle of what is warm, shares from the upper left
-};
-
-Facts facts_of(const Pixels& picture) {
-  Facts facts;
-  double count = 0.0;
-  for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
-    const int red = picture.rgba[i], green = picture.rgba[i + 1], blue = picture.rgba[i + 2];
-    const std::size_t pixel = i / 4, width = static_cast<std::size_t>(picture.size.width);
-    if (red > 90 && red > blue + 20) {
-      count += 1.0;
-      const std::size_t row = pixel / width;
-      facts.bone_x += static_cast<double>(pixel - row * width);
-      facts.bone_y += static_cast<double>(row);
-    }
-    if (red > 80 && std::abs(red - green) < 16 && std::abs(red - blue) < 24) facts.blade += 1.0;
-  }
-  const double pixels = static_cast<double>(picture.rgba.size()) / 4.0;
-  facts.bone = count / pixels;
-  facts.blade /= pixels;
-  facts.bone_x /= std::max(count, 1.0) * picture.size.width;
-  facts.bone_y /= std::max(count, 1.0) * picture.size.height;
-  return facts;
-}
-
-class RendererTest : public testing::Test {
+class Pictures : public testing::Test {
  protected:
-  Pixels drawn(const Scene& scene) {
+  static void SetUpTestSuite() {
+    world_ = new OperatingWorld(0.9);
+    world_->saw_to(-4.0);
+  }
+  static void TearDownTestSuite() { delete world_; }
+
+  Pixels draw(const Scene& scene, const Camera& camera) {
     const RenderTarget target(size);
-    renderer_.draw(scene, world_.camera(), target.target());
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    renderer_->draw(scene, camera, target.target());
     return target.read();
   }
 
+  static OperatingWorld* world_;
   HeadlessContext context_;
-  OperatingWorld world_{coarse_mm};
-  Renderer renderer_{RenderQuality{}};
+  std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>(RenderQuality{});
 };
+OperatingWorld* Pictures::world_ = nullptr;
 
-TEST_F(RendererTest, TheBoneIsTheWarmThingInTheMiddle) {
-  const Facts facts = facts_of(drawn(world_.scene()));
-  EXPECT_GT(facts.bone, 0.08);
-  EXPECT_LT(facts.bone, 0.6);
-  EXPECT_NEAR(facts.bone_x, 0.45, 0.2);
-  EXPECT_NEAR(facts.bone_y, 0.5, 0.2);
-  EXPECT_GT(facts.blade, 0.01);
-}
-
-TEST_F(RendererTest, AnEmptySceneIsGroundOnly) {
-  const Facts facts = facts_of(drawn(Scene{}));
-  EXPECT_EQ(facts.bone, 0.0);
-  EXPECT_EQ(facts.blade, 0.0);
-}
-
-TEST_F(RendererTest, TheSamePictureTwiceIsTheSameToTheLastBit) {
-  const Pixels first = drawn(world_.scene());
-  EXPECT_EQ(first.rgba, drawn(world_.scene()).rgba);
-}
-
-TEST_F(RendererTest, ABoneIsSentOnceAndACutSendsLittle) {
-  drawn(world_.scene());
-  EXPECT_GT(renderer_.counts().uploaded_bytes, 0u);
-  const std::uint64_t whole = renderer_.counts().uploaded_bytes;
-  drawn(world_.scene());
-  EXPECT_EQ(renderer_.counts().uploaded_bytes, 0u);
-  world_.saw_to(-2.0);
-  drawn(world_.scene());
-  EXPECT_GT(renderer_.counts().uploaded_bytes, 0u);
-  EXPECT_LT(renderer_.counts().uploaded_bytes, whole);
-}
-
-TEST_F(RendererTest, SawingChangesThePicture) {
-  const Pixels before = drawn(world_.scene());
-  world_.saw_to(2.0);
-  EXPECT_NE(before.rgba, drawn(world_.scene()).rgba);
-}
-
-TEST_F(RendererTest, SideBySideHoldsBothEyesAndAnaglyphBothColours) {
-  StereoStage stage;
-  const RenderTarget window(size);
-  const auto in = [&](StereoMode mode) {
-    stage.draw(renderer_, world_.scene(), world_.camera(), {.mode = mode, .viewer = {}},
-               window.target());
-    return window.read();
-  };
-  const Pixels mono = in(StereoMode::Mono), both = in(StereoMode::SideBySide);
-  EXPECT_NEAR(facts_of(both).bone, facts_of(mono).bone, 0.2 * facts_of(mono).bone);
-  EXPECT_NE(in(StereoMode::Anaglyph).rgba, mono.rgba);
-}
-
-TEST_F(RendererTest, APngIsTheSameBytesForTheSamePicture) {
-  const Pixels picture = render_picture(renderer_, world_.scene(), world_.camera(), {320, 180});
-  EXPECT_EQ(picture.size.width, 320);
-  const std::vector<std::byte> file = encode_png(picture);
-  ASSERT_GT(file.size(), 1000u);
-  EXPECT_EQ(static_cast<unsigned char>(file[1]), 'P');
-  EXPECT_EQ(file, encode_png(picture));
-}
-
-TEST_F(RendererTest, AFolderThatIsNotThereIsNamed) {
-  const Pixels picture{{2, 2}, std::vector<std::uint8_t>(16, 200)};
-  try {
-    write_png("no_such_folder/picture.png", picture);
-    FAIL() << "nothing was thrown";
-  } catch (const PictureError& error) {
-    EXPECT_NE(std::string(error.what()).find("no_such_folder"), std::string::npos);
+// Measured facts of the operating view, seen and found good; a change of looks changes them by hand.
+TEST_F(Pictures, TheOperatingViewShowsBoneWhereItIsWarmAndNothingElseIs) {
+  for (const Ground ground : {Ground::Dark, Ground::Light}) {
+    Scene scene = world_->scene();
+    scene.ground = ground;
+    scene.bones.pop_back();  // the phalanx alone
+    scene.planes.clear();
+    const Facts bone = facts_of(draw(scene, world_->camera()), is_bone_coloured);
+    EXPECT_NEAR(bone.share, 0.132, 0.02);
+    EXPECT_NEAR(bone.x, 0.376, 0.015);
+    EXPECT_NEAR(bone.y, 0.493, 0.02);
+    // Warm ivory: red over green over blue, far from grey and from white.
+    EXPECT_GT(bone.red, bone.green + 8.0);
+    EXPECT_GT(bone.green, bone.blue + 14.0);
+    EXPECT_NEAR(bone.red, 180.0, 12.0);
   }
+}
+
+TEST_F(Pictures, TheGroundIsCoolAndBrightestWhereItIsLit) {
+  Scene scene;
+  const Pixels dark = draw(scene, world_->camera());
+  EXPECT_NEAR(pixel_at(dark, 320, 180).blue, 0x44, 2);
+  EXPECT_NEAR(pixel_at(dark, 1, 1).blue, 0x18, 3);
+  EXPECT_EQ(facts_of(dark, is_bone_coloured).count, 0U);
+  scene.ground = Ground::Light;
+  const Pixels light = draw(scene, world_->camera());
+  EXPECT_NEAR(pixel_at(light, 320, 180).red, 0xF2, 2);
+  EXPECT_NEAR(pixel_at(light, 1, 1).red, 0xC3, 3);
+}
+
+TEST_F(Pictures, TheBladeShadowsTheBone) {
+  Scene scene = world_->scene();
+  scene.bones.pop_back();
+  scene.planes.clear();
+  scene.lines.clear();
+  const Camera camera = standard_view(world_->camera(), StandardView::AlongBlade);
+  scene.bones.front().patch = nullptr;
+  const Pixels shaded = draw(scene, camera);
+  // The same with the saw far away, its shadow with it.
+  scene.saw->world_from_tool.translation_mm += Vec3(0.0, 0.0, -400.0);
+  const Pixels lit = draw(scene, camera);
+  std::size_t darker = 0, brighter = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const Colour with = pixel_at(shaded, x, y), without = pixel_at(lit, x, y);
+      if (!is_bone_coloured(with) || !is_bone_coloured(without)) continue;
+      darker += with.red < without.red - 25 ? 1U : 0U;
+      brighter += with.red > without.red + 2 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(darker, 120U);
+  EXPECT_EQ(brighter, 0U);
+}
+
+TEST_F(Pictures, ALineOfTheBladesPlaneRunsOverTheBone) {
+  Scene scene = world_->scene();
+  scene.planes.clear();
+  scene.saw.reset();
+  const auto is_accent = [](const Colour& colour) { return colour.blue > 180 && colour.red < 110; };
+  const Pixels with = draw(scene, world_->camera());
+  EXPECT_GT(facts_of(with, is_accent).count, 200U);
+  scene.lines.clear();
+  EXPECT_EQ(facts_of(draw(scene, world_->camera()), is_accent).count, 0U);
+}
+
+TEST_F(Pictures, CutFacesAreReddishSpongeWithinAPaleRim) {
+  OperatingWorld world(0.9);
+  world.take_wedge_out();
+  Scene scene = world.scene();
+  scene.bones.pop_back();
+  scene.bones.front().cut_away =
+      CutAway{world.cut().face.normal, world.cut().face.offset_mm + 0.25};
+  Camera camera = world.camera();
+  camera.magnification = 14.0;
+  camera = standard_view(camera, StandardView::Distal);
+  const Pixels picture = draw(scene, camera);
+  const Facts red = facts_of(picture, [](const Colour& colour) {
+    return colour.red > 50 && colour.red > 1.35 * colour.green && colour.red > 1.6 * colour.blue;
+  });
+  EXPECT_GT(red.share, 0.05);
+  // Nothing of the closed skin is that red.
+  scene.bones.front().cut_away.reset();
+  const Facts skin =
+      facts_of(draw(scene, standard_view(camera, StandardView::Dorsal)), [](const Colour& colour) {
+        return colour.red > 50 && colour.red > 1.35 * colour.green &&
+               colour.red > 1.6 * colour.blue;
+      });
+  EXPECT_LT(skin.share, 0.02);
+}
+
+TEST_F(Pictures, TheSignedMapIsBlueWhereTooMuchWasTakenAndOrangeWhereBoneWasLeft) {
+  OperatingWorld world(0.9);
+  world.take_wedge_out();
+  Scene scene = world.scene();
+  scene.bones.pop_back();
+  const Vec3 normal = world.cut().face.normal;
+  scene.bones.front().cut_away = CutAway{normal, world.cut().face.offset_mm + 0.25};
+  Camera camera = world.camera();
+  camera.magnification = 14.0;
+  camera = standard_view(camera, StandardView::Distal);
+  const auto blue = [](const Colour& colour) { return colour.blue > colour.red + 60; };
+  const auto orange = [](const Colour& colour) { return colour.red > colour.blue + 120; };
+  SignedMap map{.kerf = 0, .side = 0, .normal_in_bone = normal, .range_mm = 2.0};
+  // The plan lies 1.5 mm further into the waste: the face that was cut lies below it.
+  map.offset_mm = world.cut().face.offset_mm + 1.5;
+  scene.bones.front().map = map;
+  const Pixels too_much = draw(scene, camera);
+  EXPECT_GT(facts_of(too_much, blue).share, 0.02);
+  map.offset_mm = world.cut().face.offset_mm - 1.5;
+  scene.bones.front().map = map;
+  const Pixels left = draw(scene, camera);
+  EXPECT_GT(facts_of(left, orange).count, facts_of(too_much, orange).count + 2000);
+}
+
+TEST_F(Pictures, OnlyThePatchIsSentWhileSawing) {
+  const RenderTarget target(size);
+  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  const std::uint64_t first = renderer_->counts().uploaded_bytes;
+  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  EXPECT_EQ(renderer_->counts().uploaded_bytes, 0U);
+  world_->saw_to(-3.8);
+  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  const std::uint64_t sawn = renderer_->counts().uploaded_bytes;
+  EXPECT_GT(sawn, 0U);
+  EXPECT_LT(sawn, first / 4);
+}
+
+TEST_F(Pictures, NothingOfGraphicsIsLeftBehindOrGrows) {
+  renderer_.reset();
+  const ObjectCensus before = count_objects();
+  {
+    Renderer renderer(RenderQuality{});
+    StereoStage stage;
+    const RenderTarget window(size);
+    const auto draw_all = [&](int round) {
+      Scene scene = world_->scene();
+      scene.saw->is_running = true;
+      scene.chips.resize(static_cast<std::size_t>(50 * (round % 5) + 1));
+      scene.marks = {{Vec3(200.0, 15.0, -27.0)}};
+      scene.blade_ghosts = {{world_->world_from_tool(), {}, Ink::Reference}};
+      for (const StereoMode mode :
+           {StereoMode::Mono, StereoMode::SideBySide, StereoMode::Anaglyph}) {
+        stage.draw(renderer, scene, world_->camera(), {.mode = mode}, window.target());
+      }
+    };
+    draw_all(4);
+    const ObjectCensus once = count_objects();
+    for (int round = 0; round < 10; ++round) draw_all(round);
+    EXPECT_EQ(count_objects(), once);
+    EXPECT_EQ(take_error(), 0U);
+  }
+  EXPECT_EQ(count_objects(), before);
+}
+
+TEST_F(Pictures, BonesThatAreNoLongerSeenAreLetGo) {
+  const RenderTarget target({32, 18});
+  draw(Scene{}, world_->camera());
+  const ObjectCensus empty = count_objects();
+  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  EXPECT_GT(count_objects().buffers, empty.buffers);
+  renderer_->forget_bones();
+  // The saw stays: the next operation has one, too. Its blade and handpiece are four buffers.
+  EXPECT_LE(count_objects().buffers, empty.buffers + 4);
+}
+
+TEST_F(Pictures, AnySizeAndAStormOfSizesIsDrawn) {
+  for (const PixelSize storm :
+       {PixelSize{1, 1}, {1, 900}, {1300, 2}, {333, 217}, {0, 0}, {64, 64}}) {
+    const RenderTarget target(storm);
+    renderer_->draw(world_->scene(), world_->camera(), target.target());
+    StereoStage stage;
+    stage.draw(*renderer_, world_->scene(), world_->camera(), {.mode = StereoMode::SideBySide},
+               target.target());
+    EXPECT_EQ(take_error(), 0U);
+  }
+}
+
+TEST_F(Pictures, APointOfTheScreenPlaneIsOnTheSamePixelForBothEyes) {
+  // Marks in the screen plane, before it and behind it, as drawn.
+  const Camera camera = world_->camera();
+  StereoStage stage;
+  stage.begin({.mode = StereoMode::Anaglyph}, size);
+  const auto mark_places = [&](double towards_viewer_mm) {
+    Scene scene;
+    const Vec3 from_target(4.0, 2.0, camera.target_depth_mm + towards_viewer_mm);
+    scene.marks = {{camera.target_mm + camera.world_from_view * from_target, 5.0, Ink::Harm}};
+    std::array<double, 2> x{};
+    for (const Eye eye : {Eye::Left, Eye::Right}) {
+      renderer_->draw(scene, stage.view(eye, camera), stage.eye(eye).target());
+      const Facts mark = facts_of(stage.eye(eye).read(), [](const Colour& colour) {
+        return colour.red > 200 && colour.blue < 120;
+      });
+      EXPECT_GT(mark.count, 20U);
+      x[eye == Eye::Left ? 0 : 1] = mark.x * size.width;
+    }
+    return x;
+  };
+  const auto in_plane = mark_places(0.0);
+  EXPECT_EQ(in_plane[0], in_plane[1]);
+  const auto behind = mark_places(-12.0);
+  EXPECT_GT(behind[1], behind[0] + 2.0);
+  const auto before = mark_places(8.0);
+  EXPECT_LT(before[1], before[0] - 2.0);
+}
+
+TEST_F(Pictures, SideBySideShowsTheLeftEyeOnTheLeftUnlessSwapped) {
+  const RenderTarget window(size);
+  StereoStage stage;
+  const Camera camera = world_->camera();
+  const auto halves = [&](bool is_swapped) {
+    const StereoSetting setting{.mode = StereoMode::SideBySide, .is_swapped = is_swapped};
+    Scene scene;
+    const Vec3 behind(0.0, 0.0, camera.target_depth_mm - 15.0);
+    scene.marks = {{camera.target_mm + camera.world_from_view * behind, 6.0, Ink::Harm}};
+    stage.draw(*renderer_, scene, camera, setting, window.target());
+    const Pixels picture = window.read();
+    double left = 0.0, right = 0.0, left_count = 0.0, right_count = 0.0;
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const Colour colour = pixel_at(picture, x, y);
+        if (colour.red < 200 || colour.blue > 120) continue;
+        (x < size.width / 2 ? left : right) += x % (size.width / 2);
+        (x < size.width / 2 ? left_count : right_count) += 1.0;
+      }
+    }
+    return right / right_count - left / left_count;
+  };
+  EXPECT_GT(halves(false), 1.0);  // behind the screen: the right eye sees it further to the right
+  EXPECT_LT(halves(true), -1.0);
+}
+
+TEST_F(Pictures, StillPicturesHaveSmoothEdgesAndTheLivePictureComesBack) {
+  const Pixels still = render_picture(*renderer_, world_->scene(), world_->camera(), size);
+  EXPECT_EQ(renderer_->quality().supersampling, 1);
+  const Pixels live = draw(world_->scene(), world_->camera());
+  // The same picture but for its edges.
+  double difference = 0.0;
+  for (std::size_t i = 0; i < live.rgba.size(); ++i)
+    difference += std::abs(still.rgba[i] - live.rgba[i]);
+  difference /= static_cast<double>(live.rgba.size());
+  EXPECT_GT(difference, 0.02);
+  EXPECT_LT(difference, 4.0);
+}
+
+TEST_F(Pictures, PngFilesAreTheSameForTheSamePicture) {
+  const Pixels picture = draw(world_->scene(), world_->camera());
+  const std::vector<std::byte> bytes = encode_png(picture);
+  ASSERT_GT(bytes.size(), 1000U);
+  EXPECT_EQ(bytes[1], std::byte{'P'});
+  EXPECT_EQ(bytes, encode_png(picture));
+  EXPECT_THROW(write_png("no_such_folder/picture.png", picture), PictureError);
+}
+
+TEST(Swarf, IsTheSameForTheSameSeedAndEnds) {
+  Swarf first(4), second(4);
+  const SwarfSource source{{}, 10.0, 12.0, false};
+  for (int i = 0; i < 60; ++i) {
+    first.advance(1.0 / 60.0, source);
+    second.advance(1.0 / 60.0, source);
+  }
+  ASSERT_GT(first.chips().size(), 50U);
+  ASSERT_LE(first.chips().size(), Swarf::chips_at_most);
+  ASSERT_EQ(first.chips().size(), second.chips().size());
+  for (std::size_t i = 0; i < first.chips().size(); ++i) {
+    EXPECT_EQ(first.chips()[i].place_mm, second.chips()[i].place_mm);
+  }
+  for (int i = 0; i < 20; ++i) first.advance(0.1, {});
+  EXPECT_TRUE(first.chips().empty());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class Album {
   void add_live(const std::string& name, const Scene& scene, const Camera& camera,
                 StereoMode mode) {
     const RenderTarget window(size);
-    stage_.draw(renderer_, scene, camera, {.mode = mode, .viewer = {}}, window.target());
+    stage_.draw(renderer_, scene, camera, {.mode = mode}, window.target());
     write_png(folder_ / (name + ".png"), window.read());
   }
 

@@ -10,7 +10,7 @@ out vec4 colour;
 uniform sampler3D noise, depth_volume;
 uniform vec3 depth_scale, depth_shift;  // lattice coordinates from the bone frame
 uniform vec4 cortex;                    // thickness in the middle, floor, length [mm]; 1 where there is a law
-uniform float presence;
+uniform float presence, pixel_scale;
 uniform vec4 map_plane;  // normal in the bone frame, offset
 uniform vec3 map_normal_in_world;
 uniform vec4 map_faces;  // kerf (-1: all), side (0: both), range [mm], 1 where the map is on
@@ -44,7 +44,7 @@ vec3 mapped(float cortical) {
   float share = clamp(off / map_faces.z, -1.0, 1.0);
   vec3 base = share < 0.0 ? mix(map_middle, map_low, -share) : mix(map_middle, map_high, share);
   base *= mix(1.0, 0.955, cortical);
-  float pixels = abs(fract(off + 0.5) - 0.5) / change_over_pixel(map_normal_in_world);
+  float pixels = abs(fract(off + 0.5) - 0.5) / (pixel_scale * change_over_pixel(map_normal_in_world));
   float half_width = abs(off) < 0.5 ? 1.2 : 0.7;
   return base * (1.0 - 0.45 * (1.0 - smoothstep(half_width, half_width + 1.0, pixels)));
 }
