@@ -47,7 +47,8 @@ class VertexTable {
 
   std::uint32_t vertex_of(std::uint32_t point, const FaceOrigin& origin) {
     // A kerf's number and side below 2^30 and 2^2: one word with the point.
-    const std::uint64_t face = static_cast<std::uint64_t>(4 * (origin.kerf + 1) + origin.side + 1);
+    const std::uint64_t face = 4U * static_cast<std::uint64_t>(origin.kerf + 1) +
+                               static_cast<std::uint64_t>(origin.side + 1);
     const auto [at, is_new] =
         vertices_.try_emplace((face << 32U) | point, static_cast<std::uint32_t>(sources_.size()));
     if (is_new) sources_.push_back({point, origin});

@@ -19,13 +19,14 @@ constexpr BufferPolicy exact{.growth = {.factor = 1.0, .least = 1}};
 /// All three corners the same: nothing is drawn.
 constexpr Triangle blank{0, 0, 0};
 
+/// OpenGL takes places in a buffer as pointers from nowhere.
+const void* offset_of(std::size_t bytes) { return static_cast<const std::byte*>(nullptr) + bytes; }
+
 void draw_triangles(std::size_t first, std::size_t count) {
   if (count == 0) return;
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(first * sizeof(Triangle)));
+                 offset_of(first * sizeof(Triangle)));
 }
-
-const void* offset_of(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 }  // namespace
 

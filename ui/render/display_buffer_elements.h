@@ -9,7 +9,9 @@ namespace hallux::ui {
 
 template <typename Element>
 void DisplayBuffer<Element>::set(std::size_t place, const Element& value) {
-  if (std::memcmp(&elements_[place], &value, sizeof(Element)) == 0) return;
+  // By their bytes: those are what the card has.
+  const void *before = &elements_[place], *now = &value;
+  if (std::memcmp(before, now, sizeof(Element)) == 0) return;
   elements_[place] = value;
   store_.mark(place * sizeof(Element), (place + 1) * sizeof(Element));
 }

@@ -37,8 +37,9 @@ void OverlayPainter::fill_points() {
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
   glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride,
-                        reinterpret_cast<const void*>(offsetof(PointVertex, size_and_wetness)));
+  glVertexAttribPointer(
+      1, 2, GL_FLOAT, GL_FALSE, stride,
+      static_cast<const std::byte*>(nullptr) + offsetof(PointVertex, size_and_wetness));
 }
 
 void OverlayPainter::draw_chips(const Frame& frame) {

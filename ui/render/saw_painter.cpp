@@ -8,7 +8,8 @@ namespace hallux::ui {
 
 namespace {
 
-const void* offset_of(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+/// OpenGL takes places in a buffer as pointers from nowhere.
+const void* offset_of(std::size_t bytes) { return static_cast<const std::byte*>(nullptr) + bytes; }
 
 /// The blade turned about its pivot by a share of its swing.
 RigidTransform swung(const SawInScene& saw, double share) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "simulator/base/check.h"
+#include "ui/render/headless_context.h"
 
 namespace hallux::ui {
 
@@ -35,13 +36,18 @@ AnaglyphMatrices anaglyph_matrices() noexcept {
   return matrices;
 }
 
-StereoStage::StereoStage() : compose_("ground.vert", "compose.frag") {}
+double live_eye_columns() { return is_software_renderer() ? 0.75 : 1.0; }
+
+StereoStage::StereoStage() : anaglyph_("ground.vert", "anaglyph.frag") {}
 
 void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
   setting_ = setting;
   window_ = {std::max(window.width, 1), std::max(window.height, 1)};
   PixelSize eye = window_;
   if (setting.mode == StereoMode::SideBySide) eye.width = std::max(window_.width / 2, 1);
+  if (setting.mode == StereoMode::Anaglyph) {
+    eye.width = std::max(static_cast<int>(window_.width * setting.eye_columns), 1);
+  }
   resize(left_, eye);
   if (setting.mode == StereoMode::Mono) {
     right_.reset();
@@ -63,27 +69,42 @@ EyeView StereoStage::view(Eye eye, const Camera& camera) const noexcept {
 }
 
 void StereoStage::compose(const DrawTarget& window) {
-  const RenderTarget& first = eye(Eye::Left);
-  const RenderTarget& second = setting_.mode == StereoMode::Mono ? first : eye(Eye::Right);
+  switch (setting_.mode) {
+    case StereoMode::Mono:
+      return copy_picture(eye(Eye::Left).target(), window);
+    case StereoMode::SideBySide:
+      return copy_halves(window);
+    case StereoMode::Anaglyph:
+      return compose_anaglyph(window);
+  }
+}
+
+void StereoStage::copy_halves(const DrawTarget& window) const {
+  DrawTarget half = window;
+  half.size = eye(Eye::Left).size();
+  copy_picture(eye(setting_.is_swapped ? Eye::Right : Eye::Left).target(), half);
+  half.left += window.size.width - half.size.width;
+  copy_picture(eye(setting_.is_swapped ? Eye::Left : Eye::Right).target(), half);
+}
+
+void StereoStage::compose_anaglyph(const DrawTarget& window) {
   glBindFramebuffer(GL_FRAMEBUFFER, window.framebuffer);
   glViewport(window.left, window.bottom, window.size.width, window.size.height);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
-  compose_.use();
-  bind_picture(1, (setting_.is_swapped ? first : second).texture());
-  bind_picture(0, (setting_.is_swapped ? second : first).texture());
-  glActiveTexture(GL_TEXTURE0);
-  compose_.set("left_eye", 0);
-  compose_.set("right_eye", 1);
-  compose_.set("mode", static_cast<int>(setting_.mode));
-  compose_.set("picture",
-               Float4(window.left, window.bottom, 1.0F / static_cast<float>(window.size.width),
-                      1.0F / static_cast<float>(window.size.height)));
+  anaglyph_.use();
+  bind_picture(1, eye(setting_.is_swapped ? Eye::Left : Eye::Right).texture());
+  bind_picture(0, eye(setting_.is_swapped ? Eye::Right : Eye::Left).texture());
+  anaglyph_.set("left_eye", 0);
+  anaglyph_.set("right_eye", 1);
+  anaglyph_.set("picture",
+                Float4(window.left, window.bottom, 1.0F / static_cast<float>(window.size.width),
+                       1.0F / static_cast<float>(window.size.height)));
   const AnaglyphMatrices matrices = anaglyph_matrices();
-  compose_.set("left_to_shown", matrices.shown_from_left);
-  compose_.set("right_to_shown", matrices.shown_from_right);
+  anaglyph_.set("left_to_shown", matrices.shown_from_left);
+  anaglyph_.set("right_to_shown", matrices.shown_from_right);
   glBindVertexArray(no_attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);

@@ -1,4 +1,5 @@
-/// Two eyes' pictures become one: each is drawn into a target of its own, panels included, then one pass composes them.
+/// Two eyes' pictures become one: each is drawn into a target of its own, panels included, then
+/// one pass composes them.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,13 @@ struct StereoSetting {
   StereoMode mode = StereoMode::Mono;
   bool is_swapped = false;  ///< the left eye's picture goes to the right eye
   Viewer viewer{};
+  /// Columns of an eye's picture over those of the window, in an anaglyph: drawing two whole pictures is too much for a processor.
+  double eye_columns = 1.0;
 };
+
+/// What this machine draws fast enough.
+/// needs   a current context
+double live_eye_columns();
 
 /// How the colours of an anaglyph follow from those of its two pictures, in linear light.
 /// source  Dubois 2001, A projection method to generate anaglyph stereo images; the values for LCDs in common use
@@ -42,6 +49,7 @@ class StereoStage {
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;
   /// Composes the eyes' pictures into the window, or wherever else.
+  /// needs   a target of the size that began
   void compose(const DrawTarget& window);
 
   /// All of it, for a scene without panels.
@@ -49,7 +57,10 @@ class StereoStage {
             const StereoSetting& setting, const DrawTarget& window);
 
  private:
-  ShaderProgram compose_;
+  void copy_halves(const DrawTarget& window) const;
+  void compose_anaglyph(const DrawTarget& window);
+
+  ShaderProgram anaglyph_;
   GlVertexArray no_attributes_;
   std::optional<RenderTarget> left_, right_;
   StereoSetting setting_;

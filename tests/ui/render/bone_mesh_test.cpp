@@ -85,16 +85,16 @@ TEST(BoneMesh, SharesNormalsOnTheSkinAndNotAcrossARim) {
 
 class SawnMesh : public testing::Test {
  protected:
-  static void SetUpTestSuite() { world_ = new OperatingWorld(0.9); }
-  static void TearDownTestSuite() { delete world_; }
-  static OperatingWorld* world_;
+  static void SetUpTestSuite() { world = new OperatingWorld(0.9); }
+  static void TearDownTestSuite() { delete world; }
+  static OperatingWorld* world;
 };
-OperatingWorld* SawnMesh::world_ = nullptr;
+OperatingWorld* SawnMesh::world = nullptr;
 
 TEST_F(SawnMesh, ThePatchContinuesTheSkinWithoutASeam) {
-  world_->saw_to(-4.0);
-  const BoneMesh& mesh = world_->mesh();
-  const simulator::SolidPatch& patch = world_->patch();
+  world->saw_to(-4.0);
+  const BoneMesh& mesh = world->mesh();
+  const simulator::SolidPatch& patch = world->patch();
   ui::PatchMesh made;
   ui::make_patch_mesh(mesh, patch, made);
   ASSERT_EQ(made.triangles.size(), patch.triangles.size());
@@ -119,12 +119,12 @@ TEST_F(SawnMesh, ThePatchContinuesTheSkinWithoutASeam) {
 }
 
 TEST_F(SawnMesh, WallsLookAcrossTheKerf) {
-  world_->saw_to(-4.0);
+  world->saw_to(-4.0);
   ui::PatchMesh made;
-  ui::make_patch_mesh(world_->mesh(), world_->patch(), made);
+  ui::make_patch_mesh(world->mesh(), world->patch(), made);
   const Vec3 plane_normal =
-      inverse(world_->phalanx().world_from_bone).rotation *
-      (world_->world_from_face("proximal_face").rotation * Vec3(0.0, 0.0, 1.0));
+      inverse(world->phalanx().world_from_bone).rotation *
+      (world->world_from_face("proximal_face").rotation * Vec3(0.0, 0.0, 1.0));
   std::size_t walls = 0;
   for (const BoneVertex& vertex : made.vertices) {
     if (vertex.kerf < 0 || vertex.side == 0) continue;
@@ -135,10 +135,10 @@ TEST_F(SawnMesh, WallsLookAcrossTheKerf) {
 }
 
 TEST_F(SawnMesh, ASlotIsDarkAndAnOpenWedgeIsNot) {
-  OperatingWorld world(0.9);
-  world.take_wedge_out();
+  OperatingWorld opened(0.9);
+  opened.take_wedge_out();
   double brightest = 0.0, darkest = 1.0;
-  for (const BoneVertex& vertex : world.mesh().vertices) {
+  for (const BoneVertex& vertex : opened.mesh().vertices) {
     if (vertex.kerf < 0 || vertex.side == 0) continue;
     brightest = std::max(brightest, vertex.openness / 32767.0);
     darkest = std::min(darkest, vertex.openness / 32767.0);

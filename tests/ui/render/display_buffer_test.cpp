@@ -14,7 +14,6 @@ namespace hallux::tests {
 namespace {
 
 using simulator::Triangle;
-using ui::BufferPolicy;
 using ui::DisplayBuffer;
 using ui::RemovalPolicy;
 
@@ -151,6 +150,7 @@ TEST_P(Removal, LeavesExactlyWhatWasNotRemoved) {
   std::uint32_t next = 0;
   for (int round = 0; round < 40; ++round) {
     std::vector<Triangle> added;
+    added.reserve(20);
     for (int i = 0; i < 20; ++i) {
       added.push_back(triangle(10 * next + 1));
       standing.push_back(next++);
@@ -166,6 +166,7 @@ TEST_P(Removal, LeavesExactlyWhatWasNotRemoved) {
     buffer.remove(removed);
     buffer.upload();
   }
+  expected.reserve(standing.size());
   for (const std::uint32_t element : standing) expected.push_back(triangle(10 * element + 1));
   std::vector<Triangle> seen = on_card(buffer);
   EXPECT_EQ(seen, in_memory(buffer));

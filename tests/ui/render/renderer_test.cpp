@@ -22,10 +22,10 @@ constexpr PixelSize size{640, 360};
 class Pictures : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    world_ = new OperatingWorld(0.9);
-    world_->saw_to(-4.0);
+    world = new OperatingWorld(0.9);
+    world->saw_to(-4.0);
   }
-  static void TearDownTestSuite() { delete world_; }
+  static void TearDownTestSuite() { delete world; }
 
   Pixels draw(const Scene& scene, const Camera& camera) {
     const RenderTarget target(size);
@@ -33,20 +33,20 @@ class Pictures : public testing::Test {
     return target.read();
   }
 
-  static OperatingWorld* world_;
+  static OperatingWorld* world;
   HeadlessContext context_;
   std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>(RenderQuality{});
 };
-OperatingWorld* Pictures::world_ = nullptr;
+OperatingWorld* Pictures::world = nullptr;
 
 // Measured facts of the operating view, seen and found good; a change of looks changes them by hand.
 TEST_F(Pictures, TheOperatingViewShowsBoneWhereItIsWarmAndNothingElseIs) {
   for (const Ground ground : {Ground::Dark, Ground::Light}) {
-    Scene scene = world_->scene();
+    Scene scene = world->scene();
     scene.ground = ground;
     scene.bones.pop_back();  // the phalanx alone
     scene.planes.clear();
-    const Facts bone = facts_of(draw(scene, world_->camera()), is_bone_coloured);
+    const Facts bone = facts_of(draw(scene, world->camera()), is_bone_coloured);
     EXPECT_NEAR(bone.share, 0.132, 0.02);
     EXPECT_NEAR(bone.x, 0.376, 0.015);
     EXPECT_NEAR(bone.y, 0.493, 0.02);
@@ -59,22 +59,22 @@ TEST_F(Pictures, TheOperatingViewShowsBoneWhereItIsWarmAndNothingElseIs) {
 
 TEST_F(Pictures, TheGroundIsCoolAndBrightestWhereItIsLit) {
   Scene scene;
-  const Pixels dark = draw(scene, world_->camera());
+  const Pixels dark = draw(scene, world->camera());
   EXPECT_NEAR(pixel_at(dark, 320, 180).blue, 0x44, 2);
   EXPECT_NEAR(pixel_at(dark, 1, 1).blue, 0x18, 3);
   EXPECT_EQ(facts_of(dark, is_bone_coloured).count, 0U);
   scene.ground = Ground::Light;
-  const Pixels light = draw(scene, world_->camera());
+  const Pixels light = draw(scene, world->camera());
   EXPECT_NEAR(pixel_at(light, 320, 180).red, 0xF2, 2);
   EXPECT_NEAR(pixel_at(light, 1, 1).red, 0xC3, 3);
 }
 
 TEST_F(Pictures, TheBladeShadowsTheBone) {
-  Scene scene = world_->scene();
+  Scene scene = world->scene();
   scene.bones.pop_back();
   scene.planes.clear();
   scene.lines.clear();
-  const Camera camera = standard_view(world_->camera(), StandardView::AlongBlade);
+  const Camera camera = standard_view(world->camera(), StandardView::AlongBlade);
   scene.bones.front().patch = nullptr;
   const Pixels shaded = draw(scene, camera);
   // The same with the saw far away, its shadow with it.
@@ -94,24 +94,24 @@ TEST_F(Pictures, TheBladeShadowsTheBone) {
 }
 
 TEST_F(Pictures, ALineOfTheBladesPlaneRunsOverTheBone) {
-  Scene scene = world_->scene();
+  Scene scene = world->scene();
   scene.planes.clear();
   scene.saw.reset();
   const auto is_accent = [](const Colour& colour) { return colour.blue > 180 && colour.red < 110; };
-  const Pixels with = draw(scene, world_->camera());
+  const Pixels with = draw(scene, world->camera());
   EXPECT_GT(facts_of(with, is_accent).count, 200U);
   scene.lines.clear();
-  EXPECT_EQ(facts_of(draw(scene, world_->camera()), is_accent).count, 0U);
+  EXPECT_EQ(facts_of(draw(scene, world->camera()), is_accent).count, 0U);
 }
 
 TEST_F(Pictures, CutFacesAreReddishSpongeWithinAPaleRim) {
-  OperatingWorld world(0.9);
-  world.take_wedge_out();
-  Scene scene = world.scene();
+  OperatingWorld opened(0.9);
+  opened.take_wedge_out();
+  Scene scene = opened.scene();
   scene.bones.pop_back();
   scene.bones.front().cut_away =
-      CutAway{world.cut().face.normal, world.cut().face.offset_mm + 0.25};
-  Camera camera = world.camera();
+      CutAway{opened.cut().face.normal, opened.cut().face.offset_mm + 0.25};
+  Camera camera = opened.camera();
   camera.magnification = 14.0;
   camera = standard_view(camera, StandardView::Distal);
   const Pixels picture = draw(scene, camera);
@@ -130,24 +130,24 @@ TEST_F(Pictures, CutFacesAreReddishSpongeWithinAPaleRim) {
 }
 
 TEST_F(Pictures, TheSignedMapIsBlueWhereTooMuchWasTakenAndOrangeWhereBoneWasLeft) {
-  OperatingWorld world(0.9);
-  world.take_wedge_out();
-  Scene scene = world.scene();
+  OperatingWorld opened(0.9);
+  opened.take_wedge_out();
+  Scene scene = opened.scene();
   scene.bones.pop_back();
-  const Vec3 normal = world.cut().face.normal;
-  scene.bones.front().cut_away = CutAway{normal, world.cut().face.offset_mm + 0.25};
-  Camera camera = world.camera();
+  const Vec3 normal = opened.cut().face.normal;
+  scene.bones.front().cut_away = CutAway{normal, opened.cut().face.offset_mm + 0.25};
+  Camera camera = opened.camera();
   camera.magnification = 14.0;
   camera = standard_view(camera, StandardView::Distal);
   const auto blue = [](const Colour& colour) { return colour.blue > colour.red + 60; };
   const auto orange = [](const Colour& colour) { return colour.red > colour.blue + 120; };
   SignedMap map{.kerf = 0, .side = 0, .normal_in_bone = normal, .range_mm = 2.0};
   // The plan lies 1.5 mm further into the waste: the face that was cut lies below it.
-  map.offset_mm = world.cut().face.offset_mm + 1.5;
+  map.offset_mm = opened.cut().face.offset_mm + 1.5;
   scene.bones.front().map = map;
   const Pixels too_much = draw(scene, camera);
   EXPECT_GT(facts_of(too_much, blue).share, 0.02);
-  map.offset_mm = world.cut().face.offset_mm - 1.5;
+  map.offset_mm = opened.cut().face.offset_mm - 1.5;
   scene.bones.front().map = map;
   const Pixels left = draw(scene, camera);
   EXPECT_GT(facts_of(left, orange).count, facts_of(too_much, orange).count + 2000);
@@ -155,12 +155,12 @@ TEST_F(Pictures, TheSignedMapIsBlueWhereTooMuchWasTakenAndOrangeWhereBoneWasLeft
 
 TEST_F(Pictures, OnlyThePatchIsSentWhileSawing) {
   const RenderTarget target(size);
-  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  renderer_->draw(world->scene(), world->camera(), target.target());
   const std::uint64_t first = renderer_->counts().uploaded_bytes;
-  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  renderer_->draw(world->scene(), world->camera(), target.target());
   EXPECT_EQ(renderer_->counts().uploaded_bytes, 0U);
-  world_->saw_to(-3.8);
-  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  world->saw_to(-3.8);
+  renderer_->draw(world->scene(), world->camera(), target.target());
   const std::uint64_t sawn = renderer_->counts().uploaded_bytes;
   EXPECT_GT(sawn, 0U);
   EXPECT_LT(sawn, first / 4);
@@ -174,14 +174,14 @@ TEST_F(Pictures, NothingOfGraphicsIsLeftBehindOrGrows) {
     StereoStage stage;
     const RenderTarget window(size);
     const auto draw_all = [&](int round) {
-      Scene scene = world_->scene();
+      Scene scene = world->scene();
       scene.saw->is_running = true;
       scene.chips.resize(static_cast<std::size_t>(50 * (round % 5) + 1));
       scene.marks = {{Vec3(200.0, 15.0, -27.0)}};
-      scene.blade_ghosts = {{world_->world_from_tool(), {}, Ink::Reference}};
+      scene.blade_ghosts = {{world->world_from_tool(), {}, Ink::Reference}};
       for (const StereoMode mode :
            {StereoMode::Mono, StereoMode::SideBySide, StereoMode::Anaglyph}) {
-        stage.draw(renderer, scene, world_->camera(), {.mode = mode}, window.target());
+        stage.draw(renderer, scene, world->camera(), {.mode = mode}, window.target());
       }
     };
     draw_all(4);
@@ -195,9 +195,9 @@ TEST_F(Pictures, NothingOfGraphicsIsLeftBehindOrGrows) {
 
 TEST_F(Pictures, BonesThatAreNoLongerSeenAreLetGo) {
   const RenderTarget target({32, 18});
-  draw(Scene{}, world_->camera());
+  draw(Scene{}, world->camera());
   const ObjectCensus empty = count_objects();
-  renderer_->draw(world_->scene(), world_->camera(), target.target());
+  renderer_->draw(world->scene(), world->camera(), target.target());
   EXPECT_GT(count_objects().buffers, empty.buffers);
   renderer_->forget_bones();
   // The saw stays: the next operation has one, too. Its blade and handpiece are four buffers.
@@ -208,9 +208,9 @@ TEST_F(Pictures, AnySizeAndAStormOfSizesIsDrawn) {
   for (const PixelSize storm :
        {PixelSize{1, 1}, {1, 900}, {1300, 2}, {333, 217}, {0, 0}, {64, 64}}) {
     const RenderTarget target(storm);
-    renderer_->draw(world_->scene(), world_->camera(), target.target());
+    renderer_->draw(world->scene(), world->camera(), target.target());
     StereoStage stage;
-    stage.draw(*renderer_, world_->scene(), world_->camera(), {.mode = StereoMode::SideBySide},
+    stage.draw(*renderer_, world->scene(), world->camera(), {.mode = StereoMode::SideBySide},
                target.target());
     EXPECT_EQ(take_error(), 0U);
   }
@@ -218,7 +218,7 @@ TEST_F(Pictures, AnySizeAndAStormOfSizesIsDrawn) {
 
 TEST_F(Pictures, APointOfTheScreenPlaneIsOnTheSamePixelForBothEyes) {
   // Marks in the screen plane, before it and behind it, as drawn.
-  const Camera camera = world_->camera();
+  const Camera camera = world->camera();
   StereoStage stage;
   stage.begin({.mode = StereoMode::Anaglyph}, size);
   const auto mark_places = [&](double towards_viewer_mm) {
@@ -247,7 +247,7 @@ TEST_F(Pictures, APointOfTheScreenPlaneIsOnTheSamePixelForBothEyes) {
 TEST_F(Pictures, SideBySideShowsTheLeftEyeOnTheLeftUnlessSwapped) {
   const RenderTarget window(size);
   StereoStage stage;
-  const Camera camera = world_->camera();
+  const Camera camera = world->camera();
   const auto halves = [&](bool is_swapped) {
     const StereoSetting setting{.mode = StereoMode::SideBySide, .is_swapped = is_swapped};
     Scene scene;
@@ -271,9 +271,9 @@ TEST_F(Pictures, SideBySideShowsTheLeftEyeOnTheLeftUnlessSwapped) {
 }
 
 TEST_F(Pictures, StillPicturesHaveSmoothEdgesAndTheLivePictureComesBack) {
-  const Pixels still = render_picture(*renderer_, world_->scene(), world_->camera(), size);
+  const Pixels still = render_picture(*renderer_, world->scene(), world->camera(), size);
   EXPECT_EQ(renderer_->quality().supersampling, 1);
-  const Pixels live = draw(world_->scene(), world_->camera());
+  const Pixels live = draw(world->scene(), world->camera());
   // The same picture but for its edges.
   double difference = 0.0;
   for (std::size_t i = 0; i < live.rgba.size(); ++i)
@@ -284,7 +284,7 @@ TEST_F(Pictures, StillPicturesHaveSmoothEdgesAndTheLivePictureComesBack) {
 }
 
 TEST_F(Pictures, PngFilesAreTheSameForTheSamePicture) {
-  const Pixels picture = draw(world_->scene(), world_->camera());
+  const Pixels picture = draw(world->scene(), world->camera());
   const std::vector<std::byte> bytes = encode_png(picture);
   ASSERT_GT(bytes.size(), 1000U);
   EXPECT_EQ(bytes[1], std::byte{'P'});

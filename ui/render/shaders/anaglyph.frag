@@ -1,0 +1,15 @@
+// Two eyes' pictures into one, in red and cyan.
+out vec4 colour;
+
+uniform sampler2D left_eye, right_eye;
+uniform vec4 picture;  // left, bottom, 1 / width, 1 / height in pixels
+uniform mat4 left_to_shown, right_to_shown;
+
+vec3 linear(vec3 srgb) { return srgb * srgb; }
+
+void main() {
+  vec2 place = (gl_FragCoord.xy - picture.xy) * picture.zw;
+  vec3 sum = mat3(left_to_shown) * linear(texture(left_eye, place).rgb) +
+             mat3(right_to_shown) * linear(texture(right_eye, place).rgb);
+  colour = vec4(sqrt(clamp(sum, 0.0, 1.0)), 1.0);
+}
