@@ -36,7 +36,7 @@ AnaglyphMatrices anaglyph_matrices() noexcept {
   return matrices;
 }
 
-double live_eye_columns() { return is_software_renderer() ? 0.75 : 1.0; }
+double live_eye_columns() { return is_software_renderer() ? 0.625 : 1.0; }
 
 StereoStage::StereoStage() : anaglyph_("ground.vert", "anaglyph.frag") {}
 
