@@ -55,13 +55,9 @@ EGLContext open_context(EGLDisplay display) {
 
 HeadlessContext::HeadlessContext() : display_(open_display()) {
   context_ = open_context(display_);
-  if (context_ == EGL_NO_CONTEXT) {
-    eglTerminate(display_);
-    fail("EGL gives no OpenGL 3.3 core context");
-  }
+  if (context_ == EGL_NO_CONTEXT) fail("EGL gives no OpenGL 3.3 core context");
   if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
     eglDestroyContext(display_, context_);
-    eglTerminate(display_);
     fail("EGL does not make a context current without a surface");
   }
 }
@@ -69,7 +65,7 @@ HeadlessContext::HeadlessContext() : display_(open_display()) {
 HeadlessContext::~HeadlessContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-  eglTerminate(display_);
+  // The display stays open: EGL has one for the whole process, and another context may live on it.
 }
 
 std::string renderer_name() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }

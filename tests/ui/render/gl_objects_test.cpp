@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <string>
 
 #include "tests/ui/render/graphics.h"
@@ -88,6 +89,15 @@ TEST(Headless, ContextsCanFollowOneAnother) {
     const ui::HeadlessContext context;
     EXPECT_FALSE(ui::renderer_name().empty());
   }
+}
+
+TEST(Headless, AContextOutlivesAnother) {
+  const auto first = std::make_unique<ui::HeadlessContext>();
+  { const ui::HeadlessContext second; }
+  // The first is no longer current, but whole: a third can still be made beside it.
+  const ui::HeadlessContext third;
+  const ui::RenderTarget target({4, 4});
+  EXPECT_EQ(target.read().rgba.size(), 64U);
 }
 
 }  // namespace

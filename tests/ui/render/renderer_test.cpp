@@ -153,6 +153,15 @@ TEST_F(Pictures, TheSignedMapIsBlueWhereTooMuchWasTakenAndOrangeWhereBoneWasLeft
   EXPECT_GT(facts_of(left, orange).count, facts_of(too_much, orange).count + 2000);
 }
 
+TEST_F(Pictures, TheSameSceneIsTheSameToTheLastBitAndSawingShows) {
+  OperatingWorld sawn(0.9);
+  sawn.saw_to(-5.0);
+  const Pixels first = draw(sawn.scene(), sawn.camera());
+  EXPECT_EQ(first.rgba, draw(sawn.scene(), sawn.camera()).rgba);
+  sawn.saw_to(-3.0);
+  EXPECT_NE(first.rgba, draw(sawn.scene(), sawn.camera()).rgba);
+}
+
 TEST_F(Pictures, OnlyThePatchIsSentWhileSawing) {
   const RenderTarget target(size);
   renderer_->draw(world->scene(), world->camera(), target.target());
