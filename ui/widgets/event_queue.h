@@ -18,6 +18,8 @@ class EventQueue {
   void push(const InputEvent& event);
   /// The oldest event, taken out; nothing where none waits.
   std::optional<InputEvent> take();
+  /// The oldest event, left where it is; valid until the queue changes; nullptr where none waits.
+  const InputEvent* oldest() const noexcept { return events_.empty() ? nullptr : &events_.front(); }
   bool is_empty() const noexcept { return events_.empty(); }
   std::size_t count() const noexcept { return events_.size(); }
 

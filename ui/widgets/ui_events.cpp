@@ -36,6 +36,14 @@ bool is_edit_key(Chord chord) noexcept {
   return is_arrow(chord.key) || chord.key == Key::Backspace || chord.key == Key::Delete;
 }
 
+// What a press meets may depend on what was typed before it: a form's button waits for its fields.
+bool meets_what_was_typed(const InputEvent& event) noexcept {
+  if (event.kind == EventKind::ButtonPressed || event.kind == EventKind::ButtonReleased)
+    return true;
+  const Chord chord{event.key, event.modifiers};
+  return event.kind == EventKind::KeyPressed && !is_edit_key(chord) && !writes_letter(chord);
+}
+
 const Widget* primary_of(const FrameContent& content) {
   for (const Widget& widget : content.widgets)
     if (widget.is_primary && can_have_focus(content, widget)) return &widget;
@@ -45,10 +53,11 @@ const Widget* primary_of(const FrameContent& content) {
 }  // namespace
 
 // Stops behind the event that may change the screen, and leaves the next frame without events: it shows the new
-// screen, which the events after that meet.
+// screen, which the events after that meet. Stops before an event that meets what is typed but not drawn yet.
 void Ui::take_events(EventQueue& queue) {
   const bool was_settling = std::exchange(is_settling_, false);
   while (!was_settling && !is_settling_) {
+    if (!edits_.empty() && !queue.is_empty() && meets_what_was_typed(*queue.oldest())) break;
     const std::optional<InputEvent> event = queue.take();
     if (!event) break;
     is_settling_ = apply(*event);

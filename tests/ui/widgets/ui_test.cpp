@@ -30,7 +30,7 @@ void append_typing(std::vector<InputEvent>& events, std::string_view letters) {
     events.push_back(character_event(static_cast<char32_t>(letter)));
 }
 
-/// A sign-in form that leads to a page with a search field.
+/// A sign-in form, whose button waits for both fields, that leads to a page with a search field.
 struct TwoPages {
   std::string login, password, search;
   bool is_in = false;
@@ -47,8 +47,9 @@ struct TwoPages {
     secret.is_secret = true;
     field(ui, "form.password", {20, 150, 300, 42}, password, secret);
     ui.focus_first("form.login");
-    if (button(ui, "form.submit", {20, 220, 300, 44}, {"Sign in", ButtonLook::Primary}))
-      is_in = true, ++sign_ins;
+    ButtonSpec submit{"Sign in", ButtonLook::Primary};
+    submit.is_enabled = !login.empty() && !password.empty();
+    if (button(ui, "form.submit", {20, 220, 300, 44}, submit)) is_in = true, ++sign_ins;
   }
 };
 
