@@ -4,7 +4,6 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace hallux::ui {
@@ -21,8 +20,9 @@ ImguiPainter::ImguiPainter() {
 
 ImguiPainter::~ImguiPainter() { ImGui_ImplOpenGL3_Shutdown(); }
 
-void ImguiPainter::draw(const ImDrawData& data, int fonts_version) {
+void ImguiPainter::draw(const ImDrawData& data, int fonts_version, float columns) {
   ImDrawData shown = data;
+  shown.FramebufferScale.x *= columns;
   if (fonts_version != fonts_version_) {
     // The data names the fonts' texture as it was when the frame began: none yet, or the one that goes now.
     const ImTextureID before = ImGui::GetIO().Fonts->TexID;
@@ -35,26 +35,6 @@ void ImguiPainter::draw(const ImDrawData& data, int fonts_version) {
           command.TextureId = ImGui::GetIO().Fonts->TexID;
   }
   ImGui_ImplOpenGL3_RenderDrawData(&shown);
-}
-
-void clear_framebuffer(int width, int height, std::uint8_t red, std::uint8_t green,
-                       std::uint8_t blue) {
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glClearColor(static_cast<float>(red) / 255.0F, static_cast<float>(green) / 255.0F,
-               static_cast<float>(blue) / 255.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
-std::vector<std::uint8_t> read_framebuffer(int width, int height) {
-  const auto row = static_cast<std::size_t>(width) * 3U, rows = static_cast<std::size_t>(height);
-  std::vector<std::uint8_t> upwards(row * rows), downwards(row * rows);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, upwards.data());
-  for (std::size_t line = 0; line < rows; ++line)
-    std::copy_n(upwards.begin() + static_cast<std::ptrdiff_t>((rows - 1 - line) * row), row,
-                downwards.begin() + static_cast<std::ptrdiff_t>(line * row));
-  return downwards;
 }
 
 }  // namespace hallux::ui

@@ -1,8 +1,5 @@
-/// Draws what the widgets made, into the current OpenGL framebuffer, and reads pictures back.
+/// Draws what the widgets made, into the current OpenGL framebuffer.
 #pragma once
-
-#include <cstdint>
-#include <vector>
 
 struct ImDrawData;
 
@@ -19,18 +16,12 @@ class ImguiPainter {
   ~ImguiPainter();
 
   /// Draws over what the framebuffer holds. `fonts_version` is that of the fonts the data was made with; where it
-  /// changed, their picture is uploaded anew.
-  void draw(const ImDrawData& data, int fonts_version);
+  /// changed, their picture is uploaded anew. `columns` is the share of the window's columns that the framebuffer has:
+  /// an eye's picture may be narrower.
+  void draw(const ImDrawData& data, int fonts_version, float columns = 1.0F);
 
  private:
   int fonts_version_ = 0;
 };
-
-/// Fills the current framebuffer of `width` x `height` device pixels with one opaque colour, 0-255 each.
-void clear_framebuffer(int width, int height, std::uint8_t red, std::uint8_t green,
-                       std::uint8_t blue);
-
-/// The current framebuffer as rows of RGB from the top, 3 * width * height bytes.
-std::vector<std::uint8_t> read_framebuffer(int width, int height);
 
 }  // namespace hallux::ui

@@ -63,14 +63,17 @@ RenderTarget::RenderTarget(PixelSize size) : size_(at_least_one(size)) {
   check_framebuffer(size_);
 }
 
-Pixels RenderTarget::read() const {
-  Pixels pixels{size_, {}};
-  const std::size_t row = 4 * static_cast<std::size_t>(size_.width);
-  pixels.rgba.resize(row * static_cast<std::size_t>(size_.height));
-  const BoundFramebuffer bound(framebuffer_.name());
+Pixels RenderTarget::read() const { return read_pixels(target()); }
+
+Pixels read_pixels(const DrawTarget& target) {
+  Pixels pixels{target.size, {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(target.size.width);
+  pixels.rgba.resize(row * static_cast<std::size_t>(target.size.height));
+  const BoundFramebuffer bound(target.framebuffer);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.rgba.data());
-  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {
+  glReadPixels(target.left, target.bottom, target.size.width, target.size.height, GL_RGBA,
+               GL_UNSIGNED_BYTE, pixels.rgba.data());
+  for (int low = 0, high = target.size.height - 1; low < high; ++low, --high) {
     const auto first = pixels.rgba.begin() + static_cast<std::ptrdiff_t>(row) * low;
     std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row),
                      pixels.rgba.begin() + static_cast<std::ptrdiff_t>(row) * high);

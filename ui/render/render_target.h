@@ -48,6 +48,10 @@ class RenderTarget {
   GlFramebuffer framebuffer_;
 };
 
+/// What a target holds.
+/// needs   drawing is done; waits for it
+Pixels read_pixels(const DrawTarget& target);
+
 /// Copies what is seen; into a target of another size it is scaled linearly.
 /// ensures the target's framebuffer is bound afterwards
 void copy_picture(const DrawTarget& from, const DrawTarget& to);

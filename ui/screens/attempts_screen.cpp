@@ -92,27 +92,10 @@ void draw_cell(Ui& ui, const AttemptHeader& attempt, int column, const Rect& cel
 
 }  // namespace
 
-std::string_view AttemptsScreen::why_not_leave() const {
-  return state_ == State::Reading ? std::string_view(reading_) : std::string_view();
-}
-
-void AttemptsScreen::read(Ui& ui, Shell& shell) {
-  state_ = State::Reading;
-  reading_since_s_ = ui.time_s();
-  reading_ = ui.text("attempts.reading");
-  shell.background().start(
-      reading_, [this](WorkReport&) { read_ = visit_.session->attempts(); },
-      [this](WorkEnd end, const std::string& reason) {
-        state_ = end == WorkEnd::Done ? State::Shown : State::Failed;
-        fault_ = sentence_of(reason);
-        attempts_ = std::move(read_);
-        sort();
-      });
-}
-
 void AttemptsScreen::sort() {
   const TableSort& by = table_.sort;
-  std::stable_sort(attempts_.begin(), attempts_.end(),
+  std::vector<AttemptHeader>& attempts = attempts_.value();
+  std::stable_sort(attempts.begin(), attempts.end(),
                    [&](const AttemptHeader& a, const AttemptHeader& b) {
                      const int order = compared(a, b, by.column);
                      return by.is_descending || by.column < 0 ? order > 0 : order < 0;
@@ -120,24 +103,24 @@ void AttemptsScreen::sort() {
 }
 
 void AttemptsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (state_ == State::New) read(ui, shell);
+  if (attempts_.is_new()) {
+    attempts_.start(ui, shell, ui.text("attempts.reading"), [visit = visit_](WorkReport&) {
+      return visit->in_turn([](database::Session& session, auto&) { return session.attempts(); });
+    });
+  }
   Rect page = inset(content, space::page);
   page_title(ui, {page.x, page.y}, ui.text("attempts.title"), ui.text("attempts.sentence"));
   take_top(page, 76.0F);
   const Rect inside = card(ui, page, {});
-  if (state_ == State::Reading) {
-    loading_rows(ui, inside, 8, reading_since_s_);
-  } else if (state_ == State::Failed) {
-    if (failed_card(ui, "attempts.failed", inside,
-                    {ui.text("attempts.failed"), fault_, ui.text("attempts.try_again")})) {
-      state_ = State::New;
-      ui.want_frame_in_s(0.0);
-    }
-  } else if (attempts_.empty()) {
-    empty_card(ui, "attempts.empty", inside,
+  if (attempts_.draw_until_ready(ui, "attempts.failed", inside, 8)) draw_list(ui, inside);
+}
+
+void AttemptsScreen::draw_list(Ui& ui, const Rect& content) {
+  if (attempts_.value().empty()) {
+    empty_card(ui, "attempts.empty", content,
                {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
   } else {
-    draw_table(ui, inside);
+    draw_table(ui, content);
   }
 }
 
@@ -153,10 +136,10 @@ void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
   }};
   TableSpec spec;
   spec.columns = columns;
-  spec.row_count = static_cast<int>(attempts_.size());
+  spec.row_count = static_cast<int>(attempts_.value().size());
   spec.label = ui.text("attempts.title");
   const auto at = [this](int row) -> const AttemptHeader& {
-    return attempts_[static_cast<std::size_t>(row)];
+    return attempts_.value()[static_cast<std::size_t>(row)];
   };
   spec.row_id = [&](int row) { return std::to_string(at(row).order); };
   spec.row_label = [&](int row) {
@@ -166,7 +149,9 @@ void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
     draw_cell(own, at(row), column, cell);
   };
-  if (table(ui, "attempts", content, spec, table_).has_sort_changed) sort();
+  const TableResponse response = table(ui, "attempts", content, spec, table_);
+  if (response.has_sort_changed) sort();
+  if (response.opened) places_.show_result(at(*response.opened).id);
 }
 
 }  // namespace hallux::ui

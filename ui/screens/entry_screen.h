@@ -11,7 +11,7 @@ namespace hallux::ui {
 class EntryScreen : public Screen {
  public:
   /// Called once somebody came in.
-  using Entered = std::function<void(Shell& shell, std::unique_ptr<Visit> visit)>;
+  using Entered = std::function<void(Shell& shell, std::shared_ptr<Visit> visit)>;
 
   EntryScreen(std::filesystem::path data_directory, Entered entered,
               database::PasswordCost cost = {});
@@ -21,7 +21,7 @@ class EntryScreen : public Screen {
 
  private:
   enum class Form { Opening, Unusable, SignIn, Code, FirstAdministrator };
-  using Work = std::unique_ptr<Visit> (*)(const std::filesystem::path&, const EntryWords&,
+  using Work = std::shared_ptr<Visit> (*)(const std::filesystem::path&, const EntryWords&,
                                           const database::PasswordCost&);
 
   void open(Ui& ui, Shell& shell);
@@ -50,7 +50,7 @@ class EntryScreen : public Screen {
   std::string login_, name_, code_, password_, password_again_;
   std::string fault_;  ///< why it did not go; a sentence
   EntryWords words_;   ///< of the work that runs
-  std::unique_ptr<Visit> visit_;
+  std::shared_ptr<Visit> visit_;
 };
 
 }  // namespace hallux::ui

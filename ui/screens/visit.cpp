@@ -1,44 +1,80 @@
 #include "ui/screens/visit.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "database/people.h"
+#include "database/simulated_course.h"
 #include "simulator/base/check.h"
+#include "ui/jobs/course_jobs.h"
 
 namespace hallux::ui {
+
+Visit::Visit(database::Database opened,
+             const std::function<database::Session(database::Database&)>& come_in)
+    : database_(std::move(opened)),
+      session_(come_in(database_)),
+      person_(session_.person()),
+      memberships_(session_.memberships()),
+      is_simulated_(database::is_simulated_course(database_)) {}
+
+std::vector<database::Membership> Visit::taught() const {
+  std::vector<database::Membership> taught;
+  std::copy_if(memberships_.begin(), memberships_.end(), std::back_inserter(taught),
+               [](const auto& each) { return each.role == database::CohortRole::Instructor; });
+  return taught;
+}
 
 bool is_without_people(const std::filesystem::path& data_directory) {
   database::Database opened = database::Database::open(data_directory);
   return !database::has_people(opened);
 }
 
-std::unique_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
+std::shared_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
                                const database::PasswordCost& cost) {
   CHECK(words.password.has_value());
-  auto visit = std::make_unique<Visit>(database::Database::open(data_directory));
-  visit->session = database::sign_in(visit->database, words.login, *words.password, cost);
-  return visit;
+  return std::make_shared<Visit>(
+      database::Database::open(data_directory), [&](database::Database& database) {
+        return database::sign_in(database, words.login, *words.password, cost);
+      });
 }
 
-std::unique_ptr<Visit> begin_course(const std::filesystem::path& data_directory,
-                                    const EntryWords& words, const database::PasswordCost& cost) {
-  CHECK(words.password.has_value());
-  auto visit = std::make_unique<Visit>(database::Database::open(data_directory));
-  std::optional<database::OpenHouse> house = database::OpenHouse::enter(visit->database);
+namespace {
+
+database::Session make_first_administrator(database::Database& database, const EntryWords& words,
+                                           const database::PasswordCost& cost) {
+  std::optional<database::OpenHouse> house = database::OpenHouse::enter(database);
   if (!house) {
     throw database::DatabaseError(database::DatabaseErrorKind::Refused,
                                   "somebody was added in the meantime; sign in instead");
   }
   house->add_first_administrator({words.login, words.display_name, true}, *words.password, cost);
-  visit->session = database::sign_in(visit->database, words.login, *words.password, cost);
-  return visit;
+  database::Session session = database::sign_in(database, words.login, *words.password, cost);
+  // A course without operations would be an empty room.
+  std::optional<database::AdministratorDesk> desk = session.administrator();
+  CHECK(desk.has_value());
+  publish_shipped_scenarios(*desk);
+  return session;
 }
 
-std::unique_ptr<Visit> redeem(const std::filesystem::path& data_directory, const EntryWords& words,
+}  // namespace
+
+std::shared_ptr<Visit> begin_course(const std::filesystem::path& data_directory,
+                                    const EntryWords& words, const database::PasswordCost& cost) {
+  CHECK(words.password.has_value());
+  return std::make_shared<Visit>(database::Database::open(data_directory),
+                                 [&](database::Database& database) {
+                                   return make_first_administrator(database, words, cost);
+                                 });
+}
+
+std::shared_ptr<Visit> redeem(const std::filesystem::path& data_directory, const EntryWords& words,
                               const database::PasswordCost& cost) {
   CHECK(words.password.has_value() && words.code.has_value());
-  auto visit = std::make_unique<Visit>(database::Database::open(data_directory));
-  visit->session =
-      database::redeem_code(visit->database, words.login, *words.code, *words.password, cost);
-  return visit;
+  return std::make_shared<Visit>(
+      database::Database::open(data_directory), [&](database::Database& database) {
+        return database::redeem_code(database, words.login, *words.code, *words.password, cost);
+      });
 }
 
 }  // namespace hallux::ui

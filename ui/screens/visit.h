@@ -3,22 +3,49 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "database/session.h"
 
 namespace hallux::ui {
 
-/// A person who is signed in, on a connection of their own.
-struct Visit {
-  explicit Visit(database::Database opened) : database(std::move(opened)) {}
+/// A person who is signed in, on a connection of their own. Shared by the screens and by the work they start, so that
+/// work which outlives its screen, or the visit's end, still has it.
+class Visit {
+ public:
+  /// needs   opens signs in to the database it is given
+  Visit(database::Database opened,
+        const std::function<database::Session(database::Database&)>& come_in);
   Visit(const Visit&) = delete;
   Visit& operator=(const Visit&) = delete;
 
-  database::Database database;
-  std::optional<database::Session> session;  ///< has a value once somebody came in
+  // As they were at the sign-in.
+  const database::Person& person() const noexcept { return person_; }
+  const std::vector<database::Membership>& memberships() const noexcept { return memberships_; }
+  bool is_simulated() const noexcept { return is_simulated_; }  ///< the course, with all in it
+  /// The cohorts that the person teaches.
+  std::vector<database::Membership> taught() const;
+
+  /// Uses the connection while nobody else does: `use(session, database)`. Waits for its turn, so not in a frame, and
+  /// keeps others waiting, so for reading and writing only.
+  template <typename Use>
+  auto in_turn(Use&& use) {
+    const std::scoped_lock turn(turn_);
+    return use(session_, database_);
+  }
+
+ private:
+  std::mutex turn_;
+  database::Database database_;
+  database::Session session_;
+  database::Person person_;
+  std::vector<database::Membership> memberships_;
+  bool is_simulated_ = false;
 };
 
 /// Whether nobody can sign in yet, so that the first administrator is asked for. Creates what is missing.
@@ -33,15 +60,15 @@ struct EntryWords {
 };
 
 /// errors  DatabaseError: Refused, BadInput, and as database/session.h
-/// thread  any, on which the visit is not used meanwhile
-std::unique_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
+/// thread  any
+std::shared_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
                                const database::PasswordCost& cost = {});
 /// Makes the first administrator and signs them in.
-std::unique_ptr<Visit> begin_course(const std::filesystem::path& data_directory,
+std::shared_ptr<Visit> begin_course(const std::filesystem::path& data_directory,
                                     const EntryWords& words,
                                     const database::PasswordCost& cost = {});
 /// Chooses a password with a one-time code, and signs in.
-std::unique_ptr<Visit> redeem(const std::filesystem::path& data_directory, const EntryWords& words,
+std::shared_ptr<Visit> redeem(const std::filesystem::path& data_directory, const EntryWords& words,
                               const database::PasswordCost& cost = {});
 
 }  // namespace hallux::ui

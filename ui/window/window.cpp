@@ -11,9 +11,10 @@
 #include <utility>
 
 #include "ui/render/imgui_painter.h"
+#include "ui/render/picture.h"
+#include "ui/render/scene_painter.h"
 #include "ui/widgets/ui_map.h"
 #include "ui/window/glfw_events.h"
-#include "ui/window/screenshot.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -68,6 +69,7 @@ struct Window::State {
   GLFWwindow* window = nullptr;
   std::unique_ptr<Ui> ui;
   std::unique_ptr<ImguiPainter> painter;
+  std::unique_ptr<OpenGlScenePainter> scenes;
   std::optional<UiMap> map;
   std::array<GLFWcursor*, 3> cursors{};
   PointerShape shape = PointerShape::Arrow;
@@ -78,6 +80,7 @@ struct Window::State {
   double map_due_in_s = std::numeric_limits<double>::infinity(), last_frame_s = -1.0;
 
   ~State() {
+    scenes.reset();
     painter.reset();
     ui.reset();
     for (GLFWcursor* cursor : cursors) glfwDestroyCursor(cursor);
@@ -116,6 +119,7 @@ Window::Window(const Texts& texts, const WindowSetting& setting)
   state.ui =
       std::make_unique<Ui>(texts, state.clipboard, ThemeName::Dark, state.events.content_scale);
   state.painter = std::make_unique<ImguiPainter>();
+  state.scenes = std::make_unique<OpenGlScenePainter>();
   if (setting.ui_map) state.map.emplace(*setting.ui_map);
 }
 
@@ -178,15 +182,15 @@ void Window::draw_frame(Shell& shell) {
   const double now_s = glfwGetTime();
   state.ui->begin_frame(state.events.queue, static_cast<float>(width), static_cast<float>(height),
                         now_s);
-  shell.draw(*state.ui);
+  state.scenes->begin_frame({0, 0, 0, {width, height}});
+  shell.draw(*state.ui, *state.scenes);
   state.ui->end_frame();
   const Color page = state.ui->theme().page;
-  clear_framebuffer(width, height, page.red, page.green, page.blue);
-  state.painter->draw(state.ui->draw_data(), state.ui->fonts_version());
-  if (state.picture) {
-    const std::filesystem::path file = *std::exchange(state.picture, std::nullopt);
-    write_png(file, width, height, read_framebuffer(width, height));
-  }
+  state.scenes->finish_frame({page.red, page.green, page.blue}, [&](float columns) {
+    state.painter->draw(state.ui->draw_data(), state.ui->fonts_version(), columns);
+  });
+  if (state.picture)
+    write_png(*std::exchange(state.picture, std::nullopt), read_pixels({0, 0, 0, {width, height}}));
   glfwSwapBuffers(state.window);
   ++state.frames;
   state.last_frame_s = now_s;

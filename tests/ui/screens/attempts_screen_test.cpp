@@ -4,25 +4,23 @@
 #include <gtest/gtest.h>
 
 #include "tests/database/some_course.h"
+#include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_visitor.h"
 
 namespace hallux::ui {
 namespace {
 
+using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A person of a course who looks at their attempts.
 struct Reader {
   Reader(database::SomeCourse& course, const std::string& login, float scale = 1.0F)
-      : visit(database::Database::open(course.database().directory())) {
-    visit.session = database::sign_in(visit.database, login,
-                                      database::secret(database::good_password), database::cheap);
-    visitor = std::make_unique<SomeVisitor>(std::make_unique<AttemptsScreen>(visit), scale);
-  }
-  Driver& driver() { return visitor->driver(); }
+      : visitor(std::make_unique<AttemptsScreen>(visit_of(course, login), places), scale) {}
+  Driver& driver() { return visitor.driver(); }
 
-  Visit visit;
-  std::unique_ptr<SomeVisitor> visitor;
+  SomePlaces places;
+  SomeVisitor visitor;
 };
 
 TEST(AttemptsScreen, SaysWhereThereAreNone) {
@@ -67,6 +65,14 @@ TEST(AttemptsScreen, TheScoresHeadSortsThem) {
   EXPECT_EQ(first_of("31.3", "76.8"), "31.3");
   reader.driver().click("attempts.sort.6");
   EXPECT_EQ(first_of("31.3", "76.8"), "76.8");
+}
+
+TEST(AttemptsScreen, ARowLeadsToItsResult) {
+  database::SomeCourse course;
+  const database::AttemptId attempt = course.scored_by("ada", 76830);
+  Reader reader(course, "ada");
+  reader.driver().click("attempts.1");
+  EXPECT_THAT(reader.places.asked, ElementsAre("result " + attempt.text));
 }
 
 TEST(AttemptsScreen, EveryStateIsShownAndNothingIsCutOff) {

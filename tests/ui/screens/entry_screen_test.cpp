@@ -21,7 +21,7 @@ struct Arrival {
   explicit Arrival(const std::filesystem::path& directory, float scale = 1.0F)
       : visitor(std::make_unique<EntryScreen>(
                     directory,
-                    [this](Shell&, std::unique_ptr<Visit> entered) { visit = std::move(entered); },
+                    [this](Shell&, std::shared_ptr<Visit> entered) { visit = std::move(entered); },
                     cheap),
                 scale) {}
 
@@ -35,7 +35,7 @@ struct Arrival {
     visitor.finish_work();
   }
 
-  std::unique_ptr<Visit> visit;
+  std::shared_ptr<Visit> visit;
   SomeVisitor visitor;
 };
 
@@ -50,8 +50,8 @@ TEST(EntryScreen, TheFirstPersonBecomesTheAdministrator) {
   arrival.fill("entry.password_again", good_password);
   arrival.press("entry.begin");
   ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->session->person().login, "admin-1");
-  EXPECT_TRUE(arrival.visit->session->person().is_administrator);
+  EXPECT_EQ(arrival.visit->person().login, "admin-1");
+  EXPECT_TRUE(arrival.visit->person().is_administrator);
 }
 
 TEST(EntryScreen, PasswordsThatDifferMakeNobody) {
@@ -88,7 +88,7 @@ TEST(EntryScreen, SignsInByKeyboardAlone) {
   arrival.driver().press(Key::Enter);
   arrival.visitor.finish_work();
   ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->session->person().login, "ada");
+  EXPECT_EQ(arrival.visit->person().login, "ada");
 }
 
 TEST(EntryScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
@@ -121,7 +121,7 @@ TEST(EntryScreen, AOneTimeCodeChoosesAPassword) {
   arrival.fill("entry.password_again", good_password);
   arrival.press("entry.redeem");
   ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->session->person().login, "trainee-9");
+  EXPECT_EQ(arrival.visit->person().login, "trainee-9");
 }
 
 TEST(EntryScreen, ACourseThatCannotBeOpenedSaysWhyAndTriesAgain) {

@@ -20,6 +20,14 @@ DriverSetting at_scale(float scale) {
 
 }  // namespace
 
+std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login) {
+  return std::make_shared<Visit>(
+      database::Database::open(course.database().directory()), [&](database::Database& database) {
+        return database::sign_in(database, login, database::secret(database::good_password),
+                                 database::cheap);
+      });
+}
+
 SomeVisitor::SomeVisitor(std::unique_ptr<Screen> screen, float scale)
     : driver_(
           texts_, [this](Ui& ui) { shell_.draw(ui); }, at_scale(scale)) {

@@ -1,10 +1,15 @@
 /// Screens driven without a window: a shell, its driver, and waiting for the work that runs beside it.
 #pragma once
 
+#include "tests/database/some_course.h"
 #include "tests/ui/widgets/driver.h"
+#include "ui/screens/visit.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
+
+/// Somebody of the course, signed in.
+std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login);
 
 class SomeVisitor {
  public:

@@ -6,9 +6,9 @@
 
 #include "tests/ui/widgets/driver.h"
 #include "tests/ui/widgets/gallery.h"
-#include "tests/ui/widgets/offscreen.h"
+#include "ui/render/headless_context.h"
 #include "ui/render/imgui_painter.h"
-#include "ui/window/screenshot.h"
+#include "ui/render/picture.h"
 
 namespace {
 
@@ -19,18 +19,19 @@ void draw_picture(const std::filesystem::path& folder, const std::string& name, 
                   float height_at_one = 900.0F) {
   const int width = static_cast<int>(std::lround(1440.0F * scale)),
             height = static_cast<int>(std::lround(height_at_one * scale));
-  const Offscreen offscreen(width, height);
+  const HeadlessContext context;
+  const RenderTarget target({width, height});
   const Texts texts = english_texts();
   DriverSetting setting{static_cast<float>(width), static_cast<float>(height), scale, theme};
   Driver driver(texts, draw, setting);
   driver.move_to(pointer);
   driver.wait(1.0);
   ImguiPainter painter;
-  clear_framebuffer(width, height, 0, 0, 0);
+  const BoundFramebuffer bound(target.target().framebuffer);
   painter.draw(driver.ui().draw_data(), driver.ui().fonts_version());
   const std::string file = name + (theme == ThemeName::Dark ? "-dark-" : "-light-") +
                            std::to_string(std::lround(scale * 100.0F)) + ".png";
-  write_png(folder / file, width, height, read_framebuffer(width, height));
+  write_png(folder / file, target.read());
   std::printf("%s\n", (folder / file).c_str());
 }
 

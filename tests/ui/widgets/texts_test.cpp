@@ -59,43 +59,59 @@ TEST(Texts, NameLineAndFaultOfABadCatalogue) {
 
 TEST(Texts, AMissingTextIsSeen) { EXPECT_EQ(Texts("a = b\n").text("c"), "[missing text]"); }
 
-// Every id that the sources of the window ask for, "x" for text("x") and "x.one", "x.other" for say_count("x").
-std::set<std::string> used_ids() {
-  std::set<std::string> used;
-  const std::regex asked(R"((text|say|say_count)\(\s*"([a-z0-9_.]+)\")");
-  const std::regex either(R"re(text\(\s*[a-z_.]+\s*\?\s*"([a-z0-9_.]+)"\s*:\s*"([a-z0-9_.]+)")re");
+std::vector<std::string> sources_of_the_window() {
+  std::vector<std::string> sources;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(HALLUX_SOURCE_UI)) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
     std::ifstream stream(entry.path());
-    const std::string source{std::istreambuf_iterator<char>(stream), {}};
-    for (std::sregex_iterator found(source.begin(), source.end(), asked), end; found != end;
-         ++found) {
-      if ((*found)[1] == "say_count") {
-        used.insert((*found)[2].str() + ".one");
-        used.insert((*found)[2].str() + ".other");
-      } else {
-        used.insert((*found)[2].str());
-      }
-    }
-    for (std::sregex_iterator found(source.begin(), source.end(), either), end; found != end;
-         ++found) {
-      used.insert((*found)[1].str());
-      used.insert((*found)[2].str());
-    }
+    sources.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }
-  return used;
+  return sources;
+}
+
+using Ids = std::set<std::string>;
+
+void add_matches(const std::string& source, const char* pattern, Ids& ids) {
+  const std::regex wanted(pattern);
+  for (std::sregex_iterator found(source.begin(), source.end(), wanted), end; found != end; ++found)
+    for (std::size_t group = 1; group < found->size(); ++group) ids.insert((*found)[group].str());
+}
+
+void add_counted(const Ids& counted, Ids& ids) {
+  for (const std::string& id : counted) ids.insert({id + ".one", id + ".other"});
+}
+
+// Every id that the sources ask for, "x" for text("x") and "x.one", "x.other" for say_count("x").
+Ids asked_ids() {
+  Ids asked, counted;
+  for (const std::string& source : sources_of_the_window()) {
+    add_matches(source, R"(\b(?:text|say)\(\s*"([a-z0-9_.]+)\")", asked);
+    add_matches(source, R"(\bsay_count\(\s*"([a-z0-9_.]+)\")", counted);
+    add_matches(source, R"re(text\(\s*[a-z_.]+\s*\?\s*"([a-z0-9_.]+)"\s*:\s*"([a-z0-9_.]+)")re",
+                asked);
+  }
+  add_counted(counted, asked);
+  return asked;
+}
+
+// The same and every id that stands in them as a word of its own, as in a table of ids.
+Ids named_ids() {
+  Ids named = asked_ids();
+  for (const std::string& source : sources_of_the_window())
+    add_matches(source, R"("([a-z0-9_]+(?:\.[a-z0-9_]+)+)") ", named);
+        return named;
 }
 
 TEST(EnglishTexts, EveryTextThatIsAskedForIsThere) {
   const std::vector<std::string> ids = english_texts().ids();
-  const std::set<std::string> known(ids.begin(), ids.end()), used = used_ids();
+  const std::set<std::string> known(ids.begin(), ids.end()), used = asked_ids();
   EXPECT_GE(used.size(), 8U) << "the sources were not found";
   for (const std::string& id : used)
     EXPECT_TRUE(known.contains(id)) << id << " is asked for and missing";
 }
 
 TEST(EnglishTexts, EveryTextIsUsed) {
-  const std::set<std::string> used = used_ids();
+  const Ids used = named_ids();
   for (const std::string& id : english_texts().ids())
     EXPECT_TRUE(used.contains(id)) << id << " is used nowhere";
 }

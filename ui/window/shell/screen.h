@@ -14,7 +14,7 @@ enum class Surround {
   Nothing,     ///< sign-in: nobody is known yet
   Navigation,  ///< the way to the other screens, and the person at its foot
   Rail,        ///< the same as icons, for screens that need the width
-  Badge,       ///< only the person, in a corner of the picture: operating
+  Badge,       ///< only the person, in a corner; the screen draws its own ground, a scene behind
 };
 
 class Screen {

@@ -77,11 +77,13 @@ void Shell::apply_preferences(Ui& ui) {
   ui.want_frame_in_s(0.0);
 }
 
-void Shell::draw(Ui& ui) {
+void Shell::draw(Ui& ui, ScenePainter& scenes) {
+  scenes_ = &scenes;
   apply_preferences(ui);
   background_.collect();
   carry_out(ui);
-  ui.canvas().fill(ui.display(), ui.theme().page);
+  if (top() == nullptr || top()->surround() != Surround::Badge)
+    ui.canvas().fill(ui.display(), ui.theme().page);
   if (top() != nullptr) {
     const Rect content = draw_surround(ui);
     top()->draw(ui, content, *this);
@@ -92,6 +94,7 @@ void Shell::draw(Ui& ui) {
   draw_messages(ui);
   hear_shortcuts(ui);
   carry_out(ui);
+  scenes_ = &no_scenes_;
 }
 
 Rect Shell::draw_surround(Ui& ui) {

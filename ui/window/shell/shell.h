@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/render/scene_painter.h"
 #include "ui/widgets/navigation.h"
 #include "ui/window/shell/background.h"
 #include "ui/window/shell/screen.h"
@@ -73,7 +74,11 @@ class Shell {
   void set_display_scale(float scale) noexcept { display_scale_ = scale; }
 
   /// Draws the top screen with what surrounds it, and does what was asked for.
-  void draw(Ui& ui);
+  void draw(Ui& ui, ScenePainter& scenes);
+  /// The same where there are no graphics.
+  void draw(Ui& ui) { draw(ui, no_scenes_); }
+  /// What draws bones, inside Screen::draw.
+  ScenePainter& scenes() noexcept { return *scenes_; }
 
  private:
   struct ShownMessage {
@@ -112,6 +117,8 @@ class Shell {
   float display_scale_ = 1.0F;
   std::optional<Rect> person_menu_;
   bool is_help_shown_ = false;
+  NoScenePainter no_scenes_;
+  ScenePainter* scenes_ = &no_scenes_;  ///< of the frame that is being drawn
   Background background_;
 };
 

@@ -1,0 +1,34 @@
+/// Places that note where a screen wanted to lead.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/screens/places.h"
+
+namespace hallux::ui {
+
+class SomePlaces : public Places {
+ public:
+  void brief(database::ScenarioVersionId scenario) override {
+    asked.push_back("brief " + std::to_string(scenario.number));
+  }
+  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind) override {
+    asked.push_back((kind == database::AttemptKind::Assessment ? "assess " : "practise ") +
+                    std::to_string(scenario.number));
+  }
+  void show_result(const database::AttemptId& attempt) override {
+    asked.push_back("result " + attempt.text);
+  }
+  void show_replay(const database::AttemptId& attempt, double moment_s) override {
+    asked.push_back("replay " + attempt.text + " at " + std::to_string(moment_s));
+  }
+  void show_trainee(database::CohortId cohort, database::PersonId trainee) override {
+    asked.push_back("trainee " + std::to_string(trainee.number) + " of " +
+                    std::to_string(cohort.number));
+  }
+
+  std::vector<std::string> asked;
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,78 @@
+#include "ui/app/course.h"
+
+#include <utility>
+
+#include "ui/screens/attempts_screen.h"
+#include "ui/screens/entry_screen.h"
+#include "ui/screens/words.h"
+
+namespace hallux::ui {
+
+Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,
+               database::PasswordCost cost)
+    : texts_(texts), data_directory_(std::move(data_directory)), shell_(shell), cost_(cost) {
+  shell_.on_navigate([this](const std::string& id) { show_place(id); });
+  shell_.on_sign_out([this] { sign_out(); });
+  ask_who();
+}
+
+void Course::ask_who() {
+  shell_.set_visitor(std::nullopt);
+  shell_.replace_all(std::make_unique<EntryScreen>(
+      data_directory_, [this](Shell&, std::shared_ptr<Visit> visit) { welcome(std::move(visit)); },
+      cost_));
+}
+
+void Course::welcome(std::shared_ptr<Visit> visit) {
+  visit_ = std::move(visit);
+  shell_.set_visitor(visitor_of(*visit_));
+  show_place(shell_.visitor()->places.front().id);
+}
+
+Visitor Course::visitor_of(const Visit& visit) const {
+  const database::Person& person = visit.person();
+  Visitor visitor;
+  visitor.name = person.display_name.empty() ? person.login : person.display_name;
+  visitor.role = texts_.text(person.is_administrator   ? "role.administrator"
+                             : !visit.taught().empty() ? "role.instructor"
+                                                       : "role.trainee");
+  visitor.initials = initials_of(visitor.name);
+  visitor.hue = static_cast<int>(person.id.number % 6);
+  visitor.places = places_of(visit);
+  return visitor;
+}
+
+std::vector<Visitor::Place> Course::places_of(const Visit& visit) const {
+  std::vector<Visitor::Place> places;
+  const auto add = [&](const char* id, std::string_view label, Icon icon) {
+    places.push_back({id, std::string(label), icon});
+  };
+  static_cast<void>(visit);
+  add("nav.attempts", texts_.text("place.attempts"), Icon::History);
+  return places;
+}
+
+void Course::show_place(const std::string& id) {
+  if (id == "nav.attempts") {
+    shell_.replace_all(std::make_unique<AttemptsScreen>(visit_, *this));
+  }
+}
+
+void Course::brief(database::ScenarioVersionId) {}
+void Course::operate(database::ScenarioVersionId, database::AttemptKind) {}
+void Course::show_result(const database::AttemptId&) {}
+void Course::show_replay(const database::AttemptId&, double) {}
+void Course::show_trainee(database::CohortId, database::PersonId) {}
+
+// The end of the session is written beside the window: other work may hold the visit for a moment.
+void Course::sign_out() {
+  shell_.background().start(
+      std::string(texts_.text("course.signing_out")),
+      [visit = std::exchange(visit_, nullptr)](WorkReport&) {
+        visit->in_turn([](database::Session& session, auto&) { session.sign_out(); });
+      },
+      [](WorkEnd, const std::string&) {});
+  ask_who();
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,43 @@
+/// Who is in the course now, and which screen is behind each place.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "ui/screens/places.h"
+#include "ui/screens/visit.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class Course : public Places {
+ public:
+  /// Asks who is there. `texts` and `shell` outlive it.
+  Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,
+         database::PasswordCost cost = {});
+  Course(const Course&) = delete;
+  Course& operator=(const Course&) = delete;
+
+  void brief(database::ScenarioVersionId scenario) override;
+  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind) override;
+  void show_result(const database::AttemptId& attempt) override;
+  void show_replay(const database::AttemptId& attempt, double moment_s) override;
+  void show_trainee(database::CohortId cohort, database::PersonId trainee) override;
+
+ private:
+  void ask_who();
+  void welcome(std::shared_ptr<Visit> visit);
+  Visitor visitor_of(const Visit& visit) const;
+  std::vector<Visitor::Place> places_of(const Visit& visit) const;
+  /// The screen of a place of the navigation.
+  void show_place(const std::string& id);
+  void sign_out();
+
+  const Texts& texts_;
+  std::filesystem::path data_directory_;
+  Shell& shell_;
+  database::PasswordCost cost_;
+  std::shared_ptr<Visit> visit_;
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,31 @@
+/// Where a screen leads to. The screens know only this; which screen is behind a place is ui/app's to say, so that no screen
+/// needs to know another.
+///
+/// Each shows the place over the screen that asks; Esc comes back to it.
+/// thread  the window's, in a frame; what is asked for happens after it
+#pragma once
+
+#include <string>
+
+#include "database/records/attempt.h"
+#include "database/records/ids.h"
+
+namespace hallux::ui {
+
+class Places {
+ public:
+  virtual ~Places() = default;
+
+  /// What an operation is about, before it is begun.
+  virtual void brief(database::ScenarioVersionId scenario) = 0;
+  /// Begins an attempt; the briefing is left for it.
+  virtual void operate(database::ScenarioVersionId scenario, database::AttemptKind kind) = 0;
+  /// The score of an attempt with all that led to it.
+  virtual void show_result(const database::AttemptId& attempt) = 0;
+  /// The attempt again, from a moment on.
+  virtual void show_replay(const database::AttemptId& attempt, double moment_s) = 0;
+  /// A trainee as their instructor sees them.
+  virtual void show_trainee(database::CohortId cohort, database::PersonId trainee) = 0;
+};
+
+}  // namespace hallux::ui
