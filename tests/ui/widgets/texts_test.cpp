@@ -98,8 +98,8 @@ Ids asked_ids() {
 Ids named_ids() {
   Ids named = asked_ids();
   for (const std::string& source : sources_of_the_window())
-    add_matches(source, R"("([a-z0-9_]+(?:\.[a-z0-9_]+)+)") ", named);
-        return named;
+    add_matches(source, R"re("([a-z0-9_]+(?:\.[a-z0-9_]+)+)")re", named);
+  return named;
 }
 
 TEST(EnglishTexts, EveryTextThatIsAskedForIsThere) {
