@@ -2,6 +2,7 @@
 
 #include "ui/app/course.h"
 #include "ui/app/verb_error.h"
+#include "ui/window/lost_display.h"
 #include "ui/window/window.h"
 
 namespace hallux::ui {
@@ -13,6 +14,7 @@ ExitCode open_window(const VerbContext& context,
   setting.ui_map = ui_map;
   try {
     Window window(texts, setting);
+    end_where_display_is_lost(static_cast<int>(ExitCode::NoDisplay));
     Shell shell(Window::wake);
     const Course course(texts, context.data_directory, shell);
     window.run(shell);

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""What happens to windows: a storm of sizes, one pixel, unmapped and mapped again, and the display that goes away.
+
+usage: hard_times_check.py HALLUX
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from window_check import Person, start_display, wait_until
+
+NO_DISPLAY = 7
+STORM = [(1280, 720), (640, 360), (333, 777), (1, 1), (1500, 40), (40, 900), (1599, 999), (2, 2), (900, 600)]
+
+
+def memory_kib(pid):
+    for line in pathlib.Path(f"/proc/{pid}/status").read_text().splitlines():
+        if line.startswith("VmRSS:"):
+            return int(line.split()[1])
+    raise SystemExit("the window's memory cannot be read")
+
+
+def window_of(person):
+    words = ["xdotool", "search", "--onlyvisible", "--name", "Hallux"]
+    found = subprocess.run(words, env=person.environment, stdout=subprocess.PIPE, text=True, check=False).stdout.split()
+    return found[-1] if found else None
+
+
+def resize_often(person, window, number):
+    """Ten rounds through all sizes; what they take must not grow from the third round on."""
+    before = 0
+    for turn in range(10):
+        for width, height in STORM:
+            person.xdotool("windowsize", number, str(width), str(height))
+        if window.poll() is not None:
+            raise SystemExit(f"the window ended with {window.returncode} in a storm of sizes")
+        if turn == 2:
+            before = memory_kib(window.pid)
+    person.xdotool("windowsize", "--sync", number, "1280", "720")
+    wait_until("the form again", lambda: person.widgets().get("entry.begin", {}).get("w", 0) > 100)
+    print(f"storm: {before} KiB after three rounds, {memory_kib(window.pid)} KiB after ten")
+    if memory_kib(window.pid) > before + 32 * 1024:
+        raise SystemExit("memory grows with every size")
+
+
+def hide_and_show(person, number):
+    person.xdotool("windowunmap", "--sync", number)
+    time.sleep(0.5)
+    person.xdotool("windowmap", "--sync", number)
+    person.click("entry.login")
+    person.type("still-here")
+
+
+def lose_display(server, window):
+    server.kill()
+    server.wait()
+    try:
+        code = window.wait(timeout=30)
+    except subprocess.TimeoutExpired:
+        raise SystemExit("the window does not notice that its display is gone") from None
+    said = window.stderr.read()
+    if code != NO_DISPLAY or "the display is gone" not in said:
+        raise SystemExit(f"after its display was gone the window ended with {code} and said: {said}")
+
+
+def main():
+    program = sys.argv[1]
+    server, display = start_display("1600x1000x24")
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        environment = dict(os.environ, DISPLAY=display)
+        window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                  env=environment, stderr=subprocess.PIPE, text=True)
+        try:
+            person = Person(place / "map.json", environment)
+            wait_until("the first screen", lambda: "entry.begin" in person.widgets())
+            number = wait_until("the window", lambda: window_of(person))
+            resize_often(person, window, number)
+            hide_and_show(person, number)
+            lose_display(server, window)
+        finally:
+            if window.poll() is None:
+                window.kill()
+            window.wait()
+            if server.poll() is None:
+                server.terminate()
+                server.wait()
+    print("hard times: passed")
+
+
+if __name__ == "__main__":
+    main()
