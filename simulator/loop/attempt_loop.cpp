@@ -5,8 +5,10 @@
 #include <cmath>
 #include <exception>
 #include <thread>
+#include <utility>
 
 #include "simulator/base/units.h"
+#include "simulator/loop/priority.h"
 
 namespace hallux::simulator {
 
@@ -17,6 +19,8 @@ constexpr std::chrono::milliseconds tick_time{1};
 /// Beyond this many ticks in one line the attempt pauses instead of jumping on.
 constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
+/// How long the worst lateness is shown.
+constexpr std::int64_t lines_per_lateness = 1000;
 /// A hand does not move farther in one tick: twenty metres per second.
 constexpr double jump_limit_mm = 20.0;
 /// A device that stays where it jumped to for so many ticks is believed.
@@ -78,6 +82,10 @@ class AttemptRun {
   }
 
   LoopStatistics run(const AttemptProgress& progress) {
+    std::optional<RealTimePriority> priority;
+    if (setup_.pacing == Pacing::RealTime && setup_.watch != nullptr) priority.emplace();
+    view_.has_priority = priority && priority->is_granted();
+    statistics_.has_priority = view_.has_priority;
     deadline_ = Clock::now() + tick_time;
     while (tick_ <= setup_.last_tick && !operation_.is_over()) {
       if (channels_.recorder_failed.load(std::memory_order_relaxed)) {
@@ -95,6 +103,7 @@ class AttemptRun {
     }
     if (operation_.is_over()) statistics_.end = AttemptEnd::Finished;
     channels_.closed.store(true, std::memory_order_release);
+    if (setup_.watch != nullptr) close_watch();
     if (const std::exception_ptr failure = jobs_->failure()) std::rethrow_exception(failure);
     summarise();
     return statistics_;
@@ -119,6 +128,7 @@ class AttemptRun {
     std::this_thread::sleep_until(deadline_);
     const Clock::duration late = Clock::now() - deadline_;
     late_times_.add(late);
+    late_max_us_ = std::max(late_max_us_, microseconds(late));
     const std::int64_t missed = late / tick_time;
     if (missed >= ticks_per_line || is_a_ring_nearly_full()) return pause_gap();
     deadline_ += tick_time * (1 + missed);
@@ -127,11 +137,40 @@ class AttemptRun {
   }
 
   bool is_a_ring_nearly_full() const noexcept {
-    const auto is_nearly_full = [](const auto& ring) {
-      return ring.size() > ring.capacity() / 8 * 7;
+    return fullest_ring_share() > 0.875 || !jobs_->has_room();
+  }
+
+  double fullest_ring_share() const noexcept {
+    const auto share = [](const auto& ring) {
+      return static_cast<double>(ring.size()) / static_cast<double>(ring.capacity());
     };
-    return is_nearly_full(channels_.tape) || is_nearly_full(channels_.samples) ||
-           is_nearly_full(channels_.events) || !jobs_->has_room();
+    const double recorder =
+        std::max({share(channels_.tape), share(channels_.samples), share(channels_.events)});
+    return setup_.watch == nullptr ? recorder : std::max(recorder, share(setup_.watch->feed));
+  }
+
+  /// What a live display follows: all that opens bone, and the newest view.
+  void show(const StepOutput& output) {
+    AttemptWatch& watch = *setup_.watch;
+    for (const CutEvent& event : output.events) push(watch.feed, GeometryFeed{event});
+    push(watch.feed, GeometryFeed{output.sample});
+    for (const JobRequest& request : output.requests) push(watch.feed, GeometryFeed{request});
+    if (statistics_.lines % lines_per_lateness == 0) {
+      view_.late_us = std::exchange(late_max_us_, 0.0);
+    }
+    view_.sample = output.sample;
+    view_.engaged = output.engaged;
+    view_.lines = statistics_.lines;
+    view_.missed_ticks = statistics_.missed_ticks;
+    view_.pauses = statistics_.pauses;
+    view_.ring_share = fullest_ring_share();
+    watch.view.write(view_);
+  }
+
+  void close_watch() noexcept {
+    view_.is_over = true;
+    setup_.watch->view.write(view_);
+    setup_.watch->closed.store(true, std::memory_order_release);
   }
 
   /// Simulated time stands still over a gap: the step hears Pause now and Resume at the next line.
@@ -166,6 +205,7 @@ class AttemptRun {
     CHECK(jobs_->follow(output));
     tick_ += ticks;
     ++statistics_.lines;
+    if (setup_.watch != nullptr) show(output);
   }
 
   /// Rounds what the device said; what it cannot have meant becomes a fault and the last good pose.
@@ -201,6 +241,11 @@ class AttemptRun {
            setup_.commands[next_command_].tick < line.tick + line.ticks) {
       add(setup_.commands[next_command_++].command, nullptr);
     }
+    Command live;
+    while (setup_.watch != nullptr && line.command_count < commands_per_tick &&
+           setup_.watch->commands.pop(live)) {
+      add(live, nullptr);
+    }
     while (line.command_count < commands_per_tick) {
       const JobResult* result = jobs_->take_ready();
       if (result == nullptr) break;
@@ -226,6 +271,8 @@ class AttemptRun {
   std::unique_ptr<JobRunner> jobs_;
   Spread step_times_, late_times_;
   LoopStatistics statistics_;
+  LoopView view_;
+  double late_max_us_ = 0.0;  ///< since the view showed it last
   Clock::time_point deadline_;
   RigidTransform last_good_;
   Vec3 force_newton_{0.0, 0.0, 0.0};

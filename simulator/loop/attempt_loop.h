@@ -9,6 +9,7 @@
 #include "simulator/contact/tool_motion.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/scripted.h"
+#include "simulator/loop/attempt_watch.h"
 #include "simulator/loop/jobs.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/channels.h"
@@ -25,9 +26,10 @@ struct AttemptSetup {
   ContactSettings contact;
   std::optional<PlannedBridge> bridge = std::nullopt;  ///< that the operation leaves and closes
   Pacing pacing = Pacing::Virtual;
-  std::vector<HandCommand> commands;  ///< of the scripted operator, ascending
-  std::int64_t last_tick = 0;         ///< the attempt ends after this tick, or after Finish
-  JobDelay job_delay;                 ///< RealTime only
+  std::vector<HandCommand> commands = {};  ///< of the scripted operator, ascending
+  std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
+  JobDelay job_delay = {};                 ///< RealTime only
+  AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
 };
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
@@ -41,6 +43,8 @@ struct LoopStatistics {
   std::int64_t pauses = 0;        ///< RealTime: gaps beyond three ticks, or a full ring
   double step_p50_us = 0.0, step_p99_us = 0.0, step_max_us = 0.0;
   double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;  ///< RealTime
+  bool has_priority =
+      false;  ///< the system ran the loop before all else; asked for where it is watched
 };
 
 /// Called about ten times a second with the fraction done [0, 1]; returning false cancels the attempt.

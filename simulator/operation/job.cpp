@@ -180,6 +180,33 @@ void OperationGeometry::gather_solid() {
   for (const CutSolid& crumb : debris_) add(crumb);
 }
 
+std::optional<CutSolid> OperationGeometry::solid_without(std::int32_t kerf) const {
+  CutSolid solid = whole_.solid;
+  for (std::int32_t other = 0; other < kerfs_.count(); ++other) {
+    const RegionOutline outline = outline_of(kerfs_.field(other));
+    if (other == kerf || outline.corners_mm.empty()) continue;
+    const Bvh bvh(solid.mesh);
+    solid =
+        cut_kerf(solid, bvh, kerfs_.plane(other), other, kerfs_.field(other).grid(), outline).solid;
+  }
+  if (taken_out_.empty()) return solid;
+  std::vector<bool> is_found(taken_out_.size(), false);
+  CutSolid left;
+  for (const CutSolid& piece : split_pieces(solid)) {
+    const auto body =
+        std::find_if(taken_out_.begin(), taken_out_.end(),
+                     [&](const auto& candidate) { return lies_in(piece, *candidate); });
+    if (body != taken_out_.end()) {
+      is_found[static_cast<std::size_t>(body - taken_out_.begin())] = true;
+      continue;
+    }
+    append_mesh(left.mesh, piece.mesh);
+    left.origins.insert(left.origins.end(), piece.origins.begin(), piece.origins.end());
+  }
+  if (std::find(is_found.begin(), is_found.end(), false) != is_found.end()) return std::nullopt;
+  return left;
+}
+
 /// The gaps that opened kerfs leave at the planned bridge, each in the bone as if it were the only kerf.
 std::vector<HingeGap> OperationGeometry::gaps_of_kerfs(std::vector<std::int32_t>& kerfs) {
   std::vector<HingeGap> gaps;

@@ -71,6 +71,10 @@ class OperationGeometry {
   /// What lies in the wound, as the last job of pieces left it.
   const CutSolid& solid() const noexcept { return solid_; }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
+  /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none), for a display that shows
+  /// that one's cut on it. Nothing where a piece that was taken out would hang on the bone again.
+  /// thread  the one that follows; changes nothing
+  std::optional<CutSolid> solid_without(std::int32_t kerf) const;
 
  private:
   /// The bone after one more kerf.

@@ -4,6 +4,7 @@
 
 #include "ui/screens/attempts_screen.h"
 #include "ui/screens/entry_screen.h"
+#include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/words.h"
 
 namespace hallux::ui {
@@ -59,7 +60,9 @@ void Course::show_place(const std::string& id) {
 }
 
 void Course::brief(database::ScenarioVersionId) {}
-void Course::operate(database::ScenarioVersionId, database::AttemptKind) {}
+void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind) {
+  shell_.push(std::make_unique<OperatingScreen>(visit_, *this, scenario, kind));
+}
 void Course::show_result(const database::AttemptId&) {}
 void Course::show_replay(const database::AttemptId&, double) {}
 void Course::show_trainee(database::CohortId, database::PersonId) {}

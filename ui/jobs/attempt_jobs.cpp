@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::string_view bone_asset = "bone";
 
-simulator::Bone make_patient(const scenarios::Scenario& scenario, const StageProgress& progress) {
+}  // namespace
+
+simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress) {
   const auto report = progress("Building the bone");
   bool is_cancelled = false;
   try {
@@ -30,6 +32,17 @@ simulator::Bone make_patient(const scenarios::Scenario& scenario, const StagePro
   }
 }
 
+void put_bone(database::Database& database, const simulator::Bone& bone,
+              database::NewAttempt& begun) {
+  begun.bone = put_asset(database, bone_asset, encode_bone(bone));
+}
+
+Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples) {
+  return {loop.lines, received_samples, loop.missed_ticks, loop.pauses, loop.late_p99_us};
+}
+
+namespace {
+
 database::NewAttempt describe(database::Database& database, const ScriptedAttempt& attempt,
                               const simulator::Bone& bone) {
   const scenarios::Scenario& scenario = attempt.scenario;
@@ -39,12 +52,8 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   begun.hand = attempt.hand;
   begun.seed = attempt.seed;
   begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
-  begun.bone = put_asset(database, bone_asset, encode_bone(bone));
+  put_bone(database, bone, begun);
   return begun;
-}
-
-Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples) {
-  return {loop.lines, received_samples, loop.missed_ticks, loop.pauses, loop.late_p99_us};
 }
 
 }  // namespace
@@ -65,9 +74,16 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario)
   return settings;
 }
 
+simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
+                                      const simulator::Bone& bone, const scenarios::Plan& plan) {
+  simulator::AttemptSetup setup{bone, scenario.blade.size, contact_settings(scenario)};
+  setup.bridge = planned_bridge(plan);
+  return setup;
+}
+
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress) {
-  const simulator::Bone bone = make_patient(attempt.scenario, progress);
+  const simulator::Bone bone = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);
   simulator::HandMotion motion = attempt.motion
@@ -75,14 +91,10 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
                                      : make_hand(attempt.scenario, bone, plan,
                                                  scenarios::hand_skill(attempt.hand), attempt.seed)
                                            .motion;
-  const simulator::AttemptSetup setup{bone,
-                                      attempt.scenario.blade.size,
-                                      contact_settings(attempt.scenario),
-                                      planned_bridge(plan),
-                                      attempt.pacing,
-                                      motion.commands,
-                                      motion.last_tick() + 1,
-                                      {}};
+  simulator::AttemptSetup setup = attempt_setup(attempt.scenario, bone, plan);
+  setup.pacing = attempt.pacing;
+  setup.commands = motion.commands;
+  setup.last_tick = motion.last_tick() + 1;
   simulator::ScriptedDevice device(std::move(motion));
 
   AttemptOutcome outcome;

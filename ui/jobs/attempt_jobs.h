@@ -43,6 +43,16 @@ struct Quality {
   bool is_complete() const noexcept { return expected_samples == received_samples; }
 };
 std::string quality_json(const Quality& quality);
+Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples);
+
+/// The patient of a scenario.
+/// errors  ScenarioError, MeshError; Cancelled
+simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress);
+
+/// Stores the bone operated on and names it in what begins.
+/// errors  DatabaseError
+void put_bone(database::Database& database, const simulator::Bone& bone,
+              database::NewAttempt& begun);
 
 struct AttemptOutcome {
   database::AttemptId attempt;
@@ -71,6 +81,10 @@ AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk
 
 /// The contact of a scenario's saw; the same for the attempt and its replay.
 simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario);
+
+/// How a scenario's operation runs; borrows the bone. What paces it and commands it is the caller's to add.
+simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
+                                      const simulator::Bone& bone, const scenarios::Plan& plan);
 
 /// Nothing where the attempt was made by another engine version: a replay would prove nothing.
 std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,

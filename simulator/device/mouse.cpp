@@ -1,0 +1,77 @@
+#include "simulator/device/mouse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/base/units.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+constexpr double mm_per_m = 1000.0;
+/// A device that was not asked for longer goes on from where it was.
+constexpr std::int64_t ticks_at_most = 3;
+
+}  // namespace
+
+RigidTransform steered(const RigidTransform& world_from_target, const Quat& world_from_view,
+                       const PointerMotion& motion) {
+  const double share = motion.is_fine ? fine_share : 1.0;
+  const auto in_world = [&](const Vec3& in_view) { return world_from_view * in_view; };
+  RigidTransform moved = world_from_target;
+  moved.translation_mm +=
+      in_world(share * Vec3(motion.across_mm.x, motion.across_mm.y, -motion.deeper_mm));
+  const Quat turn = rotation_about(in_world(Vec3(0.0, 1.0, 0.0)), share * motion.turned_rad.x) *
+                    rotation_about(in_world(Vec3(1.0, 0.0, 0.0)), -share * motion.turned_rad.y) *
+                    rotation_about(in_world(Vec3(0.0, 0.0, 1.0)), share * motion.rolled_rad);
+  moved.rotation = normalised(turn * moved.rotation);
+  return moved;
+}
+
+RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& middle_in_world_mm,
+                           double reach_mm) noexcept {
+  RigidTransform kept = world_from_target;
+  const Vec3 away_mm = kept.translation_mm - middle_in_world_mm;
+  const double distance_mm = std::sqrt(glm::dot(away_mm, away_mm));
+  if (distance_mm > reach_mm) {
+    kept.translation_mm = middle_in_world_mm + reach_mm / distance_mm * away_mm;
+  }
+  return kept;
+}
+
+MouseDevice::MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling)
+    : coupling_(coupling), target_({world_from_start, 0}), world_from_hand_(world_from_start) {}
+
+void MouseDevice::aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept {
+  target_.write({world_from_target, switches});
+}
+
+bool MouseDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                           RawDeviceState& state) noexcept {
+  const RawDeviceState& target = target_.read();
+  const std::int64_t ticks =
+      tick_ < 0 ? 1 : std::clamp<std::int64_t>(tick - tick_, 1, ticks_at_most);
+  tick_ = tick;
+  for (std::int64_t i = 0; i < ticks; ++i) follow(target.world_from_handle, force_in_world_newton);
+  state = {world_from_hand_, target.switches};
+  return true;
+}
+
+/// Semi-implicit Euler: the velocity first, then the way with the new velocity.
+void MouseDevice::follow(const RigidTransform& world_from_target,
+                         const Vec3& force_newton) noexcept {
+  const Vec3 ahead_mm = world_from_target.translation_mm - world_from_hand_.translation_mm;
+  const Vec3 sum_newton = coupling_.stiffness_newton_per_mm * ahead_mm -
+                          coupling_.damping_newton_s_per_mm * velocity_mm_s_ + force_newton;
+  velocity_mm_s_ += step_s * mm_per_m / coupling_.mass_kg * sum_newton;
+  const double speed_mm_s = std::sqrt(glm::dot(velocity_mm_s_, velocity_mm_s_));
+  if (speed_mm_s > coupling_.speed_limit_mm_s) {
+    velocity_mm_s_ *= coupling_.speed_limit_mm_s / speed_mm_s;
+  }
+  world_from_hand_.translation_mm += step_s * velocity_mm_s_;
+  world_from_hand_.rotation =
+      interpolate(world_from_hand_, world_from_target, step_s / coupling_.turn_s).rotation;
+}
+
+}  // namespace hallux::simulator

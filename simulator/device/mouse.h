@@ -1,0 +1,64 @@
+/// The mouse as a device: a pointer leads a hand through a virtual coupling, so that steps of the pointer become motion.
+///
+///     window: pointer, wheel, right drag -> target --latest value--> haptic: target --spring, damper--> hand of 0.15 kg
+///                                                                                        ^ force of the simulation
+///
+/// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the pointer runs ahead:
+/// how far it is ahead is how hard one pushes.
+#pragma once
+
+#include "simulator/device/haptic_device.h"
+#include "simulator/record/latest.h"
+
+namespace hallux::simulator {
+
+/// source  docs/haptics.md, The mouse
+struct MouseCoupling {
+  double stiffness_newton_per_mm = 1.0;
+  double mass_kg = 0.15;
+  double damping_newton_s_per_mm = 0.0245;  ///< critical: 2 sqrt(stiffness x mass)
+  double speed_limit_mm_s = 800.0;
+  double turn_s = 0.03;  ///< in which a turn of the target is followed to 63 %
+};
+
+/// What the person did with the pointer since the frame before.
+struct PointerMotion {
+  Vec2 across_mm{0.0, 0.0};   ///< to the right and up in the view plane, in the world's millimetres
+  double deeper_mm = 0.0;     ///< away from the person
+  Vec2 turned_rad{0.0, 0.0};  ///< of a right drag: to the right about the view's y, up about its x
+  double rolled_rad = 0.0;    ///< about the view's z, counter-clockwise as it is seen
+  bool is_fine = false;       ///< Shift: a fifth of all of it
+};
+inline constexpr double fine_share = 0.2;
+
+/// The target after that motion, seen by one whose view has these axes (x right, y up, z to the person). It turns about the
+/// middle of the tooth line and stays within `reach_mm` of `middle_mm`.
+RigidTransform steered(const RigidTransform& world_from_target, const Quat& world_from_view,
+                       const PointerMotion& motion);
+/// Kept within a ball, so that nobody loses the saw behind the picture's edge.
+RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& middle_in_world_mm,
+                           double reach_mm) noexcept;
+
+class MouseDevice final : public HapticDevice {
+ public:
+  explicit MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling = {});
+
+  /// Where the hand is led from now on.
+  /// thread  window
+  void aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept;
+
+  DeviceDescription description() const override { return {"Mouse and keyboard", "mouse"}; }
+  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                RawDeviceState& state) noexcept override;
+
+ private:
+  void follow(const RigidTransform& world_from_target, const Vec3& force_newton) noexcept;
+
+  MouseCoupling coupling_;
+  Latest<RawDeviceState> target_;
+  RigidTransform world_from_hand_;
+  Vec3 velocity_mm_s_{0.0, 0.0, 0.0};
+  std::int64_t tick_ = -1;  ///< of the last exchange
+};
+
+}  // namespace hallux::simulator

@@ -1,0 +1,257 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "database/recordings.h"
+#include "tests/ui/screens/operating/some_operation.h"
+
+namespace hallux::ui {
+namespace {
+
+using database::AttemptKind;
+using database::AttemptState;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Dorsal approach, seen from medial: away from the person over the middle of the head, then down to it, until something of
+/// it is cut.
+void saw_into_the_bone(Operator& person) {
+  person.press(Key::Digit3);
+  for (int step = 0; step < 7; ++step) person.press(Key::PageUp);
+  person.press(Key::Space);
+  ASSERT_TRUE(person.until([&] {
+    if (person.scenes.patch_triangles == 0) person.press(Key::Down);
+    return person.scenes.patch_triangles > 100;
+  })) << "nothing was cut";
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(700);
+  person.until([&] { return std::chrono::steady_clock::now() > end; });
+}
+
+void answer(Operator& person, std::string_view id) {
+  ASSERT_TRUE(person.until([&] { return person.driver().has(id); }));
+  person.click(id);
+}
+
+TEST(Operating, AMouseAttemptIsRecordedSealedAndScoredAsTheTrainees) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  saw_into_the_bone(person);
+  person.press(Key::End);
+  answer(person, "operate.ask_finish.act");
+  ASSERT_TRUE(person.until([&] { return person.is_gone(); }, 120.0));
+
+  const database::AttemptHeader header = course.attempt();
+  EXPECT_THAT(person.places.asked, ElementsAre("result " + header.id.text));
+  EXPECT_EQ(header.state, AttemptState::Closed);
+  EXPECT_EQ(header.login, "ada");
+  EXPECT_EQ(header.begun.hand, "");
+  EXPECT_EQ(header.begun.device_class, "mouse");
+  EXPECT_EQ(header.begun.pacing, "real_time");
+  EXPECT_EQ(header.begun.kind, AttemptKind::Practice);
+  EXPECT_TRUE(header.is_complete);
+  EXPECT_TRUE(header.score_milli.has_value());
+  const simulator::Recording recording = course.course().trainee("ada").recording(header.id);
+  EXPECT_GT(recording.samples.size(), 200U);
+  EXPECT_EQ(recording.samples.size(), recording.tape.size());
+  EXPECT_EQ(recording.events.back().kind, simulator::CutEventKind::Finished);
+}
+
+TEST(Operating, WhatWasOperatedLiveReplaysBitForBit) {
+  OperableCourse course("silver");
+  {
+    Operator person(course, AttemptKind::Practice);
+    person.begin();
+    saw_into_the_bone(person);
+    person.press(Key::End);
+    answer(person, "operate.ask_finish.act");
+    ASSERT_TRUE(person.until([&] { return person.is_gone(); }, 120.0));
+  }
+  database::HouseDesk house(course.course().database());
+  database::TraineeDesk desk = course.course().trainee("ada");
+  const AttemptMaterial material =
+      load_attempt(course.course().database(), desk, course.attempt().id);
+  const auto silent = [](const std::string&) { return std::function<bool(double)>(); };
+  const std::optional<simulator::ReplayResult> again = replay_attempt(material, silent);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_TRUE(again->is_identical) << again->difference;
+}
+
+TEST(Operating, PracticeShowsThePlaneAndHowTheBladeStandsToIt) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  EXPECT_EQ(person.scenes.planes, 1U);
+  EXPECT_EQ(person.scenes.lines, 1U) << "the blade's own plane on the bone";
+  EXPECT_TRUE(person.driver().sees("Tilt across"));
+  person.press(Key::G);
+  EXPECT_EQ(person.scenes.planes, 0U);
+  EXPECT_FALSE(person.driver().sees("Tilt across"));
+}
+
+TEST(Operating, AnAssessmentShowsNothingOfThePlan) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Assessment);
+  person.begin();
+  person.press(Key::G);
+  EXPECT_EQ(person.scenes.planes, 0U);
+  EXPECT_EQ(person.scenes.lines, 1U);
+  EXPECT_FALSE(person.driver().sees("Tilt across"));
+  EXPECT_TRUE(person.driver().sees("Assessment"));
+  EXPECT_TRUE(person.driver().sees("Push force"));
+  EXPECT_EQ(course.attempt().begun.kind, AttemptKind::Assessment);
+}
+
+TEST(Operating, ItCannotBeLeftWhileItIsRecorded) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  EXPECT_TRUE(person.shell().top()->why_not_leave().empty()) << "nothing is recorded yet";
+  person.begin();
+  EXPECT_FALSE(person.shell().top()->why_not_leave().empty());
+  person.press(Key::Escape);
+  EXPECT_FALSE(person.is_gone());
+  EXPECT_TRUE(person.driver().sees("still being recorded"));
+}
+
+TEST(Operating, AnAbandonedAttemptIsKeptAsInterruptedAndNotScored) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  person.make_frames(20);
+  person.click("operate.abandon");
+  answer(person, "operate.ask_abandon.keep");
+  EXPECT_FALSE(person.is_gone());
+  person.click("operate.abandon");
+  answer(person, "operate.ask_abandon.act");
+  ASSERT_TRUE(person.until([&] { return person.is_gone(); }));
+  EXPECT_THAT(person.places.asked, IsEmpty());
+  const database::AttemptHeader header = course.attempt();
+  EXPECT_EQ(header.state, AttemptState::Interrupted);
+  EXPECT_FALSE(header.score_milli.has_value());
+}
+
+TEST(Operating, AWindowClosedInTheMiddleLosesNothing) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  saw_into_the_bone(person);
+  person.close();
+  const database::AttemptHeader header = course.attempt();
+  EXPECT_EQ(header.state, AttemptState::Interrupted);
+  const simulator::Recording recording = course.course().trainee("ada").recording(header.id);
+  EXPECT_GT(recording.samples.size(), 200U);
+  EXPECT_EQ(recording.samples.size(), recording.tape.size());
+}
+
+TEST(Operating, APauseHoldsTheClockOfTheSawAndThePicture) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  person.press(Key::P);
+  EXPECT_TRUE(person.driver().sees("Paused"));
+  person.make_frames(5);
+  ASSERT_TRUE(person.until([&] { return std::isinf(person.driver().ui().next_frame_in_s()); }))
+      << "a paused operation draws nothing of its own accord";
+  person.press(Key::P);
+  EXPECT_FALSE(person.driver().sees("The saw is safe"));
+  EXPECT_EQ(person.driver().ui().next_frame_in_s(), 0.0);
+}
+
+TEST(Operating, KeysChooseViewsAndEyes) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  const Camera before = person.scenes.camera;
+  person.press(Key::Digit2);
+  EXPECT_NE(person.scenes.camera.world_from_view, before.world_from_view);
+  person.press(Key::R);
+  EXPECT_EQ(person.scenes.camera.world_from_view, before.world_from_view);
+  person.press(Key::F9);
+  EXPECT_EQ(person.scenes.stereo.mode, StereoMode::SideBySide);
+  person.press(Key::F9);
+  EXPECT_EQ(person.scenes.stereo.mode, StereoMode::Anaglyph);
+  person.press(Key::F9, {.shift = true});
+  EXPECT_TRUE(person.scenes.stereo.is_swapped);
+  person.press(Key::F9);
+  EXPECT_EQ(person.scenes.stereo.mode, StereoMode::Mono);
+}
+
+TEST(Operating, ThePointerLeadsTheSawAndAMiddleDragTurnsTheView) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  const Vec3 before = person.scenes.saw->world_from_tool.translation_mm;
+  InputEvent moved;
+  moved.kind = EventKind::PointerMoved;
+  moved.position = {600.0F, 500.0F};
+  person.driver().send({moved});
+  person.make_frames(3);
+  moved.position = {640.0F, 500.0F};
+  person.driver().send({moved});
+  ASSERT_TRUE(person.until([&] {
+    return glm::length(person.scenes.saw->world_from_tool.translation_mm - before) > 1.0;
+  })) << "40 pixels at 7 millimetres a millimetre are about 2 mm";
+  const Quat seen = person.scenes.camera.world_from_view;
+  InputEvent press = moved;
+  press.kind = EventKind::ButtonPressed;
+  press.button = MouseButton::Middle;
+  person.driver().send({press});
+  person.make_frames(2);
+  moved.position = {700.0F, 520.0F};
+  person.driver().send({moved});
+  person.make_frames(2);
+  EXPECT_NE(person.scenes.camera.world_from_view, seen);
+}
+
+TEST(Operating, HHidesThePanels) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  person.press(Key::H);
+  EXPECT_FALSE(person.driver().sees("Push force"));
+  person.press(Key::H);
+  EXPECT_TRUE(person.driver().sees("Push force"));
+}
+
+TEST(Operating, StepsAreDeclaredByEnterAndAPieceThatIsNotFreeIsNotTaken) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  EXPECT_TRUE(person.driver().sees("Verify the case"));
+  person.press(Key::Enter);
+  EXPECT_TRUE(person.driver().sees("Cut the eminence"));
+  person.press(Key::Enter);
+  EXPECT_TRUE(person.driver().sees("Take it out"));
+  EXPECT_FALSE(person.driver().widget("operate.step").is_enabled);
+}
+
+TEST(Operating, NothingIsCutOffAtAnyScale) {
+  OperableCourse course("akin");
+  for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
+    Operator person(course, AttemptKind::Practice, scale, {1280.0F, 720.0F});
+    EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
+    person.begin();
+    person.click("operate.health");
+    EXPECT_TRUE(person.driver().sees("Ticks missed"));
+    EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
+    person.press(Key::End);
+    EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
+  }
+}
+
+TEST(Operating, AScenarioThatIsNotPublishedIsSaidAndNothingIsStored) {
+  OperableCourse course("silver");
+  course.course().administrator().retire_scenario(course.version());
+  Operator person(course, AttemptKind::Practice);
+  person.press(Key::Enter);
+  ASSERT_TRUE(person.until([&] { return person.driver().sees("The operation stopped"); }));
+  EXPECT_TRUE(person.driver().sees("not published"));
+  EXPECT_THAT(person.driver().faults(), IsEmpty());
+  EXPECT_TRUE(database::list_attempts(course.course().database()).empty());
+  person.press(Key::Enter);
+  EXPECT_TRUE(person.until([&] { return person.is_gone(); }));
+}
+
+}  // namespace
+}  // namespace hallux::ui

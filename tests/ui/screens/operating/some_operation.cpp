@@ -1,0 +1,118 @@
+#include "tests/ui/screens/operating/some_operation.h"
+
+#include <chrono>
+#include <thread>
+
+#include "tests/ui/screens/some_visitor.h"
+
+namespace hallux::ui {
+
+namespace {
+
+/// Below the operating screen, as a briefing is.
+class ScreenBelow : public Screen {
+ public:
+  void draw(Ui&, const Rect&, Shell&) override {}
+};
+
+std::string coarse_text(const std::string& scenario, double edge_mm) {
+  std::string text = scenarios::load_shipped_scenario(scenario).text;
+  const std::string fine = "\"edge_mm\": 0.3";
+  const std::size_t at = text.find(fine);
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, fine.size(), "\"edge_mm\": " + std::to_string(edge_mm));
+}
+
+}  // namespace
+
+void NotedScenes::draw_behind(const Scene& scene, const Camera& seen_from,
+                              const StereoSetting& setting) {
+  ++pictures;
+  bones = scene.bones.size();
+  planes = scene.planes.size();
+  lines = scene.lines.size();
+  chips = scene.chips.size();
+  patch_triangles = 0;
+  for (const BoneInScene& bone : scene.bones) {
+    ASSERT_NE(bone.mesh, nullptr);
+    if (bone.patch == nullptr) continue;
+    patch_triangles += bone.patch->triangles.size();
+    // A patch lies on the mesh that it was built on, whenever it is drawn.
+    for (const std::uint32_t hidden : bone.patch->hidden) {
+      ASSERT_LT(hidden, bone.mesh->solid.mesh.triangles.size());
+    }
+  }
+  saw = scene.saw;
+  camera = seen_from;
+  stereo = setting;
+}
+
+OperableCourse::OperableCourse(const std::string& scenario, double edge_mm) {
+  database::AdministratorDesk desk = course_.administrator();
+  version_ = desk.import_scenario({scenario + "_coarse", 1, coarse_text(scenario, edge_mm), false});
+  desk.publish_scenario(version_);
+}
+
+std::shared_ptr<Visit> OperableCourse::visit_of_ada() { return visit_of(course_, "ada"); }
+
+database::AttemptHeader OperableCourse::attempt() {
+  // Whoever opens the file sees what became of attempts whose writer is gone.
+  database::Database again = database::Database::open(course_.database().directory());
+  const std::vector<database::AttemptHeader> all = database::list_attempts(again);
+  EXPECT_EQ(all.size(), 1U);
+  return all.empty() ? database::AttemptHeader{} : all.front();
+}
+
+Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size) {
+  DriverSetting setting;
+  setting.width = size.x * scale;
+  setting.height = size.y * scale;
+  setting.scale = scale;
+  shell_->set_display_scale(scale);
+  shell_->preferences().is_motion_reduced = true;
+  shell_->push(std::make_unique<ScreenBelow>());
+  shell_->push(
+      std::make_unique<OperatingScreen>(course.visit_of_ada(), places, course.version(), kind));
+  driver_ = std::make_unique<Driver>(
+      texts_,
+      [this](Ui& ui) {
+        if (shell_ != nullptr) shell_->draw(ui, scenes);
+      },
+      setting);
+  EXPECT_TRUE(until([&] { return driver_->has("operate.begin"); }, 60.0));
+}
+
+Operator::~Operator() = default;
+
+void Operator::make_frames(int count) {
+  for (int i = 0; i < count; ++i) driver_->frame();
+}
+
+bool Operator::until(const std::function<bool()>& holds, double seconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    driver_->frame(0.005);
+  }
+  return true;
+}
+
+void Operator::press(Key key, Modifiers modifiers) {
+  driver_->send(key_events(key, modifiers));
+  make_frames(3);
+}
+
+void Operator::click(std::string_view id) {
+  const Rect place = driver_->widget(id).visible;
+  driver_->send(
+      click_events({place.mid_x() * driver_->ui().scale(), place.mid_y() * driver_->ui().scale()}));
+  make_frames(6);
+}
+
+void Operator::begin() {
+  press(Key::Enter);
+  EXPECT_TRUE(until([&] { return driver_->has("operate.pause"); }));
+}
+
+}  // namespace hallux::ui

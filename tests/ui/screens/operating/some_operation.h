@@ -1,0 +1,81 @@
+/// Operations of the window without a window: a course with coarse patients, a screen driven frame by frame, and a painter
+/// that keeps what it was asked to draw.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "tests/database/some_course.h"
+#include "tests/ui/screens/some_places.h"
+#include "tests/ui/widgets/driver.h"
+#include "ui/screens/operating/operating_screen.h"
+
+namespace hallux::ui {
+
+/// Keeps facts of the scene that lay behind the last frame.
+class NotedScenes : public NoScenePainter {
+ public:
+  void draw_behind(const Scene& scene, const Camera& seen_from,
+                   const StereoSetting& setting) override;
+  std::size_t triangles() const noexcept override { return 1234; }
+
+  int pictures = 0;
+  std::size_t bones = 0, planes = 0, lines = 0, chips = 0;
+  std::size_t patch_triangles = 0;  ///< 0: no patch
+  std::optional<SawInScene> saw;
+  Camera camera;
+  StereoSetting stereo;
+};
+
+/// A course in which a coarse patient of a shipped scenario is published.
+class OperableCourse {
+ public:
+  explicit OperableCourse(const std::string& scenario, double edge_mm = 1.5);
+
+  database::SomeCourse& course() noexcept { return course_; }
+  database::ScenarioVersionId version() const noexcept { return version_; }
+  std::shared_ptr<Visit> visit_of_ada();
+  /// The one attempt there is, as it is stored now.
+  database::AttemptHeader attempt();
+
+ private:
+  database::SomeCourse course_;
+  database::ScenarioVersionId version_;
+};
+
+/// Ada before the operating screen, over a screen to come back to.
+class Operator {
+ public:
+  Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,
+           Point size = {1440.0F, 900.0F});
+  ~Operator();
+
+  /// Presses Begin and waits until the loop runs.
+  void begin();
+  /// Makes frames until it holds, at most so long on the wall's clock.
+  bool until(const std::function<bool()>& holds, double seconds = 30.0);
+  void make_frames(int count);
+  /// Presses a key once without waiting: a running operation never settles.
+  void press(Key key, Modifiers modifiers = {});
+  void click(std::string_view id);
+  bool is_gone() const noexcept { return shell().depth() == 1; }
+  /// Takes the screen away as the end of the window does.
+  void close() { shell_.reset(); }
+
+  Driver& driver() noexcept { return *driver_; }
+  const Shell& shell() const noexcept { return *shell_; }
+  Shell& shell() noexcept { return *shell_; }
+
+  SomePlaces places;
+  NotedScenes scenes;
+
+ private:
+  std::unique_ptr<Shell> shell_ = std::make_unique<Shell>();
+  const Texts texts_ = english_texts();
+  std::unique_ptr<Driver> driver_;
+};
+
+}  // namespace hallux::ui

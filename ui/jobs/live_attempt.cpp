@@ -1,0 +1,90 @@
+#include "ui/jobs/live_attempt.h"
+
+#include <exception>
+#include <utility>
+
+namespace hallux::ui {
+
+OperatingTable lay_table(const scenarios::Scenario& scenario, const StageProgress& progress) {
+  OperatingTable table{scenario, patient_of(scenario, progress), {}};
+  table.plan = plan_on(table.scenario, table.bone);
+  return table;
+}
+
+database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
+                                 const LiveBegin& begin, const simulator::Bone& bone) {
+  database::NewAttempt begun;
+  begun.scenario = begin.scenario;
+  begun.person = begin.person;
+  begun.kind = begin.kind;
+  begun.device_class = begin.device_class;
+  begun.pacing = "real_time";
+  begun.stereo_mode = begin.stereo_mode;
+  put_bone(database, bone, begun);
+  return desk.begin_attempt(begun);
+}
+
+LiveAttempt::LiveAttempt(std::shared_ptr<const OperatingTable> table,
+                         const database::Database& database, database::WriterLease lease,
+                         std::unique_ptr<simulator::HapticDevice> device)
+    : table_(std::move(table)), device_(std::move(device)), attempt_(lease.attempt()) {
+  say({simulator::CommandKind::Start, 0, 0});
+  thread_ = std::jthread([this, own = database.open_again(), lease = std::move(lease)]() mutable {
+    run(std::move(own), std::move(lease));
+  });
+}
+
+namespace {
+
+/// The lease is back: whoever opens the file marks what was not sealed.
+void mark_interrupted(const database::Database& database) noexcept {
+  try {
+    static_cast<void>(database::Database::open(database.directory()));
+  } catch (const std::exception&) {
+    // A full disk cannot be marked on either; the next start does it.
+  }
+}
+
+}  // namespace
+
+LiveAttempt::~LiveAttempt() { is_stopping_.store(true, std::memory_order_relaxed); }
+
+void LiveAttempt::abandon() {
+  is_abandoned_.store(true, std::memory_order_release);
+  say({simulator::CommandKind::Abandon, 0, 0});
+}
+
+/// A person gives a command a second; the loop takes a thousand lines in that time.
+void LiveAttempt::say(const simulator::Command& command) {
+  static_cast<void>(watch_.commands.push(command));
+}
+
+void LiveAttempt::run(database::Database database, database::WriterLease lease) noexcept {
+  try {
+    operate(database, std::move(lease));
+  } catch (const std::exception& error) {
+    end_.failure = error.what();
+  }
+  if (!end_.is_sealed) mark_interrupted(database);
+  watch_.closed.store(true, std::memory_order_release);
+  is_over_.store(true, std::memory_order_release);
+}
+
+void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {
+  database::Recorder recorder(database, std::move(lease), channels_);
+  simulator::AttemptSetup setup = attempt_setup(table_->scenario, table_->bone, table_->plan);
+  setup.pacing = simulator::Pacing::RealTime;
+  setup.last_tick = ticks_at_most;
+  setup.watch = &watch_;
+  end_.loop = run_attempt(setup, *device_, channels_,
+                          [this](double) { return !is_stopping_.load(std::memory_order_relaxed); });
+  end_.end = end_.loop.end;
+  end_.recorder = recorder.drain();
+  const bool is_finished = end_.end == simulator::AttemptEnd::Finished ||
+                           end_.end == simulator::AttemptEnd::ReachedLastTick;
+  if (!is_finished || is_abandoned_.load(std::memory_order_acquire)) return;
+  end_.recorder = recorder.finish(quality_json(quality_of(end_.loop, end_.recorder.samples)));
+  end_.is_sealed = true;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,111 @@
+/// An attempt that somebody operates live: loop and recorder run beside the window until it is finished or given up.
+///
+///     window  --commands, device target-->  thread of the attempt: loop at 1 kHz, then sealing
+///             <--newest view, feed--------            |  rings
+///                                                recorder's thread -> database
+///
+/// What was recorded is kept, however it ends: finished it is sealed; abandoned, cut off with its window or stopped by a
+/// failure it stays as it is and is found interrupted.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "database/trainee_desk.h"
+#include "ui/jobs/attempt_jobs.h"
+
+namespace hallux::ui {
+
+/// What is operated on, and what for.
+struct OperatingTable {
+  scenarios::Scenario scenario;
+  simulator::Bone bone;
+  scenarios::Plan plan;
+};
+
+/// Reads nothing and stores nothing: the patient is made and the plan laid on it.
+/// errors  ScenarioError, MeshError; Cancelled
+OperatingTable lay_table(const scenarios::Scenario& scenario, const StageProgress& progress);
+
+/// What a trainee begins, at their own desk, with their own hand and the mouse.
+struct LiveBegin {
+  database::ScenarioVersionId scenario;
+  database::PersonId person;
+  database::AttemptKind kind = database::AttemptKind::Practice;
+  std::string stereo_mode = "mono";
+  std::string device_class = "mouse";
+};
+
+/// Stores the bone and begins the attempt.
+/// errors  DatabaseError: Refused; BadInput where the scenario is not published; Full, ReadOnly ...
+database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
+                                 const LiveBegin& begin, const simulator::Bone& bone);
+
+/// How it ended.
+struct LiveEnd {
+  simulator::AttemptEnd end = simulator::AttemptEnd::Cancelled;
+  bool is_sealed = false;  ///< finished and whole: it can be scored
+  std::string failure;     ///< why recording or loop stopped; empty where they did not
+  simulator::LoopStatistics loop;
+  database::RecorderStatistics recorder;
+};
+
+class LiveAttempt {
+ public:
+  /// Longer than this no attempt runs: the loop then ends it as finished.
+  static constexpr std::int64_t ticks_at_most = 60 * 60 * 1000;
+
+  /// Starts loop and recorder, with the clock running.
+  /// needs   `table` outlives it
+  LiveAttempt(std::shared_ptr<const OperatingTable> table, const database::Database& database,
+              database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device);
+  /// Stops it where it still runs; what was recorded is committed.
+  ~LiveAttempt();
+  LiveAttempt(const LiveAttempt&) = delete;
+  LiveAttempt& operator=(const LiveAttempt&) = delete;
+
+  const database::AttemptId& attempt() const noexcept { return attempt_; }
+  const OperatingTable& table() const noexcept { return *table_; }
+  simulator::HapticDevice& device() noexcept { return *device_; }
+
+  // -- commands; thread  window
+  void pause() { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
+  void resume() { say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0}); }
+  void declare_done(std::int32_t step) { say({simulator::CommandKind::StepDone, step, 0}); }
+  void pick_up_freed() { say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0}); }
+  void close_hinge() { say({simulator::CommandKind::CloseHinge, 0, 0}); }
+  void finish() { say({simulator::CommandKind::Finish, 0, 0}); }
+  /// Kept as interrupted, never scored.
+  void abandon();
+
+  /// The newest view of the loop.
+  /// thread  window
+  const simulator::LoopView& view() noexcept { return watch_.view.read(); }
+  /// For the one thread that follows the bone.
+  simulator::AttemptWatch& watch() noexcept { return watch_; }
+
+  /// Nothing while it runs or is being sealed.
+  /// thread  window
+  const LiveEnd* end() const noexcept {
+    return is_over_.load(std::memory_order_acquire) ? &end_ : nullptr;
+  }
+
+ private:
+  void say(const simulator::Command& command);
+  void run(database::Database database, database::WriterLease lease) noexcept;
+  void operate(const database::Database& database, database::WriterLease lease);
+
+  std::shared_ptr<const OperatingTable> table_;
+  std::unique_ptr<simulator::HapticDevice> device_;
+  simulator::AttemptChannels channels_;
+  simulator::AttemptWatch watch_;
+  database::AttemptId attempt_;
+  LiveEnd end_;  ///< the thread's until is_over_
+  std::atomic<bool> is_stopping_{false}, is_abandoned_{false}, is_over_{false};
+  std::jthread thread_;  ///< last: joined before any of it goes
+};
+
+}  // namespace hallux::ui

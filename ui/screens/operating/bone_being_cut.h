@@ -1,0 +1,104 @@
+/// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never feeds anything back.
+///
+///     feed of the loop --> copy of the kerfs --> patch of the kerf at hand, on a mesh that stands still --> newest picture
+///                              '--> after a piece was taken out, another kerf, a closed hinge: another mesh
+///
+/// A patch shows a kerf on the bone without it. Where that bone cannot be had, because what the kerf freed was taken out
+/// already, the mesh itself is made anew twice a second instead.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "simulator/cutting/region_outline.h"
+#include "ui/jobs/live_attempt.h"
+#include "ui/render/scene.h"
+
+namespace hallux::ui {
+
+/// The picture of a bone before anything was cut; a job's work.
+struct BonePicture {
+  BoneLook look;
+  std::shared_ptr<const BoneMesh> mesh;
+  std::uint64_t next_id = 1;  ///< for the next mesh
+};
+
+/// errors  whatever `progress` throws
+BonePicture picture_of(const simulator::Bone& bone,
+                       const std::function<void(double)>& progress = {});
+
+class BoneBeingCut {
+ public:
+  /// Borrows all but the picture.
+  BoneBeingCut(const OperatingTable& table, BonePicture picture, simulator::AttemptWatch& watch);
+  ~BoneBeingCut();
+  BoneBeingCut(const BoneBeingCut&) = delete;
+  BoneBeingCut& operator=(const BoneBeingCut&) = delete;
+
+  /// Adds the bone to the scene as it is known now; borrowed until the next call.
+  /// thread  window
+  void add_to(Scene& scene);
+  /// What happened since the last call.
+  /// thread  window
+  std::vector<simulator::CutEvent> take_events();
+  /// Whether the bone is shown as the last of the feed left it, with nothing waiting.
+  bool is_up_to_date() const noexcept { return is_up_to_date_.load(std::memory_order_acquire); }
+  /// The picture stands still, for want of memory; the attempt does not.
+  bool has_failed() const noexcept { return has_failed_.load(std::memory_order_acquire); }
+
+ private:
+  struct Body {
+    std::shared_ptr<const BoneMesh> mesh;
+    RigidTransform world_from_body;
+  };
+  /// The newest picture; a patch lies on the first body.
+  struct Shown {
+    std::vector<Body> bodies;
+    simulator::SolidPatch patch;
+    std::uint64_t patch_revision = 0;  ///< 0: no patch
+  };
+  struct KerfAtHand;
+
+  void run(const std::stop_token& stop);
+  void follow(const std::stop_token& stop);
+  bool take_feed();
+  void take(const simulator::ToolSample& sample);
+  void take(const simulator::CutEvent& event);
+  void take(const simulator::JobRequest& request);
+  void bring_up_to_date();
+  bool is_only_kerf(std::int32_t kerf) const;
+  void begin_kerf(std::int32_t kerf);
+  void show_patch();
+  void show_solid(const simulator::CutSolid& solid);
+  void show_hinge(const RigidTransform& bone_from_moved);
+  std::shared_ptr<const BoneMesh> lit_mesh(const simulator::CutSolid& solid);
+  void publish(std::vector<Body> bodies);
+
+  const RigidTransform world_from_bone_;
+  const BonePicture picture_;
+  simulator::AttemptWatch& watch_;
+  // the thread's
+  simulator::OperationGeometry geometry_;
+  std::unique_ptr<KerfAtHand> at_hand_;
+  std::unique_ptr<const simulator::JobResult> hinge_;
+  simulator::SolidPatch patch_;
+  std::uint64_t next_id_, next_revision_ = 1;
+  std::int32_t kerf_ = -1;      ///< in which the teeth were last
+  bool has_grown_ = false;      ///< since it was shown
+  bool is_solid_due_ = false;   ///< another mesh must be made
+  bool has_taken_out_ = false;  ///< a piece
+  std::int64_t solid_tick_ = 0, tick_ = 0;
+  // between the two
+  std::mutex turn_;
+  Shown newest_;
+  std::vector<simulator::CutEvent> events_;
+  std::atomic<bool> is_up_to_date_{true}, has_failed_{false};
+  // the window's
+  Shown drawn_;
+  std::jthread thread_;  ///< last: joined before any of it goes
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,59 @@
+/// The panels over the picture of an operation: mode and time, steps, tool, force, how the blade stands to the plan, health.
+///
+/// All of it lies within an inset of 6 %, and the middle stays free. What does not fit a small window goes in this order:
+/// the reading of the plan, the tool, the titles of steps.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/screens/operating/plan_reading.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+/// How machine and recording are.
+struct OperatingHealth {
+  double frame_ms = 0.0;  ///< between two pictures, the slower of the last
+  double late_us = 0.0;   ///< of the loop, the most of the last second
+  long missed_ticks = 0, pauses = 0;
+  double ring_share = 0.0;
+  long triangles = 0;
+  bool has_priority = true;
+  std::string trouble;  ///< a sentence of the catalogue; empty: all is well
+};
+
+struct OperatingHud {
+  bool is_practice = true, is_paused = false, is_reviewed = false, is_simulated = false;
+  std::int64_t tick = 0;
+  std::vector<std::string> steps;
+  std::size_t step = 0;          ///< at which one is
+  std::string_view step_action;  ///< what its button says; "" for none
+  bool is_step_ready = true;
+  std::string_view saw;  ///< name of the blade
+  double blade_width_mm = 0.0, blade_thickness_mm = 0.0;
+  long cycles_per_minute = 0;
+  bool is_saw_on = false, is_irrigated = false, is_cutting = false;
+  double force_newton = 0.0;
+  std::optional<Point> tip;  ///< of the blade, on the window
+  std::optional<PlanReading> reading;
+  OperatingHealth health;
+  bool is_health_open = false;
+};
+
+/// What was pressed.
+struct HudAnswer {
+  bool step = false, pause = false, health = false, finish = false, abandon = false;
+};
+
+HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud);
+
+/// 64 000 ticks are "01:04".
+std::string clock_text(std::int64_t tick);
+/// One decimal with the true minus: "−2.4".
+std::string signed_text(double value);
+/// One decimal.
+std::string decimal_text(double value);
+
+}  // namespace hallux::ui

@@ -1,0 +1,563 @@
+#include "ui/screens/operating/operating_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "database/assets.h"
+#include "simulator/base/units.h"
+#include "ui/screens/operating/operation_work.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/menu.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::AttemptKind;
+using scenarios::StepKind;
+using simulator::CutEventKind;
+using simulator::Switch;
+using simulator::ToolStatus;
+
+constexpr double reach_mm = 90.0;  ///< from the site, that the saw may be led
+constexpr double piece_wait_s = 1.0, hinge_wait_s = 20.0;
+constexpr double soon_s = 0.05;
+constexpr Vec2 plane_half_mm{16.0, 13.0};
+/// Of the loop, beyond which people are told.
+constexpr double late_limit_us = 2000.0;
+
+constexpr std::array<const char*, standard_view_count> view_names{
+    "operate.key.view.1", "operate.key.view.2", "operate.key.view.3", "operate.key.view.4",
+    "operate.key.view.5", "operate.key.view.6", "operate.key.view.7", "operate.key.view.8"};
+
+std::uint32_t bit(Switch value) noexcept { return static_cast<std::uint32_t>(value); }
+
+Vec3 force_newton(const simulator::ToolSample& sample) noexcept {
+  return {newton_from_millinewton(sample.force_mn[0]), newton_from_millinewton(sample.force_mn[1]),
+          newton_from_millinewton(sample.force_mn[2])};
+}
+
+}  // namespace
+
+/// The attempt, with what leads its device.
+struct OperatingScreen::Begun {
+  std::unique_ptr<LiveAttempt> live;
+  simulator::MouseDevice* mouse = nullptr;  ///< of live
+};
+
+OperatingScreen::OperatingScreen(std::shared_ptr<Visit> visit, Places& places,
+                                 database::ScenarioVersionId scenario, AttemptKind kind)
+    : visit_(std::move(visit)), places_(places), scenario_(scenario), kind_(kind) {}
+
+OperatingScreen::~OperatingScreen() {
+  bone_.reset();
+  begun_.reset();
+}
+
+void OperatingScreen::draw(Ui& ui, const Rect& /*content*/, Shell& shell) {
+  sight_.display = ui.display();
+  switch (phase_) {
+    case Phase::Preparing:
+      prepare(ui, shell);
+      break;
+    case Phase::Stopped:
+      draw_stopped(ui, shell);
+      break;
+    default:
+      draw_operation(ui, shell);
+  }
+}
+
+// -- before
+
+void OperatingScreen::prepare(Ui& ui, Shell& shell) {
+  ui.canvas().fill(ui.display(), ui.theme().page);
+  if (prepared_.is_new()) {
+    prepared_.start(ui, shell, ui.text("operate.preparing"),
+                    [visit = visit_, scenario = scenario_](WorkReport& report) {
+                      return prepare_operation(*visit, scenario, report);
+                    });
+  }
+  const Rect inside =
+      card(ui, centred(ui.display(), std::min(520.0F, ui.display().w - 32.0F), 300.0F),
+           ui.text("operate.preparing"));
+  if (!prepared_.draw_until_ready(ui, "operate.unprepared", inside, 4)) return;
+  const OperatingTable& table = *prepared_.value().table;
+  world_from_target_ = start_pose(table);
+  sight_.camera = start_camera(table);
+  phase_ = Phase::Ready;
+  ui.want_frame_in_s(0.0);
+}
+
+void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
+  const OperatingTable& table = *prepared_.value().table;
+  const float width = std::min(520.0F, ui.display().w - 32.0F);
+  const std::string_view words =
+      ui.text(is_practice() ? "operate.ready.practice" : "operate.ready.assessment");
+  const float words_height = ui.paragraph_height(Type::Body, words, width - 2.0F * space::card);
+  const Rect rect =
+      centred(ui.display(), width, 64.0F + words_height + 24.0F + button_height + 24.0F);
+  const Rect inside = card(ui, rect, table.scenario.title);
+  ui.canvas().paragraph({inside.x, inside.y, inside.w, words_height},
+                        {Type::Body, ui.theme().text_secondary}, words);
+  ButtonSpec start{ui.text("operate.begin"), ButtonLook::Primary, Icon::Play};
+  start.is_busy = phase_ == Phase::Beginning;
+  const ButtonSpec back{ui.text("operate.back"), ButtonLook::Ghost};
+  const float start_width = button_width(ui, start), back_width = button_width(ui, back);
+  const float y = inside.bottom() - button_height;
+  if (button(ui, "operate.begin", {inside.right() - start_width, y, start_width, button_height},
+             start))
+    begin(ui, shell);
+  if (phase_ == Phase::Ready &&
+      button(ui, "operate.back",
+             {inside.right() - start_width - back_width - 12.0F, y, back_width, button_height},
+             back))
+    shell.pop();
+}
+
+void OperatingScreen::begin(Ui& ui, Shell& shell) {
+  if (phase_ != Phase::Ready) return;
+  phase_ = Phase::Beginning;
+  why_not_leave_ = ui.text("operate.stay");
+  auto begun = std::make_shared<Begun>();
+  LiveBegin what;
+  what.scenario = scenario_;
+  what.person = visit_->person().id;
+  what.kind = kind_;
+  what.stereo_mode = stereo_.mode == StereoMode::Mono         ? "mono"
+                     : stereo_.mode == StereoMode::SideBySide ? "side_by_side"
+                                                              : "anaglyph";
+  work_.start(
+      shell, std::string(ui.text("operate.beginning")),
+      [visit = visit_, table = prepared_.value().table, start = world_from_target_, what,
+       begun](WorkReport&) {
+        auto mouse = std::make_unique<simulator::MouseDevice>(start);
+        begun->mouse = mouse.get();
+        begun->live = begin_operation(*visit, table, what, std::move(mouse));
+      },
+      [this, begun](WorkEnd end, const std::string& reason) {
+        if (end != WorkEnd::Done) {
+          why_not_leave_.clear();
+          stopped_ = sentence_of(reason);
+          phase_ = end == WorkEnd::Cancelled ? Phase::Ready : Phase::Stopped;
+          return;
+        }
+        begun_ = begun;
+        bone_ = std::make_unique<BoneBeingCut>(
+            *prepared_.value().table, std::move(prepared_.value().picture), begun_->live->watch());
+        phase_ = Phase::Operating;
+      });
+}
+
+void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
+  ui.canvas().fill(ui.display(), ui.theme().page);
+  const std::string why = stopped_ + (begun_ ? "\n" + std::string(ui.text("operate.kept")) : "");
+  const Rect inside =
+      card(ui, centred(ui.display(), std::min(560.0F, ui.display().w - 32.0F), 320.0F), {});
+  if (failed_card(ui, "operate.stopped", inside,
+                  {ui.text("operate.stopped"), why, ui.text("operate.back")}))
+    shell.pop();
+}
+
+// -- while it runs
+
+void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
+  const AreaResponse area = ui.area("operate.view", ui.text("operate.view"), ui.display());
+  const bool is_open = asking_ == Asking::Nothing && phase_ < Phase::Sealing;
+  if (is_open) look(ui, area);
+  if (is_open && phase_ == Phase::Operating) hear_keys(ui);
+  if (is_open && phase_ == Phase::Operating && !is_paused_) {
+    steer(ui, area);
+  } else {
+    steering_.let_go();
+  }
+  if (phase_ == Phase::Operating || phase_ == Phase::Sealing) follow_events(ui, shell);
+  show_scene(ui, shell);
+  if (phase_ == Phase::Ready || phase_ == Phase::Beginning) {
+    draw_ready(ui, shell);
+  } else if (phase_ == Phase::Operating) {
+    if (is_hud_shown_) draw_hud(ui, shell);
+    if (is_paused_ && asking_ == Asking::Nothing) draw_paused(ui);
+    draw_question(ui);
+  }
+  if (begun_) follow_end(ui, shell);
+}
+
+void OperatingScreen::look(Ui& ui, const AreaResponse& area) {
+  sight_.camera = steering_.looked(area, ui.modifiers(), sight_);
+  hear_views(ui);
+  if (ui.shortcut({Key::F9}, ui.text("operate.key.stereo"))) {
+    stereo_.mode = static_cast<StereoMode>((static_cast<int>(stereo_.mode) + 1) % 3);
+  }
+  if (ui.shortcut(with_shift(Key::F9), ui.text("operate.key.swap"))) {
+    stereo_.is_swapped = !stereo_.is_swapped;
+  }
+}
+
+void OperatingScreen::hear_views(Ui& ui) {
+  for (int view = 0; view < standard_view_count; ++view) {
+    const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
+    if (ui.shortcut({key}, ui.text(view_names[static_cast<std::size_t>(view)]))) {
+      sight_.camera = standard_view(sight_.camera, static_cast<StandardView>(view));
+    }
+  }
+  if (ui.shortcut({Key::R}, ui.text("operate.key.reset"))) {
+    sight_.camera = start_camera(*prepared_.value().table);
+  }
+}
+
+void OperatingScreen::hear_keys(Ui& ui) {
+  const auto heard = [&](Key key, const char* id) { return ui.shortcut({key}, ui.text(id)); };
+  // The saw also answers while Shift slows the hand down.
+  if (heard(Key::Space, "operate.key.saw") ||
+      ui.shortcut(with_shift(Key::Space), ui.text("operate.key.saw")))
+    is_saw_on_ = !is_saw_on_ && !is_paused_;
+  if (heard(Key::I, "operate.key.irrigation")) is_irrigated_ = !is_irrigated_;
+  if (is_practice() && heard(Key::G, "operate.key.plane")) is_plane_shown_ = !is_plane_shown_;
+  if (heard(Key::H, "operate.key.hud")) is_hud_shown_ = !is_hud_shown_;
+  if (heard(Key::P, "operate.key.pause")) set_paused(!is_paused_);
+  if (heard(Key::End, "operate.key.finish")) ask(Asking::Finish);
+}
+
+void OperatingScreen::steer(Ui& ui, const AreaResponse& area) {
+  const OperatingTable& table = *prepared_.value().table;
+  for (const simulator::PointerMotion& motion :
+       {steering_.motion(area, ui.modifiers(), sight_, world_from_target_.translation_mm),
+        steering_.motion_by_keys(ui)}) {
+    world_from_target_ = steered(world_from_target_, sight_.camera.world_from_view, motion);
+  }
+  world_from_target_ =
+      simulator::kept_within(world_from_target_, start_camera(table).target_mm, reach_mm);
+  const std::uint32_t switches =
+      (is_saw_on_ ? bit(Switch::SawRuns) : 0U) | (is_irrigated_ ? bit(Switch::Irrigates) : 0U);
+  begun_->mouse->aim(world_from_target_, switches);
+}
+
+// -- the picture
+
+void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
+  const double now_s = ui.time_s();
+  const double step_ms = 1000.0 * (now_s - std::exchange(last_s_, now_s));
+  frame_ms_ = std::max(step_ms, 0.9 * frame_ms_);
+  if (begun_) last_sample_ = begun_->live->view().sample;
+  if (!is_paused_) let_chips_fly(step_ms / 1000.0);
+  shell.scenes().draw_behind(scene(ui), sight_.camera, stereo_);
+  triangles_ = shell.scenes().triangles();
+  ++pictures_;
+  const bool is_running = phase_ == Phase::Operating && asking_ == Asking::Nothing && !is_paused_;
+  if (is_running) {
+    ui.want_frame_in_s(0.0);
+  } else if (phase_ != Phase::Ready && (!bone_ || !bone_->is_up_to_date() || !is_paused_)) {
+    ui.want_frame_in_s(soon_s);
+  }
+}
+
+void OperatingScreen::let_chips_fly(double step_s) {
+  if (!begun_) return;
+  const simulator::LoopView& view = begun_->live->view();
+  std::optional<SwarfSource> source;
+  if (has(view.sample.status, ToolStatus::Cutting)) {
+    const auto& blade = prepared_.value().table->scenario.blade;
+    source.emplace();
+    source->world_from_tool = transform_from(view.sample.world_from_tool);
+    source->width_mm = blade.size.width_mm;
+    const double rate_mm_s = simulator::feed_rate_mm_s(
+        view.engaged, glm::length(force_newton(view.sample)), blade.cycles_per_minute);
+    source->removed_mm3_s = rate_mm_s * view.engaged.width_mm() * blade.size.kerf_mm;
+    source->is_irrigated = is_irrigated_;
+  }
+  swarf_.advance(step_s, source);
+}
+
+Scene OperatingScreen::scene(Ui& ui) {
+  const OperatingTable& table = *prepared_.value().table;
+  Scene scene;
+  scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
+  if (bone_) {
+    bone_->add_to(scene);
+  } else {
+    BoneInScene whole;
+    whole.mesh = prepared_.value().picture.mesh.get();
+    whole.look = &prepared_.value().picture.look;
+    whole.world_from_bone = table.bone.world_from_bone;
+    scene.bones.push_back(whole);
+  }
+  const simulator::BladeSize& blade = table.scenario.blade.size;
+  SawInScene saw;
+  saw.world_from_tool = begun_ ? transform_from(last_sample_.world_from_tool) : world_from_target_;
+  saw.blade = blade;
+  saw.thickness_mm = table.scenario.blade.thickness_mm;
+  saw.is_running = has(last_sample_.status, ToolStatus::SawOn) && !is_paused_;
+  // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
+  saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
+  scene.saw = saw;
+  scene.lines.push_back({saw.world_from_tool, 0.5 * blade.width_mm + 1.0});
+  scene.chips = swarf_.chips();
+  const scenarios::PlannedCut* cut = planned_cut();
+  if (cut != nullptr && is_plane_shown_) {
+    scene.planes.push_back(
+        {table.bone.world_from_bone * bone_from_face(*cut), plane_half_mm, Ink::Reference});
+  }
+  return scene;
+}
+
+/// The cut that the step at hand asks for, in practice only.
+const scenarios::PlannedCut* OperatingScreen::planned_cut() const {
+  const OperatingTable& table = *prepared_.value().table;
+  if (!is_practice()) return nullptr;
+  for (std::size_t step = step_; step < table.scenario.steps.size(); ++step) {
+    const scenarios::OperationStep& each = table.scenario.steps[step];
+    if (each.kind == StepKind::Cut) return find_cut(table.plan, each.cut);
+    if (each.kind != StepKind::Verify) return nullptr;
+  }
+  return nullptr;
+}
+
+std::optional<PlanReading> OperatingScreen::plan_reading() const {
+  const scenarios::PlannedCut* cut = planned_cut();
+  if (cut == nullptr || !is_plane_shown_) return std::nullopt;
+  const OperatingTable& table = *prepared_.value().table;
+  return read_against(
+      *cut, table.scenario.blade.size,
+      inverse(table.bone.world_from_bone) * transform_from(last_sample_.world_from_tool));
+}
+
+// -- the panels
+
+OperatingHealth OperatingScreen::health(Ui& ui, Shell& /*shell*/) const {
+  const simulator::LoopView& view = begun_->live->view();
+  OperatingHealth health;
+  health.frame_ms = frame_ms_;
+  health.late_us = view.late_us;
+  health.missed_ticks = static_cast<long>(view.missed_ticks);
+  health.pauses = static_cast<long>(view.pauses);
+  health.ring_share = view.ring_share;
+  health.triangles = static_cast<long>(triangles_);
+  health.has_priority = view.has_priority;
+  const char* trouble = nullptr;
+  if (has(view.sample.status, ToolStatus::Faulted)) {
+    trouble = "operate.trouble.device";
+  } else if (bone_->has_failed()) {
+    trouble = "operate.trouble.picture";
+  } else if (view.ring_share > 0.5) {
+    trouble = "operate.trouble.disk";
+  } else if (view.late_us > late_limit_us) {
+    trouble = view.has_priority ? "operate.trouble.busy" : "operate.trouble.priority";
+  }
+  if (trouble != nullptr) health.trouble = ui.text(trouble);
+  return health;
+}
+
+OperatingHud OperatingScreen::hud(Ui& ui, Shell& shell) {
+  const OperatingTable& table = *prepared_.value().table;
+  const std::vector<scenarios::OperationStep>& steps = table.scenario.steps;
+  OperatingHud hud;
+  hud.is_practice = is_practice();
+  hud.is_paused = is_paused_;
+  hud.is_reviewed = table.scenario.is_reviewed;
+  hud.is_simulated = visit_->is_simulated();
+  hud.tick = last_sample_.tick;
+  for (const scenarios::OperationStep& step : steps) hud.steps.push_back(step.title);
+  hud.step = step_;
+  if (step_ < steps.size()) {
+    const StepKind kind = steps[step_].kind;
+    const char* verb = kind == StepKind::Remove   ? "operate.step.remove"
+                       : kind == StepKind::Close  ? "operate.step.close"
+                       : kind == StepKind::Finish ? "operate.step.finish"
+                                                  : "operate.step.done";
+    hud.step_action = ui.text(verb);
+    hud.is_step_ready = !is_paused_ && waiting_ == Waiting::Nothing &&
+                        (kind != StepKind::Remove || freed_ > removed_);
+  }
+  hud.saw = table.scenario.blade.name;
+  hud.blade_width_mm = table.scenario.blade.size.width_mm;
+  hud.blade_thickness_mm = table.scenario.blade.thickness_mm;
+  hud.cycles_per_minute = std::lround(table.scenario.blade.cycles_per_minute);
+  hud.is_saw_on = has(last_sample_.status, ToolStatus::SawOn);
+  hud.is_irrigated = is_irrigated_;
+  hud.is_cutting = has(last_sample_.status, ToolStatus::Cutting);
+  hud.force_newton = glm::length(force_newton(last_sample_));
+  hud.tip = place_on(sight_, transform_from(last_sample_.world_from_tool).translation_mm);
+  hud.reading = plan_reading();
+  hud.health = health(ui, shell);
+  hud.is_health_open = is_health_open_;
+  return hud;
+}
+
+void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
+  const HudAnswer answer = draw_operating_hud(ui, hud(ui, shell));
+  if (answer.health) is_health_open_ = !is_health_open_;
+  if (answer.pause) set_paused(!is_paused_);
+  if (answer.finish) ask(Asking::Finish);
+  if (answer.abandon) ask(Asking::Abandon);
+  if (answer.step) carry_out_step(ui);
+}
+
+void OperatingScreen::draw_paused(Ui& ui) {
+  const LayerScope layer(ui.canvas(), Layer::Page);
+  const Rect rect = centred(ui.display(), std::min(360.0F, ui.display().w - 32.0F), 72.0F);
+  draw_hud_panel(ui.canvas(), ui.theme(), rect);
+  ui.canvas().text_in({rect.x + 24.0F, rect.y + 10.0F, rect.w - 48.0F, 28.0F},
+                      {Type::CardTitle, ui.theme().text, Align::Centre}, ui.text("operate.paused"));
+  ui.canvas().text_in({rect.x + 24.0F, rect.y + 38.0F, rect.w - 48.0F, 22.0F},
+                      {Type::Small, ui.theme().text_secondary, Align::Centre},
+                      ui.text("operate.paused.sentence"));
+}
+
+// -- steps, pauses and the end
+
+void OperatingScreen::set_paused(bool is_paused) {
+  if (is_paused == is_paused_) return;
+  is_paused_ = is_paused;
+  if (is_paused) {
+    is_saw_on_ = false;
+    begun_->mouse->aim(world_from_target_, 0);
+    begun_->live->pause();
+  } else {
+    begun_->live->resume();
+  }
+}
+
+void OperatingScreen::carry_out_step(Ui& ui) {
+  const std::vector<scenarios::OperationStep>& steps = prepared_.value().table->scenario.steps;
+  if (step_ >= steps.size() || waiting_ != Waiting::Nothing) return;
+  switch (steps[step_].kind) {
+    case StepKind::Verify:
+    case StepKind::Cut:
+      end_step();
+      break;
+    case StepKind::Remove:
+      waiting_ = Waiting::Piece;
+      waiting_until_s_ = ui.time_s() + piece_wait_s;
+      begun_->live->pick_up_freed();
+      break;
+    case StepKind::Close:
+      waiting_ = Waiting::Hinge;
+      waiting_until_s_ = ui.time_s() + hinge_wait_s;
+      begun_->live->close_hinge();
+      break;
+    case StepKind::Finish:
+      ask(Asking::Finish);
+      break;
+  }
+}
+
+void OperatingScreen::end_step() {
+  begun_->live->declare_done(static_cast<std::int32_t>(step_));
+  ++step_;
+  waiting_ = Waiting::Nothing;
+}
+
+void OperatingScreen::follow_events(Ui& ui, Shell& shell) {
+  const auto warn = [&](const char* title, const char* detail) {
+    waiting_ = Waiting::Nothing;
+    shell.say({Meaning::Info, std::string(ui.text(title)), std::string(ui.text(detail))});
+  };
+  for (const simulator::CutEvent& event : bone_->take_events()) {
+    if (event.kind == CutEventKind::PieceFreed) ++freed_;
+    if (event.kind == CutEventKind::PieceRemoved) {
+      ++removed_;
+      if (waiting_ == Waiting::Piece) end_step();
+    }
+    if (event.kind == CutEventKind::HingeClosed && waiting_ == Waiting::Hinge) end_step();
+    if (event.kind == CutEventKind::HingeRefused) {
+      warn("operate.hinge_refused", event.subject == 1   ? "operate.hinge.broken"
+                                    : event.subject == 2 ? "operate.hinge.stiff"
+                                                         : "operate.hinge.nothing");
+    }
+    if (event.kind == CutEventKind::KerfRefused) {
+      warn("operate.kerf_refused", "operate.kerf_refused.detail");
+    }
+  }
+  if (waiting_ == Waiting::Nothing || ui.time_s() < waiting_until_s_) return;
+  if (waiting_ == Waiting::Piece) {
+    warn("operate.nothing_free", "operate.nothing_free.detail");
+  } else {
+    warn("operate.hinge_refused", "operate.hinge.waiting");
+  }
+}
+
+void OperatingScreen::ask(Asking what) {
+  if (phase_ != Phase::Operating || asking_ != Asking::Nothing) return;
+  asking_ = what;
+  was_paused_before_ = is_paused_;
+  set_paused(true);
+}
+
+void OperatingScreen::draw_question(Ui& ui) {
+  if (asking_ == Asking::Nothing) return;
+  const bool is_finish = asking_ == Asking::Finish;
+  const Question words =
+      is_finish ? Question{ui.text("operate.ask.finish"), ui.text("operate.ask.finish.detail"),
+                           ui.text("operate.ask.finish.act"), ui.text("operate.ask.keep"), false}
+                : Question{ui.text("operate.ask.abandon"), ui.text("operate.ask.abandon.detail"),
+                           ui.text("operate.ask.abandon.act"), ui.text("operate.ask.keep"), true};
+  const Answer answer =
+      question(ui, is_finish ? "operate.ask_finish" : "operate.ask_abandon", words);
+  if (answer == Answer::Waiting) return;
+  asking_ = Asking::Nothing;
+  ui.want_frame_in_s(0.0);
+  if (answer == Answer::Keep) {
+    set_paused(was_paused_before_);
+    return;
+  }
+  phase_ = Phase::Sealing;
+  is_abandoned_ = !is_finish;
+  if (is_finish) {
+    begun_->live->finish();
+  } else {
+    begun_->live->abandon();
+  }
+}
+
+void OperatingScreen::follow_end(Ui& ui, Shell& shell) {
+  const LiveEnd* end = begun_->live->end();
+  if (phase_ == Phase::Sealing) ui.want_frame_in_s(soon_s);
+  if (end == nullptr || phase_ == Phase::Scoring || phase_ == Phase::Stopped) return;
+  asking_ = Asking::Nothing;
+  if (!end->failure.empty() || (!end->is_sealed && !is_abandoned_)) {
+    why_not_leave_.clear();
+    stopped_ = end->failure.empty() ? std::string(ui.text("operate.stopped.unknown"))
+                                    : sentence_of(end->failure);
+    phase_ = Phase::Stopped;
+    ui.want_frame_in_s(0.0);
+    return;
+  }
+  if (is_abandoned_) {
+    shell.say({Meaning::Info, std::string(ui.text("operate.abandoned")),
+               std::string(ui.text("operate.abandoned.detail"))});
+    why_not_leave_.clear();
+    phase_ = Phase::Scoring;
+    shell.pop();
+    return;
+  }
+  score(ui, shell);
+}
+
+void OperatingScreen::score(Ui& ui, Shell& shell) {
+  phase_ = Phase::Scoring;
+  why_not_leave_ = ui.text("operate.stay.scoring");
+  work_.start(
+      shell, std::string(ui.text("operate.scoring")),
+      [visit = visit_, attempt = begun_->live->attempt()](WorkReport& report) {
+        score_operation(*visit, attempt, report);
+      },
+      [this, &shell, title = std::string(ui.text("operate.unscored"))](WorkEnd end,
+                                                                       const std::string& reason) {
+        if (end != WorkEnd::Done) shell.say({Meaning::Warn, title, sentence_of(reason)});
+        lead_on(shell);
+      });
+}
+
+void OperatingScreen::lead_on(Shell& shell) {
+  why_not_leave_.clear();
+  const database::AttemptId attempt = begun_->live->attempt();
+  Places& places = places_;
+  shell.pop();
+  places.show_result(attempt);
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,73 @@
+#include "ui/screens/operating/operation_work.h"
+
+#include <utility>
+
+#include "database/assets.h"
+
+namespace hallux::ui {
+
+namespace {
+
+/// Where the work has come when the patient is made; its picture takes the rest.
+constexpr double patient_share = 0.5;
+
+/// A stage of a job as a part of the work's own progress.
+StageProgress stages_of(WorkReport& report, double share) {
+  return [&report, share](const std::string&) {
+    return [&report, share](double fraction) { return report.reached(share * fraction); };
+  };
+}
+
+database::TraineeDesk desk_of(database::Session& session) {
+  std::optional<database::TraineeDesk> desk = session.trainee();
+  if (!desk) {
+    throw database::DatabaseError(database::DatabaseErrorKind::Refused,
+                                  "this person may not operate any more; ask an administrator");
+  }
+  return *desk;
+}
+
+}  // namespace
+
+PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId scenario,
+                                    WorkReport& report) {
+  const database::ScenarioText text =
+      visit.in_turn([&](database::Session&, database::Database& database) {
+        return database::get_scenario_version(database, scenario);
+      });
+  PreparedOperation prepared;
+  prepared.table = std::make_shared<const OperatingTable>(
+      lay_table(scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
+  prepared.picture = picture_of(prepared.table->bone, [&](double fraction) {
+    if (!report.reached(patient_share + (1.0 - patient_share) * fraction)) {
+      throw Cancelled("stopped while the picture was being made; nothing was stored");
+    }
+  });
+  return prepared;
+}
+
+std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
+                                             std::shared_ptr<const OperatingTable> table,
+                                             const LiveBegin& what,
+                                             std::unique_ptr<simulator::HapticDevice> device) {
+  return visit.in_turn([&](database::Session& session, database::Database& database) {
+    database::TraineeDesk desk = desk_of(session);
+    database::WriterLease lease = begin_live(database, desk, what, table->bone);
+    return std::make_unique<LiveAttempt>(std::move(table), database, std::move(lease),
+                                         std::move(device));
+  });
+}
+
+void score_operation(Visit& visit, const database::AttemptId& attempt, WorkReport& report) {
+  const AttemptMaterial material =
+      visit.in_turn([&](database::Session& session, database::Database& database) {
+        database::TraineeDesk desk = desk_of(session);
+        return load_attempt(database, desk, attempt);
+      });
+  const database::ScoreCard card = score_attempt(material, stages_of(report, 1.0)).card;
+  visit.in_turn([&](database::Session& session, database::Database&) {
+    desk_of(session).store_score(attempt, card);
+  });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,22 @@
+/// How the blade stands to a planned face: what practice shows and an assessment does not.
+#pragma once
+
+#include "scenarios/plan.h"
+#include "simulator/cutting/kerf.h"
+
+namespace hallux::ui {
+
+struct PlanReading {
+  /// Of the blade against the face: about the tooth line (the teeth rise towards the waste), and about the feed.
+  double pitch_rad = 0.0, roll_rad = 0.0;
+  /// Of the kerf's kept side at the middle of the teeth from the face, positive in the waste.
+  double distance_mm = 0.0;
+};
+
+PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::BladeSize& blade,
+                         const RigidTransform& bone_from_tool) noexcept;
+
+/// The planned face as a plane in the bone: its middle, z towards the waste, x the way of the saw.
+RigidTransform bone_from_face(const scenarios::PlannedCut& cut) noexcept;
+
+}  // namespace hallux::ui

@@ -1,0 +1,49 @@
+/// From pointer, wheel and keys to where the saw is led and from where it is seen; plain functions of what was done.
+#pragma once
+
+#include <optional>
+
+#include "simulator/device/mouse.h"
+#include "ui/jobs/live_attempt.h"
+#include "ui/render/camera.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+/// Where the saw is held when an attempt begins: off the bone on the side of the approach, its blade square to the bone's
+/// own axes. What the plan asks beyond that is the trainee's to find.
+RigidTransform start_pose(const OperatingTable& table);
+/// The site as one stands before it.
+Camera start_camera(const OperatingTable& table);
+
+/// How the window is seen through.
+struct Sight {
+  Camera camera;
+  Viewer viewer;
+  Rect display;
+
+  EyeView eye() const noexcept {
+    return view_of(camera, viewer, Eye::Middle, static_cast<double>(display.w / display.h));
+  }
+};
+/// Where a point of the world is on the window, logical pixels; nothing where it lies behind the eye.
+std::optional<Point> place_on(const Sight& sight, const Vec3& point_in_world_mm);
+
+/// The target's motion in this frame. While the right or the middle button is held, the pointer does not lead the saw.
+class Steering {
+ public:
+  /// `tip_in_world_mm` is what the pointer's way is measured at.
+  simulator::PointerMotion motion(const AreaResponse& area, const Modifiers& modifiers,
+                                  const Sight& sight, const Vec3& tip_in_world_mm);
+  /// The pointer does not lead now; where it goes on later, it begins there.
+  void let_go() noexcept { pointer_.reset(); }
+  /// The same by keys: arrows across, Page Up and Page Down in depth; with Ctrl they turn.
+  simulator::PointerMotion motion_by_keys(Ui& ui) const;
+  /// Middle drag orbits, with Shift it pans; the wheel with Ctrl zooms.
+  Camera looked(const AreaResponse& area, const Modifiers& modifiers, const Sight& sight) const;
+
+ private:
+  std::optional<Point> pointer_;  ///< of the last frame, while it led
+};
+
+}  // namespace hallux::ui
