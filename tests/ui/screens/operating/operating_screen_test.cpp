@@ -249,7 +249,7 @@ TEST(Operating, AScenarioThatIsNotPublishedIsSaidAndNothingIsStored) {
   EXPECT_TRUE(person.driver().sees("not published"));
   EXPECT_THAT(person.driver().faults(), IsEmpty());
   EXPECT_TRUE(database::list_attempts(course.course().database()).empty());
-  person.press(Key::Enter);
+  person.press(Key::Escape);
   EXPECT_TRUE(person.until([&] { return person.is_gone(); }));
 }
 
