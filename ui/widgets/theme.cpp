@@ -39,7 +39,7 @@ Theme light_theme() noexcept {
   theme.raise = rgb(0xEDF1F4), theme.chip = rgb(0xE3E9EE);
   theme.line = rgb(0xDDE3E8), theme.border = rgb(0x7F8D98);
   theme.text = rgb(0x14202A), theme.text_secondary = rgb(0x43525D),
-  theme.text_caption = rgb(0x5D6B76);
+  theme.text_caption = rgb(0x5C6A75);
   theme.accent = rgb(0x0067A8), theme.on_accent = rgb(0xFFFFFF), theme.accent_soft = rgb(0xDFEEF9);
   theme.good = rgb(0x009E73), theme.good_text = rgb(0x00734F);
   theme.warn = rgb(0xC88400), theme.warn_text = rgb(0x855400);
