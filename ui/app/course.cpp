@@ -5,6 +5,8 @@
 #include "ui/screens/attempts_screen.h"
 #include "ui/screens/entry_screen.h"
 #include "ui/screens/operating/operating_screen.h"
+#include "ui/screens/questions_screen.h"
+#include "ui/screens/trainee_screen.h"
 #include "ui/screens/words.h"
 
 namespace hallux::ui {
@@ -27,6 +29,8 @@ void Course::ask_who() {
 void Course::welcome(std::shared_ptr<Visit> visit) {
   visit_ = std::move(visit);
   shell_.set_visitor(visitor_of(*visit_));
+  answer_drafts_ = std::make_shared<InboxScreen::Drafts>();
+  count_questions();
   show_place(shell_.visitor()->places.front().id);
 }
 
@@ -48,14 +52,20 @@ std::vector<Visitor::Place> Course::places_of(const Visit& visit) const {
   const auto add = [&](const char* id, std::string_view label, Icon icon) {
     places.push_back({id, std::string(label), icon});
   };
-  static_cast<void>(visit);
+  add_staff_places(visit, places);
   add("nav.attempts", texts_.text("place.attempts"), Icon::History);
+  if (!visit.person().is_administrator || !visit.memberships().empty())
+    add("nav.questions", texts_.text("place.questions"), Icon::Messages);
   return places;
 }
 
 void Course::show_place(const std::string& id) {
+  if (show_staff_place(id)) return;
   if (id == "nav.attempts") {
     shell_.replace_all(std::make_unique<AttemptsScreen>(visit_, *this));
+  }
+  if (id == "nav.questions") {
+    shell_.replace_all(std::make_unique<QuestionsScreen>(visit_, *this));
   }
 }
 
@@ -65,7 +75,9 @@ void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind
 }
 void Course::show_result(const database::AttemptId&) {}
 void Course::show_replay(const database::AttemptId&, double) {}
-void Course::show_trainee(database::CohortId, database::PersonId) {}
+void Course::show_trainee(database::CohortId cohort, database::PersonId trainee) {
+  shell_.push(std::make_unique<TraineeScreen>(visit_, *this, cohort, trainee));
+}
 
 // The end of the session is written beside the window: other work may hold the visit for a moment.
 void Course::sign_out() {

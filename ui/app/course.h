@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "ui/screens/inbox_screen.h"
 #include "ui/screens/places.h"
 #include "ui/screens/visit.h"
 #include "ui/window/shell/shell.h"
@@ -29,6 +30,13 @@ class Course : public Places {
   void welcome(std::shared_ptr<Visit> visit);
   Visitor visitor_of(const Visit& visit) const;
   std::vector<Visitor::Place> places_of(const Visit& visit) const;
+  /// What instructors and administrators have before the places of everybody (course_staff.cpp).
+  void add_staff_places(const Visit& visit, std::vector<Visitor::Place>& places) const;
+  /// True where `id` is one of them; its screen is then shown.
+  bool show_staff_place(const std::string& id);
+  /// Reads how many questions are open, for the inbox's badge.
+  void count_questions();
+  void show_badge(int open_questions);
   /// The screen of a place of the navigation.
   void show_place(const std::string& id);
   void sign_out();
@@ -38,6 +46,7 @@ class Course : public Places {
   Shell& shell_;
   database::PasswordCost cost_;
   std::shared_ptr<Visit> visit_;
+  std::shared_ptr<InboxScreen::Drafts> answer_drafts_;
 };
 
 }  // namespace hallux::ui

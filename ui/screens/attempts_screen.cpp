@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/screens/attempt_marks.h"
 #include "ui/screens/words.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/marks.h"
 
 namespace hallux::ui {
 
@@ -27,33 +27,6 @@ int compared(const AttemptHeader& a, const AttemptHeader& b, int column) {
       return order(a.score_milli, b.score_milli);
     default:
       return order(a.order, b.order);
-  }
-}
-
-void draw_score(Ui& ui, const AttemptHeader& attempt, const Rect& cell) {
-  const Theme& theme = ui.theme();
-  if (!attempt.score_milli) {
-    ui.canvas().text_in(cell, {Type::Small, theme.text_caption, Align::Right},
-                        ui.text("attempts.not_scored"));
-    return;
-  }
-  const std::int64_t milli = attempt.decided_milli.value_or(*attempt.score_milli);
-  ui.canvas().text_in(cell, {Type::BodyMedium, theme.text, Align::Right}, points_text(milli));
-}
-
-void draw_state(Ui& ui, const AttemptHeader& attempt, const Rect& cell) {
-  const Point at{cell.x, cell.mid_y()};
-  using database::AttemptState;
-  if (attempt.state == AttemptState::Void) {
-    pill(ui, at, ui.text("attempts.void"), Meaning::Neutral, false);
-  } else if (attempt.state == AttemptState::Interrupted) {
-    pill(ui, at, ui.text("attempts.interrupted"), Meaning::Warn);
-  } else if (attempt.state == AttemptState::Recording) {
-    pill(ui, at, ui.text("attempts.recording"), Meaning::Info);
-  } else if (attempt.decision) {
-    pill(ui, at, ui.text("attempts.decided"), Meaning::Good);
-  } else {
-    pill(ui, at, ui.text("attempts.advisory"), Meaning::Neutral, false);
   }
 }
 
@@ -83,10 +56,10 @@ void draw_cell(Ui& ui, const AttemptHeader& attempt, int column, const Rect& cel
       break;
     }
     case StateColumn:
-      draw_state(ui, attempt, cell);
+      draw_attempt_state(ui, attempt, cell);
       break;
     default:
-      draw_score(ui, attempt, cell);
+      draw_attempt_score(ui, attempt, cell);
   }
 }
 

@@ -269,15 +269,23 @@ float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& 
   return state.offset;
 }
 
-// After the keyboard moved the focus, the region it lies in shows it.
+// After the keyboard moved the focus, the region it lies in shows it, and so does each region around that one.
 void Ui::scroll_to_focus(const std::string& id, ScrollState& state) {
   const Widget* focus = has_focus_moved_ ? find_widget(shown_, focus_) : nullptr;
-  if (focus == nullptr || focus->scroll < 0 ||
-      shown_.widgets[static_cast<std::size_t>(focus->scroll)].id != id)
-    return;
+  if (focus == nullptr) return;
   constexpr float margin = 12.0F;
-  state.offset += std::max(0.0F, focus->rect.bottom() + margin - state.view.bottom());
-  state.offset -= std::max(0.0F, state.view.y - (focus->rect.y - margin));
+  Rect wanted = focus->rect;
+  for (int around = focus->scroll; around >= 0;) {
+    const Widget& region = shown_.widgets[static_cast<std::size_t>(around)];
+    if (region.id == id) {
+      state.offset += std::max(0.0F, wanted.bottom() + margin - state.view.bottom());
+      state.offset -= std::max(0.0F, state.view.y - (wanted.y - margin));
+      return;
+    }
+    wanted.y = std::clamp(wanted.y, region.rect.y,
+                          std::max(region.rect.y, region.rect.bottom() - wanted.h));
+    around = region.scroll;
+  }
 }
 
 void Ui::end_scroll() {

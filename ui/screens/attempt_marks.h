@@ -1,0 +1,15 @@
+/// The state and the score of an attempt, as they stand in a row.
+#pragma once
+
+#include "database/records/attempt.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+/// A pill from the left of the cell: void, interrupted, recording, signed, or advisory.
+void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Rect& cell);
+
+/// The decided score where there is one, else the machine's, at the right of the cell; words where there is none.
+void draw_attempt_score(Ui& ui, const database::AttemptHeader& attempt, const Rect& cell);
+
+}  // namespace hallux::ui

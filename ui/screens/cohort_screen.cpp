@@ -1,0 +1,400 @@
+#include "ui/screens/cohort_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "ui/screens/course_words.h"
+#include "ui/screens/desk_work.h"
+#include "ui/screens/help_rows.h"
+#include "ui/screens/page.h"
+#include "ui/screens/standing.h"
+#include "ui/widgets/choice.h"
+#include "ui/widgets/marks.h"
+#include "ui/widgets/menu.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::OperationStanding;
+using database::TraineeStanding;
+
+constexpr float side_width = 320.0F, stacked_height = 620.0F, grid_row = 46.0F;
+constexpr float person_width = 190.0F, least_cell = 92.0F, legend_height = 48.0F;
+constexpr int idle_days = 14;
+constexpr std::size_t listed_attempts = 6, listed_requests = 4;
+constexpr std::int32_t attempts_read = 5;
+
+const OperationStanding* standing_in(const TraineeStanding& trainee, const std::string& operation) {
+  for (const OperationStanding& standing : trainee.operations)
+    if (standing.scenario_name == operation) return &standing;
+  return nullptr;
+}
+
+int hue_of(database::PersonId person) noexcept { return static_cast<int>(person.number % 6); }
+
+Rect card_row(Rect& rest, float height, bool is_first, Ui& ui) {
+  if (!is_first) ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
+  return take_top(rest, height);
+}
+
+/// A row of a side card that leads somewhere, raised under the pointer.
+bool row_control(Ui& ui, const std::string& id, std::string_view label, std::string_view group,
+                 const Rect& row) {
+  Widget widget;
+  widget.id = id;
+  widget.label = label;
+  widget.rect = inset(row, -10.0F, 1.0F);
+  widget.role = Role::Row;
+  widget.group = group;
+  const Rect ground = widget.rect;
+  const Response response = ui.control(std::move(widget));
+  ui.canvas().fill(ground, faded(ui.theme().raise, response.hover), radius::row);
+  if (response.shows_ring)
+    draw_focus_ring(ui.canvas(), ui.theme(), inset(ground, 3.0F, 3.0F), radius::row);
+  return response.is_pressed();
+}
+
+}  // namespace
+
+CohortScreen::CohortScreen(std::shared_ptr<Visit> visit, Places& places,
+                           std::function<void()> open_inbox)
+    : visit_(std::move(visit)),
+      places_(places),
+      open_inbox_(std::move(open_inbox)),
+      taught_(visit_->taught()) {}
+
+CohortScreen::Glance CohortScreen::look(database::Session& session, database::CohortId cohort) {
+  database::InstructorDesk desk = instructor_of(session, cohort);
+  Glance glance;
+  glance.cohort = desk.cohort();
+  glance.trainees = desk.trainees(attempts_read);
+  glance.open_requests = desk.help_requests(true);
+  glance.now_utc = utc_now_text();
+  std::set<std::string> operations;
+  for (const database::Operation& operation : trainee_of(session).operations())
+    operations.insert(operation.name);
+  for (const TraineeStanding& trainee : glance.trainees) {
+    const std::string name = shown_name_of(trainee.login, trainee.display_name);
+    for (const OperationStanding& standing : trainee.operations) {
+      operations.insert(standing.scenario_name);
+      glance.attempts += standing.attempts;
+    }
+    for (const database::AttemptHeader& attempt : trainee.last_attempts)
+      glance.last_attempts.push_back({attempt, name, hue_of(trainee.id)});
+  }
+  glance.operations.assign(operations.begin(), operations.end());
+  std::sort(
+      glance.last_attempts.begin(), glance.last_attempts.end(),
+      [](const LastAttempt& a, const LastAttempt& b) { return b.header.order < a.header.order; });
+  if (glance.last_attempts.size() > listed_attempts) glance.last_attempts.resize(listed_attempts);
+  return glance;
+}
+
+std::string CohortScreen::last_seen(const TraineeStanding& trainee) {
+  std::string last;
+  for (const OperationStanding& standing : trainee.operations)
+    last = std::max(last, standing.last_started_utc);
+  return last;
+}
+
+bool CohortScreen::is_in(const TraineeStanding& trainee, int filter, std::string_view now_utc) {
+  if (filter == Asking) return trainee.open_help_requests > 0;
+  if (filter == Slipped)
+    return std::any_of(trainee.operations.begin(), trainee.operations.end(),
+                       [&](const OperationStanding& standing) {
+                         return competence_of(standing, now_utc) == Competence::Slipped;
+                       });
+  if (filter == Idle) {
+    const std::string last = last_seen(trainee);
+    return last.empty() || days_between(last, now_utc) > idle_days;
+  }
+  return true;
+}
+
+void CohortScreen::show(std::size_t cohort) {
+  cohort_ = cohort;
+  filter_ = All;
+  glance_.read_again();
+}
+
+void CohortScreen::read(Ui& ui, Shell& shell) {
+  if (taught_.empty()) return;
+  glance_.start(ui, shell, ui.text("cohort.reading"),
+                [visit = visit_, cohort = taught_[cohort_].cohort](WorkReport&) {
+                  return visit->in_turn(
+                      [&](database::Session& session, auto&) { return look(session, cohort); });
+                });
+}
+
+void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (glance_.is_new()) read(ui, shell);
+  {
+    const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
+    const Page scrolled(ui, "cohort", ui.text("place.cohort"), content,
+                        is_stacked ? 460.0F + stacked_height : 600.0F);
+    Rect page = scrolled.rect();
+    draw_head(ui, page);
+    draw_pills(ui, page);
+    const Panes panes = panes_of(page, side_width, stacked_height);
+    const Rect inside = card(ui, panes.main, {});
+    if (glance_.draw_until_ready(ui, "cohort.failed", inside, 8)) draw_grid(ui, inside);
+    Rect side = panes.side;
+    draw_requests(ui,
+                  take_top(side, (side.h - space::between_cards) * 0.48F, space::between_cards));
+    draw_last_attempts(ui, side);
+  }
+  draw_cohort_menu(ui);
+}
+
+void CohortScreen::draw_head(Ui& ui, Rect& page) {
+  const bool is_ready = glance_.is_ready();
+  const std::string sentence =
+      is_ready ? ui.texts().say_count("cohort.sentence",
+                                      static_cast<long>(glance_.value().trainees.size()),
+                                      {{"attempts", grouped(glance_.value().attempts)}})
+               : std::string(ui.text("cohort.reading"));
+  PageHead head;
+  head.title = is_ready ? glance_.value().cohort.name : taught_[cohort_].cohort_name;
+  head.sentence = sentence;
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  const ButtonSpec other{ui.text("cohort.other"), ButtonLook::Secondary, Icon::SortDown};
+  if (taught_.size() > 1) head.buttons_width = button_width(ui, other);
+  const Rect buttons = page_head(ui, "cohort", page, head).buttons;
+  if (taught_.size() > 1 && button(ui, "cohort.other", buttons, other))
+    menu_ = Point{buttons.right() - 250.0F, buttons.bottom() + 6.0F};
+}
+
+void CohortScreen::draw_cohort_menu(Ui& ui) {
+  if (!menu_) return;
+  std::vector<MenuItem> items;
+  for (const database::Membership& taught : taught_)
+    items.push_back({taught.cohort_name, Icon::Cohorts});
+  const int chosen = menu(ui, "cohort.menu", *menu_, items);
+  if (chosen == menu_open) return;
+  menu_.reset();
+  if (chosen >= 0) show(static_cast<std::size_t>(chosen));
+}
+
+void CohortScreen::draw_pills(Ui& ui, Rect& page) {
+  Rect line = take_top(page, 24.0F, 12.0F);
+  if (!glance_.is_ready()) return;
+  const Glance& glance = glance_.value();
+  constexpr std::array<std::string_view, filter_count> ids{
+      "cohort.filter.all", "cohort.filter.asking", "cohort.filter.slipped", "cohort.filter.idle"};
+  for (int filter = All; filter < filter_count; ++filter) {
+    const auto count = std::count_if(
+        glance.trainees.begin(), glance.trainees.end(),
+        [&](const TraineeStanding& trainee) { return is_in(trainee, filter, glance.now_utc); });
+    const std::string label =
+        ui.texts().say_count(ids[static_cast<std::size_t>(filter)], static_cast<long>(count));
+    const float wanted = ui.width_of(Type::CaptionMedium, label) + 20.0F;
+    if (wanted > line.w) {  // a second line, where the window is narrow
+      line = take_top(page, 24.0F, 12.0F);
+    }
+    float width = 0.0F;
+    if (filter_pill(ui, "cohort.filter." + std::to_string(filter), {line.x, line.mid_y()}, label,
+                    filter_ == filter, &width)) {
+      filter_ = filter;
+      ui.want_frame_in_s(0.0);
+    }
+    take_left(line, width, 8.0F);
+  }
+}
+
+void CohortScreen::sort(std::vector<const TraineeStanding*>& shown, std::size_t operations) const {
+  const int column = table_.sort.column;
+  if (column < 0) return;
+  const auto key = [&](const TraineeStanding& trainee) -> std::pair<std::int64_t, std::string> {
+    const std::string name = shown_name_of(trainee.login, trainee.display_name);
+    if (column == 0 || static_cast<std::size_t>(column) > operations) return {0, name};
+    const OperationStanding* standing =
+        standing_in(trainee, glance_.value().operations[static_cast<std::size_t>(column) - 1]);
+    return {standing == nullptr ? -2 : standing->best_milli.value_or(-1), name};
+  };
+  std::stable_sort(shown.begin(), shown.end(),
+                   [&](const TraineeStanding* a, const TraineeStanding* b) {
+                     return table_.sort.is_descending ? key(*b) < key(*a) : key(*a) < key(*b);
+                   });
+}
+
+void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
+  const Glance& glance = glance_.value();
+  std::vector<const TraineeStanding*> shown;
+  for (const TraineeStanding& trainee : glance.trainees)
+    if (is_in(trainee, filter_, glance.now_utc)) shown.push_back(&trainee);
+  if (shown.empty()) {
+    const bool is_nobody = glance.trainees.empty();
+    empty_card(ui, "cohort.empty", content,
+               {Icon::Cohort,
+                ui.text(is_nobody ? "cohort.empty" : "cohort.none"),
+                ui.text(is_nobody ? "cohort.empty.sentence" : "cohort.none.sentence"),
+                {}});
+    return;
+  }
+  const auto room =
+      static_cast<std::size_t>(std::max(1.0F, (content.w - person_width) / (least_cell + 16.0F)));
+  const std::size_t operations = std::min(glance.operations.size(), room);
+  sort(shown, operations);
+  std::vector<std::string> heads;
+  for (std::size_t i = 0; i < operations; ++i)
+    heads.push_back(operation_text(glance.operations[i]));
+  std::vector<TableColumn> columns{
+      {ui.text("cohort.person"), 0.0F, operations > 3 ? 2.0F : 1.2F, Align::Left, true}};
+  for (const std::string& head : heads) columns.push_back({head, 0.0F, 1.0F, Align::Left, true});
+  Rect rest = content;
+  const Rect legend = take_bottom(rest, legend_height);
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(shown.size());
+  spec.row_height = grid_row;
+  spec.label = glance.cohort.name;
+  const auto at = [&](int row) -> const TraineeStanding& {
+    return *shown[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = [&](int row) { return at(row).login; };
+  spec.row_label = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    if (column == 0) return draw_person_cell(own, at(row), cell);
+    draw_standing_cell(own, at(row), glance.operations[static_cast<std::size_t>(column) - 1], cell);
+  };
+  const TableResponse response = table(ui, "cohort.row", rest, spec, table_);
+  draw_legend(ui, legend);
+  if (response.opened) places_.show_trainee(glance.cohort.id, at(*response.opened).id);
+}
+
+void CohortScreen::draw_person_cell(Ui& ui, const TraineeStanding& trainee,
+                                    const Rect& cell) const {
+  const Theme& theme = ui.theme();
+  const std::string name = shown_name_of(trainee.login, trainee.display_name);
+  avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name), hue_of(trainee.id));
+  const bool asks = trainee.open_help_requests > 0;
+  const float room = cell.w - 38.0F - (asks ? 24.0F : 0.0F);
+  ui.canvas().text_in({cell.x + 38.0F, cell.mid_y() - 19.0F, room, 20.0F},
+                      {Type::BodyMedium, theme.text}, name, true);
+  const std::string last = last_seen(trainee);
+  const bool is_idle = is_in(trainee, Idle, glance_.value().now_utc);
+  const std::string when = trainee.is_disabled
+                               ? std::string(ui.text("people.disabled"))
+                               : ago_text(ui.texts(), last, glance_.value().now_utc);
+  ui.canvas().text_in({cell.x + 38.0F, cell.mid_y() + 1.0F, room, 18.0F},
+                      {Type::Caption, is_idle ? theme.warn_text : theme.text_caption}, when, true);
+  if (asks)
+    ui.canvas().icon({cell.right() - 10.0F, cell.mid_y()}, Icon::Flag, IconSize::Control,
+                     theme.accent);
+}
+
+void CohortScreen::draw_standing_cell(Ui& ui, const TraineeStanding& trainee,
+                                      const std::string& operation, const Rect& cell) const {
+  const Theme& theme = ui.theme();
+  const OperationStanding* standing = standing_in(trainee, operation);
+  const Competence competence = standing == nullptr
+                                    ? Competence::NotStarted
+                                    : competence_of(*standing, glance_.value().now_utc);
+  if (competence == Competence::Slipped)
+    ui.canvas().fill({cell.x - 4.0F, cell.y + 4.0F, std::min(cell.w, 88.0F), cell.h - 8.0F},
+                     tint_of(theme, Meaning::Bad), radius::row);
+  draw_competence(ui.canvas(), theme, competence, {cell.x + 10.0F, cell.mid_y()}, 7.5F,
+                  standing == nullptr ? 0.0F : progress_of(*standing));
+  if (standing == nullptr) return;
+  // Best and attempts stand at the same place in every row.
+  const Rect best{cell.x + 22.0F, cell.y, 32.0F, cell.h};
+  const std::string words =
+      standing->best_milli ? std::to_string((*standing->best_milli + 500) / 1000) : "\xE2\x80\x93";
+  ui.canvas().text_in(best, {Type::BodyMedium, theme.text, Align::Right}, words);
+  ui.canvas().text_in({best.right() + 6.0F, cell.y, 26.0F, cell.h},
+                      {Type::Small, theme.text_caption, Align::Right},
+                      std::to_string(standing->attempts));
+}
+
+void CohortScreen::draw_legend(Ui& ui, const Rect& line) const {
+  const Theme& theme = ui.theme();
+  ui.canvas().hairline_across(line.x, line.y, line.w, theme.line);
+  constexpr std::array<std::pair<Competence, std::string_view>, 4> shapes{
+      {{Competence::Learning, "cohort.legend.learning"},
+       {Competence::Slipped, "cohort.legend.slipped"},
+       {Competence::Stale, "cohort.legend.stale"},
+       {Competence::NotStarted, "cohort.legend.not_started"}}};
+  float x = line.x;
+  const float y = line.y + 30.0F;
+  for (const auto& [competence, id] : shapes) {
+    const float width = 22.0F + ui.width_of(Type::Caption, ui.text(id)) + 18.0F;
+    if (x + width > line.right() + 18.0F) break;  // the words are in the help of the shapes
+    draw_competence(ui.canvas(), theme, competence, {x + 8.0F, y}, 6.5F, 0.6F);
+    ui.canvas().text({x + 22.0F, y}, {Type::Caption, theme.text_secondary}, ui.text(id));
+    x += width;
+  }
+  const std::string_view numbers = ui.text("cohort.legend.numbers");
+  if (x + ui.width_of(Type::Caption, numbers) <= line.right())
+    ui.canvas().text({line.right(), y}, {Type::Caption, theme.text_caption, Align::Right}, numbers);
+}
+
+void CohortScreen::draw_requests(Ui& ui, const Rect& rect) {
+  Rect rest = card(ui, rect, ui.text("cohort.requests"), space::side_card);
+  if (!glance_.is_ready()) return;
+  const std::vector<database::HelpRequest>& requests = glance_.value().open_requests;
+  if (open_inbox_ && link(ui, "cohort.inbox", {rect.right() - space::side_card, rect.y + 30.0F},
+                          ui.text("cohort.open_inbox"), Align::Right))
+    open_inbox_();
+  if (requests.empty()) {
+    empty_card(
+        ui, "cohort.no_requests", rest,
+        {Icon::Inbox, ui.text("cohort.no_requests"), ui.text("cohort.no_requests.sentence"), {}});
+    return;
+  }
+  constexpr float height = 72.0F;
+  for (std::size_t i = 0; i < std::min(requests.size(), listed_requests) && rest.h >= height; ++i) {
+    const database::HelpRequest& request = requests[i];
+    Rect row = card_row(rest, height, i == 0, ui);
+    const std::string moment = help_moment(ui.texts(), request);
+    if (row_control(ui, "cohort.request." + std::to_string(request.id.number), moment,
+                    "cohort.requests", row))
+      places_.show_replay(request.attempt, static_cast<double>(request.moment.moment_us) * 1e-6);
+    avatar(ui, {row.x + 14.0F, row.y + 24.0F}, 14.0F, initials_of(request.asker_name),
+           hue_of(request.asker));
+    const float x = row.x + 38.0F, room = row.w - 38.0F;
+    ui.canvas().text_in({x, row.y + 7.0F, room, 20.0F}, {Type::SmallMedium, ui.theme().text},
+                        request.asker_name, true);
+    ui.canvas().text_in({x, row.y + 26.0F, room, 18.0F}, {Type::Caption, ui.theme().text_caption},
+                        moment, true);
+    ui.canvas().text_in({x, row.y + 45.0F, room, 20.0F}, {Type::Small, ui.theme().text_secondary},
+                        request.question, true);
+  }
+}
+
+void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
+  Rect rest = card(ui, rect, ui.text("cohort.last_attempts"), space::side_card);
+  if (!glance_.is_ready()) return;
+  const Glance& glance = glance_.value();
+  if (glance.last_attempts.empty()) {
+    empty_card(ui, "cohort.no_attempts", rest,
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+    return;
+  }
+  constexpr float height = 50.0F;
+  for (std::size_t i = 0; i < glance.last_attempts.size() && rest.h >= height; ++i) {
+    const LastAttempt& last = glance.last_attempts[i];
+    Rect row = card_row(rest, height, i == 0, ui);
+    const std::string what =
+        ui.texts().say("cohort.attempt",
+                       {{"operation", operation_text(last.header.scenario_name)},
+                        {"when", ago_text(ui.texts(), last.header.started_utc, glance.now_utc)}});
+    if (row_control(ui, "cohort.attempt." + std::to_string(last.header.order), what,
+                    "cohort.attempts", row))
+      places_.show_result(last.header.id);
+    const std::optional<std::int64_t> milli =
+        last.header.decided_milli ? last.header.decided_milli : last.header.score_milli;
+    const float score = milli ? 44.0F : 0.0F, room = row.w - score - 8.0F;
+    ui.canvas().text_in({row.x, row.y + 5.0F, room, 20.0F}, {Type::SmallMedium, ui.theme().text},
+                        last.name, true);
+    ui.canvas().text_in({row.x, row.y + 25.0F, room, 18.0F},
+                        {Type::Caption, ui.theme().text_caption}, what, true);
+    if (milli)
+      ui.canvas().text_in({row.right() - score, row.y, score, row.h},
+                          {Type::BodyMedium, ui.theme().text, Align::Right}, points_text(*milli));
+  }
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,70 @@
+/// A cohort at a glance: each trainee in each operation, what happened last, and who asks for help.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/screens/places.h"
+#include "ui/screens/reading.h"
+#include "ui/screens/visit.h"
+#include "ui/widgets/table.h"
+
+namespace hallux::ui {
+
+class CohortScreen : public Screen {
+ public:
+  /// `places` outlives the screen. `open_inbox` leads to the inbox.
+  CohortScreen(std::shared_ptr<Visit> visit, Places& places, std::function<void()> open_inbox = {});
+
+  std::string_view navigation_id() const override { return "nav.cohort"; }
+  /// What was decided and answered in the meantime is read anew.
+  void enter(Shell&) override { glance_.read_again(); }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  struct LastAttempt {
+    database::AttemptHeader header;
+    std::string name;
+    int hue = 0;
+  };
+  struct Glance {
+    database::Cohort cohort;
+    std::vector<database::TraineeStanding> trainees;
+    std::vector<std::string> operations;  ///< of the columns, by name
+    std::vector<LastAttempt> last_attempts;
+    std::vector<database::HelpRequest> open_requests;
+    std::string now_utc;
+    long attempts = 0;
+  };
+  enum Filter { All, Asking, Slipped, Idle, filter_count };
+
+  static Glance look(database::Session& session, database::CohortId cohort);
+  static bool is_in(const database::TraineeStanding& trainee, int filter, std::string_view now_utc);
+  static std::string last_seen(const database::TraineeStanding& trainee);
+  void read(Ui& ui, Shell& shell);
+  void show(std::size_t cohort);
+  void draw_head(Ui& ui, Rect& page);
+  void draw_cohort_menu(Ui& ui);
+  void draw_pills(Ui& ui, Rect& page);
+  void draw_grid(Ui& ui, const Rect& content);
+  void draw_person_cell(Ui& ui, const database::TraineeStanding& trainee, const Rect& cell) const;
+  void draw_standing_cell(Ui& ui, const database::TraineeStanding& trainee,
+                          const std::string& operation, const Rect& cell) const;
+  void draw_legend(Ui& ui, const Rect& line) const;
+  void draw_requests(Ui& ui, const Rect& rect);
+  void draw_last_attempts(Ui& ui, const Rect& rect);
+  void sort(std::vector<const database::TraineeStanding*>& shown, std::size_t operations) const;
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  std::function<void()> open_inbox_;
+  std::vector<database::Membership> taught_;
+  std::size_t cohort_ = 0;  ///< index into taught_
+  Reading<Glance> glance_;
+  int filter_ = All;
+  TableState table_;
+  std::optional<Point> menu_;  ///< its corner, while the cohorts are listed
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,71 @@
+/// The cohorts of the course, and who is trainee and instructor in which.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ui/screens/desk_work.h"
+#include "ui/screens/reading.h"
+#include "ui/widgets/table.h"
+
+namespace hallux::ui {
+
+class CohortsScreen : public Screen {
+ public:
+  explicit CohortsScreen(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+
+  std::string_view navigation_id() const override { return "nav.cohorts"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  struct Listed {
+    database::Cohort cohort;
+    std::vector<database::CohortMember> members;
+  };
+  struct Everybody {
+    std::vector<Listed> cohorts;
+    std::vector<database::Person> people;
+  };
+  struct Enrolment {
+    std::string search;
+    int role = 0;  ///< 0 trainee, 1 instructor
+    TableState table;
+  };
+  struct Removal {
+    database::CohortId cohort;
+    std::string login, cohort_name;
+  };
+
+  static Everybody read(database::Session& session);
+  void read_all(Ui& ui, Shell& shell);
+  const Listed* chosen() const;
+  void draw_head(Ui& ui, Rect& page);
+  void draw_cohorts(Ui& ui, const Rect& content);
+  void draw_members(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_member_table(Ui& ui, const Rect& content, const Listed& listed);
+  void draw_member_actions(Ui& ui, const Rect& line, const Listed& listed, Shell& shell);
+  void draw_add_sheet(Ui& ui, Shell& shell);
+  void draw_enrol_sheet(Ui& ui, Shell& shell);
+  void draw_enrol_table(Ui& ui, const Rect& rect, const Listed& listed);
+  bool draw_enrol_button(Ui& ui, Rect& line);
+  void draw_question(Ui& ui, Shell& shell);
+  void add(Ui& ui, Shell& shell);
+  /// Reads anew once `change` was made and says `done`; `after` is called before that.
+  void change(DeskWork& work, Ui& ui, Shell& shell, std::string done,
+              std::function<void(database::AdministratorDesk&)> change,
+              std::function<void()> after = {});
+
+  std::shared_ptr<Visit> visit_;
+  Reading<Everybody> everybody_;
+  std::optional<database::CohortId> chosen_;
+  std::string member_;  ///< login of the chosen member
+  TableState cohort_table_, member_table_;
+  std::optional<std::string> new_name_;  ///< while a cohort is added
+  std::optional<Enrolment> enrolment_;
+  std::optional<Removal> removal_;
+  DeskWork work_, adding_, enrolling_;
+};
+
+}  // namespace hallux::ui
