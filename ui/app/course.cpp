@@ -6,6 +6,7 @@
 #include "ui/screens/entry_screen.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/questions_screen.h"
+#include "ui/screens/result/result_screen.h"
 #include "ui/screens/trainee_screen.h"
 #include "ui/screens/words.h"
 
@@ -73,7 +74,9 @@ void Course::brief(database::ScenarioVersionId) {}
 void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind) {
   shell_.push(std::make_unique<OperatingScreen>(visit_, *this, scenario, kind));
 }
-void Course::show_result(const database::AttemptId&) {}
+void Course::show_result(const database::AttemptId& attempt) {
+  shell_.push(std::make_unique<ResultScreen>(visit_, *this, attempt));
+}
 void Course::show_replay(const database::AttemptId&, double) {}
 void Course::show_trainee(database::CohortId cohort, database::PersonId trainee) {
   shell_.push(std::make_unique<TraineeScreen>(visit_, *this, cohort, trainee));

@@ -1,0 +1,67 @@
+/// A view of bones inside a screen that a person turns: by dragging, by the wheel, and by keys.
+///
+///     left or middle drag, Alt+arrows   turn          wheel, plus and minus   nearer and farther
+///     right drag                        move          1 to 8                  standard views      R   as it was first
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "ui/render/scene_painter.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+/// A name for content as the renderer wants it: never 0, the same for the same words.
+std::uint64_t picture_id(std::string_view words) noexcept;
+
+/// From the eye through a place of the picture, in the world.
+struct SightRay {
+  Vec3 from_mm{0.0, 0.0, 0.0};
+  Vec3 direction{0.0, 0.0, -1.0};  ///< unit
+};
+
+/// What a person did in the view.
+struct StageResponse {
+  Rect rect;                        ///< where it was drawn
+  std::optional<SightRay> pointed;  ///< clicked without having turned it
+  bool was_turned = false;          ///< by hand or key, in this frame
+};
+
+/// Which picture is shown: a screen passes another revision where the scene has changed.
+struct StagePicture {
+  std::string_view id, label;
+  std::uint64_t revision = 0;
+  float radius = 0.0F;  ///< of its corners
+};
+
+class BoneStage {
+ public:
+  /// The view that R comes back to: a ball in the world wholly in sight. Takes effect with the next drawing.
+  void look_at(const Vec3& middle_in_world_mm, double radius_mm, const Quat& world_from_view);
+  void look_at(const Vec3& middle_in_world_mm, double radius_mm, StandardView view);
+  void turn_to(StandardView view) noexcept { camera_ = standard_view(camera_, view); }
+  void turn_back() noexcept { is_fitted_ = false; }
+  bool has_view() const noexcept { return radius_mm_ > 0.0; }
+
+  /// Draws the scene where it changed and shows it; hears the pointer and, where `hears_keys`, the keys.
+  /// needs   has_view
+  StageResponse draw(Ui& ui, Shell& shell, const Rect& rect, const Scene& scene,
+                     const StagePicture& picture, bool hears_keys = true);
+  /// Where a point of the world is seen in the picture last drawn; nothing behind the eye or outside the rectangle.
+  std::optional<Point> seen_at(const Vec3& point_in_world_mm) const noexcept;
+
+ private:
+  bool hear_pointer(const AreaResponse& area);
+  bool hear_keys(Ui& ui);
+  EyeView eye_view() const noexcept;
+
+  Camera camera_, first_;
+  double radius_mm_ = 0.0;
+  bool is_fitted_ = false;
+  Rect rect_{0.0F, 0.0F, 1.0F, 1.0F};
+  std::uint64_t drawn_ = 0;  ///< what the picture was drawn from
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,60 @@
+/// All that a replay shows of one attempt, loaded and computed once.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/records/score.h"
+#include "scenarios/plan.h"
+#include "ui/screens/attempt_desks.h"
+#include "ui/screens/replay/bone_history.h"
+#include "ui/screens/visit.h"
+#include "ui/widgets/charts/timeline.h"
+#include "ui/window/shell/background.h"
+
+namespace hallux::ui {
+
+/// Something that happened, as the timeline and the list show it.
+struct ReplayEvent {
+  double time_s = 0.0;
+  Meaning meaning = Meaning::Neutral;
+  std::string_view words;  ///< id of its text
+};
+
+/// What the hand did at one moment. What is not known there is not a number.
+struct HandAtMoment {
+  RigidTransform world_from_tool;
+  bool is_saw_on = false, is_paused = false;
+  double force_newton = 0.0, speed_mm_s = 0.0;
+  double to_plan_mm = 0.0;  ///< signed: positive is short of the planned face, on its waste
+  double tilt_rad = 0.0;    ///< between the blade and that face
+};
+
+struct ReplayMaterial {
+  database::AttemptHeader header;
+  AttemptRights rights;
+  std::optional<database::ScoreCard> card;
+  scenarios::Scenario scenario;
+  scenarios::Plan plan;
+  RigidTransform world_from_bone;
+  Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
+  double radius_mm = 30.0;
+  std::vector<simulator::ToolSample> samples;
+  std::vector<ReplayEvent> events;
+  std::vector<TimelineStep> steps;
+  std::vector<ChartPoint> force_newton, to_plan_mm;  ///< thinned out, x in seconds
+  double duration_s = 0.001;
+  std::shared_ptr<const BoneHistory> history;
+};
+
+/// errors  DatabaseError, ScenarioError, MeshError; Cancelled
+/// thread  work's; seconds
+std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::AttemptId& id,
+                                                  WorkReport& report);
+
+/// The hand at the sample of that moment, or at the last one before it.
+HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept;
+
+}  // namespace hallux::ui

@@ -1,0 +1,139 @@
+#include "ui/screens/result/decide_form.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "ui/screens/words.h"
+#include "ui/widgets/choice.h"
+#include "ui/widgets/dialog.h"
+#include "ui/widgets/field.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::DecisionKind;
+
+constexpr float reason_height = 84.0F, gap = 18.0F;
+
+constexpr std::array<std::string_view, 3> verbs{"result.decide.confirm", "result.decide.override",
+                                                "result.decide.void"};
+constexpr std::array<std::string_view, 3> sentences{"result.decide.confirm.sentence",
+                                                    "result.decide.override.sentence",
+                                                    "result.decide.void.sentence"};
+constexpr std::array<std::string_view, 3> outcomes{
+    "result.decided.confirmed", "result.decided.overridden", "result.decided.voided"};
+
+}  // namespace
+
+std::optional<std::int64_t> score_from(std::string_view words) noexcept {
+  double points = 0.0;
+  const char* const end = words.data() + words.size();
+  const auto read = std::from_chars(words.data(), end, points, std::chars_format::fixed);
+  if (read.ec != std::errc() || read.ptr != end || !(points >= 0.0) || points > 100.0)
+    return std::nullopt;
+  return std::llround(points * 1000.0);
+}
+
+void DecideForm::open(const ResultFacts& facts) {
+  is_open_ = true;
+  is_asking_ = false;
+  chosen_ = facts.score ? 0 : static_cast<int>(DecisionKind::Voided);
+  score_ = facts.score ? points_text(facts.standing_milli().value_or(0)) : std::string();
+  reason_.clear();
+  error_.clear();
+}
+
+void DecideForm::draw_fields(Ui& ui, const Rect& form) {
+  Rect rest = form;
+  const std::array<std::string_view, 3> labels{ui.text("result.decide.confirm.short"),
+                                               ui.text("result.decide.override.short"),
+                                               ui.text("result.decide.void.short")};
+  segmented(ui, "decide.kind", take_top(rest, segmented_height, gap), labels, chosen_);
+  if (kind() == DecisionKind::Overridden) {
+    take_top(rest, field_label_height);
+    FieldSpec score;
+    score.label = ui.text("result.decide.score");
+    if (!score_.empty() && !score_from(score_)) score.error = ui.text("result.decide.score.rule");
+    field(ui, "decide.score", take_top(rest, field_height), score_, score);
+    take_top(rest, field_message_height);
+  }
+  take_top(rest, field_label_height);
+  FieldSpec reason;
+  reason.label = ui.text("result.decide.reason");
+  reason.placeholder = ui.text("result.decide.reason.example");
+  reason.lines = 3;
+  reason.max_bytes = 2000;
+  field(ui, "decide.reason", take_top(rest, reason_height), reason_, reason);
+  ui.focus_first("decide.reason");
+}
+
+void DecideForm::start(Ui& ui, Shell& shell, const ResultFacts& facts) {
+  database::NewDecision decision{facts.header.id, kind(), score_from(score_).value_or(0), reason_};
+  const std::string title(ui.text(outcomes[static_cast<std::size_t>(chosen_)]));
+  error_.clear();
+  work_.start(
+      shell, std::string(ui.text("result.deciding")),
+      [visit = visit_, header = facts.header, decision](WorkReport&) {
+        visit->in_turn([&](database::Session& session, auto&) {
+          auto desk = instructor_desk_for(session, database::Action::DecideResult, header);
+          if (!desk) {
+            throw database::DatabaseError(database::DatabaseErrorKind::Refused,
+                                          "this result is not yours to decide");
+          }
+          desk->decide(decision);
+        });
+      },
+      [this, &shell, title](WorkEnd end, const std::string& reason) {
+        if (end != WorkEnd::Done) {
+          error_ = sentence_of(reason);
+          return;
+        }
+        is_open_ = false;
+        was_decided_ = true;
+        shell.say({Meaning::Good, title});
+      });
+}
+
+void DecideForm::draw_question(Ui& ui, Shell& shell, const ResultFacts& facts) {
+  const Question asked{ui.text("result.void.question"), ui.text("result.void.consequence"),
+                       ui.text("result.decide.void"), ui.text("result.void.keep"), true};
+  const Answer answer = question(ui, "decide.void", asked);
+  if (answer == Answer::Waiting) return;
+  is_asking_ = false;
+  if (answer == Answer::Act) start(ui, shell, facts);
+}
+
+bool DecideForm::draw(Ui& ui, Shell& shell, const ResultFacts& facts) {
+  if (std::exchange(was_decided_, false)) return true;
+  if (!is_open_) return false;
+  if (is_asking_) {
+    draw_question(ui, shell, facts);
+    return false;
+  }
+  const bool is_override = kind() == DecisionKind::Overridden;
+  Dialog shown;
+  shown.title = ui.text("result.decide");
+  shown.sentence = ui.text(sentences[static_cast<std::size_t>(chosen_)]);
+  shown.act = ui.text(verbs[static_cast<std::size_t>(chosen_)]);
+  shown.keep = ui.text("result.decide.cancel");
+  shown.error = error_;
+  shown.form_height = segmented_height + gap + field_label_height + reason_height;
+  if (is_override) shown.form_height += field_label_height + field_height + field_message_height;
+  shown.is_ready = !reason_.empty() && (!is_override || score_from(score_).has_value());
+  shown.is_busy = work_.is_running();
+  shown.is_dangerous = kind() == DecisionKind::Voided;
+  const Answer answer =
+      dialog(ui, "decide", shown, [&](const Rect& form) { draw_fields(ui, form); });
+  if (answer == Answer::Keep) is_open_ = false;
+  if (answer != Answer::Act || work_.is_running()) return false;
+  if (kind() == DecisionKind::Voided) {
+    is_asking_ = true;
+  } else {
+    start(ui, shell, facts);
+  }
+  return false;
+}
+
+}  // namespace hallux::ui

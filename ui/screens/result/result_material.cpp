@@ -1,0 +1,217 @@
+#include "ui/screens/result/result_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "database/assets.h"
+#include "scenarios/scenario_error.h"
+#include "simulator/base/digest.h"
+#include "ui/jobs/attempt_jobs.h"
+#include "ui/screens/bone_stage.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using assessment::CutFace;
+using assessment::Examination;
+using database::Action;
+using database::AttemptState;
+using scenarios::PlannedCut;
+
+/// Shares of the time, as measured: reading, scoring, and what is drawn.
+constexpr double read_share = 0.1, score_share = 0.7;
+/// The map is cut open this far beyond the face, so that the face itself stays.
+constexpr double open_beyond_mm = 0.02;
+constexpr int iso_limit_mm = 2;
+constexpr double iso_slack_mm = 0.12;
+
+std::optional<scenarios::Scenario> read_scenario_of(database::Database& database,
+                                                    const database::AttemptHeader& header) {
+  const database::ScenarioText text = get_scenario_version(database, header.begun.scenario);
+  try {
+    return scenarios::parse_scenario(text.json, text.name);
+  } catch (const scenarios::ScenarioError&) {
+    return std::nullopt;  // a stored score is shown all the same, with the names it holds
+  }
+}
+
+StageProgress stages_on(WorkReport& report) {
+  return [&report](const std::string&) -> std::function<bool(double)> {
+    return [&report](double fraction) {
+      return report.reached(read_share + (score_share - read_share) * fraction);
+    };
+  };
+}
+
+AttemptMaterial load_for(Visit& visit, const database::AttemptId& id) {
+  return visit.in_turn([&](database::Session& session, database::Database& database) {
+    std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
+    if (!desk) {
+      throw database::DatabaseError(database::DatabaseErrorKind::Refused,
+                                    "this account may not see attempts any more");
+    }
+    return load_attempt(database, *desk, id);
+  });
+}
+
+bool store_where_missing(Visit& visit, const database::AttemptHeader& header,
+                         const database::ScoreCard& card) {
+  if (header.score_milli || header.state != AttemptState::Closed) return false;
+  return visit.in_turn([&](database::Session& session, auto&) {
+    std::optional<database::AttemptDesk> desk = session.desk_for(Action::StoreScore, header.id);
+    if (!desk || !desk->may(Action::StoreScore, header)) return false;
+    desk->store_score(header.id, card);
+    return true;
+  });
+}
+
+Vec3 mean_of(const std::vector<Vec3>& points) {
+  Vec3 sum(0.0);
+  for (const Vec3& point : points) sum += point;
+  return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
+}
+
+double reach_from(const Vec3& middle, const std::vector<Vec3>& points) {
+  double reach = 0.0;
+  for (const Vec3& point : points) reach = std::max(reach, glm::length(point - middle));
+  return reach;
+}
+
+/// z towards the waste, x from where the blade enters to where it comes out.
+RigidTransform frame_of(const PlannedCut& cut) {
+  const Vec3& normal = cut.face.normal;
+  const Vec3 middle_mm = 0.5 * (cut.entry_point_in_bone_mm + cut.exit_point_in_bone_mm);
+  Vec3 along = cut.exit_point_in_bone_mm - cut.entry_point_in_bone_mm;
+  along -= glm::dot(along, normal) * normal;
+  if (glm::length(along) < 1.0e-6) along = cut.axis;
+  along = glm::normalize(along);
+  const double off_mm = cut.face.offset_mm - glm::dot(normal, middle_mm);
+  return {rotation_from_axes(along, glm::cross(normal, along)), middle_mm + off_mm * normal};
+}
+
+std::vector<IsoPlace> iso_places_of(const CutFace& face, const PlannedCut& cut) {
+  std::vector<IsoPlace> found;
+  for (int mm = -iso_limit_mm; mm <= iso_limit_mm; ++mm) {
+    IsoPlace iso;
+    iso.distance_mm = mm;
+    for (const Vec3& sample : face.samples_in_bone_mm) {
+      const double off_mm = glm::dot(cut.face.normal, sample) - cut.face.offset_mm;
+      if (std::abs(off_mm - mm) < iso_slack_mm) iso.places_in_bone_mm.push_back(sample);
+    }
+    if (!iso.places_in_bone_mm.empty()) found.push_back(std::move(iso));
+  }
+  return found;
+}
+
+void map_face(CutAgainstPlan& against, const PlannedCut& cut, const CutFace& face,
+              const assessment::RebuiltBone& rebuilt) {
+  against.is_cut = true;
+  const RigidTransform& bone_from_kerf = rebuilt.fields.plane(face.kerf).bone_from_kerf;
+  const Vec3 upwards = transform_direction(bone_from_kerf, Vec3(0.0, 0.0, 1.0));
+  // The wall on the bone that is kept: below the kerf where its z looks to the waste.
+  const std::int32_t side = glm::dot(upwards, cut.face.normal) >= 0.0 ? -1 : 1;
+  against.map = {face.kerf, side, cut.face.normal, cut.face.offset_mm, 2.0};
+  against.cut_away = {face.plane.normal, face.plane.offset_mm + open_beyond_mm};
+  against.middle_in_bone_mm = mean_of(face.samples_in_bone_mm);
+  against.radius_mm = std::max(6.0, reach_from(against.middle_in_bone_mm, face.samples_in_bone_mm));
+  against.iso_places = iso_places_of(face, cut);
+}
+
+CutAgainstPlan against_plan(const Examination& examination, std::size_t index) {
+  const PlannedCut& cut = examination.plan.cuts[index];
+  CutAgainstPlan against;
+  against.bone_from_face = frame_of(cut);
+  against.middle_in_bone_mm = against.bone_from_face.translation_mm;
+  const std::vector<CutFace>& faces = examination.faces[index];
+  if (!faces.empty() && !faces.front().samples_in_bone_mm.empty()) {
+    map_face(against, cut, faces.front(), examination.rebuilt);
+  }
+  return against;
+}
+
+/// The card's trees live only as long as the light is laid.
+void light_pieces(std::vector<BoneMesh>& pieces) {
+  std::vector<simulator::Bvh> trees;
+  for (const BoneMesh& piece : pieces) trees.emplace_back(piece.solid.mesh);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    // What lies on the other side of a kerf is not looked at: the face is shown opened.
+    const Occluder own{&trees[i], {}};
+    light_cut_faces(pieces[i], std::span(&own, 1));
+  }
+}
+
+void add_pictures(ExaminedAttempt& examined, const AttemptMaterial& material,
+                  const Examination& examination, WorkReport& report) {
+  const std::string name = "result " + material.header.id.text + " " +
+                           std::to_string(material.recording.samples.size()) + " ";
+  examined.look = look_of(picture_id("look " + hex_from_digest(material.header.begun.bone)),
+                          material.bone, [&](double fraction) {
+                            if (!report.reached(score_share + 0.2 * fraction))
+                              throw Cancelled("stopped before the bone was drawn");
+                          });
+  std::size_t number = 0;
+  for (const simulator::CutSolid& piece : examination.rebuilt.pieces) {
+    examined.pieces.push_back(
+        mesh_of(picture_id(name + std::to_string(number++)), piece, examined.look));
+  }
+  light_pieces(examined.pieces);
+  const std::vector<Vec3>& points = material.bone.outer.points_mm;
+  examined.middle_in_bone_mm = mean_of(points);
+  examined.radius_mm = std::max(1.0, reach_from(examined.middle_in_bone_mm, points));
+}
+
+}  // namespace
+
+const database::Decision* ResultFacts::decision() const noexcept {
+  const bool has_one = !decisions.empty() && decisions.front().is_in_force;
+  return has_one ? &decisions.front() : nullptr;
+}
+
+std::optional<std::int64_t> ResultFacts::standing_milli() const noexcept {
+  if (decision() != nullptr && decision()->score_milli) return decision()->score_milli;
+  if (score) return score->card.score_milli;
+  return std::nullopt;
+}
+
+ResultFacts read_result(Visit& visit, const database::AttemptId& id) {
+  return visit.in_turn([&](database::Session& session, database::Database& database) {
+    ResultFacts facts;
+    facts.header = header_for(session, id);
+    std::optional<database::AttemptDesk> desk =
+        session.desk_for(Action::ViewAttempt, facts.header.id);
+    facts.score = desk->score(facts.header.id);
+    facts.decisions = desk->decisions(facts.header.id);
+    facts.scenario = read_scenario_of(database, facts.header);
+    facts.rights = rights_to(session, facts.header);
+    return facts;
+  });
+}
+
+std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const database::AttemptId& id,
+                                                       WorkReport& report) {
+  const AttemptMaterial material = load_for(visit, id);
+  report.reached(read_share);
+  const Examination examination = score_attempt(material, stages_on(report));
+  auto examined = std::make_shared<ExaminedAttempt>();
+  examined->card = examination.card;
+  examined->world_from_bone = material.bone.world_from_bone;
+  for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut) {
+    examined->cuts.push_back(against_plan(examination, cut));
+  }
+  add_pictures(*examined, material, examination, report);
+  examined->was_stored = store_where_missing(visit, material.header, examination.card);
+  report.reached(1.0);
+  return examined;
+}
+
+bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) noexcept {
+  return a.score_milli == b.score_milli && a.measured_milli == b.measured_milli &&
+         std::equal(a.ledger.begin(), a.ledger.end(), b.ledger.begin(), b.ledger.end(),
+                    [](const database::LedgerLine& x, const database::LedgerLine& y) {
+                      return x.item == y.item && x.value == y.value &&
+                             x.points_lost_milli == y.points_lost_milli;
+                    });
+}
+
+}  // namespace hallux::ui

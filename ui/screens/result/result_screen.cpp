@@ -1,0 +1,357 @@
+#include "ui/screens/result/result_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/screens/result/result_cards.h"
+#include "ui/screens/words.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/charts/timeline.h"
+#include "ui/widgets/marks.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::LedgerLine;
+
+constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height = 66.0F,
+                row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F;
+
+enum Column { Item, Yours, Target, Lost, Moment, column_count };
+
+double second_of(std::int64_t time_us) noexcept { return static_cast<double>(time_us) / 1.0e6; }
+
+std::string duration_words(const Texts& texts, std::int64_t ticks) {
+  const long seconds = std::lround(static_cast<double>(ticks) / 1000.0);
+  return texts.say("result.duration", {{"minutes", std::to_string(seconds / 60)},
+                                       {"seconds", std::to_string(seconds % 60)}});
+}
+
+}  // namespace
+
+void ResultScreen::read(Ui& ui, Shell& shell) {
+  if (facts_.is_new()) {
+    facts_.start(ui, shell, ui.text("result.reading"),
+                 [visit = visit_, id = attempt_](WorkReport&) { return read_result(*visit, id); });
+  }
+  if (!facts_.is_ready() || !examined_.is_new()) return;
+  examined_.start(ui, shell, ui.text("result.examining"),
+                  [visit = visit_, id = facts().header.id](WorkReport& report) {
+                    return examine_attempt(*visit, id, report);
+                  });
+}
+
+void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  read(ui, shell);
+  // What the store lacked was computed and kept: it is read as all else that is stored.
+  const bool is_waiting = facts_.is_ready() && !facts().score;
+  if (is_waiting && examined_.is_ready() && examined_.value()->was_stored) facts_.read_again();
+  Rect page = inset(content, space::page, 0.0F);
+  if (!facts_.draw_until_ready(ui, "result.failed", inset(content, space::page), 10)) return;
+  const float height = std::max(page_height_, content.h);
+  const float offset = ui.begin_scroll("result.page", ui.text("result.page"), content, height);
+  page.y -= offset;
+  page.h = content.h;
+  draw_page(ui, page, shell);
+  ui.end_scroll();
+  draw_forms(ui, shell);
+}
+
+void ResultScreen::draw_page(Ui& ui, Rect page, Shell& shell) {
+  const float top = page.y, view = page.h;
+  page.h = 100000.0F;
+  take_top(page, 24.0F);
+  take_top(page, draw_head(ui, page), 16.0F);
+  take_top(page, draw_notices(ui, page));
+  take_top(page, draw_reading_cards(ui, page), space::between_cards);
+  const float left = view - (page.y - top) - space::page;
+  take_top(page, draw_looking_cards(ui, page, std::max(looking_height, left), shell));
+  if (!facts().decisions.empty()) {
+    take_top(page, space::between_cards);
+    const float height = decisions_card_height(ui, facts(), page.w);
+    draw_decisions_card(ui, take_top(page, height), facts());
+  }
+  const float height = page.y - top + space::page;
+  if (std::abs(height - page_height_) > 0.5F) ui.want_frame_in_s(0.0);
+  page_height_ = height;
+}
+
+float ResultScreen::draw_head(Ui& ui, const Rect& place) {
+  const database::AttemptHeader& header = facts().header;
+  Canvas& canvas = ui.canvas();
+  std::string where = scenario() != nullptr ? scenario()->title : header.scenario_name;
+  if (header.begun.person != visit_->person().id && !header.login.empty())
+    where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
+  std::string when = moment_text(header.started_utc);
+  if (header.duration_ticks)
+    when = ui.texts().say(
+        "result.when",
+        {{"moment", when}, {"duration", duration_words(ui.texts(), *header.duration_ticks)}});
+  Rect rest = place;
+  Rect crumb = take_top(rest, 20.0F, 4.0F);
+  const float when_width = std::min(ui.width_of(Type::Small, when) + 2.0F, 0.5F * crumb.w);
+  canvas.text_in(take_right(crumb, when_width, 16.0F),
+                 {Type::Small, ui.theme().text_caption, Align::Right}, when, true);
+  canvas.text_in(crumb, {Type::Small, ui.theme().text_caption}, where, true);
+  const std::string title =
+      ui.texts().say("result.title", {{"number", grouped(static_cast<long>(header.order))}});
+  const Rect line = take_top(rest, 40.0F, 8.0F);
+  canvas.text_on_baseline({line.x, line.y + 30.0F}, {Type::Title, ui.theme().text}, title);
+  const float title_width = ui.width_of(Type::Title, title) + 24.0F;
+  const bool is_narrow = line.w < 620.0F;
+  if (is_narrow) {
+    draw_actions(ui, take_top(rest, 40.0F, 8.0F));
+  } else {
+    draw_actions(ui, {line.x + title_width, line.y, line.w - title_width, line.h});
+  }
+  return rest.y - place.y + draw_marks(ui, rest);
+}
+
+void ResultScreen::draw_actions(Ui& ui, Rect line) {
+  const auto action = [&](const char* id, const ButtonSpec& spec) {
+    const float width = std::min(button_width(ui, spec), line.w);
+    const Rect place = take_right(line, width, 8.0F);
+    return button(ui, id, {place.x, place.mid_y() - 18.0F, place.w, header_button_height}, spec);
+  };
+  ButtonSpec replay{ui.text("result.replay"), ButtonLook::Primary, Icon::Play};
+  if (action("result.replay", replay)) {
+    const double moment_s =
+        chosen_line_ ? second_of(facts().score->card.ledger[*chosen_line_].start_us) : 0.0;
+    places_.show_replay(facts().header.id, moment_s);
+  }
+  if (facts().rights.may_ask_for_help &&
+      action("result.ask", {ui.text("result.ask"), ButtonLook::Secondary, Icon::Flag}))
+    ask_.open();
+  if (facts().rights.may_decide &&
+      action("result.decide", {ui.text("result.decide"), ButtonLook::Secondary, Icon::Check}))
+    decide_.open(facts());
+}
+
+float ResultScreen::draw_marks(Ui& ui, const Rect& place) const {
+  Point at{place.x, place.y + 11.0F};
+  for (const ScoreMark& mark : score_marks(ui.texts(), facts())) {
+    const float width = pill_width(ui, mark.words, mark.has_shape);
+    if (at.x > place.x && at.x + width > place.right()) at = {place.x, at.y + pill_step};
+    at.x += pill(ui, at, mark.words, mark.meaning, mark.has_shape) + 8.0F;
+  }
+  return at.y + 11.0F - place.y;
+}
+
+std::vector<std::pair<Meaning, std::string>> ResultScreen::notices(const Texts& texts) const {
+  std::vector<std::pair<Meaning, std::string>> found;
+  const database::Decision* decision = facts().decision();
+  if (decision != nullptr && decision->kind == database::DecisionKind::Voided) {
+    found.emplace_back(Meaning::Bad,
+                       texts.say("result.notice.void", {{"reason", decision->reason}}));
+  }
+  if (decision != nullptr && decision->kind == database::DecisionKind::Overridden &&
+      facts().score) {
+    found.emplace_back(Meaning::Info,
+                       texts.say("result.notice.overridden",
+                                 {{"points", points_text(facts().score->card.score_milli)},
+                                  {"reason", decision->reason}}));
+  }
+  if (!examined_.is_ready()) return found;
+  const database::ScoreCard& now = examined_.value()->card;
+  if (!facts().score) {
+    found.emplace_back(Meaning::Warn, texts.say("result.notice.not_stored",
+                                                {{"points", points_text(now.score_milli)}}));
+  } else if (!is_same_score(facts().score->card, now)) {
+    found.emplace_back(Meaning::Warn,
+                       texts.say("result.notice.differs",
+                                 {{"now", points_text(now.score_milli)},
+                                  {"stored", points_text(facts().score->card.score_milli)},
+                                  {"engine_now", std::to_string(now.engine)},
+                                  {"engine_stored", std::to_string(facts().score->card.engine)}}));
+  }
+  return found;
+}
+
+float ResultScreen::draw_notices(Ui& ui, const Rect& place) const {
+  Rect rest = place;
+  for (const auto& [meaning, words] : notices(ui.texts())) {
+    draw_notice(ui, take_top(rest, notice_height(ui, words, rest.w), 16.0F), meaning, words);
+  }
+  return rest.y - place.y;
+}
+
+float ResultScreen::draw_reading_cards(Ui& ui, const Rect& place) {
+  const bool has_columns = place.w >= two_columns_from;
+  const float score_width = has_columns ? std::min(400.0F, 0.42F * place.w) : place.w;
+  const float words_width = has_columns ? place.w - score_width - space::between_cards : place.w;
+  float score_height = score_card_height(facts()),
+        words_height = sentences_card_height(ui, facts(), words_width);
+  if (has_columns) score_height = words_height = std::max(score_height, words_height);
+  draw_score_card(ui, {place.x, place.y, score_width, score_height}, facts());
+  const Rect words{has_columns ? place.right() - words_width : place.x,
+                   has_columns ? place.y : place.y + score_height + space::between_cards,
+                   words_width, words_height};
+  if (const auto line = draw_sentences_card(ui, words, facts())) watch(*line);
+  return words.bottom() - place.y;
+}
+
+float ResultScreen::draw_looking_cards(Ui& ui, const Rect& place, float height, Shell& shell) {
+  const bool has_columns = place.w >= two_columns_from;
+  if (has_columns) {
+    const float width = std::round(0.56F * (place.w - space::between_cards));
+    draw_ledger(ui, {place.x, place.y, width, height});
+    draw_plan(ui,
+              {place.x + width + space::between_cards, place.y,
+               place.w - width - space::between_cards, height},
+              shell);
+    return height;
+  }
+  draw_ledger(ui, {place.x, place.y, place.w, looking_height});
+  const float top = place.y + looking_height + space::between_cards;
+  draw_plan(ui, {place.x, top, place.w, looking_height}, shell);
+  return top + looking_height - place.y;
+}
+
+void ResultScreen::choose_line(std::size_t line) {
+  chosen_line_ = line;
+  const LedgerLine& chosen = facts().score->card.ledger[line];
+  ledger_.chosen = {chosen.item};
+  plan_.show_place(chosen.place_in_bone_mm, cut_of(chosen, scenario()));
+}
+
+void ResultScreen::watch(std::size_t line) {
+  choose_line(line);
+  places_.show_replay(facts().header.id, second_of(facts().score->card.ledger[line].start_us));
+}
+
+void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
+  std::string title(ui.text("result.ledger"));
+  if (facts().score) {
+    std::int64_t lost = 0;
+    for (const std::int64_t each : facts().score->card.shown_losses_milli) lost += each;
+    title = ui.texts().say("result.ledger.lost", {{"points", points_text(lost)}});
+  }
+  Rect inside = card(ui, rect, title);
+  if (!facts().score || facts().score->card.ledger.empty()) {
+    empty_card(ui, "result.ledger.empty", inside,
+               {Icon::Ratings,
+                ui.text("result.ledger.empty"),
+                ui.text("result.ledger.empty.sentence"),
+                {}});
+    return;
+  }
+  const Rect foot = take_bottom(inside, foot_height, 8.0F);
+  draw_ledger_table(ui, inside);
+  draw_ledger_foot(ui, foot);
+}
+
+void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
+  const database::ScoreCard& score = facts().score->card;
+  const std::vector<std::size_t> order = lines_by_loss(score);
+  std::int64_t greatest = 1;
+  for (const std::int64_t loss : score.shown_losses_milli) greatest = std::max(greatest, loss);
+  const bool is_narrow = rect.w < 540.0F;
+  const std::array<TableColumn, column_count> columns{{
+      {ui.text("result.ledger.item"), 0.0F, 1.0F},
+      {ui.text("result.ledger.yours"), 76.0F, 1.0F, Align::Right},
+      {ui.text("result.ledger.target"), is_narrow ? 76.0F : 100.0F, 1.0F, Align::Right},
+      {ui.text("result.ledger.loss"), is_narrow ? 52.0F : 108.0F, 1.0F, Align::Right},
+      {ui.text("result.ledger.moment"), 64.0F, 1.0F, Align::Right},
+  }};
+  const auto line_of = [&](int row) -> const LedgerLine& {
+    return score.ledger[order[static_cast<std::size_t>(row)]];
+  };
+  const auto loss_of = [&](int row) {
+    const std::size_t line = order[static_cast<std::size_t>(row)];
+    return line < score.shown_losses_milli.size() ? score.shown_losses_milli[line]
+                                                  : score.ledger[line].points_lost_milli;
+  };
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(order.size());
+  spec.row_height = row_height;
+  spec.label = ui.text("result.ledger");
+  spec.row_id = [&](int row) { return line_of(row).item; };
+  spec.row_label = [&](int row) { return item_title(line_of(row), scenario()); };
+  std::optional<std::size_t> watched;
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const LedgerLine& line = line_of(row);
+    const Theme& theme = own.theme();
+    Canvas& canvas = own.canvas();
+    if (column == Item) {
+      canvas.text_in(cell, {Type::Body, theme.text}, item_title(line, scenario()), true);
+    } else if (column == Yours) {
+      canvas.text_in(cell, {Type::Body, theme.text, Align::Right}, yours_text(line));
+    } else if (column == Target) {
+      canvas.text_in(cell, {Type::Body, theme.text_caption, Align::Right},
+                     target_text(line, scenario()));
+    } else if (column == Lost) {
+      canvas.text_in(cell, {Type::BodyStrong, theme.text, Align::Right}, loss_text(loss_of(row)));
+      const float length =
+          loss_bar_width * static_cast<float>(loss_of(row)) / static_cast<float>(greatest);
+      if (!is_narrow && loss_of(row) > 0)
+        canvas.fill({cell.right() - 52.0F - length, cell.mid_y() - 3.0F, length, 6.0F},
+                    theme.muted_bar, 3.0F);
+    } else if (line.end_us == 0 || !line.is_measured) {
+      canvas.text_in(cell, {Type::Body, theme.text_caption, Align::Right}, "\xE2\x80\x93");
+    } else if (link(own, "result.moment." + line.item, {cell.right(), cell.mid_y()},
+                    clock_text(second_of(line.start_us)), Align::Right, Type::BodyMedium)) {
+      watched = order[static_cast<std::size_t>(row)];
+    }
+  };
+  const TableResponse response = table(ui, "result.ledger", rect, spec, ledger_);
+  if (response.opened) {
+    const std::size_t line = order[static_cast<std::size_t>(*response.opened)];
+    if (chosen_line_ == line) watched = line;
+    choose_line(line);
+  }
+  if (watched) watch(*watched);
+}
+
+void ResultScreen::draw_ledger_foot(Ui& ui, const Rect& rect) {
+  Canvas& canvas = ui.canvas();
+  canvas.hairline_across(rect.x, rect.y, rect.w, ui.theme().line);
+  if (!chosen_line_) {
+    canvas.paragraph({rect.x, rect.y + 12.0F, rect.w, rect.h - 12.0F},
+                     {Type::Small, ui.theme().text_caption}, ui.text("result.ledger.hint"));
+    return;
+  }
+  const LedgerLine& line = facts().score->card.ledger[*chosen_line_];
+  const float needed = ui.paragraph_height(Type::Small, line.text, rect.w - 16.0F);
+  const Rect view{rect.x, rect.y + 8.0F, rect.w, rect.h - 8.0F};
+  const float offset =
+      ui.begin_scroll("result.ledger.text", ui.text("result.ledger"), view, needed);
+  canvas.paragraph({view.x, view.y - offset, view.w - 16.0F, needed},
+                   {Type::Small, ui.theme().text_secondary}, line.text);
+  ui.end_scroll();
+}
+
+void ResultScreen::draw_plan(Ui& ui, const Rect& rect, Shell& shell) {
+  draw_card(ui.canvas(), ui.theme(), rect);
+  const Rect inside = inset(rect, space::card);
+  if (!examined_.draw_until_ready(ui, "result.unseen", inside, 6)) return;
+  plan_.draw(ui, shell, inset(rect, 1.0F), *examined_.value());
+}
+
+void ResultScreen::draw_forms(Ui& ui, Shell& shell) {
+  if (decide_.draw(ui, shell, facts())) facts_.read_again();
+  WordsFormSpec spec;
+  spec.id = "ask";
+  spec.title = ui.text("result.ask");
+  spec.sentence = ui.text("result.ask.sentence");
+  spec.label = ui.text("result.ask.question");
+  spec.placeholder = ui.text("result.ask.example");
+  spec.act = ui.text("result.ask.send");
+  spec.sending = ui.text("result.ask.sending");
+  spec.sent = ui.text("result.ask.sent");
+  database::AttemptMoment moment;
+  if (chosen_line_) {
+    const LedgerLine& line = facts().score->card.ledger[*chosen_line_];
+    moment = {line.start_us, database::BonePoint{0, line.place_in_bone_mm}};
+  }
+  ask_.draw(ui, shell, visit_, spec,
+            [header = facts().header, moment](database::Session& session, const std::string& words,
+                                              bool) {
+              ask_for_help(session, header, {header.id, moment, words});
+            });
+}
+
+}  // namespace hallux::ui

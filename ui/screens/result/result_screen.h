@@ -1,0 +1,66 @@
+/// The result of one attempt: the score by group, the ledger with its places and moments, what to take away, plan against
+/// cut, and what instructors decided.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/screens/places.h"
+#include "ui/screens/reading.h"
+#include "ui/screens/result/decide_form.h"
+#include "ui/screens/result/plan_card.h"
+#include "ui/screens/result/result_material.h"
+#include "ui/screens/visit.h"
+#include "ui/screens/words_form.h"
+#include "ui/widgets/table.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class ResultScreen : public Screen {
+ public:
+  /// `places` outlives the screen.
+  ResultScreen(std::shared_ptr<Visit> visit, Places& places, database::AttemptId attempt)
+      : visit_(visit), places_(places), attempt_(std::move(attempt)), decide_(visit) {}
+
+  std::string_view navigation_id() const override { return "nav.attempts"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  void read(Ui& ui, Shell& shell);
+  void draw_page(Ui& ui, Rect page, Shell& shell);
+  float draw_head(Ui& ui, const Rect& place);
+  void draw_actions(Ui& ui, Rect line);
+  float draw_marks(Ui& ui, const Rect& place) const;
+  float draw_notices(Ui& ui, const Rect& place) const;
+  float draw_reading_cards(Ui& ui, const Rect& place);
+  float draw_looking_cards(Ui& ui, const Rect& place, float height, Shell& shell);
+  void draw_ledger(Ui& ui, const Rect& rect);
+  void draw_ledger_table(Ui& ui, const Rect& rect);
+  void draw_ledger_foot(Ui& ui, const Rect& rect);
+  void draw_plan(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_forms(Ui& ui, Shell& shell);
+  std::vector<std::pair<Meaning, std::string>> notices(const Texts& texts) const;
+
+  const ResultFacts& facts() const { return facts_.value(); }
+  const scenarios::Scenario* scenario() const noexcept {
+    return facts().scenario ? &*facts().scenario : nullptr;
+  }
+  void choose_line(std::size_t line);
+  void watch(std::size_t line);
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  database::AttemptId attempt_;
+  Reading<ResultFacts> facts_;
+  Reading<std::shared_ptr<const ExaminedAttempt>> examined_;
+  PlanCard plan_;
+  DecideForm decide_;
+  WordsForm ask_;
+  TableState ledger_;
+  std::optional<std::size_t> chosen_line_;
+  float page_height_ = 0.0F;
+};
+
+}  // namespace hallux::ui
