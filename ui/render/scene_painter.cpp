@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -108,7 +109,9 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
                                      const StereoSetting& setting) {
   Parts& parts = *parts_;
   if (!parts.stage) parts.stage.emplace();
-  parts.stage->begin(setting, parts.window.size);
+  StereoSetting live = setting;
+  live.eye_columns = std::min(setting.eye_columns, live_eye_columns());
+  parts.stage->begin(live, parts.window.size);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && parts.stage->eye_count() < 2) continue;
     parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye).target());

@@ -63,7 +63,8 @@ database::AttemptHeader OperableCourse::attempt() {
   return all.empty() ? database::AttemptHeader{} : all.front();
 }
 
-Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size) {
+Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
+                   ScenePainter* painter) {
   DriverSetting setting;
   setting.width = size.x * scale;
   setting.height = size.y * scale;
@@ -75,8 +76,8 @@ Operator::Operator(OperableCourse& course, database::AttemptKind kind, float sca
       std::make_unique<OperatingScreen>(course.visit_of_ada(), places, course.version(), kind));
   driver_ = std::make_unique<Driver>(
       texts_,
-      [this](Ui& ui) {
-        if (shell_ != nullptr) shell_->draw(ui, scenes);
+      [this, painter](Ui& ui) {
+        if (shell_ != nullptr) shell_->draw(ui, painter == nullptr ? scenes : *painter);
       },
       setting);
   EXPECT_TRUE(until([&] { return driver_->has("operate.begin"); }, 60.0));

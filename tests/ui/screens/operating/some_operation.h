@@ -46,11 +46,12 @@ class OperableCourse {
   database::ScenarioVersionId version_;
 };
 
-/// Ada before the operating screen, over a screen to come back to.
+/// Ada before the operating screen, over a screen to come back to. Another painter may stand in for the one that notes;
+/// it must have begun a frame whenever one is made.
 class Operator {
  public:
   Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,
-           Point size = {1440.0F, 900.0F});
+           Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr);
   ~Operator();
 
   /// Presses Begin and waits until the loop runs.
