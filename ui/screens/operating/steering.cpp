@@ -16,7 +16,9 @@ constexpr double stand_off_mm = 30.0;
 constexpr double turn_rad_per_pixel = 0.0045, orbit_rad_per_pixel = 0.008;
 constexpr double depth_mm_per_notch = 1.0, zoom_per_notch = 1.1;
 constexpr double key_step_mm = 1.0, key_turn_rad = 0.0175;
-constexpr double magnification = 7.0;
+/// What one wants to see around the site: most of a phalanx, the head and half the shaft of a metatarsal.
+constexpr double usual_aspect = 1.6;
+constexpr double site_share_of_bone = 0.5, site_least_mm = 20.0, site_most_mm = 30.0;
 
 bool is_down(const AreaResponse& area, MouseButton button) {
   return area.is_down[static_cast<std::size_t>(button)];
@@ -75,8 +77,10 @@ RigidTransform start_pose(const OperatingTable& table) {
 Camera start_camera(const OperatingTable& table) {
   Camera camera;
   camera.target_mm = transform_point(table.bone.world_from_bone, site_in_bone_mm(first_cut(table)));
-  camera.magnification = magnification;
-  return standard_view(camera, StandardView::Operator);
+  const double length_mm = table.scenario.patient.length_mm;
+  const double radius_mm =
+      std::clamp(site_share_of_bone * length_mm, site_least_mm, site_most_mm);
+  return standard_view(fitted(camera, Viewer{}, radius_mm, usual_aspect), StandardView::Operator);
 }
 
 std::optional<Point> place_on(const Sight& sight, const Vec3& point_in_world_mm) {
