@@ -139,7 +139,7 @@ void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     draw_head(ui, page);
     draw_pills(ui, page);
     const Panes panes = panes_of(page, side_width, stacked_height);
-    const Rect inside = card(ui, panes.main, {});
+    const Rect inside = list_card(ui, panes.main);
     if (glance_.draw_until_ready(ui, "cohort.failed", inside, 8)) draw_grid(ui, inside);
     Rect side = panes.side;
     draw_requests(ui,
@@ -178,18 +178,26 @@ void CohortScreen::draw_cohort_menu(Ui& ui) {
   if (chosen >= 0) show(static_cast<std::size_t>(chosen));
 }
 
+std::array<std::string, CohortScreen::filter_count> CohortScreen::pill_labels(
+    const Texts& texts) const {
+  const Glance& glance = glance_.value();
+  const auto count = [&](int filter) {
+    return static_cast<long>(std::count_if(
+        glance.trainees.begin(), glance.trainees.end(),
+        [&](const TraineeStanding& trainee) { return is_in(trainee, filter, glance.now_utc); }));
+  };
+  return {texts.say("cohort.filter.all", {{"count", grouped(count(All))}}),
+          texts.say_count("cohort.filter.asking", count(Asking)),
+          texts.say("cohort.filter.slipped", {{"count", grouped(count(Slipped))}}),
+          texts.say("cohort.filter.idle", {{"count", grouped(count(Idle))}})};
+}
+
 void CohortScreen::draw_pills(Ui& ui, Rect& page) {
   Rect line = take_top(page, 24.0F, 12.0F);
   if (!glance_.is_ready()) return;
-  const Glance& glance = glance_.value();
-  constexpr std::array<std::string_view, filter_count> ids{
-      "cohort.filter.all", "cohort.filter.asking", "cohort.filter.slipped", "cohort.filter.idle"};
+  const std::array<std::string, filter_count> labels = pill_labels(ui.texts());
   for (int filter = All; filter < filter_count; ++filter) {
-    const auto count = std::count_if(
-        glance.trainees.begin(), glance.trainees.end(),
-        [&](const TraineeStanding& trainee) { return is_in(trainee, filter, glance.now_utc); });
-    const std::string label =
-        ui.texts().say_count(ids[static_cast<std::size_t>(filter)], static_cast<long>(count));
+    const std::string& label = labels[static_cast<std::size_t>(filter)];
     const float wanted = ui.width_of(Type::CaptionMedium, label) + 20.0F;
     if (wanted > line.w) {  // a second line, where the window is narrow
       line = take_top(page, 24.0F, 12.0F);
@@ -294,7 +302,7 @@ void CohortScreen::draw_standing_cell(Ui& ui, const TraineeStanding& trainee,
                                     ? Competence::NotStarted
                                     : competence_of(*standing, glance_.value().now_utc);
   if (competence == Competence::Slipped)
-    ui.canvas().fill({cell.x - 4.0F, cell.y + 4.0F, std::min(cell.w, 88.0F), cell.h - 8.0F},
+    ui.canvas().fill({cell.x - 4.0F, cell.y + 4.0F, 96.0F, cell.h - 8.0F},
                      tint_of(theme, Meaning::Bad), radius::row);
   draw_competence(ui.canvas(), theme, competence, {cell.x + 10.0F, cell.mid_y()}, 7.5F,
                   standing == nullptr ? 0.0F : progress_of(*standing));

@@ -1,6 +1,7 @@
 /// A cohort at a glance: each trainee in each operation, what happened last, and who asks for help.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ class CohortScreen : public Screen {
   void show(std::size_t cohort);
   void draw_head(Ui& ui, Rect& page);
   void draw_cohort_menu(Ui& ui);
+  std::array<std::string, filter_count> pill_labels(const Texts& texts) const;
   void draw_pills(Ui& ui, Rect& page);
   void draw_grid(Ui& ui, const Rect& content);
   void draw_person_cell(Ui& ui, const database::TraineeStanding& trainee, const Rect& cell) const;

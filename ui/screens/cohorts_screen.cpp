@@ -59,7 +59,7 @@ void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     Rect page = scrolled.rect();
     draw_head(ui, page);
     const Panes panes = panes_of(page, std::min(side_width, page.w * 0.56F), stacked_height);
-    const Rect inside = card(ui, panes.main, {});
+    const Rect inside = list_card(ui, panes.main);
     if (everybody_.draw_until_ready(ui, "cohorts.failed", inside, 6)) {
       if (!chosen_ && !everybody_.value().cohorts.empty())
         chosen_ = everybody_.value().cohorts.front().cohort.id;
@@ -195,7 +195,9 @@ void CohortsScreen::draw_member_actions(Ui& ui, const Rect& line, const Listed& 
   const std::array<std::string_view, 2> actions{
       ui.text(is_trainee ? "cohorts.to_instructor" : "cohorts.to_trainee"),
       ui.text("cohorts.remove")};
-  const int pressed = action_bar(ui, "cohorts.action", line, {}, actions, {});
+  const bool has_room = ui.width_of(Type::SmallMedium, member->login) < line.w * 0.3F;
+  const int pressed = action_bar(ui, "cohorts.action", line,
+                                 has_room ? std::string_view(member->login) : "", actions, {});
   if (pressed == 1) removal_ = Removal{listed.cohort.id, member->login, listed.cohort.name};
   if (pressed != 0) return;
   const CohortRole role = is_trainee ? CohortRole::Instructor : CohortRole::Trainee;
@@ -292,8 +294,9 @@ void CohortsScreen::draw_enrol_sheet(Ui& ui, Shell& shell) {
 
 bool CohortsScreen::draw_enrol_button(Ui& ui, Rect& line) {
   const auto count = static_cast<long>(enrolment_->table.chosen.size());
-  const std::string label = ui.texts().say_count(
-      enrolment_->role == 0 ? "cohorts.enrol.trainees" : "cohorts.enrol.instructors", count);
+  const std::string label = enrolment_->role == 0
+                                ? ui.texts().say_count("cohorts.enrol.trainees", count)
+                                : ui.texts().say_count("cohorts.enrol.instructors", count);
   ButtonSpec act{count > 0 ? std::string_view(label) : ui.text("cohorts.enrol"),
                  ButtonLook::Primary};
   act.is_enabled = count > 0;

@@ -106,6 +106,7 @@ void InboxScreen::draw_list(Ui& ui, const Rect& content) {
                 {}});
     return;
   }
+  if (chosen_.number == 0) chosen_ = shown.front()->id;
   const int opened =
       help_rows(ui, rest, {"inbox.row", ui.text("inbox.title"), true}, shown, chosen_);
   if (opened < 0) return;

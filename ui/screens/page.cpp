@@ -8,7 +8,7 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float beside_from = 900.0F, words_least = 380.0F, back_room = 44.0F;
+constexpr float beside_from = 900.0F, words_least = 380.0F, back_gap = 16.0F;
 constexpr float title_line = 36.0F, small_below = 720.0F;
 
 }  // namespace
@@ -44,7 +44,9 @@ PageHeadResponse page_head(Ui& ui, std::string_view id, Rect& page, const PageHe
   }
   Rect title = take_top(words, title_line, 4.0F);
   if (head.has_back) {
-    const Rect place = take_left(title, 36.0F, back_room - 36.0F);
+    // The arrow itself stands at the margin, its button reaches beyond.
+    const Rect arrow = take_left(title, 16.0F, back_gap);
+    const Rect place{arrow.x - 10.0F, arrow.y, 36.0F, 36.0F};
     response.is_back_pressed =
         icon_button(ui, std::string(id) + ".back", place, {ui.text("shortcut.back"), Icon::Left});
   }
@@ -73,6 +75,12 @@ Panes panes_of(const Rect& page, float side_width, float stacked_side_height) {
                    : take_right(rest, side_width, space::between_cards);
   panes.main = rest;
   return panes;
+}
+
+Rect list_card(Ui& ui, const Rect& rect) {
+  const Rect inside = card(ui, rect, {});
+  constexpr float top = 8.0F;
+  return {inside.x, rect.y + top, inside.w, inside.bottom() - rect.y - top};
 }
 
 void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value,

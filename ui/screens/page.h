@@ -53,6 +53,9 @@ struct Panes {
 bool are_panes_stacked(float page_width) noexcept;
 Panes panes_of(const Rect& page, float side_width, float stacked_side_height);
 
+/// A card without a title whose first line is the head of a table or tabs; returns the place for it.
+Rect list_card(Ui& ui, const Rect& rect);
+
 /// A name and its value on a line of a card, 28 high; the value may be shortened.
 void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value,
                float name_width = 96.0F);

@@ -17,7 +17,7 @@ namespace {
 using database::Person;
 
 enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen };
-constexpr float side_width = 340.0F, stacked_height = 470.0F, search_width = 220.0F;
+constexpr float side_width = 312.0F, stacked_height = 580.0F, search_width = 220.0F;
 constexpr float roomy_from = 700.0F;
 
 bool can_administer(const Person& person) noexcept {
@@ -138,11 +138,11 @@ void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   {
     const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
     const Page scrolled(ui, "people", ui.text("people.title"), content,
-                        is_stacked ? 480.0F + stacked_height : 560.0F);
+                        is_stacked ? 480.0F + stacked_height : 680.0F);
     Rect page = scrolled.rect();
     draw_head(ui, page);
     const Panes panes = panes_of(page, side_width, stacked_height);
-    const Rect inside = card(ui, panes.main, {});
+    const Rect inside = list_card(ui, panes.main);
     if (people_.draw_until_ready(ui, "people.failed", inside, 8)) {
       filter();
       draw_list(ui, inside);
@@ -197,18 +197,18 @@ void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
 void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
   const bool is_roomy = content.w >= roomy_from;
   std::vector<int> fields{Name, Login};
-  std::vector<TableColumn> columns{{ui.text("people.name"), 0.0F, 1.3F, Align::Left, true},
+  std::vector<TableColumn> columns{{ui.text("people.name"), 0.0F, 1.7F, Align::Left, true},
                                    {ui.text("people.login"), 0.0F, 1.0F, Align::Left, true}};
   const auto add = [&](int column, std::string_view head, float width) {
     fields.push_back(column);
     columns.push_back({head, width, 1.0F, Align::Left, true});
   };
   if (is_roomy) {
-    add(RoleColumn, ui.text("people.role"), 100.0F);
+    add(RoleColumn, ui.text("people.role"), 96.0F);
     add(CohortColumn, ui.text("people.cohorts"), 0.0F);
   }
-  add(StateColumn, ui.text("people.state"), 124.0F);
-  if (is_roomy) add(Seen, ui.text("people.seen"), 92.0F);
+  add(StateColumn, ui.text("people.state"), 112.0F);
+  if (is_roomy) add(Seen, ui.text("people.seen"), 88.0F);
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(shown_.size());

@@ -46,6 +46,7 @@ void QuestionsScreen::draw_list(Ui& ui, const Rect& content) {
   }
   std::vector<const database::HelpRequest*> shown;
   for (const database::HelpRequest& each : questions) shown.push_back(&each);
+  if (chosen_.number == 0) chosen_ = shown.front()->id;
   const int opened =
       help_rows(ui, content, {"questions.row", ui.text("questions.title"), false}, shown, chosen_);
   if (opened < 0) return;

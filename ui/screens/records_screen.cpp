@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 using database::AuditLine;
 
 enum Field { When, Who, Did, What, Entry };
-constexpr float side_width = 320.0F, stacked_height = 300.0F, roomy_from = 640.0F;
+constexpr float side_width = 320.0F, stacked_height = 620.0F, backup_height = 300.0F,
+                roomy_from = 640.0F;
 constexpr std::int32_t lines_per_page = 50;
 
 }  // namespace
@@ -80,18 +81,16 @@ void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (last_backup_.is_new()) read_last_backup(ui, shell);
   const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
   const Page scrolled(ui, "records", ui.text("records.title"), content,
-                      is_stacked ? 480.0F + stacked_height : 480.0F);
+                      is_stacked ? 480.0F + stacked_height : 620.0F);
   Rect page = scrolled.rect();
   PageHead head{ui.text("records.title"), ui.text("records.sentence")};
   if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
   page_head(ui, "records", page, head);
   const Panes panes = panes_of(page, side_width, stacked_height);
   draw_audit(ui, panes.main);
-  draw_backup(ui,
-              is_stacked
-                  ? panes.side
-                  : Rect{panes.side.x, panes.side.y, panes.side.w, std::min(panes.side.h, 330.0F)},
-              shell);
+  Rect side = panes.side;
+  draw_backup(ui, take_top(side, backup_height, space::between_cards), shell);
+  draw_line(ui, side);
 }
 
 void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
@@ -147,7 +146,38 @@ void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
     draw_cell(own, at(row), fields[static_cast<std::size_t>(column)], cell);
   };
-  table(ui, "records.row", content, spec, table_);
+  table_.chosen = {std::to_string(chosen_)};
+  const TableResponse response = table(ui, "records.row", content, spec, table_);
+  if (response.opened) chosen_ = at(*response.opened).number;
+}
+
+void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
+  const AuditLine* chosen = nullptr;
+  if (page_.is_ready())
+    for (const AuditLine& line : page_.value().lines)
+      if (line.number == chosen_) chosen = &line;
+  if (chosen == nullptr) {
+    empty_card(ui, "records.nothing", card(ui, rect, {}, space::side_card),
+               {Icon::Audit, ui.text("records.nothing"), ui.text("records.nothing.sentence"), {}});
+    return;
+  }
+  const std::string title =
+      ui.texts().say("records.line", {{"number", grouped(static_cast<long>(chosen->number))}});
+  Rect rest = card(ui, rect, title, space::side_card);
+  fact_line(ui, rest, ui.text("records.when"), moment_text(chosen->at_utc));
+  fact_line(ui, rest, ui.text("records.who"),
+            chosen->actor.empty() ? ui.text("records.nobody") : std::string_view(chosen->actor));
+  fact_line(ui, rest, ui.text("records.outcome"),
+            ui.text(chosen->was_refused ? "records.outcome.refused" : "records.outcome.done"));
+  take_top(rest, 8.0F);
+  words_line(ui, rest, Type::BodyMedium, ui.theme().text, deed_text(ui.texts(), *chosen), 4.0F);
+  // A reason may be longer than the card.
+  const std::string subject = subject_text(ui.texts(), *chosen);
+  const float height = ui.paragraph_height(Type::Small, subject, rest.w - 12.0F);
+  const float offset = ui.begin_scroll("records.words", title, rest, height);
+  ui.canvas().paragraph({rest.x, rest.y - offset, rest.w - 12.0F, height},
+                        {Type::Small, ui.theme().text_secondary}, subject);
+  ui.end_scroll();
 }
 
 void RecordsScreen::draw_cell(Ui& ui, const AuditLine& line, int field, const Rect& cell) const {

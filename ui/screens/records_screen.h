@@ -33,6 +33,7 @@ class RecordsScreen : public Screen {
   void draw_table(Ui& ui, const Rect& content);
   void draw_cell(Ui& ui, const database::AuditLine& line, int field, const Rect& cell) const;
   void draw_pager(Ui& ui, const Rect& line);
+  void draw_line(Ui& ui, const Rect& rect) const;
   void draw_backup(Ui& ui, const Rect& rect, Shell& shell);
   void draw_last_backup(Ui& ui, Rect& rest, Shell& shell);
   void back_up(Ui& ui, Shell& shell);
@@ -43,6 +44,7 @@ class RecordsScreen : public Screen {
   std::vector<std::optional<std::int64_t>> before_{std::nullopt};  ///< of each page so far
   int filter_ = 0;                                                 ///< 0 all, 1 refused only
   TableState table_;
+  std::int64_t chosen_ = 0;  ///< number of the line whose words are shown; 0: none
   DeskWork backing_up_;
 };
 

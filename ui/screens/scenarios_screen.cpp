@@ -19,7 +19,7 @@ using database::ScenarioState;
 using database::ScenarioVersion;
 
 enum Column { Operation, Version, StateColumn, Review, Attempts, Since };
-constexpr float side_share = 0.46F, stacked_height = 560.0F, roomy_from = 560.0F, gap = 14.0F;
+constexpr float side_share = 0.46F, stacked_height = 560.0F, roomy_from = 500.0F, gap = 14.0F;
 constexpr float review_from = 420.0F;
 
 std::string name_text(const Texts& texts, const ScenarioVersion& version) {
@@ -141,8 +141,9 @@ void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     Rect page = scrolled.rect();
     draw_head(ui, page);
     const Panes panes = panes_of(page, page.w * side_share, stacked_height);
-    const Rect inside = card(ui, panes.main, {});
+    const Rect inside = list_card(ui, panes.main);
     if (versions_.draw_until_ready(ui, "scenarios.failed", inside, 6)) {
+      if (!chosen_ && !versions_.value().empty()) chosen_ = versions_.value().front().id;
       draw_table(ui, inside);
       draw_chosen(ui, panes.side, shell);
     } else {

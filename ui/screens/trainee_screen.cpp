@@ -19,7 +19,7 @@ using database::AttemptHeader;
 using database::OperationStanding;
 
 enum Column { Number, Operation, Started, Kind, StateColumn, Score };
-constexpr float standing_width = 232.0F, standing_height = 128.0F, roomy_from = 680.0F;
+constexpr float standing_width = 232.0F, standing_height = 138.0F, roomy_from = 680.0F;
 
 std::string_view competence_id(Competence competence) noexcept {
   constexpr std::array<std::string_view, 5> ids{"cohort.legend.not_started",
@@ -146,10 +146,12 @@ void TraineeScreen::draw_standing(Ui& ui, const Rect& rect,
   const auto points = [&](const std::optional<std::int64_t>& milli) {
     return milli ? points_text(*milli) : std::string(ui.text("standing.none"));
   };
-  const std::string words = ui.texts().say_count(
-      "standing.numbers", standing.attempts,
+  const std::string numbers = ui.texts().say(
+      "standing.numbers",
       {{"best", points(standing.best_milli)}, {"last", points(standing.last_milli)}});
-  ui.canvas().text_in(take_top(rest, 20.0F), {Type::Small, theme.text}, words, true);
+  ui.canvas().text_in(take_top(rest, 20.0F), {Type::Small, theme.text}, numbers, true);
+  ui.canvas().text_in(take_top(rest, 20.0F), {Type::Small, theme.text_caption},
+                      ui.texts().say_count("standing.attempts", standing.attempts));
 }
 
 void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {

@@ -278,6 +278,8 @@ void Ui::scroll_to_focus(const std::string& id, ScrollState& state) {
   for (int around = focus->scroll; around >= 0;) {
     const Widget& region = shown_.widgets[static_cast<std::size_t>(around)];
     if (region.id == id) {
+      // It moved since, where a region around it was scrolled just before.
+      wanted.y += state.view.y - region.rect.y;
       state.offset += std::max(0.0F, wanted.bottom() + margin - state.view.bottom());
       state.offset -= std::max(0.0F, state.view.y - (wanted.y - margin));
       return;

@@ -16,6 +16,24 @@ from window_check import Person, start_display, wait_until
 PASSWORD = "a long enough phrase"
 
 
+def add_trainee(person, take_picture):
+    """The administrator's first errand, and a look at the other places."""
+    person.click("nav.people")
+    person.click("people.add")
+    wait_until("the sheet", lambda: "people.add.login" in person.widgets())
+    person.type("trainee-9")
+    person.press("Return")
+    wait_until("the code", lambda: "people.code.done" in person.widgets())
+    person.click("people.code.done")
+    wait_until("the new person", lambda: "people.row.trainee-9" in person.widgets())
+    take_picture("people")
+    for place, widget in (("nav.cohorts", "cohorts.add"), ("nav.scenarios", "scenarios.retire"),
+                          ("nav.records", "records.backup")):
+        person.click(place)
+        wait_until(place, lambda: widget in person.widgets())
+        take_picture(place.removeprefix("nav."))
+
+
 def use_course(person, take_picture):
     """By mouse, then by keyboard alone."""
     wait_until("the first screen", lambda: "entry.begin" in person.widgets())
@@ -26,6 +44,8 @@ def use_course(person, take_picture):
         person.type(words)
     person.click("entry.begin")
     wait_until("the attempts", lambda: "nav.attempts" in person.widgets())
+    add_trainee(person, take_picture)
+    person.click("nav.attempts")
     take_picture("attempts")
     person.click("nav.person")
     wait_until("the menu", lambda: "person.3" in person.widgets())

@@ -1,0 +1,218 @@
+// A cohort at a glance, and one trainee of it.
+#include "ui/screens/cohort_screen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/ui/screens/every_size.h"
+#include "tests/ui/screens/some_places.h"
+#include "ui/screens/standing.h"
+#include "ui/screens/trainee_screen.h"
+
+namespace hallux::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct Teacher {
+  explicit Teacher(database::SomeCourse& course, const std::string& login = "kim")
+      : visitor(std::make_unique<CohortScreen>(visit_of(course, login), places,
+                                               [this] { ++inbox_opened; })) {}
+  Driver& driver() { return visitor.driver(); }
+  void press(std::string_view id) {
+    driver().click(id);
+    visitor.finish_work();
+  }
+
+  SomePlaces places;
+  int inbox_opened = 0;
+  SomeVisitor visitor;
+};
+
+TEST(CohortScreen, ShowsHowEachTraineeStandsAndNobodyElse) {
+  database::SomeCourse course;
+  course.scored_by("ada", 61200);
+  course.scored_by("ada", 87000);
+  course.scored_by("eve", 33000);
+  Teacher teacher(course);
+  EXPECT_TRUE(teacher.driver().sees("autumn"));
+  EXPECT_TRUE(teacher.driver().has("cohort.row.ada"));
+  EXPECT_TRUE(teacher.driver().has("cohort.row.bob"));
+  EXPECT_FALSE(teacher.driver().has("cohort.row.kim")) << "teaches it";
+  EXPECT_TRUE(teacher.driver().sees("87")) << "the best";
+  EXPECT_FALSE(shows_word(teacher.driver(), "eve"));
+  EXPECT_FALSE(teacher.driver().sees("33"));
+  EXPECT_THAT(teacher.driver().faults(), IsEmpty());
+}
+
+TEST(CohortScreen, ATraineeAnAttemptAndAQuestionLeadOn) {
+  database::SomeCourse course;
+  const database::AttemptId attempt = course.scored_by("ada", 61200);
+  const auto request = course.trainee("ada").ask_for_help({attempt, {2000}, "Why?"});
+  Teacher teacher(course);
+  teacher.press("cohort.row.ada");
+  teacher.press("cohort.attempt.1");
+  teacher.press("cohort.request." + std::to_string(request.number));
+  teacher.press("cohort.inbox");
+  EXPECT_THAT(teacher.places.asked,
+              ElementsAre("trainee " + std::to_string(course.id_of("ada").number) + " of " +
+                              std::to_string(course.autumn().number),
+                          "result " + attempt.text, "replay " + attempt.text + " at 0.002000"));
+  EXPECT_EQ(teacher.inbox_opened, 1);
+}
+
+TEST(CohortScreen, PillsNarrowTheList) {
+  database::SomeCourse course;
+  course.scored_by("ada", 90000);
+  course.scored_by("ada", 40000);
+  const database::AttemptId attempt = course.scored_by("bob", 50000);
+  course.trainee("bob").ask_for_help({attempt, {0}, "Why?"});
+  Teacher teacher(course);
+  const auto listed = [&] {
+    std::string rows;
+    for (const char* login : {"ada", "bob", "lee"})
+      if (teacher.driver().has(std::string("cohort.row.") + login)) rows += login;
+    return rows;
+  };
+  EXPECT_EQ(listed(), "adaboblee");
+  teacher.press("cohort.filter.1");
+  EXPECT_EQ(listed(), "bob") << "asks for help";
+  teacher.press("cohort.filter.2");
+  EXPECT_EQ(listed(), "ada") << "40 after 90";
+  teacher.press("cohort.filter.3");
+  EXPECT_EQ(listed(), "lee") << "never began";
+  teacher.press("cohort.filter.0");
+  EXPECT_EQ(listed(), "adaboblee");
+}
+
+TEST(CohortScreen, WhoTeachesSeveralChooses) {
+  database::SomeCourse course;
+  course.administrator().enrol(course.spring(), "kim", database::CohortRole::Instructor);
+  Teacher teacher(course);
+  EXPECT_TRUE(teacher.driver().has("cohort.row.ada"));
+  press_by_keyboard(teacher.visitor, "cohort.other");
+  teacher.driver().press(Key::Down);
+  teacher.driver().press(Key::Enter);
+  teacher.visitor.finish_work();
+  EXPECT_TRUE(teacher.driver().has("cohort.row.eve"));
+  EXPECT_FALSE(teacher.driver().has("cohort.row.ada"));
+  Teacher of_one(course, "lee");
+  EXPECT_FALSE(of_one.driver().has("cohort.other"));
+}
+
+TEST(CohortScreen, IsUsedByKeyboardAlone) {
+  database::SomeCourse course;
+  course.scored_by("bob", 50000);
+  Teacher teacher(course);
+  press_by_keyboard(teacher.visitor, "cohort.filter.3");
+  press_by_keyboard(teacher.visitor, "cohort.filter.0");
+  press_by_keyboard(teacher.visitor, "cohort.row.ada");
+  teacher.driver().press(Key::Down);
+  EXPECT_EQ(teacher.driver().focused(), "cohort.row.bob");
+  teacher.driver().press(Key::Enter);
+  press_by_keyboard(teacher.visitor, "cohort.attempt.1");
+  EXPECT_EQ(teacher.places.asked.size(), 3U);
+}
+
+TEST(CohortScreen, WhoDoesNotTeachItAnyMoreSeesWhy) {
+  database::SomeCourse course;
+  SomePlaces places;
+  const std::shared_ptr<Visit> visit = visit_of(course, "kim");
+  course.administrator().remove_from_cohort(course.autumn(), "kim");
+  SomeVisitor visitor(std::make_unique<CohortScreen>(visit, places));
+  EXPECT_TRUE(visitor.driver().sees("You do not teach this cohort any more"));
+  EXPECT_FALSE(visitor.driver().sees("ada"));
+}
+
+TEST(CohortScreen, NothingIsCutOffAnywhere) {
+  database::SomeCourse course;
+  course.scored_by("ada", 90000);
+  const database::AttemptId attempt = course.scored_by("ada", 40000);
+  course.trainee("ada").ask_for_help({attempt, {0}, "Why did I lose so many points at once here?"});
+  SomePlaces places;
+  EXPECT_THAT(faults_at_every_size([&] {
+                return std::make_unique<CohortScreen>(visit_of(course, "kim"), places, [] {});
+              }),
+              IsEmpty());
+  EXPECT_THAT(faults_at_every_size([&] {
+                return std::make_unique<CohortScreen>(visit_of(course, "lee"), places, [] {});
+              }),
+              IsEmpty())
+      << "with nothing to show";
+}
+
+TEST(Standing, SaysWhatTheResultsSay) {
+  database::OperationStanding standing;
+  standing.scenario_name = "akin";
+  const std::string now = "2026-03-03T10:00:00Z";
+  EXPECT_EQ(competence_of(standing, now), Competence::NotStarted);
+  standing.attempts = 2;
+  standing.best_milli = 80'000;
+  standing.last_milli = 60'001;
+  standing.last_started_utc = "2026-03-01T10:00:00Z";
+  EXPECT_EQ(competence_of(standing, now), Competence::Learning);
+  standing.last_milli = 60'000;
+  EXPECT_EQ(competence_of(standing, now), Competence::Slipped);
+  standing.last_started_utc = "2025-12-03T10:00:00Z";  // 90 days
+  EXPECT_EQ(competence_of(standing, now), Competence::Slipped);
+  standing.last_started_utc = "2025-12-02T10:00:00Z";
+  EXPECT_EQ(competence_of(standing, now), Competence::Stale);
+}
+
+TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {
+  database::SomeCourse course;
+  course.scored_by("ada", 61200);
+  const database::AttemptId newest = course.scored_by("ada", 40000);
+  SomePlaces places;
+  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
+                                                      course.autumn(), course.id_of("ada")));
+  EXPECT_TRUE(visitor.driver().sees("Best 61.2, last 40.0"));
+  EXPECT_TRUE(visitor.driver().sees("Slipped"));
+  EXPECT_LT(visitor.driver().widget("trainee.row.2").rect.y,
+            visitor.driver().widget("trainee.row.1").rect.y);
+  EXPECT_FALSE(visitor.driver().sees("bob"));
+  press_by_keyboard(visitor, "trainee.row.2");
+  EXPECT_THAT(places.asked, ElementsAre("result " + newest.text));
+}
+
+TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
+  database::SomeCourse course;
+  course.scored_by("eve", 61200);
+  SomePlaces places;
+  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
+                                                      course.autumn(), course.id_of("eve")));
+  EXPECT_TRUE(visitor.driver().sees("This could not be read"));
+  EXPECT_FALSE(visitor.driver().sees("61.2"));
+}
+
+TEST(TraineeScreen, GoesBackByItsButton) {
+  database::SomeCourse course;
+  SomePlaces places;
+  const std::shared_ptr<Visit> visit = visit_of(course, "kim");
+  SomeVisitor visitor(std::make_unique<CohortScreen>(visit, places));
+  visitor.shell().push(
+      std::make_unique<TraineeScreen>(visit, places, course.autumn(), course.id_of("ada")));
+  visitor.driver().frame();
+  visitor.finish_work();
+  EXPECT_TRUE(visitor.driver().sees("No attempts yet"));
+  visitor.driver().click("trainee.back");
+  visitor.finish_work();
+  EXPECT_EQ(visitor.shell().depth(), 1U);
+  EXPECT_TRUE(visitor.driver().has("cohort.row.ada"));
+}
+
+TEST(TraineeScreen, NothingIsCutOffAnywhere) {
+  database::SomeCourse course;
+  course.scored_by("ada", 61200);
+  course.interrupted_of("ada");
+  SomePlaces places;
+  EXPECT_THAT(faults_at_every_size([&] {
+                return std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
+                                                       course.autumn(), course.id_of("ada"));
+              }),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace hallux::ui
