@@ -6,6 +6,7 @@
 #include "ui/screens/entry_screen.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/questions_screen.h"
+#include "ui/screens/replay/replay_screen.h"
 #include "ui/screens/result/result_screen.h"
 #include "ui/screens/trainee_screen.h"
 #include "ui/screens/words.h"
@@ -77,9 +78,11 @@ void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind
 void Course::show_result(const database::AttemptId& attempt) {
   shell_.push(std::make_unique<ResultScreen>(visit_, *this, attempt));
 }
-void Course::show_replay(const database::AttemptId&, double) {}
 void Course::show_trainee(database::CohortId cohort, database::PersonId trainee) {
   shell_.push(std::make_unique<TraineeScreen>(visit_, *this, cohort, trainee));
+}
+void Course::show_replay(const database::AttemptId& attempt, double moment_s) {
+  shell_.push(std::make_unique<ReplayScreen>(visit_, attempt, moment_s));
 }
 
 // The end of the session is written beside the window: other work may hold the visit for a moment.

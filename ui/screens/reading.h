@@ -22,7 +22,9 @@ class Reading {
  public:
   bool is_new() const noexcept { return state_ == State::New; }
   bool is_ready() const noexcept { return state_ == State::Ready; }
-  /// needs   is_ready
+  /// Also while it is read anew.
+  bool has_value() const noexcept { return value_.has_value(); }
+  /// needs   has_value
   const Value& value() const { return value_.value(); }
   Value& value() { return value_.value(); }
   /// What was shown stays until what is read anew takes its place.

@@ -8,6 +8,7 @@
 #include "simulator/base/digest.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/screens/bone_stage.h"
+#include "ui/screens/planned_frame.h"
 
 namespace hallux::ui {
 
@@ -78,18 +79,6 @@ double reach_from(const Vec3& middle, const std::vector<Vec3>& points) {
   return reach;
 }
 
-/// z towards the waste, x from where the blade enters to where it comes out.
-RigidTransform frame_of(const PlannedCut& cut) {
-  const Vec3& normal = cut.face.normal;
-  const Vec3 middle_mm = 0.5 * (cut.entry_point_in_bone_mm + cut.exit_point_in_bone_mm);
-  Vec3 along = cut.exit_point_in_bone_mm - cut.entry_point_in_bone_mm;
-  along -= glm::dot(along, normal) * normal;
-  if (glm::length(along) < 1.0e-6) along = cut.axis;
-  along = glm::normalize(along);
-  const double off_mm = cut.face.offset_mm - glm::dot(normal, middle_mm);
-  return {rotation_from_axes(along, glm::cross(normal, along)), middle_mm + off_mm * normal};
-}
-
 std::vector<IsoPlace> iso_places_of(const CutFace& face, const PlannedCut& cut) {
   std::vector<IsoPlace> found;
   for (int mm = -iso_limit_mm; mm <= iso_limit_mm; ++mm) {
@@ -121,7 +110,7 @@ void map_face(CutAgainstPlan& against, const PlannedCut& cut, const CutFace& fac
 CutAgainstPlan against_plan(const Examination& examination, std::size_t index) {
   const PlannedCut& cut = examination.plan.cuts[index];
   CutAgainstPlan against;
-  against.bone_from_face = frame_of(cut);
+  against.bone_from_face = bone_from_planned(cut);
   against.middle_in_bone_mm = against.bone_from_face.translation_mm;
   const std::vector<CutFace>& faces = examination.faces[index];
   if (!faces.empty() && !faces.front().samples_in_bone_mm.empty()) {

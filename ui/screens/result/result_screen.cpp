@@ -154,7 +154,7 @@ std::vector<std::pair<Meaning, std::string>> ResultScreen::notices(const Texts& 
                                  {{"points", points_text(facts().score->card.score_milli)},
                                   {"reason", decision->reason}}));
   }
-  if (!examined_.is_ready()) return found;
+  if (!examined_.has_value()) return found;
   const database::ScoreCard& now = examined_.value()->card;
   if (!facts().score) {
     found.emplace_back(Meaning::Warn, texts.say("result.notice.not_stored",

@@ -1,0 +1,468 @@
+#include "ui/screens/replay/replay_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "simulator/base/units.h"
+#include "ui/screens/planned_frame.h"
+#include "ui/screens/result/result_cards.h"
+#include "ui/screens/words.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/chart_view.h"
+#include "ui/widgets/choice.h"
+#include "ui/widgets/marks.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float head_height = 64.0F, panel_width = 352.0F, edge = 20.0F, time_edge = 12.0F;
+constexpr float two_tracks_from = 720.0F, one_track_from = 560.0F;
+constexpr double swings_per_second = 9.0;  ///< as it is drawn: the true rate is a blur
+constexpr double rounded_force_up_to = 5.0;
+/// A click on the timeline this near to a note means the note.
+constexpr double note_reach_px = 10.0;
+
+constexpr std::array<StandardView, 5> views{StandardView::Operator, StandardView::Dorsal,
+                                            StandardView::Medial, StandardView::Plantar,
+                                            StandardView::AlongBlade};
+
+std::string fixed_text(double value, int decimals) {
+  if (!std::isfinite(value)) return "\xE2\x80\x93";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
+double highest_of(const std::vector<ChartPoint>& points, double step) {
+  double highest = step;
+  for (const ChartPoint& point : points)
+    if (std::isfinite(point.y)) highest = std::max(highest, point.y);
+  return step * std::ceil(highest / step);
+}
+
+std::array<double, 3> array_of(const Vec3& point) { return {point.x, point.y, point.z}; }
+
+}  // namespace
+
+void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (material_.is_new()) {
+    material_.start(ui, shell, ui.text("replay.reading"),
+                    [visit = visit_, id = attempt_](WorkReport& report) {
+                      return load_replay(*visit, id, report);
+                    });
+  }
+  if (!material_.draw_until_ready(ui, "replay.failed", inset(content, space::page), 10)) return;
+  if (!bone_) open(ui);
+  notes_.read(ui, shell);
+  hear_keys(ui);
+  player_.advance(ui);
+  draw_replay(ui, content, shell);
+  draw_forms(ui, shell);
+}
+
+void ReplayScreen::open(Ui& ui) {
+  bone_ = std::make_unique<BoneMoment>(*material().history);
+  std::vector<double> event_s;
+  for (const ReplayEvent& event : material().events) event_s.push_back(event.time_s);
+  player_.open(material().duration_s, std::move(event_s), first_moment_s_);
+  stage_.look_at(transform_point(material().world_from_bone, material().middle_in_bone_mm),
+                 0.9 * material().radius_mm, views.front());
+  ui.want_frame_in_s(0.0);
+}
+
+void ReplayScreen::draw_replay(Ui& ui, const Rect& content, Shell& shell) {
+  Rect rest = content;
+  draw_head(ui, take_top(rest, head_height));
+  const Timeline shown = timeline_of(ui, content.h);
+  const float time_height = Player::height + timeline_height(shown) + 2.0F * time_edge;
+  draw_time(ui, take_bottom(rest, time_height));
+  const float width = std::clamp(0.3F * content.w, 216.0F, panel_width);
+  draw_panel(ui, take_right(rest, width), shell);
+  draw_view(ui, rest, shell);
+}
+
+void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
+  Canvas& canvas = ui.canvas();
+  canvas.fill(bar, ui.theme().side);
+  canvas.hairline_across(bar.x, bar.bottom() - 1.0F, bar.w, ui.theme().line);
+  Rect rest = inset(bar, edge, 8.0F);
+  const AttemptRights& rights = material().rights;
+  const auto action = [&](const char* id, ButtonSpec spec) {
+    if (notes_.has_reply()) spec.look = ButtonLook::Secondary;
+    const Rect place = take_right(rest, std::min(button_width(ui, spec), rest.w), 8.0F);
+    return button(ui, id, {place.x, place.mid_y() - 18.0F, place.w, header_button_height}, spec);
+  };
+  if (rights.may_ask_for_help &&
+      action("replay.flag", {ui.text("replay.flag"), ButtonLook::Primary, Icon::Flag}))
+    ask_.open();
+  if (rights.may_write_notes &&
+      action("replay.pin", {ui.text("replay.pin"), ButtonLook::Primary, Icon::Note}))
+    pin_.open();
+  const database::AttemptHeader& header = material().header;
+  std::string where =
+      ui.texts().say("replay.crumb", {{"operation", material().scenario.title},
+                                      {"number", grouped(static_cast<long>(header.order))}});
+  if (header.begun.person != visit_->person().id && !header.login.empty())
+    where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
+  canvas.text_in(take_top(rest, 20.0F), {Type::Small, ui.theme().text_caption}, where, true);
+  const std::string_view title = ui.text("replay.title");
+  canvas.text_in(rest, {Type::Section, ui.theme().text}, title);
+  std::vector<ScoreMark> marks;
+  if (header.state == database::AttemptState::Void)
+    marks.push_back({std::string(ui.text("result.mark.void")), Meaning::Bad, true});
+  if (header.is_simulated)
+    marks.push_back({std::string(ui.text("result.mark.simulated")), Meaning::Info, true});
+  if (!material().scenario.is_reviewed)
+    marks.push_back({std::string(ui.text("result.mark.not_reviewed")), Meaning::Warn, true});
+  float x = rest.x + ui.width_of(Type::Section, title) + 16.0F;
+  for (const ScoreMark& mark : marks) {
+    if (x + pill_width(ui, mark.words, mark.has_shape) > rest.right()) break;
+    x += pill(ui, {x, rest.mid_y()}, mark.words, mark.meaning, mark.has_shape) + 8.0F;
+  }
+}
+
+Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
+  Scene scene;
+  scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
+  scene.bones = bone_->bones(material().world_from_bone);
+  const scenarios::SawBlade& blade = material().scenario.blade;
+  const double swing = std::sin(2.0 * pi * swings_per_second * player_.now_s());
+  scene.saw =
+      SawInScene{hand.world_from_tool, blade.size, blade.thickness_mm, hand.is_saw_on, swing};
+  if (shows_plan_) {
+    for (const scenarios::PlannedCut& cut : material().plan.cuts) {
+      scene.planes.push_back({material().world_from_bone * bone_from_planned(cut),
+                              Vec2(0.55 * material().radius_mm), Ink::Accent, true});
+    }
+  }
+  if (picked_in_bone_mm_) {
+    scene.marks.push_back(
+        {transform_point(material().world_from_bone, bone_->moved_place(*picked_in_bone_mm_)), 6.0,
+         Ink::Harm});
+  }
+  return scene;
+}
+
+void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
+  const HandAtMoment hand = hand_at(material(), player_.now_s());
+  const auto tick = static_cast<std::int64_t>(std::llround(player_.now_s() / step_s));
+  bone_->move_to(tick);
+  const std::string state = std::to_string(bone_->revision()) + "/" + std::to_string(tick) +
+                            (shows_plan_ ? "/plan" : "") +
+                            (picked_in_bone_mm_ ? fixed_text(picked_in_bone_mm_->x, 6) +
+                                                      fixed_text(picked_in_bone_mm_->y, 6)
+                                                : std::string());
+  const StageResponse response =
+      stage_.draw(ui, shell, rect, scene_of(ui, hand),
+                  {"replay.view", ui.text("replay.view"), picture_id(state), 0.0F});
+  if (response.pointed) pick(*response.pointed);
+  draw_pins(ui);
+  draw_view_choices(ui, rect);
+  draw_hand(ui, rect, hand);
+}
+
+void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
+  const std::array<std::string_view, views.size()> labels{
+      ui.text("replay.view.operator"), ui.text("replay.view.dorsal"), ui.text("replay.view.medial"),
+      ui.text("replay.view.plantar"), ui.text("replay.view.blade")};
+  const float width = segmented_width(ui, labels);
+  const float room = rect.w - 2.0F * edge;
+  if (width <= room &&
+      segmented(ui, "replay.views", {rect.x + edge, rect.y + edge, width, segmented_height}, labels,
+                view_))
+    stage_.turn_to(views[static_cast<std::size_t>(view_)]);
+  const std::string_view plan = ui.text("replay.plan");
+  const float plan_width = 44.0F + ui.width_of(Type::Body, plan) + 24.0F;
+  if (width + plan_width + 16.0F > room) return;
+  const Rect panel{rect.right() - edge - plan_width, rect.y + edge, plan_width, segmented_height};
+  draw_hud_panel(ui.canvas(), ui.theme(), panel, radius::control);
+  toggle(ui, "replay.plan", inset(panel, 10.0F, 6.0F), plan, shows_plan_);
+}
+
+void ReplayScreen::draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand) const {
+  const std::array<std::pair<std::string_view, std::string>, 4> facts{{
+      {ui.text("replay.force"),
+       ui.texts().say("replay.newton", {{"value", fixed_text(hand.force_newton, 1)}})},
+      {ui.text("replay.to_plan"),
+       ui.texts().say("result.mm", {{"distance", fixed_text(std::abs(hand.to_plan_mm), 1)}})},
+      {ui.text("replay.tilt"),
+       ui.texts().say("replay.degrees",
+                      {{"value", fixed_text(degree_from_radian(hand.tilt_rad), 1)}})},
+      {ui.text("replay.speed"),
+       ui.texts().say("replay.mm_s", {{"value", fixed_text(hand.speed_mm_s, 0)}})},
+  }};
+  std::array<float, facts.size()> widths{};
+  float width = 32.0F;
+  std::size_t count = 0;
+  for (; count < facts.size(); ++count) {
+    // Room for the widest value, so that the panel does not tremble with its digits.
+    widths[count] = ui.width_of(Type::Small, facts[count].first) + 8.0F +
+                    std::max(64.0F, ui.width_of(Type::SmallMedium, facts[count].second)) + 20.0F;
+    if (width + widths[count] > rect.w - 2.0F * edge) break;
+    width += widths[count];
+  }
+  if (count == 0 || rect.h < 120.0F) return;
+  const Rect panel{rect.x + edge, rect.bottom() - edge - 40.0F, width, 40.0F};
+  draw_hud_panel(ui.canvas(), ui.theme(), panel, 20.0F);
+  float x = panel.x + 20.0F;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float name = ui.canvas().text({x, panel.mid_y()},
+                                        {Type::Small, ui.theme().text_secondary}, facts[i].first);
+    ui.canvas().text({x + name + 8.0F, panel.mid_y()}, {Type::SmallMedium, ui.theme().text},
+                     facts[i].second);
+    x += widths[i];
+  }
+}
+
+void ReplayScreen::draw_pins(Ui& ui) {
+  const std::vector<database::Note>& notes = notes_.notes();
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    if (!notes[i].moment.place) continue;
+    const auto& place = notes[i].moment.place->point_in_bone_mm;
+    const Vec3 now = bone_->moved_place(Vec3(place[0], place[1], place[2]));
+    const auto seen = stage_.seen_at(transform_point(material().world_from_bone, now));
+    if (!seen) continue;
+    if (notes_.chosen() == i) ui.canvas().ring(*seen, 12.0F, ui.theme().text, 2.0F);
+    draw_note_badge(ui, *seen, i + 1);
+  }
+}
+
+void ReplayScreen::pick(const SightRay& ray) {
+  const RigidTransform bone_from_world = inverse(material().world_from_bone);
+  picked_in_bone_mm_ = bone_->first_hit(transform_point(bone_from_world, ray.from_mm),
+                                        transform_direction(bone_from_world, ray.direction));
+}
+
+void ReplayScreen::draw_panel(Ui& ui, const Rect& rect, Shell& shell) {
+  ui.canvas().fill(rect, ui.theme().card);
+  ui.canvas().hairline_down(rect.x, rect.y, rect.h, ui.theme().line);
+  Rect rest = inset(rect, 16.0F, 12.0F);
+  const std::array<std::string_view, 3> labels{ui.text("notes.title"), ui.text("replay.ledger"),
+                                               ui.text("replay.events")};
+  tabs(ui, "replay.tab", take_top(rest, tabs_height, 12.0F), labels, tab_);
+  if (tab_ == 0) {
+    if (const auto moment_s = notes_.draw(ui, shell, rest, material().header, material().rights))
+      player_.look_at(*moment_s);
+  } else if (tab_ == 1) {
+    draw_ledger(ui, rest);
+  } else {
+    draw_events(ui, rest);
+  }
+}
+
+void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
+  if (!material().card || material().card->ledger.empty()) {
+    empty_card(ui, "replay.ledger.empty", rect,
+               {Icon::Ratings,
+                ui.text("result.ledger.empty"),
+                ui.text("result.ledger.empty.sentence"),
+                {}});
+    return;
+  }
+  const database::ScoreCard& card = *material().card;
+  const std::vector<std::size_t> order = lines_by_loss(card);
+  const std::array<TableColumn, 3> columns{{
+      {ui.text("result.ledger.item"), 0.0F, 1.0F},
+      {ui.text("result.ledger.loss"), 52.0F, 1.0F, Align::Right},
+      {ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
+  }};
+  const auto line_of = [&](int row) -> const database::LedgerLine& {
+    return card.ledger[order[static_cast<std::size_t>(row)]];
+  };
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(order.size());
+  spec.row_height = 36.0F;
+  spec.label = ui.text("replay.ledger");
+  spec.row_id = [&](int row) { return line_of(row).item; };
+  spec.row_label = [&](int row) { return item_title(line_of(row), &material().scenario); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const database::LedgerLine& line = line_of(row);
+    const std::size_t index = order[static_cast<std::size_t>(row)];
+    if (column == 0) {
+      own.canvas().text_in(cell, {Type::Small, own.theme().text},
+                           item_title(line, &material().scenario), true);
+    } else if (column == 1) {
+      const std::int64_t lost = index < card.shown_losses_milli.size()
+                                    ? card.shown_losses_milli[index]
+                                    : line.points_lost_milli;
+      own.canvas().text_in(cell, {Type::SmallMedium, own.theme().text, Align::Right},
+                           loss_text(lost));
+    } else {
+      own.canvas().text_in(cell, {Type::SmallMedium, own.theme().accent, Align::Right},
+                           clock_text(static_cast<double>(line.start_us) / 1.0e6));
+    }
+  };
+  const TableResponse response = table(ui, "replay.ledger", rect, spec, ledger_);
+  if (!response.opened) return;
+  const database::LedgerLine& line = line_of(*response.opened);
+  ledger_.chosen = {line.item};
+  const auto& place = line.place_in_bone_mm;
+  picked_in_bone_mm_ = Vec3(place[0], place[1], place[2]);
+  player_.look_at(static_cast<double>(line.start_us) / 1.0e6);
+}
+
+void ReplayScreen::draw_events(Ui& ui, const Rect& rect) {
+  const std::vector<ReplayEvent>& events = material().events;
+  const std::array<TableColumn, 2> columns{{
+      {ui.text("replay.event"), 0.0F, 1.0F},
+      {ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
+  }};
+  const auto event_of = [&](int row) -> const ReplayEvent& {
+    return events[static_cast<std::size_t>(row)];
+  };
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(events.size());
+  spec.row_height = 36.0F;
+  spec.label = ui.text("replay.events");
+  spec.row_id = [](int row) { return std::to_string(row); };
+  spec.row_label = [&](int row) { return std::string(ui.text(event_of(row).words)); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const ReplayEvent& event = event_of(row);
+    if (column == 0) {
+      draw_meaning(own.canvas(), own.theme(), event.meaning, {cell.x + 7.0F, cell.mid_y()}, 6.0F);
+      own.canvas().text_in({cell.x + 22.0F, cell.y, cell.w - 22.0F, cell.h},
+                           {Type::Small, own.theme().text}, own.text(event.words), true);
+    } else {
+      own.canvas().text_in(cell, {Type::SmallMedium, own.theme().accent, Align::Right},
+                           clock_text(event.time_s));
+    }
+  };
+  const TableResponse response = table(ui, "replay.event", rect, spec, events_);
+  if (!response.opened) return;
+  events_.chosen = {std::to_string(*response.opened)};
+  player_.look_at(event_of(*response.opened).time_s);
+}
+
+Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {
+  Timeline shown;
+  shown.duration_s = material().duration_s;
+  shown.now_s = player_.now_s();
+  shown.steps_name = ui.text("replay.steps");
+  shown.events_name = ui.text("replay.events");
+  shown.steps = material().steps;
+  for (const ReplayEvent& event : material().events)
+    shown.events.push_back({event.time_s, event.meaning});
+  const std::vector<database::Note>& notes = notes_.notes();
+  for (std::size_t i = 0; i < notes.size(); ++i)
+    shown.notes.push_back(
+        {static_cast<double>(notes[i].moment.moment_us) / 1.0e6, std::to_string(i + 1)});
+  if (height >= one_track_from) {
+    TimelineTrack force;
+    force.name = ui.text("replay.force");
+    force.unit = ui.text("replay.force.unit");
+    force.samples = material().force_newton;
+    force.high = highest_of(force.samples, rounded_force_up_to);
+    shown.tracks.push_back(std::move(force));
+  }
+  if (height >= two_tracks_from) {
+    TimelineTrack plan;
+    plan.name = ui.text("replay.to_plan");
+    plan.unit = ui.text("replay.to_plan.unit");
+    plan.samples = material().to_plan_mm;
+    plan.high = highest_of(plan.samples, 2.0);
+    shown.tracks.push_back(std::move(plan));
+  }
+  return shown;
+}
+
+void ReplayScreen::draw_time(Ui& ui, const Rect& rect) {
+  ui.canvas().fill(rect, ui.theme().side);
+  ui.canvas().hairline_across(rect.x, rect.y, rect.w, ui.theme().line);
+  Rect rest = inset(rect, edge, time_edge);
+  player_.draw(ui, take_top(rest, Player::height));
+  const Timeline shown = timeline_of(ui, ui.display().h);
+  const auto asked_s = timeline(ui, "replay.timeline", rest, shown);
+  if (!asked_s) return;
+  player_.look_at(*asked_s);
+  const double pixels_per_s = 1.0 / std::max(1.0e-9, time_at(rest, shown, rest.mid_x() + 1.0F) -
+                                                         time_at(rest, shown, rest.mid_x()));
+  const std::vector<database::Note>& notes = notes_.notes();
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const double note_s = static_cast<double>(notes[i].moment.moment_us) / 1.0e6;
+    if (std::abs(note_s - *asked_s) * pixels_per_s > note_reach_px) continue;
+    notes_.choose(i);
+    player_.look_at(note_s);
+    break;
+  }
+}
+
+void ReplayScreen::hear_keys(Ui& ui) {
+  if (ui.shortcut({Key::G}, ui.text("replay.plan"))) shows_plan_ = !shows_plan_;
+  if (material().rights.may_ask_for_help && ui.shortcut({Key::F}, ui.text("replay.flag"))) {
+    player_.look_at(player_.now_s());
+    ask_.open();
+  }
+  if (material().rights.may_write_notes && ui.shortcut({Key::C}, ui.text("replay.pin"))) {
+    player_.look_at(player_.now_s());
+    pin_.open();
+  }
+}
+
+database::AttemptMoment ReplayScreen::moment_now() const {
+  database::AttemptMoment moment;
+  moment.moment_us = std::llround(player_.now_s() * 1.0e6);
+  if (material().header.duration_ticks) {
+    const std::int64_t last_us = time_us_from_tick(*material().header.duration_ticks - 1);
+    moment.moment_us =
+        std::clamp<std::int64_t>(moment.moment_us, 0, std::max<std::int64_t>(0, last_us));
+  }
+  if (picked_in_bone_mm_) moment.place = database::BonePoint{0, array_of(*picked_in_bone_mm_)};
+  return moment;
+}
+
+void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
+  const std::string clock = clock_text(player_.now_s());
+  const auto about = [&](const char* with_place, const char* without) {
+    return ui.texts().say(picked_in_bone_mm_ ? with_place : without, {{"moment", clock}});
+  };
+  const std::string asked = about("replay.ask.placed", "replay.ask.unplaced");
+  WordsFormSpec ask;
+  ask.id = "ask";
+  ask.title = ui.text("replay.flag");
+  ask.sentence = asked;
+  ask.label = ui.text("result.ask.question");
+  ask.placeholder = ui.text("result.ask.example");
+  ask.act = ui.text("result.ask.send");
+  ask.sending = ui.text("result.ask.sending");
+  ask.sent = ui.text("result.ask.sent");
+  const database::AttemptHeader& header = material().header;
+  ask_.draw(
+      ui, shell, visit_, ask,
+      [header, moment = moment_now()](database::Session& session, const std::string& words, bool) {
+        ask_for_help(session, header, {header.id, moment, words});
+      });
+  const std::string pinned = about("replay.pin.placed", "replay.pin.unplaced");
+  WordsFormSpec pin;
+  pin.id = "pin";
+  pin.title = ui.text("replay.pin");
+  pin.sentence = pinned;
+  pin.label = ui.text("replay.pin.words");
+  pin.placeholder = ui.text("replay.pin.example");
+  pin.act = ui.text("replay.pin.act");
+  pin.toggle = ui.text("replay.pin.private");
+  pin.sending = ui.text("replay.pin.sending");
+  pin.sent = ui.text("replay.pin.sent");
+  const bool was_pinned =
+      pin_.draw(ui, shell, visit_, pin,
+                [header, moment = moment_now()](database::Session& session,
+                                                const std::string& words, bool is_private) {
+                  auto desk = instructor_desk_for(session, database::Action::WriteNote, header);
+                  if (!desk) {
+                    throw database::DatabaseError(database::DatabaseErrorKind::Refused,
+                                                  "notes on this attempt are not yours to write");
+                  }
+                  desk->add_note({header.id, moment, is_private, words});
+                });
+  if (!was_pinned) return;
+  picked_in_bone_mm_.reset();
+  tab_ = 0;
+  notes_.read_again();
+}
+
+}  // namespace hallux::ui

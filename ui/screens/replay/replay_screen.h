@@ -1,0 +1,64 @@
+/// An attempt again: the bone and the saw at each moment, the timeline, and what people say about moments of it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ui/screens/bone_stage.h"
+#include "ui/screens/places.h"
+#include "ui/screens/reading.h"
+#include "ui/screens/replay/notes_panel.h"
+#include "ui/screens/replay/player.h"
+#include "ui/screens/replay/replay_material.h"
+#include "ui/screens/visit.h"
+#include "ui/screens/words_form.h"
+#include "ui/widgets/table.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class ReplayScreen : public Screen {
+ public:
+  ReplayScreen(std::shared_ptr<Visit> visit, database::AttemptId attempt, double moment_s)
+      : visit_(visit), attempt_(attempt), first_moment_s_(moment_s), notes_(visit, attempt) {}
+
+  std::string_view navigation_id() const override { return "nav.attempts"; }
+  Surround surround() const override { return Surround::Rail; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  const ReplayMaterial& material() const { return *material_.value(); }
+  void open(Ui& ui);
+  void draw_replay(Ui& ui, const Rect& content, Shell& shell);
+  void draw_head(Ui& ui, const Rect& bar);
+  void draw_view(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_view_choices(Ui& ui, const Rect& rect);
+  void draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand) const;
+  void draw_pins(Ui& ui);
+  Scene scene_of(const Ui& ui, const HandAtMoment& hand) const;
+  void pick(const SightRay& ray);
+  void draw_panel(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_ledger(Ui& ui, const Rect& rect);
+  void draw_events(Ui& ui, const Rect& rect);
+  void draw_time(Ui& ui, const Rect& rect);
+  Timeline timeline_of(const Ui& ui, float height) const;
+  void hear_keys(Ui& ui);
+  void draw_forms(Ui& ui, Shell& shell);
+  database::AttemptMoment moment_now() const;
+
+  std::shared_ptr<Visit> visit_;
+  database::AttemptId attempt_;
+  double first_moment_s_;
+  Reading<std::shared_ptr<const ReplayMaterial>> material_;
+  std::unique_ptr<BoneMoment> bone_;  ///< of the material
+  BoneStage stage_;
+  Player player_;
+  NotesPanel notes_;
+  WordsForm ask_, pin_;
+  TableState ledger_, events_;
+  std::optional<Vec3> picked_in_bone_mm_;
+  int tab_ = 0, view_ = 0;
+  bool shows_plan_ = true;
+};
+
+}  // namespace hallux::ui
