@@ -58,13 +58,6 @@ std::string ago_text(const Texts& texts, std::string_view utc, std::string_view 
   return moment.substr(0, moment.find(','));
 }
 
-std::string clock_text(std::int64_t moment_us) {
-  const long long seconds = std::max<std::int64_t>(moment_us, 0) / 1'000'000;
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%02lld:%02lld", seconds / 60, seconds % 60);
-  return text.data();
-}
-
 std::string operation_text(std::string_view scenario_name) {
   std::string name(scenario_name);
   std::replace(name.begin(), name.end(), '_', ' ');

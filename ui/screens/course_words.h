@@ -18,9 +18,6 @@ int days_between(std::string_view earlier_utc, std::string_view later_utc) noexc
 /// "today", "yesterday", "5 days ago", beyond a month the date; "never" for "".
 std::string ago_text(const Texts& texts, std::string_view utc, std::string_view now_utc);
 
-/// A moment of an attempt: 151 s is "02:31".
-std::string clock_text(std::int64_t moment_us);
-
 /// An operation's name as a word of its own: "akin" is "Akin".
 std::string operation_text(std::string_view scenario_name);
 

@@ -5,6 +5,7 @@
 #include "ui/screens/course_words.h"
 #include "ui/screens/page.h"
 #include "ui/screens/words.h"
+#include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/marks.h"
 #include "ui/widgets/table.h"
 
@@ -19,9 +20,10 @@ constexpr float head_height = 44.0F, moment_gap = 20.0F, answer_head = 24.0F;
 
 std::string row_title(const Texts& texts, const HelpRequest& request, bool names_asker) {
   if (!names_asker) return help_moment(texts, request);
-  return texts.say("help.of", {{"person", request.asker_name},
-                               {"operation", operation_text(request.scenario_name)},
-                               {"moment", clock_text(request.moment.moment_us)}});
+  return texts.say("help.of",
+                   {{"person", request.asker_name},
+                    {"operation", operation_text(request.scenario_name)},
+                    {"moment", clock_text(static_cast<double>(request.moment.moment_us) / 1.0e6)}});
 }
 
 void draw_request_cell(Ui& ui, const HelpRequest& request, bool names_asker, const Rect& cell) {
@@ -42,8 +44,9 @@ std::string answered_by(const Texts& texts, const database::HelpAnswer& answer) 
 }  // namespace
 
 std::string help_moment(const Texts& texts, const HelpRequest& request) {
-  return texts.say("help.moment", {{"operation", operation_text(request.scenario_name)},
-                                   {"moment", clock_text(request.moment.moment_us)}});
+  return texts.say("help.moment",
+                   {{"operation", operation_text(request.scenario_name)},
+                    {"moment", clock_text(static_cast<double>(request.moment.moment_us) / 1.0e6)}});
 }
 
 int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& rows,

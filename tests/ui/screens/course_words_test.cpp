@@ -22,12 +22,6 @@ TEST(CourseWords, SayHowLongAgoSomethingWas) {
   EXPECT_EQ(ago_text(texts, "", now), "Never");
 }
 
-TEST(CourseWords, MomentsOfAnAttemptAreMinutesAndSeconds) {
-  EXPECT_EQ(clock_text(151'900'000), "02:31");
-  EXPECT_EQ(clock_text(0), "00:00");
-  EXPECT_EQ(clock_text(3'600'000'000), "60:00");
-}
-
 TEST(CourseWords, SearchKnowsNoCapitals) {
   EXPECT_TRUE(holds_words("Mara Quill", "quill"));
   EXPECT_TRUE(holds_words("mara", ""));

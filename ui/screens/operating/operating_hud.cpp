@@ -7,6 +7,7 @@
 
 #include "simulator/base/units.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/marks.h"
 #include "ui/widgets/shapes.h"
 
@@ -44,7 +45,7 @@ struct Hud {
 float draw_mode(Hud& in) {
   const std::string_view mode =
       in.ui.text(in.hud.is_practice ? "operate.practice" : "operate.assessment");
-  const std::string time = clock_text(in.hud.tick);
+  const std::string time = clock_text(static_cast<double>(in.hud.tick) / 1000.0);
   const float mode_width = in.ui.width_of(Type::SmallMedium, mode) + 32.0F;
   const float time_width = in.ui.width_of(Type::BodyStrong, "00:00");
   const Rect bar{in.room.x, in.room.y, 6.0F + mode_width + 40.0F + time_width + pad, bar_height};
@@ -353,15 +354,6 @@ void draw_panels(Hud& in) {
 }
 
 }  // namespace
-
-std::string clock_text(std::int64_t tick) {
-  const std::int64_t second = tick / 1000;
-  std::array<char, 32> letters{};
-  static_cast<void>(std::snprintf(letters.data(), letters.size(), "%02lld:%02lld",
-                                  static_cast<long long>(second / 60),
-                                  static_cast<long long>(second % 60)));
-  return letters.data();
-}
 
 std::string decimal_text(double value) { return text_of("%.1f", value); }
 

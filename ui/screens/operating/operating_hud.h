@@ -49,8 +49,6 @@ struct HudAnswer {
 
 HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud);
 
-/// 64 000 ticks are "01:04".
-std::string clock_text(std::int64_t tick);
 /// One decimal with the true minus: "−2.4".
 std::string signed_text(double value);
 /// One decimal.
