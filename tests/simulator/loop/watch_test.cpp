@@ -69,8 +69,9 @@ TEST(WatchedLoop, AFeedThatNobodyEmptiesPausesInRealTimeAndNothingIsLost) {
   attempt.setup.last_tick = 400;
   ASSERT_TRUE(small.commands.push({CommandKind::Start, 0, 0}));
   std::jthread reader([&](const std::stop_token& stop) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
     GeometryFeed feed;
+    while (small.feed.size() <= 56) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
     while (!stop.stop_requested()) {
       while (small.feed.pop(feed)) continue;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

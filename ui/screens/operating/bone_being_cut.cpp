@@ -1,11 +1,11 @@
 #include "ui/screens/operating/bone_being_cut.h"
 
 #include <chrono>
-#include <random>
 #include <utility>
 
 #include "scenarios/planned_bridge.h"
-#include "simulator/base/check.h"
+#include "simulator/base/digest.h"
+#include "ui/screens/bone_stage.h"
 
 namespace hallux::ui {
 
@@ -18,21 +18,15 @@ constexpr std::chrono::milliseconds between_patches{15};
 /// Where only the whole mesh can show what is cut.
 constexpr std::int64_t ticks_between_solids = 500;
 
-/// Numbers that no other picture in this process has.
-std::uint64_t some_id() {
-  std::random_device entropy;
-  return (static_cast<std::uint64_t>(entropy()) << 32U | entropy()) & ~0xFFFFULL;
-}
-
 }  // namespace
 
 BonePicture picture_of(const Bone& bone, const std::function<void(double)>& progress) {
   BonePicture picture;
-  const std::uint64_t id = some_id() + 1;
-  picture.look = look_of(id, bone, progress);
-  picture.mesh =
-      std::make_shared<const BoneMesh>(mesh_of(id, uncut_solid(solid_of(bone)), picture.look));
-  picture.next_id = id + 1;
+  // The same bone has the same picture, whoever shows it.
+  const std::string name = hex_from_digest(digest_of(encode_bone(bone)));
+  picture.look = look_of(picture_id("look " + name), bone, progress);
+  picture.mesh = std::make_shared<const BoneMesh>(
+      mesh_of(picture_id("whole " + name), uncut_solid(solid_of(bone)), picture.look));
   return picture;
 }
 
@@ -55,12 +49,13 @@ struct BoneBeingCut::KerfAtHand {
   OutlineTracker tracker;
 };
 
-BoneBeingCut::BoneBeingCut(const OperatingTable& table, BonePicture picture, AttemptWatch& watch)
-    : world_from_bone_(table.bone.world_from_bone),
+BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
+    : name_(attempt.attempt().text),
+      world_from_bone_(attempt.table().bone.world_from_bone),
       picture_(std::move(picture)),
-      watch_(watch),
-      geometry_(table.bone, table.scenario.blade.size, scenarios::planned_bridge(table.plan)),
-      next_id_(picture_.next_id) {
+      watch_(attempt.watch()),
+      geometry_(attempt.table().bone, attempt.table().scenario.blade.size,
+                scenarios::planned_bridge(attempt.table().plan)) {
   newest_.bodies = {{picture_.mesh, world_from_bone_}};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -208,7 +203,8 @@ void BoneBeingCut::show_hinge(const RigidTransform& bone_from_moved) {
 }
 
 std::shared_ptr<const BoneMesh> BoneBeingCut::lit_mesh(const CutSolid& solid) {
-  auto mesh = std::make_shared<BoneMesh>(mesh_of(next_id_++, solid, picture_.look));
+  auto mesh = std::make_shared<BoneMesh>(
+      mesh_of(picture_id(name_ + std::to_string(meshes_++)), solid, picture_.look));
   const Bvh bvh(mesh->solid.mesh);
   const Occluder self{&bvh, {}};
   light_cut_faces(*mesh, std::span(&self, 1));

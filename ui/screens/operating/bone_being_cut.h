@@ -23,7 +23,6 @@ namespace hallux::ui {
 struct BonePicture {
   BoneLook look;
   std::shared_ptr<const BoneMesh> mesh;
-  std::uint64_t next_id = 1;  ///< for the next mesh
 };
 
 /// errors  whatever `progress` throws
@@ -32,8 +31,8 @@ BonePicture picture_of(const simulator::Bone& bone,
 
 class BoneBeingCut {
  public:
-  /// Borrows all but the picture.
-  BoneBeingCut(const OperatingTable& table, BonePicture picture, simulator::AttemptWatch& watch);
+  /// Borrows the attempt; nobody else may take its feed.
+  BoneBeingCut(LiveAttempt& attempt, BonePicture picture);
   ~BoneBeingCut();
   BoneBeingCut(const BoneBeingCut&) = delete;
   BoneBeingCut& operator=(const BoneBeingCut&) = delete;
@@ -77,6 +76,7 @@ class BoneBeingCut {
   std::shared_ptr<const BoneMesh> lit_mesh(const simulator::CutSolid& solid);
   void publish(std::vector<Body> bodies);
 
+  const std::string name_;  ///< of the attempt, for the names of its pictures
   const RigidTransform world_from_bone_;
   const BonePicture picture_;
   simulator::AttemptWatch& watch_;
@@ -85,7 +85,8 @@ class BoneBeingCut {
   std::unique_ptr<KerfAtHand> at_hand_;
   std::unique_ptr<const simulator::JobResult> hinge_;
   simulator::SolidPatch patch_;
-  std::uint64_t next_id_, next_revision_ = 1;
+  std::uint64_t next_revision_ = 1;
+  int meshes_ = 0;
   std::int32_t kerf_ = -1;      ///< in which the teeth were last
   bool has_grown_ = false;      ///< since it was shown
   bool is_solid_due_ = false;   ///< another mesh must be made

@@ -40,7 +40,11 @@ class OperatingScreen : public Screen {
   enum class Asking { Nothing, Finish, Abandon };
   /// What a step waits for after its button was pressed.
   enum class Waiting { Nothing, Piece, Hinge };
-  struct Begun;
+  /// The attempt, with what leads its device.
+  struct Begun {
+    std::unique_ptr<LiveAttempt> live;
+    simulator::MouseDevice* mouse = nullptr;  ///< of live
+  };
 
   void prepare(Ui& ui, Shell& shell);
   void draw_ready(Ui& ui, Shell& shell);

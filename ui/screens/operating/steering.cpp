@@ -78,8 +78,7 @@ Camera start_camera(const OperatingTable& table) {
   Camera camera;
   camera.target_mm = transform_point(table.bone.world_from_bone, site_in_bone_mm(first_cut(table)));
   const double length_mm = table.scenario.patient.length_mm;
-  const double radius_mm =
-      std::clamp(site_share_of_bone * length_mm, site_least_mm, site_most_mm);
+  const double radius_mm = std::clamp(site_share_of_bone * length_mm, site_least_mm, site_most_mm);
   return standard_view(fitted(camera, Viewer{}, radius_mm, usual_aspect), StandardView::Operator);
 }
 

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Operates Silver in the command's window under Xvfb, with mouse and keyboard, and looks into the database for what was kept.
+
+usage: operate_check.py HALLUX [PICTURE_FOLDER]
+"""
+
+import json
+import os
+import pathlib
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+
+from window_check import Person, start_display, wait_until
+
+PASSWORD = "a long enough phrase"
+SCENARIO = "silver"
+PATIENCE_S = 150.0
+
+
+def come_in(person):
+    wait_until("the first screen", lambda: "entry.begin" in person.widgets(), PATIENCE_S)
+    for field, words in (("entry.login", "admin-1"), ("entry.password", PASSWORD), ("entry.password_again", PASSWORD)):
+        person.click(field)
+        person.type(words)
+    person.click("entry.begin")
+
+
+def begin(person, take_picture):
+    """From the list of operations through the briefing into the operation, as practice."""
+    for name in ("nav.operations", f"operations.card.{SCENARIO}", "brief.begin"):
+        wait_until(name, lambda name=name: person.widgets().get(name, {}).get("enabled"), PATIENCE_S)
+        person.click(name)
+    wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
+    take_picture("ready")
+    person.press("Return")
+    wait_until("the running operation", lambda: "operate.pause" in person.widgets(), PATIENCE_S)
+
+
+def rows_of(place, words):
+    with sqlite3.connect(f"file:{place / 'course' / 'hallux.db'}?mode=ro", uri=True, timeout=10.0) as database:
+        return database.execute(words).fetchall()
+
+
+def recorded_ticks(place):
+    """How far the samples in the database reach."""
+    rows = rows_of(place, "SELECT max(first_tick + row_count) FROM chunk WHERE stream = 1")
+    return rows[0][0] or 0
+
+
+def saw(person, place):
+    """Seen from medial: away from the person, over the head; the saw started; down into the bone; led by the pointer too."""
+    person.press("3", *["Prior"] * 7, "space", *["Down"] * 44)
+    view = person.widgets()["operate.view"]
+    x, y = view["x"] + view["w"] // 2, view["y"] + view["h"] // 2
+    person.xdotool("mousemove", str(x), str(y))
+    for step in range(1, 11):
+        person.xdotool("mousemove", str(x), str(y + 3 * step))
+    so_far = recorded_ticks(place)
+    wait_until("two more seconds on the record", lambda: recorded_ticks(place) >= so_far + 2000, PATIENCE_S)
+
+
+def finish(person, take_picture):
+    take_picture("operating")
+    person.press("End")
+    wait_until("the question", lambda: "operate.ask_finish.act" in person.widgets(), PATIENCE_S)
+    take_picture("question")
+    person.click("operate.ask_finish.act")
+    wait_until("the end of the operation", lambda: "operate.view" not in person.widgets(), PATIENCE_S)
+
+
+def check_record(place):
+    attempts = rows_of(place, "SELECT attempt_id, state, person_id IS NOT NULL, hand, device_class, pacing, duration_ticks,"
+                              " kind, quality_json FROM attempt")
+    if len(attempts) != 1:
+        sys.exit(f"{len(attempts)} attempts are stored")
+    number, state, is_persons, hand, device, pacing, ticks, kind, quality = attempts[0]
+    if (state, is_persons, hand, device, pacing, kind) != ("closed", 1, "", "mouse", "real_time", "practice"):
+        sys.exit(f"the attempt is kept as {attempts[0]}")
+    if ticks < 2000 or not json.loads(quality)["complete"]:
+        sys.exit(f"{ticks} ticks, {quality}")
+    scores = rows_of(place, f"SELECT score_milli, measured_weight_milli, card_json FROM score WHERE attempt_id = {number}")
+    if len(scores) != 1:
+        sys.exit(f"{len(scores)} scores are stored")
+    print(f"operate check: {ticks} ticks, score {scores[0][0]} of {scores[0][1]} measured, {quality}")
+
+
+def operate(person, place, take_picture):
+    come_in(person)
+    begin(person, take_picture)
+    saw(person, place)
+    finish(person, take_picture)
+    check_record(place)
+    take_picture("after")
+
+
+def main():
+    program = sys.argv[1]
+    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    server, display = start_display("1280x720x24")
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            environment = dict(os.environ, DISPLAY=display)
+            window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                      env=environment)
+
+            def take_picture(name):
+                if pictures:
+                    time.sleep(1.0)
+                    subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
+
+            try:
+                operate(Person(place / "map.json", environment), place, take_picture)
+                if window.poll() is not None:
+                    sys.exit(f"the window ended with {window.returncode}")
+            finally:
+                window.kill()
+                window.wait()
+    finally:
+        server.terminate()
+        server.wait()
+    print("operate check: passed")
+
+
+if __name__ == "__main__":
+    main()
