@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "simulator/base/check.h"
 #include "ui/screens/course_words.h"
 #include "ui/screens/desk_work.h"
 #include "ui/screens/help_rows.h"
@@ -64,7 +65,9 @@ CohortScreen::CohortScreen(std::shared_ptr<Visit> visit, Places& places,
     : visit_(std::move(visit)),
       places_(places),
       open_inbox_(std::move(open_inbox)),
-      taught_(visit_->taught()) {}
+      taught_(visit_->taught()) {
+  CHECK(!taught_.empty());
+}
 
 CohortScreen::Glance CohortScreen::look(database::Session& session, database::CohortId cohort) {
   database::InstructorDesk desk = instructor_of(session, cohort);
@@ -121,7 +124,6 @@ void CohortScreen::show(std::size_t cohort) {
 }
 
 void CohortScreen::read(Ui& ui, Shell& shell) {
-  if (taught_.empty()) return;
   glance_.start(ui, shell, ui.text("cohort.reading"),
                 [visit = visit_, cohort = taught_[cohort_].cohort](WorkReport&) {
                   return visit->in_turn(

@@ -16,6 +16,7 @@ namespace hallux::ui {
 class CohortScreen : public Screen {
  public:
   /// `places` outlives the screen. `open_inbox` leads to the inbox.
+  /// needs   the person teaches a cohort
   CohortScreen(std::shared_ptr<Visit> visit, Places& places, std::function<void()> open_inbox = {});
 
   std::string_view navigation_id() const override { return "nav.cohort"; }

@@ -31,6 +31,7 @@ struct DeskWords {
   std::string label;  ///< while it runs
   std::string
       failed;  ///< the head of the message where it fails; "": the screen shows fault() itself
+  std::string stopped = {};  ///< said where the person stopped it; "": nothing
 };
 
 class DeskWork {
@@ -53,8 +54,14 @@ class DeskWork {
         },
         [this, &shell, result, words = std::move(words), done = std::move(done)](
             WorkEnd end, const std::string& reason) {
-          if (end == WorkEnd::Failed) say_failed(shell, words, reason);
-          if (end == WorkEnd::Done) done(**result);
+          // What was done before Cancel could stop it was done.
+          if (result->has_value()) {
+            done(**result);
+          } else if (end == WorkEnd::Failed) {
+            say_failed(shell, words, reason);
+          } else if (!words.stopped.empty()) {
+            shell.say({Meaning::Info, words.stopped});
+          }
         });
   }
   bool is_running() const noexcept { return work_.is_running(); }

@@ -275,7 +275,8 @@ void RecordsScreen::back_up(Ui& ui, Shell& shell) {
   backing_up_.start<database::Backup>(
       shell, visit_,
       {std::string(ui.text("records.backup.running")),
-       std::string(ui.text("records.backup.not_made"))},
+       std::string(ui.text("records.backup.not_made")),
+       std::string(ui.text("records.backup.stopped"))},
       [](database::Session& session, WorkReport& report) {
         return administrator_of(session).back_up(
             {}, [&report](double share) { return report.reached(share); });
