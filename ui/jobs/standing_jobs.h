@@ -1,0 +1,57 @@
+/// How a person stands in the course: the operations that are published with what they are about, and the own attempts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/learning.h"
+#include "assessment/pass_mark.h"
+#include "database/session.h"
+#include "scenarios/scenario.h"
+
+namespace hallux::ui {
+
+/// One of the person's own attempts, and what it says about them.
+struct OwnAttempt {
+  database::AttemptHeader header;
+  std::optional<std::int64_t>
+      score_milli;  ///< that stands: an instructor's before the machine's; nothing: not scored, or void
+  assessment::PassAnswer pass = assessment::PassAnswer::NotDecided;
+  std::int32_t rubric_version = 0;  ///< 0: not scored
+};
+
+/// Oldest first.
+/// errors  DatabaseError: Refused for a person disabled since; storage failures
+std::vector<OwnAttempt> own_attempts(database::Session& session);
+
+/// A published operation and how the person stands in it.
+struct OwnOperation {
+  database::Operation published;
+  std::optional<scenarios::Scenario> scenario;
+  std::string fault;  ///< why there is no scenario: its text is of another program's version
+  assessment::LearningState learning;
+
+  /// The scenario's title, or the name it is kept under.
+  const std::string& title() const noexcept;
+};
+
+/// The easiest first.
+/// errors  DatabaseError: Refused for a person disabled since; storage failures
+std::vector<OwnOperation> own_operations(database::Session& session, database::Database& database);
+
+/// One of them.
+/// errors  as above; DatabaseError NotFound where it is not published; ScenarioError where its text cannot be read
+OwnOperation own_operation(database::Session& session, database::Database& database,
+                           database::ScenarioVersionId scenario);
+
+/// 1 to 5: one for each cut that is to be made. The format says nothing of its own about it yet.
+int difficulty_of(const scenarios::Scenario& scenario) noexcept;
+
+/// How the person learns an operation: by their assessments that were scored with this rubric and pass or do not, see
+/// assessment/learning.h.
+assessment::LearningState learning_of(const std::vector<OwnAttempt>& attempts,
+                                      const std::string& scenario_name,
+                                      std::int32_t rubric_version);
+
+}  // namespace hallux::ui
