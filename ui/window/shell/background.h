@@ -43,7 +43,8 @@ class Background {
   /// Cancels what runs and waits for it; no Finish is called any more.
   ~Background();
 
-  /// Starts `work` on a thread of its own; `finish` is called by collect(), on the thread of the window.
+  /// Starts `work` on a thread of its own; `finish` is called by collect(), on the thread of the window. Work without a
+  /// label is not shown: nobody waits for it.
   void start(std::string label, Work work, Finish finish);
   /// Calls the finish of what ended since.
   /// thread  the window's

@@ -159,6 +159,7 @@ float Shell::draw_work(Ui& ui) {
   const float width = std::min(toast_width, display.w - 2.0F * corner);
   float y = display.bottom() - corner;
   for (const Background::Running& work : background_.running()) {
+    if (work.label.empty()) continue;
     if (work.elapsed_s < work_shown_after_s) {
       ui.want_frame_in_s(work_shown_after_s - work.elapsed_s);
       continue;
