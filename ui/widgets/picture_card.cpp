@@ -16,6 +16,14 @@ void draw_due(Ui& ui, const Rect& rect, std::string_view due) {
   ui.canvas().text({chip.x + 26.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, due);
 }
 
+void draw_mark(Ui& ui, const Rect& rect, std::string_view mark) {
+  const float width = ui.width_of(Type::CaptionMedium, mark) + 40.0F;
+  const Rect chip{rect.x + 12.0F, rect.y + 12.0F, width, 24.0F};
+  ui.canvas().fill(chip, ui.theme().hud, 12.0F);
+  draw_meaning(ui.canvas(), ui.theme(), Meaning::Warn, {chip.x + 15.0F, chip.mid_y()}, 5.5F);
+  ui.canvas().text({chip.x + 28.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, mark);
+}
+
 void draw_state(Ui& ui, const Rect& line, const PictureCardSpec& spec) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
@@ -57,12 +65,15 @@ bool picture_card(Ui& ui, std::string_view id, const Rect& place, const PictureC
                  response.hover > 0.5F ? 2.0F : 1.0F);
   if (response.shows_ring) draw_focus_ring(canvas, theme, rect, radius::picture);
   if (!spec.due.empty()) draw_due(ui, rect, spec.due);
+  if (!spec.mark.empty()) draw_mark(ui, rect, spec.mark);
   canvas.push_room(rect);
   const float x = rect.x + padding, room = rect.w - 2.0F * padding, y = picture.bottom();
   canvas.text_in({x, y + 14.0F, room, 24.0F}, {Type::CardTitle, theme.text}, spec.name, true);
   canvas.text_in({x, y + 39.0F, room, 20.0F}, {Type::Small, theme.text_secondary}, spec.what, true);
-  meter(ui, {x, y + 77.0F}, spec.difficulty);
-  canvas.text({x + 78.0F, y + 77.0F}, {Type::Caption, theme.text_caption}, spec.difficulty_word);
+  if (spec.difficulty > 0) {
+    meter(ui, {x, y + 77.0F}, spec.difficulty);
+    canvas.text({x + 78.0F, y + 77.0F}, {Type::Caption, theme.text_caption}, spec.difficulty_word);
+  }
   canvas.hairline_across(x, y + 98.0F, room, theme.line);
   draw_state(ui, {x, y + 109.0F, room, 24.0F}, spec);
   canvas.pop_room();
