@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "ui/screens/attempts_screen.h"
+#include "ui/screens/briefing_screen.h"
 #include "ui/screens/entry_screen.h"
+#include "ui/screens/history_screen.h"
 #include "ui/screens/operating/operating_screen.h"
+#include "ui/screens/operations_screen.h"
 #include "ui/screens/questions_screen.h"
 #include "ui/screens/replay/replay_screen.h"
 #include "ui/screens/result/result_screen.h"
@@ -25,7 +28,7 @@ void Course::ask_who() {
   shell_.set_visitor(std::nullopt);
   shell_.replace_all(std::make_unique<EntryScreen>(
       data_directory_, [this](Shell&, std::shared_ptr<Visit> visit) { welcome(std::move(visit)); },
-      cost_));
+      cost_, &pictures_));
 }
 
 void Course::welcome(std::shared_ptr<Visit> visit) {
@@ -55,7 +58,10 @@ std::vector<Visitor::Place> Course::places_of(const Visit& visit) const {
     places.push_back({id, std::string(label), icon});
   };
   add_staff_places(visit, places);
-  add("nav.attempts", texts_.text("place.attempts"), Icon::History);
+  add("nav.operations", texts_.text("place.operations"), Icon::Operations);
+  add("nav.history", texts_.text("place.history"), Icon::History);
+  const bool is_trainee = !visit.person().is_administrator && visit.taught().empty();
+  if (!is_trainee) add("nav.attempts", texts_.text("place.attempts"), Icon::Ratings);
   if (!visit.person().is_administrator || !visit.memberships().empty())
     add("nav.questions", texts_.text("place.questions"), Icon::Messages);
   return places;
@@ -69,9 +75,15 @@ void Course::show_place(const std::string& id) {
   if (id == "nav.questions") {
     shell_.replace_all(std::make_unique<QuestionsScreen>(visit_, *this));
   }
+  if (id == "nav.operations") {
+    shell_.replace_all(std::make_unique<OperationsScreen>(visit_, *this, pictures_));
+  }
+  if (id == "nav.history") shell_.replace_all(std::make_unique<HistoryScreen>(visit_, *this));
 }
 
-void Course::brief(database::ScenarioVersionId) {}
+void Course::brief(database::ScenarioVersionId scenario) {
+  shell_.push(std::make_unique<BriefingScreen>(visit_, *this, pictures_, scenario));
+}
 void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind) {
   shell_.push(std::make_unique<OperatingScreen>(visit_, *this, scenario, kind));
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/screens/inbox_screen.h"
+#include "ui/screens/patient_pictures.h"
 #include "ui/screens/places.h"
 #include "ui/screens/visit.h"
 #include "ui/window/shell/shell.h"
@@ -47,6 +48,7 @@ class Course : public Places {
   database::PasswordCost cost_;
   std::shared_ptr<Visit> visit_;
   std::shared_ptr<InboxScreen::Drafts> answer_drafts_;
+  PatientPictures pictures_;
 };
 
 }  // namespace hallux::ui

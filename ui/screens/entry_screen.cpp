@@ -15,36 +15,58 @@ namespace hallux::ui {
 namespace {
 
 constexpr float form_width = 360.0F, side_share = 0.6F, narrow_below = 1000.0F;
-constexpr float field_gap = 14.0F, logo_size = 40.0F;
+constexpr float field_gap = 14.0F, logo_size = 40.0F, welcome_inset = 48.0F;
+constexpr const char* pictured_scenario = "akin";
+constexpr double bone_rise = 0.09;  // shares of the picture's width: the words stand below it
 
-/// What the product is, beside the form; left out where the window is narrow.
+/// What the product is, beside the form and below the bone; left out where the window is narrow.
 void draw_welcome(Ui& ui, const Rect& side) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
-  canvas.fill(side, theme.side);
   canvas.hairline_down(side.right() - 1.0F, side.y, side.h, theme.line);
-  const float left = side.x + 64.0F, width = side.w - 128.0F;
-  draw_logo(canvas, theme, {left + logo_size / 2.0F, side.y + 76.0F}, logo_size / 2.0F);
-  canvas.text({left + logo_size + 14.0F, side.y + 76.0F}, {Type::Section, theme.text},
+  const float left = side.x + welcome_inset, width = side.w - 2.0F * welcome_inset;
+  draw_logo(canvas, theme, {left + logo_size / 2.0F, side.y + 60.0F}, logo_size / 2.0F);
+  canvas.text({left + logo_size + 14.0F, side.y + 60.0F}, {Type::Section, theme.text},
               ui.text("product.name"));
-  const std::string_view headline = ui.text("entry.headline"), sentence = ui.text("entry.sentence");
-  const float headline_height = ui.paragraph_height(Type::Title, headline, width);
-  const float top = side.y + side.h * 0.42F;
-  canvas.paragraph({left, top, width, headline_height}, {Type::Title, theme.text}, headline);
-  canvas.paragraph({left, top + headline_height + 12.0F, width,
-                    ui.paragraph_height(Type::Body, sentence, width)},
-                   {Type::Body, theme.text_secondary}, sentence);
-  const std::string_view note = ui.text("entry.not_reviewed");
-  const float note_height = ui.paragraph_height(Type::Small, note, width);
-  canvas.paragraph({left, side.bottom() - 40.0F - note_height, width, note_height},
-                   {Type::Small, theme.text_caption}, note);
+  Rect rest{left, side.y, width, side.h - 40.0F};
+  const auto add_above = [&](const TextStyle& style, std::string_view words, float gap) {
+    const Rect place = take_bottom(rest, ui.paragraph_height(style.type, words, width), gap);
+    canvas.paragraph(place, style, words);
+  };
+  add_above({Type::Small, theme.text_secondary}, ui.text("entry.not_reviewed"), 20.0F);
+  add_above({Type::Body, theme.text_secondary}, ui.text("entry.sentence"), 10.0F);
+  add_above({Type::Title, theme.text}, ui.text("entry.headline"), 0.0F);
 }
 
 }  // namespace
 
 EntryScreen::EntryScreen(std::filesystem::path data_directory, Entered entered,
-                         database::PasswordCost cost)
-    : data_directory_(std::move(data_directory)), entered_(std::move(entered)), cost_(cost) {}
+                         database::PasswordCost cost, PatientPictures* pictures)
+    : data_directory_(std::move(data_directory)),
+      entered_(std::move(entered)),
+      cost_(cost),
+      pictures_(pictures) {
+  if (pictures_ != nullptr) pictured_ = scenarios::load_shipped_scenario(pictured_scenario);
+}
+
+// The ground is there from the first frame on, so that nothing but the bone appears.
+void EntryScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
+  ui.canvas().fill(side, ui.theme().side);
+  if (pictures_ == nullptr) return;
+  const PatientView* view = pictures_->find(shell, pictured_);
+  Scene scene;
+  Camera camera;
+  if (view != nullptr) {
+    const auto shape = static_cast<double>(side.w / side.h);
+    scene = scene_of(*view, PatientPicture::Pair, {});
+    camera = panned(camera_of(*view, PatientPicture::Pair, shape), {}, Vec2(0.0, bone_rise));
+  }
+  scene.ground = ground_of(ui.theme());
+  scene.light_place = Vec2(0.5, 0.5 + bone_rise);
+  const std::string name = std::string(view != nullptr ? "entry.bone." : "entry.ground.") +
+                           std::string(ground_word(ui.theme()));
+  ui.canvas().picture(still_picture(ui, shell, name, side, scene, camera), side);
+}
 
 void EntryScreen::show(Form form) {
   form_ = form;
@@ -74,7 +96,11 @@ void EntryScreen::open(Ui& ui, Shell& shell) {
 
 void EntryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   Rect rest = content;
-  if (content.w >= narrow_below) draw_welcome(ui, take_left(rest, content.w * side_share));
+  if (content.w >= narrow_below) {
+    const Rect side = take_left(rest, content.w * side_share);
+    draw_bone(ui, side, shell);
+    draw_welcome(ui, side);
+  }
   const float width = std::min(form_width, rest.w - 2.0F * space::page);
   const Rect column{rest.mid_x() - width / 2.0F, rest.y + std::max(48.0F, rest.h * 0.2F), width,
                     rest.h * 0.8F};

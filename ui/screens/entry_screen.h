@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "ui/screens/patient_pictures.h"
 #include "ui/screens/visit.h"
 #include "ui/window/shell/shell.h"
 
@@ -13,8 +14,9 @@ class EntryScreen : public Screen {
   /// Called once somebody came in.
   using Entered = std::function<void(Shell& shell, std::shared_ptr<Visit> visit)>;
 
+  /// `pictures`, where there are any, outlive the screen: the bone beside the form comes from them.
   EntryScreen(std::filesystem::path data_directory, Entered entered,
-              database::PasswordCost cost = {});
+              database::PasswordCost cost = {}, PatientPictures* pictures = nullptr);
 
   Surround surround() const override { return Surround::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -24,6 +26,7 @@ class EntryScreen : public Screen {
   using Work = std::shared_ptr<Visit> (*)(const std::filesystem::path&, const EntryWords&,
                                           const database::PasswordCost&);
 
+  void draw_bone(Ui& ui, const Rect& side, Shell& shell);
   void open(Ui& ui, Shell& shell);
   void show(Form form);
   void draw_opening(Ui& ui, const Rect& column, Shell& shell);
@@ -42,6 +45,8 @@ class EntryScreen : public Screen {
   std::filesystem::path data_directory_;
   Entered entered_;
   database::PasswordCost cost_;
+  PatientPictures* pictures_;
+  scenarios::Scenario pictured_;  ///< whose patient is beside the form
   Form form_ = Form::Opening;
   double opening_since_s_ = -1.0;  ///< frame time; below 0: not begun
   bool is_without_people_ = false;

@@ -1,5 +1,6 @@
 #include "ui/screens/words.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdio>
@@ -36,6 +37,12 @@ std::string sentence_of(std::string_view reason) {
   if (first < 0x80) sentence.front() = static_cast<char>(std::toupper(first));
   if (std::string_view(".?").find(sentence.back()) == std::string_view::npos) sentence += '.';
   return sentence;
+}
+
+std::string words_of(std::string_view file_name) {
+  std::string words(file_name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 
 std::string initials_of(std::string_view name) {

@@ -16,6 +16,9 @@ std::string moment_text(std::string_view utc);
 /// What an error says, which begins small behind the command's name, as a sentence of its own: "Could not open it."
 std::string sentence_of(std::string_view reason);
 
+/// A name as files write it, as words: "first_metatarsal" is "first metatarsal".
+std::string words_of(std::string_view file_name);
+
 /// At most two letters or digits for an avatar: "Ada Mueller" is "AM", "trainee-12" is "T1".
 std::string initials_of(std::string_view name);
 

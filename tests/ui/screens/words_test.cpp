@@ -32,5 +32,10 @@ TEST(Words, InitialsAreTheFirstOfTwoWords) {
   EXPECT_EQ(initials_of(""), "");
 }
 
+TEST(Words, NamesOfFilesAreRead) {
+  EXPECT_EQ(words_of("first_proximal_phalanx"), "first proximal phalanx");
+  EXPECT_EQ(words_of(""), "");
+}
+
 }  // namespace
 }  // namespace hallux::ui

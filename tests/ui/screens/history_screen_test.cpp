@@ -1,0 +1,183 @@
+#include "ui/screens/history_screen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_published.h"
+#include "tests/ui/screens/some_visitor.h"
+
+namespace hallux::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A person who looks back.
+struct Looker {
+  Looker(SomePublished& published, const std::string& login, float scale = 1.0F)
+      : visitor(std::make_unique<HistoryScreen>(visit_of(published.course(), login), places),
+                scale) {}
+  Driver& driver() { return visitor.driver(); }
+
+  SomePlaces places;
+  SomeVisitor visitor;
+};
+
+void make_void(SomePublished& published, const database::AttemptId& attempt) {
+  database::NewDecision decision;
+  decision.attempt = attempt;
+  decision.kind = database::DecisionKind::Voided;
+  decision.reason = "the saw was not calibrated";
+  published.course().instructor("kim", published.course().autumn()).decide(decision);
+}
+
+std::vector<OwnAttempt> own_of(SomePublished& published, const std::string& login) {
+  database::Session session = published.course().sign_in_as(login);
+  return own_attempts(session);
+}
+
+TEST(HistoryScreen, SaysWhereThereIsNone) {
+  SomePublished published;
+  Looker looker(published, "ada");
+  EXPECT_TRUE(looker.driver().sees("No attempts yet"));
+  EXPECT_THAT(looker.driver().faults(), IsEmpty());
+}
+
+TEST(HistoryScreen, ShowsOnlyTheOwnAttempts) {
+  SomePublished published;
+  published.scored_by("ada", 76830);
+  published.scored_by("bob", 31250);
+  Looker looker(published, "ada");
+  EXPECT_TRUE(looker.driver().sees("76.8"));
+  EXPECT_FALSE(looker.driver().sees("31.3"));
+}
+
+TEST(HistoryScreen, InstructorsSeeTheirOwnHereAndNotTheCohorts) {
+  SomePublished published;
+  published.scored_by("ada", 76830);
+  Looker looker(published, "kim");
+  EXPECT_TRUE(looker.driver().sees("No attempts yet"));
+}
+
+TEST(History, VoidAttemptsDoNotCountAndUnscoredOnesAreGaps) {
+  SomePublished published;
+  published.scored_by("ada", 40000);
+  make_void(published, published.scored_by("ada", 99000));
+  published.attempted_by("ada", database::AttemptKind::Practice);
+  published.scored_by("ada", 50000);
+  const std::vector<OperationHistory> histories = histories_of(own_of(published, "ada"));
+  ASSERT_EQ(histories.size(), 1U);
+  const OperationHistory& history = histories.front();
+  EXPECT_EQ(history.attempts.size(), 4U);
+  EXPECT_THAT(history.numbers, ElementsAre(1, 0, 2, 3));
+  ASSERT_EQ(history.scores.size(), 3U);
+  EXPECT_EQ(history.scores[0].y, 40.0);
+  EXPECT_TRUE(std::isnan(history.scores[1].y));
+  EXPECT_EQ(history.scores[2].y, 50.0);
+  EXPECT_TRUE(std::isnan(history.medians[1].y));
+  EXPECT_EQ(history.medians[2].y, 45.0);
+}
+
+TEST(History, AnOverriddenScoreStandsInPlaceOfTheMachines) {
+  SomePublished published;
+  database::NewDecision decision;
+  decision.attempt = published.scored_by("ada", 52000, database::AttemptKind::Assessment);
+  decision.kind = database::DecisionKind::Overridden;
+  decision.score_milli = 72000;
+  decision.reason = "the depth was measured beside a defect";
+  published.course().instructor("kim", published.course().autumn()).decide(decision);
+  const std::vector<OwnAttempt> own = own_of(published, "ada");
+  ASSERT_EQ(own.size(), 1U);
+  EXPECT_EQ(own.front().score_milli, 72000);
+  EXPECT_EQ(own.front().pass, assessment::PassAnswer::Reached);
+}
+
+TEST(HistoryScreen, TheFactsAreOfWhatCounts) {
+  SomePublished published;
+  published.scored_by("ada", 40000);  // recorded for five milliseconds
+  published.scored_by("ada", 81400);
+  published.scored_by("ada", 61000, database::AttemptKind::Assessment);
+  make_void(published, published.scored_by("ada", 99000));
+  Looker looker(published, "ada");
+  for (const char* words :
+       {"81.4", "61.0", "2 practice, 1 assessed", "1 of 12", "pass 60, provisional", "00:00"}) {
+    EXPECT_TRUE(looker.driver().sees(words)) << words;
+  }
+  EXPECT_FALSE(looker.driver().sees("99.0"));
+  EXPECT_TRUE(looker.driver().sees("Void"));
+}
+
+TEST(HistoryScreen, RowsAndPointsLeadToTheirResult) {
+  SomePublished published;
+  const database::AttemptId first = published.scored_by("ada", 40000);
+  const database::AttemptId second = published.scored_by("ada", 50000);
+  Looker looker(published, "ada");
+  looker.driver().click("history.chart.0");
+  looker.driver().click("history.list.2");
+  EXPECT_THAT(looker.places.asked, ElementsAre("result " + first.text, "result " + second.text));
+}
+
+TEST(HistoryScreen, AResultIsReachedByKeyboardAlone) {
+  SomePublished published;
+  const database::AttemptId attempt = published.scored_by("ada", 40000);
+  Looker looker(published, "ada");
+  for (int tab = 0; tab < 12 && looker.driver().focused() != "history.chart.0"; ++tab) {
+    looker.driver().press(Key::Tab);
+  }
+  ASSERT_EQ(looker.driver().focused(), "history.chart.0");
+  EXPECT_TRUE(looker.driver().sees("40.0 points"));
+  looker.driver().press(Key::Tab);
+  EXPECT_EQ(looker.driver().focused(), "history.list.1");
+  looker.driver().press(Key::Enter);
+  EXPECT_THAT(looker.places.asked, ElementsAre("result " + attempt.text));
+}
+
+TEST(HistoryScreen, OneOperationAtATime) {
+  SomePublished published;
+  published.course().scored_by("ada", 31250);  // of the silver
+  published.scored_by("ada", 76830);
+  Looker looker(published, "ada");
+  EXPECT_TRUE(looker.driver().sees("76.8")) << "the newest first";
+  EXPECT_FALSE(looker.driver().sees("31.3"));
+  looker.driver().click("history.operation.1");
+  EXPECT_TRUE(looker.driver().sees("31.3"));
+  EXPECT_FALSE(looker.driver().sees("76.8"));
+}
+
+TEST(HistoryScreen, CopiesTheChartsNumbersByButtonAndByKey) {
+  SomePublished published;
+  published.scored_by("ada", 40000);
+  published.attempted_by("ada", database::AttemptKind::Assessment);
+  Looker looker(published, "ada");
+  looker.driver().press(Key::C, {.control = true});
+  const std::string csv = looker.driver().clipboard().read();
+  EXPECT_THAT(csv, HasSubstr("attempt,begun_utc,for,score,median_of_5\n1,"));
+  EXPECT_THAT(csv, HasSubstr(",practice,40.0,40.0\n2,"));
+  EXPECT_THAT(csv, HasSubstr(",assessment,,\n"));
+  EXPECT_TRUE(looker.driver().sees("2 attempts copied"));
+  looker.driver().clipboard().write("");
+  looker.driver().click("history.copy");
+  EXPECT_EQ(looker.driver().clipboard().read(), csv);
+}
+
+TEST(HistoryScreen, NothingIsCutOffAtAnyScaleAndSize) {
+  SomePublished published;
+  published.course().scored_by("ada", 31250);
+  published.scored_by("ada", 76830);
+  published.attempted_by("ada", database::AttemptKind::Practice);
+  for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
+    Looker looker(published, "ada", scale);
+    EXPECT_THAT(looker.driver().faults(), IsEmpty()) << scale;
+    for (const auto& [width, height] : {std::pair(1280.0F, 720.0F), std::pair(3840.0F, 2160.0F)}) {
+      looker.driver().resize(width, height);
+      EXPECT_THAT(looker.driver().faults(), IsEmpty()) << scale << " " << width;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hallux::ui

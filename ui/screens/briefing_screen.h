@@ -1,0 +1,44 @@
+/// What an operation is about, before it is begun: why and what, the steps, what is scored; the bone with its planned faces.
+#pragma once
+
+#include <memory>
+
+#include "ui/jobs/standing_jobs.h"
+#include "ui/screens/bone_stage.h"
+#include "ui/screens/patient_pictures.h"
+#include "ui/screens/places.h"
+#include "ui/screens/reading.h"
+#include "ui/screens/visit.h"
+
+namespace hallux::ui {
+
+class BriefingScreen : public Screen {
+ public:
+  /// `places` and `pictures` outlive the screen.
+  BriefingScreen(std::shared_ptr<Visit> visit, Places& places, PatientPictures& pictures,
+                 database::ScenarioVersionId scenario)
+      : visit_(std::move(visit)), places_(places), pictures_(pictures), scenario_(scenario) {}
+
+  std::string_view navigation_id() const override { return "nav.operations"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  void draw_briefing(Ui& ui, const Rect& content, Shell& shell);
+  void draw_picture(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_start(Ui& ui, const Rect& rect);
+  float start_height(const Ui& ui, float width) const;
+  /// The words of the chosen tab from the top of `rect`; returns their height.
+  float draw_words(Ui& ui, const Rect& rect) const;
+  void draw_words_card(Ui& ui, const Rect& rect);
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  PatientPictures& pictures_;
+  database::ScenarioVersionId scenario_;
+  Reading<OwnOperation> operation_;
+  int tab_ = 0, kind_ = 0;
+  float words_height_ = 0.0F;  ///< as they were drawn last
+  BoneStage stage_;
+};
+
+}  // namespace hallux::ui

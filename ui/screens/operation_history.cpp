@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/screens/history_screen.h"
+#include "ui/screens/words.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr std::size_t median_window = 5;
+
+std::vector<std::string> names_of(const std::vector<OwnAttempt>& attempts) {
+  std::vector<std::string> names;
+  for (auto attempt = attempts.rbegin(); attempt != attempts.rend(); ++attempt) {
+    const std::string& name = attempt->header.scenario_name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// The points of the chart; the median runs over the scores that there are.
+void count(OperationHistory& history) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> scores;
+  std::vector<std::size_t> scored;
+  for (const OwnAttempt& attempt : history.attempts) {
+    const bool counts = attempt.header.state != database::AttemptState::Void;
+    history.numbers.push_back(counts ? static_cast<int>(history.counted.size()) + 1 : 0);
+    if (!counts) continue;
+    const auto place = static_cast<double>(history.counted.size() + 1);
+    history.counted.push_back(history.numbers.size() - 1);
+    history.scores.push_back({place, nothing});
+    history.medians.push_back({place, nothing});
+    if (!attempt.score_milli) continue;
+    scored.push_back(history.scores.size() - 1);
+    scores.push_back(static_cast<double>(*attempt.score_milli) / 1000.0);
+  }
+  const std::vector<double> medians = assessment::running_median(scores, median_window);
+  for (std::size_t number = 0; number < scored.size(); ++number) {
+    history.scores[scored[number]].y = scores[number];
+    history.medians[scored[number]].y = medians[number];
+  }
+}
+
+std::int32_t newest_rubric(const OperationHistory& history) {
+  std::int32_t newest = 0;
+  for (const OwnAttempt& attempt : history.attempts) {
+    newest = std::max(newest, attempt.rubric_version);
+  }
+  return newest;
+}
+
+std::string csv_number(double points) {
+  return std::isnan(points) ? std::string() : points_text(std::llround(points * 1000.0));
+}
+
+}  // namespace
+
+std::vector<OperationHistory> histories_of(const std::vector<OwnAttempt>& attempts) {
+  std::vector<OperationHistory> histories;
+  for (const std::string& name : names_of(attempts)) {
+    OperationHistory& history = histories.emplace_back();
+    history.scenario_name = name;
+    std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(history.attempts),
+                 [&](const OwnAttempt& each) { return each.header.scenario_name == name; });
+    count(history);
+    history.learning = learning_of(attempts, name, newest_rubric(history));
+  }
+  return histories;
+}
+
+std::string csv_of(const OperationHistory& history) {
+  std::string csv = "attempt,begun_utc,for,score,median_of_5\n";
+  for (std::size_t number = 0; number < history.counted.size(); ++number) {
+    const database::AttemptHeader& header = history.attempts[history.counted[number]].header;
+    csv += std::to_string(number + 1) + "," + header.started_utc + "," +
+           std::string(name_of(header.begun.kind)) + "," + csv_number(history.scores[number].y) +
+           "," + csv_number(history.medians[number].y) + "\n";
+  }
+  return csv;
+}
+
+}  // namespace hallux::ui
