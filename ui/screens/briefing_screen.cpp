@@ -76,13 +76,27 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
 
 namespace {
 
-/// What is said over the picture, as on the cards to choose from.
-void draw_mark(Ui& ui, Point left_top, std::string_view mark) {
-  const float width = ui.width_of(Type::CaptionMedium, mark) + 40.0F;
+/// A chip for what is said over the picture.
+Rect draw_chip(Ui& ui, Point left_top, float width) {
   const Rect chip{left_top.x, left_top.y, width, 24.0F};
   ui.canvas().fill(chip, ui.theme().hud, 12.0F);
+  return chip;
+}
+
+/// As on the cards to choose from.
+void draw_mark(Ui& ui, Point left_top, std::string_view mark) {
+  const Rect chip = draw_chip(ui, left_top, ui.width_of(Type::CaptionMedium, mark) + 40.0F);
   draw_meaning(ui.canvas(), ui.theme(), Meaning::Warn, {chip.x + 15.0F, chip.mid_y()}, 5.5F);
   ui.canvas().text({chip.x + 28.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, mark);
+}
+
+/// How to turn the bone.
+void draw_hint(Ui& ui, const Rect& picture) {
+  const std::string_view hint = ui.text("brief.picture.hint");
+  const float width = std::min(ui.width_of(Type::Caption, hint) + 26.0F, picture.w - 24.0F);
+  const Rect chip = draw_chip(ui, {picture.x + 12.0F, picture.bottom() - 36.0F}, width);
+  ui.canvas().text_in(inset(chip, 12.0F, 0.0F), {Type::Caption, ui.theme().text_secondary}, hint,
+                      true);
 }
 
 }  // namespace
@@ -100,8 +114,7 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
     stage_.draw(
         ui, shell, rect, scene_of(*view, PatientPicture::Whole, ground_of(theme)),
         {"brief.picture", ui.text("brief.picture"), theme.is_dark() ? 1U : 2U, radius::picture});
-    ui.canvas().text_in({rect.x + 16.0F, rect.bottom() - 34.0F, rect.w - 32.0F, 20.0F},
-                        {Type::Caption, theme.text_secondary}, ui.text("brief.picture.hint"), true);
+    draw_hint(ui, rect);
   } else {
     ui.canvas().fill(rect, theme.raise, radius::picture);
     ui.canvas().paragraph(inset(rect, space::card, 52.0F), {Type::Small, theme.text_caption},

@@ -20,9 +20,8 @@ using scenarios::PlannedCut;
 constexpr double neighbour_edge_mm = 0.9;
 constexpr double rim_mm = 4.0;  // how far a shown face reaches beyond the bone
 constexpr double section_thickness_mm = 0.2;
-constexpr double pair_share =
-    0.8;  // two bones in a row are no ball: what sticks out of it lies in the corners
-constexpr double saw_gap_mm = 5.0;  // the blade waits before the bone
+constexpr double pair_share = 0.97;  // two bones in a row leave most of their ball empty
+constexpr double saw_gap_mm = 5.0;   // the blade waits before the bone
 
 /// One for each content: the renderer knows bones by it.
 std::uint64_t id_of(const scenarios::Scenario& scenario, std::string_view part, double edge_mm) {
