@@ -54,7 +54,6 @@ bool WordsForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit,
   shown.error = error_;
   shown.form_height = field_label_height + words_height;
   if (!spec.toggle.empty()) shown.form_height += gap + toggle_height;
-  shown.is_ready = !words_.empty();
   shown.is_busy = work_.is_running();
   const Answer answer = dialog(ui, id, shown, [&](const Rect& form) {
     Rect rest = form;
@@ -68,6 +67,7 @@ bool WordsForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit,
     ui.focus_first(id + ".words");
     if (!spec.toggle.empty())
       toggle(ui, id + ".toggle", take_top(rest, toggle_height), spec.toggle, is_on_);
+    return !words_.empty();
   });
   if (answer == Answer::Keep) is_open_ = false;
   if (answer == Answer::Act && !work_.is_running()) start(shell, visit, spec, send);

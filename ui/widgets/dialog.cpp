@@ -54,9 +54,9 @@ void draw_words(Ui& ui, const Dialog& shown, const Layout& layout) {
                    {Type::Small, theme.bad_text}, shown.error);
 }
 
-Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, Rect line) {
+Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, bool is_ready, Rect line) {
   ButtonSpec act{shown.act, shown.is_dangerous ? ButtonLook::Danger : ButtonLook::Primary};
-  act.is_enabled = shown.is_ready;
+  act.is_enabled = is_ready;
   act.is_busy = shown.is_busy;
   const ButtonSpec keep{shown.keep, ButtonLook::Secondary};
   Answer answer = Answer::Waiting;
@@ -71,7 +71,7 @@ Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, Rect line)
 }  // namespace
 
 Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
-              const std::function<void(const Rect& form)>& draw_form) {
+              const std::function<bool(const Rect& form)>& draw_form) {
   Canvas& canvas = ui.canvas();
   const LayerScope layer(canvas, Layer::Modal);
   canvas.fill(ui.display(), ui.theme().scrim);
@@ -82,9 +82,10 @@ Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
   const Rect view = inset(layout.form, -ring_room);
   const float offset = ui.begin_scroll(std::string(id) + ".form", shown.title, view,
                                        shown.form_height + 2.0F * ring_room);
-  draw_form({layout.form.x, layout.form.y - offset, layout.form.w, shown.form_height});
+  const bool is_ready =
+      draw_form({layout.form.x, layout.form.y - offset, layout.form.w, shown.form_height});
   ui.end_scroll();
-  const Answer answer = draw_buttons(ui, id, shown, layout.buttons);
+  const Answer answer = draw_buttons(ui, id, shown, is_ready, layout.buttons);
   canvas.pop_room();
   if (answer != Answer::Waiting) ui.want_frame_in_s(0.0);
   return answer;

@@ -127,6 +127,8 @@ class Ui {
 
   void focus(std::string_view id);
   const std::string& focused() const noexcept { return focus_; }
+  /// The ring is shown: the last thing done was done by key.
+  bool is_steered_by_keys() const noexcept { return is_ring_shown_; }
   /// Gives `id` the focus when the screen or question it belongs to appears.
   void focus_first(std::string_view id);
   /// The focus was moved in this frame by an arrow held with Shift (lists extend their selection).

@@ -179,7 +179,8 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
   words.label = label;
   words.error = error_;
   words.max_bytes = 2000;
-  field(ui, "notes.reply", line, reply_, words);
+  // Whether Enter sends is drawn from what is written, at the head of the screen too.
+  if (field(ui, "notes.reply", line, reply_, words)) ui.want_frame_in_s(0.0);
   if (button(ui, "notes.send", {place.x, place.mid_y() - 19.0F, place.w, button_height},
              button_spec))
     send(ui, shell, header);

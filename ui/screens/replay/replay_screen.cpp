@@ -62,6 +62,9 @@ void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   player_.advance(ui);
   draw_replay(ui, content, shell);
   draw_forms(ui, shell);
+  // Who pressed something with the mouse means the arrows for the time again, not for what was pressed.
+  const bool is_writing = ui.focused() == "notes.reply" || ask_.is_open() || pin_.is_open();
+  if (!ui.is_steered_by_keys() && !is_writing && !ui.focused().empty()) ui.focus({});
 }
 
 void ReplayScreen::open(Ui& ui) {
@@ -463,6 +466,7 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
   picked_in_bone_mm_.reset();
   tab_ = 0;
   notes_.read_again();
+  ui.want_frame_in_s(0.0);
 }
 
 }  // namespace hallux::ui

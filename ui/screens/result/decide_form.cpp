@@ -45,7 +45,7 @@ void DecideForm::open(const ResultFacts& facts) {
   error_.clear();
 }
 
-void DecideForm::draw_fields(Ui& ui, const Rect& form) {
+bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
   Rect rest = form;
   const std::array<std::string_view, 3> labels{ui.text("result.decide.confirm.short"),
                                                ui.text("result.decide.override.short"),
@@ -56,7 +56,8 @@ void DecideForm::draw_fields(Ui& ui, const Rect& form) {
     FieldSpec score;
     score.label = ui.text("result.decide.score");
     if (!score_.empty() && !score_from(score_)) score.error = ui.text("result.decide.score.rule");
-    field(ui, "decide.score", take_top(rest, field_height), score_, score);
+    if (field(ui, "decide.score", take_top(rest, field_height), score_, score))
+      ui.want_frame_in_s(0.0);
     take_top(rest, field_message_height);
   }
   take_top(rest, field_label_height);
@@ -67,6 +68,8 @@ void DecideForm::draw_fields(Ui& ui, const Rect& form) {
   reason.max_bytes = 2000;
   field(ui, "decide.reason", take_top(rest, reason_height), reason_, reason);
   ui.focus_first("decide.reason");
+  const bool has_score = kind() != DecisionKind::Overridden || score_from(score_).has_value();
+  return has_score && !reason_.empty();
 }
 
 void DecideForm::start(Ui& ui, Shell& shell, const ResultFacts& facts) {
@@ -121,11 +124,10 @@ bool DecideForm::draw(Ui& ui, Shell& shell, const ResultFacts& facts) {
   shown.error = error_;
   shown.form_height = segmented_height + gap + field_label_height + reason_height;
   if (is_override) shown.form_height += field_label_height + field_height + field_message_height;
-  shown.is_ready = !reason_.empty() && (!is_override || score_from(score_).has_value());
   shown.is_busy = work_.is_running();
   shown.is_dangerous = kind() == DecisionKind::Voided;
   const Answer answer =
-      dialog(ui, "decide", shown, [&](const Rect& form) { draw_fields(ui, form); });
+      dialog(ui, "decide", shown, [&](const Rect& form) { return draw_fields(ui, form); });
   if (answer == Answer::Keep) is_open_ = false;
   if (answer != Answer::Act || work_.is_running()) return false;
   if (kind() == DecisionKind::Voided) {

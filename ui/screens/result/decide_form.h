@@ -27,7 +27,8 @@ class DecideForm {
   database::DecisionKind kind() const noexcept {
     return static_cast<database::DecisionKind>(chosen_);
   }
-  void draw_fields(Ui& ui, const Rect& form);
+  /// False where something is missing.
+  bool draw_fields(Ui& ui, const Rect& form);
   void start(Ui& ui, Shell& shell, const ResultFacts& facts);
   void draw_question(Ui& ui, Shell& shell, const ResultFacts& facts);
 

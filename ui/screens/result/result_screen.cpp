@@ -98,19 +98,26 @@ float ResultScreen::draw_head(Ui& ui, const Rect& place) {
   canvas.text_in(crumb, {Type::Small, ui.theme().text_caption}, where, true);
   const std::string title =
       ui.texts().say("result.title", {{"number", grouped(static_cast<long>(header.order))}});
-  const Rect line = take_top(rest, 40.0F, 8.0F);
-  canvas.text_on_baseline({line.x, line.y + 30.0F}, {Type::Title, ui.theme().text}, title);
-  const float title_width = ui.width_of(Type::Title, title) + 24.0F;
+  Rect line = take_top(rest, 40.0F, 8.0F);
+  const float title_width =
+      canvas.text_on_baseline({line.x, line.y + 30.0F}, {Type::Title, ui.theme().text}, title);
   const bool is_narrow = line.w < 620.0F;
   if (is_narrow) {
     draw_actions(ui, take_top(rest, 40.0F, 8.0F));
-  } else {
-    draw_actions(ui, {line.x + title_width, line.y, line.w - title_width, line.h});
+    return rest.y - place.y + draw_marks(ui, rest);
   }
-  return rest.y - place.y + draw_marks(ui, rest);
+  line.w -= draw_actions(ui, line) + 16.0F;
+  take_left(line, title_width + 20.0F);
+  float marks_width = 0.0F;
+  for (const ScoreMark& mark : score_marks(ui.texts(), facts()))
+    marks_width += pill_width(ui, mark.words, mark.has_shape) + 8.0F;
+  if (marks_width > line.w) return rest.y - place.y + draw_marks(ui, rest);
+  draw_marks(ui, {line.x, line.mid_y() - 11.0F, line.w, 22.0F});
+  return rest.y - place.y;
 }
 
-void ResultScreen::draw_actions(Ui& ui, Rect line) {
+float ResultScreen::draw_actions(Ui& ui, Rect line) {
+  const float whole = line.w;
   const auto action = [&](const char* id, const ButtonSpec& spec) {
     const float width = std::min(button_width(ui, spec), line.w);
     const Rect place = take_right(line, width, 8.0F);
@@ -128,6 +135,7 @@ void ResultScreen::draw_actions(Ui& ui, Rect line) {
   if (facts().rights.may_decide &&
       action("result.decide", {ui.text("result.decide"), ButtonLook::Secondary, Icon::Check}))
     decide_.open(facts());
+  return whole - line.w;
 }
 
 float ResultScreen::draw_marks(Ui& ui, const Rect& place) const {
@@ -326,13 +334,21 @@ void ResultScreen::draw_ledger_foot(Ui& ui, const Rect& rect) {
 
 void ResultScreen::draw_plan(Ui& ui, const Rect& rect, Shell& shell) {
   draw_card(ui.canvas(), ui.theme(), rect);
-  const Rect inside = inset(rect, space::card);
+  Rect inside = inset(rect, space::card);
+  if (!examined_.has_value()) {
+    ui.canvas().text_on_baseline({inside.x, rect.y + 36.0F}, {Type::CardTitle, ui.theme().text},
+                                 ui.text("result.plan"));
+    take_top(inside, 28.0F);
+  }
   if (!examined_.draw_until_ready(ui, "result.unseen", inside, 6)) return;
   plan_.draw(ui, shell, inset(rect, 1.0F), *examined_.value());
 }
 
 void ResultScreen::draw_forms(Ui& ui, Shell& shell) {
-  if (decide_.draw(ui, shell, facts())) facts_.read_again();
+  if (decide_.draw(ui, shell, facts())) {
+    facts_.read_again();
+    ui.want_frame_in_s(0.0);
+  }
   WordsFormSpec spec;
   spec.id = "ask";
   spec.title = ui.text("result.ask");

@@ -31,7 +31,8 @@ class ResultScreen : public Screen {
   void read(Ui& ui, Shell& shell);
   void draw_page(Ui& ui, Rect page, Shell& shell);
   float draw_head(Ui& ui, const Rect& place);
-  void draw_actions(Ui& ui, Rect line);
+  /// From the right end of the line; the width that they take.
+  float draw_actions(Ui& ui, Rect line);
   float draw_marks(Ui& ui, const Rect& place) const;
   float draw_notices(Ui& ui, const Rect& place) const;
   float draw_reading_cards(Ui& ui, const Rect& place);

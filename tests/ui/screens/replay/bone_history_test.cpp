@@ -1,0 +1,151 @@
+#include "ui/screens/replay/bone_history.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "assessment/rebuild/rebuild.h"
+#include "simulator/mesh/bvh.h"
+#include "tests/ui/screens/some_operation.h"
+
+namespace hallux::ui {
+namespace {
+
+struct World {
+  World() {
+    plan = plan_on(operation.scenario, operation.bone);
+    history = build_history(
+        {operation.bone, operation.scenario.blade.size, plan, operation.recording, "test"});
+  }
+
+  SomeOperation operation = some_operation();
+  scenarios::Plan plan;
+  std::shared_ptr<const BoneHistory> history;
+};
+
+double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return glm::dot(a, glm::cross(b, c));
+}
+
+/// What the renderer would draw of it: triangles that are not hidden, and the patch.
+double shown_mm3(const BoneInScene& bone) {
+  const simulator::IndexedMesh& mesh = bone.mesh->solid.mesh;
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (bone.patch != nullptr &&
+        std::binary_search(bone.patch->hidden.begin(), bone.patch->hidden.end(), i))
+      continue;
+    const simulator::Triangle& t = mesh.triangles[i];
+    sum += six_volumes(mesh.points_mm[t[0]], mesh.points_mm[t[1]], mesh.points_mm[t[2]]);
+  }
+  if (bone.patch == nullptr) return sum / 6.0;
+  const auto at = [&](std::uint32_t index) {
+    return index < mesh.points_mm.size()
+               ? mesh.points_mm[index]
+               : bone.patch->points_in_bone_mm[index - mesh.points_mm.size()];
+  };
+  for (const simulator::Triangle& t : bone.patch->triangles)
+    sum += six_volumes(at(t[0]), at(t[1]), at(t[2]));
+  return sum / 6.0;
+}
+
+/// What scoring rebuilds of the recording up to a tick.
+double rebuilt_mm3(const World& world, std::int64_t tick) {
+  simulator::Recording until = world.operation.recording;
+  std::erase_if(until.samples, [&](const auto& sample) { return sample.tick > tick; });
+  std::erase_if(until.events, [&](const auto& event) { return event.tick > tick; });
+  const assessment::RebuiltBone rebuilt =
+      assessment::rebuild(world.operation.bone, world.operation.scenario.blade.size, until);
+  return std::accumulate(rebuilt.piece_volumes_mm3.begin(), rebuilt.piece_volumes_mm3.end(),
+                         rebuilt.debris_mm3);
+}
+
+TEST(BoneHistory, HoldsAtEachNotedTickWhatScoringRebuilds) {
+  const World world;
+  BoneMoment moment(*world.history);
+  ASSERT_EQ(world.history->stretches.size(), 2U) << "two cuts, one after the other";
+  for (const KerfGrowth& kerf : world.history->kerfs) {
+    for (std::size_t i = 0; i < kerf.ticks.size(); i += 4) {
+      const std::int64_t tick = kerf.ticks[i];
+      moment.move_to(tick);
+      EXPECT_NEAR(shown_mm3(moment.bones({}).front()), rebuilt_mm3(world, tick), 1.0e-4) << tick;
+    }
+  }
+}
+
+TEST(BoneHistory, IsNeverOlderThanTwentyMilliseconds) {
+  const World world;
+  for (const KerfGrowth& kerf : world.history->kerfs) {
+    ASSERT_GT(kerf.ticks.size(), 10U);
+    for (std::size_t i = 1; i < kerf.ticks.size(); ++i)
+      EXPECT_LE(kerf.ticks[i] - kerf.ticks[i - 1], 20);
+  }
+}
+
+TEST(BoneHistory, ScrubbedBackwardsTheBoneIsWholeAgain) {
+  const World world;
+  BoneMoment moment(*world.history);
+  moment.move_to(0);
+  const double whole_mm3 = shown_mm3(moment.bones({}).front());
+  moment.move_to(world.operation.wedge_out_tick - 20);
+  const double sawn_mm3 = shown_mm3(moment.bones({}).front());
+  EXPECT_LT(sawn_mm3, whole_mm3 - 50.0);
+  moment.move_to(0);
+  EXPECT_EQ(shown_mm3(moment.bones({}).front()), whole_mm3);
+  EXPECT_NEAR(whole_mm3, simulator::signed_volume_mm3(world.operation.bone.outer), 1.0e-6);
+}
+
+TEST(BoneHistory, APieceThatWasTakenOutIsGoneFromThenOn) {
+  const World world;
+  ASSERT_EQ(world.history->taken.size(), 1U);
+  BoneMoment moment(*world.history);
+  moment.move_to(world.operation.wedge_out_tick - 1);
+  const double before_mm3 = shown_mm3(moment.bones({}).front());
+  const std::uint64_t revision = moment.revision();
+  moment.move_to(world.operation.wedge_out_tick);
+  EXPECT_NE(moment.revision(), revision);
+  EXPECT_NEAR(before_mm3 - shown_mm3(moment.bones({}).front()), world.operation.wedge_mm3, 1.0e-4);
+  moment.move_to(world.operation.wedge_out_tick - 1);
+  EXPECT_NEAR(shown_mm3(moment.bones({}).front()), before_mm3, 1.0e-9);
+}
+
+TEST(BoneHistory, TheSameMomentAgainCostsNothing) {
+  const World world;
+  BoneMoment moment(*world.history);
+  moment.move_to(200);
+  const std::uint64_t revision = moment.revision();
+  moment.move_to(200);
+  EXPECT_EQ(moment.revision(), revision);
+}
+
+TEST(BoneHistory, ARayMeetsTheSkinAndLooksThroughAnOpenKerf) {
+  const World world;
+  BoneMoment moment(*world.history);
+  moment.move_to(0);
+  const Vec3 from(20.0, 40.0, 1.0), down(0.0, -1.0, 0.0);
+  const std::optional<Vec3> hit = moment.first_hit(from, down);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_NEAR(simulator::Bvh(world.operation.bone.outer).signed_distance_mm(*hit), 0.0, 1.0e-9);
+  EXPECT_FALSE(moment.first_hit(from, -down).has_value());
+  // Over the wedge, half way to the medial side: bone before it was taken out, nothing there afterwards.
+  const Vec3 over_wedge(7.3, 40.0, -4.0);
+  EXPECT_TRUE(moment.first_hit(over_wedge, down).has_value());
+  moment.move_to(world.operation.wedge_out_tick);
+  EXPECT_FALSE(moment.first_hit(over_wedge, down).has_value());
+}
+
+TEST(BoneHistory, ARecordingWithoutACutShowsTheWholeBone) {
+  World world;
+  world.operation.recording.events.clear();
+  for (auto& sample : world.operation.recording.samples) sample.kerf = -1;
+  const auto history = build_history({world.operation.bone, world.operation.scenario.blade.size,
+                                      world.plan, world.operation.recording, "uncut"});
+  BoneMoment moment(*history);
+  moment.move_to(300);
+  const std::vector<BoneInScene> bones = moment.bones({});
+  ASSERT_EQ(bones.size(), 1U);
+  EXPECT_EQ(bones.front().patch, nullptr);
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,281 @@
+#include "ui/screens/result/result_screen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/ui/screens/some_operation.h"
+#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_visitor.h"
+
+namespace hallux::ui {
+namespace {
+
+using database::AttemptId;
+using database::DecisionKind;
+using database::SomeCourse;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Somebody of the course who looks at a result.
+struct Reader {
+  Reader(SomeCourse& course, const std::string& login, const AttemptId& attempt, float scale = 1.0F)
+      : visitor(std::make_unique<ResultScreen>(visit_of(course, login), places, attempt), scale) {
+    finish();
+  }
+  /// What is done starts what is read anew.
+  void finish() {
+    visitor.finish_work();
+    visitor.finish_work();
+  }
+  Driver& driver() { return visitor.driver(); }
+  /// Tab until the control has the focus.
+  void tab_to(const std::string& id) {
+    for (int presses = 0; presses < 60 && driver().focused() != id; ++presses)
+      driver().press(Key::Tab);
+    ASSERT_EQ(driver().focused(), id);
+  }
+
+  SomePlaces places;
+  SomeVisitor visitor;
+};
+
+TEST(ResultScreen, ATraineeReadsScoreLedgerAndMarks) {
+  SomeCourse course;
+  const SomeOperation operation = some_operation();
+  const AttemptId attempt = operated_by(course, "ada", operation);
+  const auto stored = course.trainee("ada").score(attempt);
+  Reader reader(course, "ada", attempt);
+  Driver& driver = reader.driver();
+  EXPECT_TRUE(driver.sees(points_text(stored->card.score_milli)));
+  for (const char* words : {"Score advisory until signed", "Partial", "Not surgeon-reviewed",
+                            "Pass mark 60, provisional", "open while partial",
+                            "Angle of the first face", "not yet measured"})
+    EXPECT_TRUE(driver.sees(words)) << words;
+  EXPECT_TRUE(driver.sees(stored->card.sentences.front().substr(0, 40)));
+  EXPECT_FALSE(driver.has("result.decide")) << "a trainee decides nothing";
+  EXPECT_FALSE(driver.sees("Computed again now")) << "the same score is no difference";
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+TEST(ResultScreen, ALedgerEntryLeadsToItsMomentByMouse) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "ada", attempt);
+  reader.driver().click("result.moment.A1");
+  ASSERT_THAT(reader.places.asked, SizeIs(1));
+  EXPECT_THAT(reader.places.asked.front(), HasSubstr("replay " + attempt.text + " at 0.01"));
+}
+
+TEST(ResultScreen, ALedgerEntryLeadsToItsMomentByKeyboard) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "ada", attempt);
+  Driver& driver = reader.driver();
+  driver.press(Key::Tab);
+  for (int presses = 0; presses < 60 && !driver.focused().starts_with("result.ledger."); ++presses)
+    driver.press(Key::Tab);
+  driver.press(Key::Down);
+  ASSERT_TRUE(driver.focused().starts_with("result.ledger."));
+  driver.press(Key::Enter);
+  EXPECT_THAT(reader.places.asked, IsEmpty()) << "the first press shows it here";
+  EXPECT_FALSE(driver.sees("Choose an entry"));
+  driver.press(Key::Enter);
+  EXPECT_THAT(reader.places.asked, SizeIs(1));
+}
+
+TEST(ResultScreen, EnterIsTheReplayOfTheWholeAttempt) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "ada", attempt);
+  reader.driver().press(Key::Enter);
+  EXPECT_THAT(reader.places.asked, ElementsAre("replay " + attempt.text + " at 0.000000"));
+}
+
+TEST(ResultScreen, AnInstructorConfirmsByMouse) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "kim", attempt);
+  Driver& driver = reader.driver();
+  driver.click("result.decide");
+  EXPECT_FALSE(driver.widget("decide.act").is_enabled) << "a reason is wanted";
+  driver.click("decide.reason");
+  driver.type("Seen in the replay.");
+  driver.click("decide.act");
+  reader.finish();
+  EXPECT_FALSE(driver.has("decide.act"));
+  EXPECT_TRUE(driver.sees("Confirmed by an instructor"));
+  EXPECT_FALSE(driver.sees("Score advisory until signed"));
+  const auto decisions = course.trainee("ada").decisions(attempt);
+  ASSERT_THAT(decisions, SizeIs(1));
+  EXPECT_EQ(decisions.front().kind, DecisionKind::Confirmed);
+  EXPECT_EQ(decisions.front().reason, "Seen in the replay.");
+}
+
+TEST(ResultScreen, AnInstructorOverridesByKeyboardAlone) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "kim", attempt);
+  Driver& driver = reader.driver();
+  reader.tab_to("result.decide");
+  driver.press(Key::Space);
+  driver.press(Key::Tab, {.shift = true});
+  driver.press(Key::Right);
+  driver.press(Key::Space);
+  reader.tab_to("decide.score");
+  driver.press(Key::A, {.control = true});
+  driver.type("101");
+  EXPECT_TRUE(driver.sees("A number from 0 to 100"));
+  driver.press(Key::A, {.control = true});
+  driver.type("72.5");
+  driver.press(Key::Tab);
+  driver.type("The table was moved.");
+  driver.press(Key::Enter, {.control = true});
+  reader.finish();
+  const auto decisions = course.trainee("ada").decisions(attempt);
+  ASSERT_THAT(decisions, SizeIs(1));
+  EXPECT_EQ(decisions.front().score_milli, 72'500);
+  EXPECT_TRUE(driver.sees("72.5"));
+  EXPECT_TRUE(driver.sees("Machine\xE2\x80\x99s score"));
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+TEST(ResultScreen, AVoidAsksFirstAndIsReadByTheTrainee) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  {
+    Reader reader(course, "kim", attempt);
+    Driver& driver = reader.driver();
+    driver.click("result.decide");
+    driver.click("decide.kind.2");
+    driver.click("decide.reason");
+    driver.type("The station was restarted.");
+    driver.click("decide.act");
+    EXPECT_TRUE(driver.sees("Void this attempt?"));
+    driver.press(Key::Enter);  // the safe answer has the focus
+    reader.finish();
+    EXPECT_THAT(course.trainee("ada").decisions(attempt), IsEmpty());
+    driver.click("decide.act");
+    driver.click("decide.void.act");
+    reader.finish();
+    EXPECT_TRUE(driver.sees("This attempt does not count. The station was restarted."));
+  }
+  Reader trainee(course, "ada", attempt);
+  EXPECT_TRUE(trainee.driver().sees("This attempt does not count. The station was restarted."));
+  EXPECT_TRUE(trainee.driver().sees("does not count"));
+  EXPECT_THAT(trainee.driver().faults(), IsEmpty());
+}
+
+TEST(ResultScreen, EscLeavesTheFormAndDecidesNothing) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "kim", attempt);
+  reader.driver().click("result.decide");
+  reader.driver().type("A reason");
+  reader.driver().press(Key::Escape);
+  EXPECT_FALSE(reader.driver().has("decide.act"));
+  EXPECT_THAT(course.trainee("ada").decisions(attempt), IsEmpty());
+}
+
+TEST(ResultScreen, ATraineeAsksAboutTheMomentOfAnEntry) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "ada", attempt);
+  Driver& driver = reader.driver();
+  driver.click("result.ledger.A3");
+  driver.click("result.ask");
+  driver.type("Why here?");
+  driver.press(Key::Enter, {.control = true});
+  reader.finish();
+  const auto requests = course.trainee("ada").help_requests();
+  ASSERT_THAT(requests, SizeIs(1));
+  EXPECT_EQ(requests.front().question, "Why here?");
+  EXPECT_GT(requests.front().moment.moment_us, 300'000) << "the second cut";
+  EXPECT_TRUE(requests.front().moment.place.has_value());
+  EXPECT_TRUE(driver.sees("Your instructors have the question"));
+}
+
+TEST(ResultScreen, AnAttemptOfSomebodyElseIsRefused) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "bob", attempt);
+  EXPECT_TRUE(reader.driver().sees("This could not be read"));
+  EXPECT_FALSE(reader.driver().sees("Akin"));
+  EXPECT_THAT(reader.driver().faults(), IsEmpty());
+}
+
+TEST(ResultScreen, AnAttemptThatIsNotThereCanBeTriedAgain) {
+  SomeCourse course;
+  Reader reader(course, "ada", AttemptId{"00000000-0000-4000-8000-000000000000"});
+  EXPECT_TRUE(reader.driver().sees("This could not be read"));
+  reader.driver().click("result.failed.action");
+  reader.finish();
+  EXPECT_TRUE(reader.driver().sees("This could not be read"));
+}
+
+TEST(ResultScreen, AStoredScoreIsShownThoughTheBoneCannotBeCut) {
+  SomeCourse course;
+  const AttemptId attempt = course.scored_by("ada", 76'830);
+  Reader reader(course, "ada", attempt);
+  EXPECT_TRUE(reader.driver().sees("76.8"));
+  EXPECT_TRUE(reader.driver().has("result.unseen.action"));
+  EXPECT_THAT(reader.driver().faults(), IsEmpty());
+}
+
+TEST(ResultScreen, WhatTheStoreLacksIsComputedAndKept) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation(), false);
+  Reader reader(course, "ada", attempt);
+  reader.finish();
+  const auto stored = course.trainee("ada").score(attempt);
+  ASSERT_TRUE(stored.has_value());
+  EXPECT_TRUE(reader.driver().sees(points_text(stored->card.score_milli)));
+  EXPECT_FALSE(reader.driver().sees("Not scored yet"));
+}
+
+TEST(ResultScreen, ADifferenceToTheStoredScoreIsNeverHidden) {
+  SomeCourse course;
+  const SomeOperation operation = some_operation();
+  const AttemptId attempt = operated_by(course, "ada", operation);
+  database::ScoreCard older = course.trainee("ada").score(attempt)->card;
+  older.score_milli = 12'300;
+  older.engine = 1;
+  store_score(course.database(), attempt, older, course.id_of("ada"));
+  Reader reader(course, "ada", attempt);
+  EXPECT_TRUE(reader.driver().sees("12.3"));
+  EXPECT_TRUE(reader.driver().sees("what is shown is the stored score, 12.3 (engine 1)"));
+  EXPECT_EQ(course.trainee("ada").score(attempt)->card.score_milli, 12'300) << "and stays";
+}
+
+TEST(ResultScreen, AnInterruptedAttemptSaysSo) {
+  SomeCourse course;
+  Reader reader(course, "ada", course.interrupted_of("ada"));
+  EXPECT_TRUE(reader.driver().sees("Interrupted"));
+  EXPECT_TRUE(reader.driver().sees("Not scored yet"));
+  EXPECT_THAT(reader.driver().faults(), IsEmpty());
+}
+
+TEST(ResultScreen, NothingIsCutOffAtAnyScaleOrSize) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  course.instructor("kim", course.autumn())
+      .decide({attempt, DecisionKind::Overridden, 60'000, "The table was moved during the cut."});
+  for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
+    Reader reader(course, "kim", attempt, scale);
+    EXPECT_THAT(reader.driver().faults(), IsEmpty()) << scale;
+    reader.driver().resize(1280.0F, 720.0F);
+    reader.driver().settle();
+    EXPECT_THAT(reader.driver().faults(), IsEmpty()) << "1280 x 720 at " << scale;
+    reader.driver().click("result.decide");
+    reader.driver().click("decide.kind.1");
+    EXPECT_THAT(reader.driver().faults(), IsEmpty()) << "the form at " << scale;
+    reader.driver().press(Key::Escape);
+    reader.driver().resize(3840.0F, 2160.0F);
+    reader.driver().settle();
+    EXPECT_THAT(reader.driver().faults(), IsEmpty()) << "3840 x 2160 at " << scale;
+  }
+}
+
+}  // namespace
+}  // namespace hallux::ui
