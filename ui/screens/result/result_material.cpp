@@ -103,6 +103,9 @@ void map_face(CutAgainstPlan& against, const PlannedCut& cut, const CutFace& fac
   against.map = {face.kerf, side, cut.face.normal, cut.face.offset_mm, 2.0};
   against.cut_away = {face.plane.normal, face.plane.offset_mm + open_beyond_mm};
   against.middle_in_bone_mm = mean_of(face.samples_in_bone_mm);
+  // The outline of the plan stands around what was cut.
+  const double off_mm = glm::dot(cut.face.normal, against.middle_in_bone_mm) - cut.face.offset_mm;
+  against.bone_from_face.translation_mm = against.middle_in_bone_mm - off_mm * cut.face.normal;
   against.radius_mm = std::max(6.0, reach_from(against.middle_in_bone_mm, face.samples_in_bone_mm));
   against.iso_places = iso_places_of(face, cut);
 }
