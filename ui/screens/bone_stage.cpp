@@ -36,10 +36,6 @@ PixelSize pixels_of(const Ui& ui, const Rect& rect) {
           std::max(1, static_cast<int>(std::lround(rect.h * ui.scale())))};
 }
 
-constexpr std::array<std::string_view, standard_view_count> view_names{
-    "stage.operator", "stage.dorsal", "stage.medial",   "stage.lateral",
-    "stage.plantar",  "stage.distal", "stage.proximal", "stage.along_blade"};
-
 }  // namespace
 
 std::uint64_t picture_id(std::string_view words) noexcept {
@@ -89,7 +85,7 @@ bool BoneStage::hear_keys(Ui& ui) {
   bool was_turned = false;
   for (int view = 0; view < standard_view_count; ++view) {
     const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
-    if (!ui.shortcut({key}, ui.text(view_names[static_cast<std::size_t>(view)]))) continue;
+    if (!ui.shortcut({key}, ui.text(standard_view_texts[static_cast<std::size_t>(view)]))) continue;
     turn_to(static_cast<StandardView>(view));
     was_turned = true;
   }
@@ -136,14 +132,16 @@ StageResponse BoneStage::draw(Ui& ui, Shell& shell, const Rect& rect, const Scen
   drawn_ = wanted;
   if (texture != 0) ui.canvas().picture({texture}, rect_, picture.radius);
   if (area.was_clicked) {
-    const EyeView view = eye_view();
-    const Vec3 place(static_cast<double>((area.pointer.x - rect_.x) / rect_.w),
-                     static_cast<double>((area.pointer.y - rect_.y) / rect_.h), 0.0);
-    const Vec3 through = point_at(view, place);
-    response.pointed =
-        SightRay{view.eye_in_world_mm, glm::normalize(through - view.eye_in_world_mm)};
+    response.pointed = ray_through(Vec2(static_cast<double>((area.pointer.x - rect_.x) / rect_.w),
+                                        static_cast<double>((area.pointer.y - rect_.y) / rect_.h)));
   }
   return response;
+}
+
+SightRay BoneStage::ray_through(const Vec2& shares) const noexcept {
+  const EyeView view = eye_view();
+  const Vec3 through = point_at(view, Vec3(shares, 0.0));
+  return {view.eye_in_world_mm, glm::normalize(through - view.eye_in_world_mm)};
 }
 
 std::optional<Point> BoneStage::seen_at(const Vec3& point_in_world_mm) const noexcept {

@@ -4,6 +4,7 @@
 ///     right drag                        move          1 to 8                  standard views      R   as it was first
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -15,6 +16,11 @@ namespace hallux::ui {
 
 /// A name for content as the renderer wants it: never 0, the same for the same words.
 std::uint64_t picture_id(std::string_view words) noexcept;
+
+/// The texts that name the standard views, in their order; the keys 1 to 8 show them.
+inline constexpr std::array<std::string_view, standard_view_count> standard_view_texts{
+    "stage.operator", "stage.dorsal", "stage.medial",   "stage.lateral",
+    "stage.plantar",  "stage.distal", "stage.proximal", "stage.along_blade"};
 
 /// From the eye through a place of the picture, in the world.
 struct SightRay {
@@ -49,6 +55,8 @@ class BoneStage {
   /// needs   has_view
   StageResponse draw(Ui& ui, Shell& shell, const Rect& rect, const Scene& scene,
                      const StagePicture& picture, bool hears_keys = true);
+  /// Through a place of the picture last drawn, in shares of its width and height from the upper left.
+  SightRay ray_through(const Vec2& shares) const noexcept;
   /// Where a point of the world is seen in the picture last drawn; nothing behind the eye or outside the rectangle.
   std::optional<Point> seen_at(const Vec3& point_in_world_mm) const noexcept;
 

@@ -397,6 +397,8 @@ void ReplayScreen::draw_time(Ui& ui, const Rect& rect) {
 
 void ReplayScreen::hear_keys(Ui& ui) {
   if (ui.shortcut({Key::G}, ui.text("replay.plan"))) shows_plan_ = !shows_plan_;
+  // What a click picks, for those without a mouse: turn the place to the middle, then mark it.
+  if (ui.shortcut({Key::M}, ui.text("replay.mark"))) pick(stage_.ray_through(Vec2(0.5, 0.5)));
   if (material().rights.may_ask_for_help && ui.shortcut({Key::F}, ui.text("replay.flag"))) {
     player_.look_at(player_.now_s());
     ask_.open();

@@ -7,13 +7,14 @@
 
 #include "ui/render/palette.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
 
 namespace {
 
-constexpr float edge = 16.0F, legend_width = 300.0F, legend_height = 66.0F;
+constexpr float edge = 16.0F, views_room = 48.0F, legend_width = 300.0F, legend_height = 66.0F;
 /// How far from square one looks at a face, so that its shape can be told.
 constexpr double aside_rad = 0.42, above_rad = 0.26;
 constexpr double room_around = 1.55;
@@ -137,7 +138,7 @@ void PlanCard::draw_labels(Ui& ui, const Rect& rect, const ExaminedAttempt& exam
 
 void PlanCard::draw_legend(Ui& ui, const Rect& rect) const {
   Canvas& canvas = ui.canvas();
-  const float width = std::min(legend_width, rect.w - 2.0F * edge - 16.0F);
+  const float width = std::min(legend_width, rect.w - 2.0F * edge - 24.0F - views_room);
   const Rect panel{rect.x + edge, rect.bottom() - edge - legend_height, width + 24.0F,
                    legend_height};
   draw_hud_panel(canvas, ui.theme(), panel, radius::control);
@@ -161,6 +162,24 @@ void PlanCard::draw_legend(Ui& ui, const Rect& rect) const {
   }
 }
 
+void PlanCard::draw_views(Ui& ui, const Rect& rect) {
+  const Rect place{rect.right() - edge - 36.0F, rect.bottom() - edge - 36.0F, 36.0F, 36.0F};
+  draw_hud_panel(ui.canvas(), ui.theme(), place, radius::control);
+  if (icon_button(ui, "result.views", place, {ui.text("result.views"), Icon::Eye, shows_views_}))
+    shows_views_ = true;
+  if (!shows_views_) return;
+  std::vector<std::string> keys;
+  for (int view = 1; view <= standard_view_count; ++view) keys.push_back(std::to_string(view));
+  std::vector<MenuItem> items;
+  for (std::size_t view = 0; view < keys.size(); ++view)
+    items.push_back({ui.text(standard_view_texts[view]), Icon::None, keys[view]});
+  const Point corner{place.right() - 250.0F, place.y - menu_height(items) - 8.0F};
+  const int chosen = menu(ui, "result.view", corner, items);
+  if (chosen == menu_open) return;
+  shows_views_ = false;
+  if (chosen >= 0) stage_.turn_to(static_cast<StandardView>(chosen));
+}
+
 void PlanCard::draw(Ui& ui, Shell& shell, const Rect& rect, const ExaminedAttempt& examined) {
   aim(examined);
   stage_.draw(ui, shell, rect, scene_of(ui.theme(), examined),
@@ -179,6 +198,7 @@ void PlanCard::draw(Ui& ui, Shell& shell, const Rect& rect, const ExaminedAttemp
   ui.canvas().text_on_baseline({rect.x + space::card, rect.y + 39.0F},
                                {Type::CardTitle, ui.theme().text}, ui.text("result.plan"));
   draw_choice(ui, rect, examined);
+  draw_views(ui, rect);
 }
 
 }  // namespace hallux::ui

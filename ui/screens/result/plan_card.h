@@ -29,12 +29,14 @@ class PlanCard {
   Scene scene_of(const Theme& theme, const ExaminedAttempt& examined) const;
   void draw_labels(Ui& ui, const Rect& rect, const ExaminedAttempt& examined) const;
   void draw_legend(Ui& ui, const Rect& rect) const;
+  void draw_views(Ui& ui, const Rect& rect);
 
   BoneStage stage_;
   int chosen_ = 0;  ///< a cut; the number of cuts: the whole bone
   std::optional<int> aimed_;
   std::optional<Vec3> place_in_bone_mm_;
   std::uint64_t revision_ = 1;
+  bool shows_views_ = false;  ///< the menu of standard views
 };
 
 }  // namespace hallux::ui

@@ -85,6 +85,23 @@ TEST(ResultScreen, ALedgerEntryLeadsToItsMomentByKeyboard) {
   EXPECT_THAT(reader.places.asked, SizeIs(1));
 }
 
+TEST(ResultScreen, StandardViewsAreChosenByMouseAndByKey) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "ada", attempt);
+  Driver& driver = reader.driver();
+  EXPECT_TRUE(driver.sees("left standing"));
+  driver.click("result.views");
+  EXPECT_TRUE(driver.sees("From plantar"));
+  EXPECT_THAT(driver.faults(), IsEmpty());
+  driver.click("result.view.4");
+  EXPECT_FALSE(driver.has("result.view.4"));
+  driver.press(Key::Digit2);
+  driver.click("result.cut.2");
+  EXPECT_FALSE(driver.sees("left standing")) << "the whole bone has no map";
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
 TEST(ResultScreen, EnterIsTheReplayOfTheWholeAttempt) {
   SomeCourse course;
   const AttemptId attempt = operated_by(course, "ada", some_operation());
