@@ -20,11 +20,23 @@ SCENARIO = "silver"
 PATIENCE_S = 150.0
 
 
+def is_enabled_soon(person, name):
+    end = time.monotonic() + 10.0
+    while time.monotonic() < end and not person.widgets().get(name, {}).get("enabled"):
+        time.sleep(0.1)
+    return person.widgets().get(name, {}).get("enabled")
+
+
 def come_in(person):
     wait_until("the first screen", lambda: "entry.begin" in person.widgets(), PATIENCE_S)
-    for field, words in (("entry.login", "admin-1"), ("entry.password", PASSWORD), ("entry.password_again", PASSWORD)):
-        person.click(field)
-        person.type(words)
+    # A window that has just come may not have the keyboard yet: what was typed is looked after, and typed again.
+    for _ in range(5):
+        for field, words in (("entry.login", "admin-1"), ("entry.password", PASSWORD), ("entry.password_again", PASSWORD)):
+            person.click(field)
+            person.press("ctrl+a")
+            person.type(words)
+        if is_enabled_soon(person, "entry.begin"):
+            break
     person.click("entry.begin")
 
 
@@ -62,13 +74,13 @@ def saw(person, place):
     wait_until("two more seconds on the record", lambda: recorded_ticks(place) >= so_far + 2000, PATIENCE_S)
 
 
-def finish(person, take_picture):
+def finish(person, place, take_picture):
     take_picture("operating")
     person.press("End")
     wait_until("the question", lambda: "operate.ask_finish.act" in person.widgets(), PATIENCE_S)
     take_picture("question")
     person.click("operate.ask_finish.act")
-    wait_until("the end of the operation", lambda: "operate.view" not in person.widgets(), PATIENCE_S)
+    wait_until("a score", lambda: rows_of(place, "SELECT score_id FROM score"), PATIENCE_S)
 
 
 def check_record(place):
@@ -91,7 +103,7 @@ def operate(person, place, take_picture):
     come_in(person)
     begin(person, take_picture)
     saw(person, place)
-    finish(person, take_picture)
+    finish(person, place, take_picture)
     check_record(place)
     take_picture("after")
 
@@ -99,7 +111,7 @@ def operate(person, place, take_picture):
 def main():
     program = sys.argv[1]
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    server, display = start_display("1280x720x24")
+    server, display = start_display("1440x900x24")
     try:
         with tempfile.TemporaryDirectory() as folder:
             place = pathlib.Path(folder)
