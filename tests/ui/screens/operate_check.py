@@ -47,6 +47,9 @@ def begin(person, take_picture):
         person.click(name)
     wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
     take_picture("ready")
+    # From here on the pointer leads the saw: it waits in the middle.
+    view = person.widgets()["operate.view"]
+    person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
     person.press("Return")
     wait_until("the running operation", lambda: "operate.pause" in person.widgets(), PATIENCE_S)
 
@@ -62,16 +65,19 @@ def recorded_ticks(place):
     return rows[0][0] or 0
 
 
+def events(place):
+    """How many events are in the database: the first is the start, the others tell of contact, kerf and section."""
+    return rows_of(place, "SELECT total(row_count) FROM chunk WHERE stream = 2")[0][0]
+
+
 def saw(person, place):
     """Seen from medial: away from the person, over the head; the saw started; down into the bone; led by the pointer too."""
     person.press("3", *["Prior"] * 7, "space", *["Down"] * 44)
-    view = person.widgets()["operate.view"]
-    x, y = view["x"] + view["w"] // 2, view["y"] + view["h"] // 2
-    person.xdotool("mousemove", str(x), str(y))
-    for step in range(1, 11):
-        person.xdotool("mousemove", str(x), str(y + 3 * step))
+    for step in range(1, 6):
+        person.xdotool("mousemove_relative", "0", "3")
+    wait_until("a kerf on the record", lambda: events(place) >= 4, PATIENCE_S)
     so_far = recorded_ticks(place)
-    wait_until("two more seconds on the record", lambda: recorded_ticks(place) >= so_far + 2000, PATIENCE_S)
+    wait_until("another second on the record", lambda: recorded_ticks(place) >= so_far + 1000, PATIENCE_S)
 
 
 def finish(person, place, take_picture):
