@@ -57,6 +57,15 @@ TEST_F(Pictures, TheOperatingViewShowsBoneWhereItIsWarmAndNothingElseIs) {
   }
 }
 
+TEST_F(Pictures, ACutAwayIsGoneWithTheNextPicture) {
+  Scene scene = world->scene();
+  const Pixels whole = draw(scene, world->camera());
+  scene.bones.front().cut_away = CutAway{Vec3(1.0, 0.0, 0.0), 12.0};
+  EXPECT_NE(draw(scene, world->camera()).rgba, whole.rgba);
+  scene.bones.front().cut_away.reset();
+  EXPECT_EQ(draw(scene, world->camera()).rgba, whole.rgba);
+}
+
 TEST_F(Pictures, TheGroundIsCoolAndBrightestWhereItIsLit) {
   Scene scene;
   const Pixels dark = draw(scene, world->camera());
