@@ -223,6 +223,7 @@ bool Ui::shortcut(Chord chord, std::string_view label) {
   building_shortcuts_.push_back({chord, std::string(label)});
   if (!key_ || *key_ != chord || canvas_->layer() < reachable_layer(shown_)) return false;
   key_.reset();
+  is_letter_taken_ = true;
   return true;
 }
 

@@ -211,6 +211,7 @@ class Ui {
   bool is_double_ = false;
   float wheel_ = 0.0F;
   std::optional<Chord> key_;
+  bool is_letter_taken_ = false;  ///< by a shortcut: the character that the key writes is no text
   std::vector<Edit> edits_;
 
   std::string focus_, first_focus_, shown_first_focus_;

@@ -89,10 +89,13 @@ bool Ui::apply(const InputEvent& event) {
       turn_wheel(event);
       return false;
     case EventKind::KeyPressed:
+      is_letter_taken_ = false;
       return press_key({event.key, event.modifiers});
     case EventKind::KeyReleased:
+      is_letter_taken_ = false;
       return false;
     case EventKind::Character: {
+      if (std::exchange(is_letter_taken_, false)) return false;
       const Widget* field = find_widget(shown_, focus_);
       if (field != nullptr && field->role == Role::Field)
         edits_.push_back({focus_, {event.character, {}}});

@@ -19,6 +19,7 @@ struct Asked {
 
   void draw(Ui& ui) {
     button(ui, "page.below", {20.0F, 20.0F, 120.0F, button_height}, {"Below"});
+    if (opener && ui.shortcut({*opener}, "Pin a note")) answer = Answer::Waiting;
     if (answer != Answer::Waiting) return;
     shown.title = "Pin a note";
     shown.sentence = "The note stands at 00:12, at the place that you marked on the bone.";
@@ -40,6 +41,7 @@ struct Asked {
   const Texts texts = english_texts();
   Dialog shown;
   std::string words;
+  std::optional<Key> opener = std::nullopt;
   Answer answer = Answer::Waiting;
   Driver driver;
 };
@@ -52,6 +54,19 @@ TEST(Dialog, TakesTheFocusAndActsByControlEnter) {
   asked.driver.press(Key::Enter, {.control = true});
   EXPECT_EQ(asked.answer, Answer::Act);
   EXPECT_EQ(asked.words, "Look along the blade");
+}
+
+TEST(Dialog, TheLetterOfTheKeyThatOpenedItIsNoText) {
+  Asked asked;
+  asked.answer = Answer::Keep;
+  asked.opener = Key::C;
+  asked.driver.frame();
+  std::vector<InputEvent> events = key_events(Key::C);
+  events.insert(events.begin() + 1, character_event(U'c'));
+  asked.driver.send(events);
+  asked.driver.settle();
+  asked.driver.type("cut");
+  EXPECT_EQ(asked.words, "cut");
 }
 
 TEST(Dialog, EscIsTheSafeAnswer) {
