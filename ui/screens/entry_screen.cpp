@@ -14,6 +14,8 @@ namespace hallux::ui {
 
 namespace {
 
+// The form of a new password with all its messages; where it does not fit below the head it scrolls.
+constexpr float longest_form = 600.0F;
 constexpr float form_width = 360.0F, side_share = 0.6F, narrow_below = 1000.0F;
 constexpr float field_gap = 14.0F, logo_size = 40.0F, welcome_inset = 48.0F;
 constexpr const char* pictured_scenario = "akin";
@@ -102,13 +104,19 @@ void EntryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     draw_welcome(ui, side);
   }
   const float width = std::min(form_width, rest.w - 2.0F * space::page);
-  const Rect column{rest.mid_x() - width / 2.0F, rest.y + std::max(48.0F, rest.h * 0.2F), width,
-                    rest.h * 0.8F};
+  const float above = std::max(48.0F, rest.h * 0.2F);
+  const bool is_scrolled = above + longest_form > rest.h;
+  const float offset = is_scrolled ? ui.begin_scroll("entry.page", ui.text("entry.sign_in"), rest,
+                                                     above + longest_form)
+                                   : 0.0F;
+  const Rect column{rest.mid_x() - width / 2.0F, rest.y + above - offset, width,
+                    std::max(rest.h * 0.8F, longest_form)};
   if (form_ == Form::Opening || form_ == Form::Unusable) {
     draw_opening(ui, column, shell);
   } else {
     draw_form(ui, column, shell);
   }
+  if (is_scrolled) ui.end_scroll();
 }
 
 void EntryScreen::draw_opening(Ui& ui, const Rect& column, Shell& shell) {

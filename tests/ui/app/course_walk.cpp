@@ -90,6 +90,9 @@ class Walker {
     if (driver().has("entry.to_sign_in")) driver().click("entry.to_sign_in");
     if (!driver().has("entry.sign_in")) return;
     window_.finish_work();
+    // The list of keys may lie over the form.
+    for (int count = 0; count < 3 && reachable_layer(driver().content()) > Layer::Page; ++count)
+      driver().press(Key::Escape);
     if (!driver().has("entry.sign_in")) return;
     note("sign in as " + walk_.login);
     window_.sign_in(walk_.login, walk_.password);
@@ -142,10 +145,10 @@ class Walker {
 
   void write() {
     static const std::array<const char*, 9> words{
-        "",          "a",
-        "trainee-3", "Łódź, 12 mm",
-        "../../etc", "{moment}",
-        "0",         "A longer remark about the second cut, which went astray",
+        "",           "a",
+        "somebody-3", "Łódź, 12 mm",
+        "../../etc",  "{moment}",
+        "0",          "A longer remark about the second cut, which went astray",
         "\t"};
     const auto found = reachable(true);
     if (found.empty()) return press_something();

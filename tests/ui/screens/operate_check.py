@@ -72,7 +72,7 @@ def events(place):
 
 def saw(person, place):
     """Seen from medial: away from the person, over the head; the saw started; down into the bone; led by the pointer too."""
-    person.press("3", *["Prior"] * 7, "space", *["Down"] * 44)
+    person.press_slowly("3", *["Prior"] * 7, "space", *["Down"] * 44)
     for step in range(1, 6):
         person.xdotool("mousemove_relative", "0", "3")
     wait_until("a kerf on the record", lambda: events(place) >= 4, PATIENCE_S)
@@ -102,6 +102,10 @@ def check_record(place):
     scores = rows_of(place, f"SELECT score_milli, measured_weight_milli, card_json FROM score WHERE attempt_id = {number}")
     if len(scores) != 1:
         sys.exit(f"{len(scores)} scores are stored")
+    pauses = json.loads(quality)["pauses"]
+    # Each gap of the loop is two events; start and end are two more. What is left tells of contact, kerf and section.
+    if events(place) - 2 * pauses < 4:
+        sys.exit(f"{events(place)} events, {pauses} pauses: the blade met no bone")
     print(f"operate check: {ticks} ticks, score {scores[0][0]} of {scores[0][1]} measured, {quality}")
 
 

@@ -68,6 +68,10 @@ class Person:
     def press(self, *keys):
         self.xdotool("key", "--delay", "0", *keys)
 
+    def press_slowly(self, *keys):
+        """As fast as fingers are: of two presses of a key in one millisecond GLFW hears the first."""
+        self.xdotool("key", "--delay", "25", *keys)
+
     def type(self, letters):
         self.xdotool("type", "--delay", "0", letters)
 
