@@ -1,7 +1,7 @@
 /// How a trainee stands in an operation, as a shape: not started, learning, slipped, long ago.
 ///
-/// No state says "competent" yet: that needs a pass mark with its source, which no scenario has. A shape says only what the
-/// stored results say.
+/// No state says "competent": assessment/learning declares that from passed assessments, which these counts do not hold. A
+/// shape says only what the stored results say.
 #pragma once
 
 #include <string_view>

@@ -4,14 +4,10 @@
 usage: course_check.py HALLUX [PICTURE_FOLDER]
 """
 
-import os
 import pathlib
-import subprocess
 import sys
-import tempfile
-import time
 
-from window_check import Person, start_display, wait_until
+from window_check import use_course_window, wait_until
 
 PASSWORD = "a long enough phrase"
 
@@ -59,34 +55,15 @@ def use_course(person, take_picture):
     wait_until("the attempts again", lambda: "nav.attempts" in person.widgets())
 
 
+def use_course_and_read_map(person, place, take_picture):
+    use_course(person, take_picture)
+    if PASSWORD in (place / "map.json").read_text():
+        sys.exit("a password is in the map")
+
+
 def main():
-    program = sys.argv[1]
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    server, display = start_display("1440x900x24")
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            place = pathlib.Path(folder)
-            environment = dict(os.environ, DISPLAY=display)
-            window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
-                                      env=environment)
-
-            def take_picture(name):
-                if pictures:
-                    time.sleep(1.0)
-                    subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
-
-            try:
-                use_course(Person(place / "map.json", environment), take_picture)
-                if PASSWORD in (place / "map.json").read_text():
-                    sys.exit("a password is in the map")
-                if window.poll() is not None:
-                    sys.exit(f"the window ended with {window.returncode}")
-            finally:
-                window.kill()
-                window.wait()
-    finally:
-        server.terminate()
-        server.wait()
+    use_course_window(sys.argv[1], pictures, use_course_and_read_map)
     print("course check: passed")
 
 

@@ -5,15 +5,12 @@ usage: operate_check.py HALLUX [PICTURE_FOLDER]
 """
 
 import json
-import os
 import pathlib
 import sqlite3
-import subprocess
 import sys
-import tempfile
 import time
 
-from window_check import Person, start_display, wait_until
+from window_check import use_course_window, wait_until
 
 PASSWORD = "a long enough phrase"
 SCENARIO = "silver"
@@ -119,31 +116,8 @@ def operate(person, place, take_picture):
 
 
 def main():
-    program = sys.argv[1]
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    server, display = start_display("1440x900x24")
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            place = pathlib.Path(folder)
-            environment = dict(os.environ, DISPLAY=display)
-            window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
-                                      env=environment)
-
-            def take_picture(name):
-                if pictures:
-                    time.sleep(1.0)
-                    subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
-
-            try:
-                operate(Person(place / "map.json", environment), place, take_picture)
-                if window.poll() is not None:
-                    sys.exit(f"the window ended with {window.returncode}")
-            finally:
-                window.kill()
-                window.wait()
-    finally:
-        server.terminate()
-        server.wait()
+    use_course_window(sys.argv[1], pictures, operate)
     print("operate check: passed")
 
 

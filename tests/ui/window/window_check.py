@@ -76,6 +76,33 @@ class Person:
         self.xdotool("type", "--delay", "0", letters)
 
 
+def use_course_window(program, pictures, use):
+    """Opens the command's window on an empty course: use(person, place, take_picture), which must leave it open."""
+    server, display = start_display("1440x900x24")
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            environment = dict(os.environ, DISPLAY=display)
+            window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                      env=environment)
+
+            def take_picture(name):
+                if pictures:
+                    time.sleep(1.0)
+                    subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
+
+            try:
+                use(Person(place / "map.json", environment), place, take_picture)
+                if window.poll() is not None:
+                    sys.exit(f"the window ended with {window.returncode}")
+            finally:
+                window.kill()
+                window.wait()
+    finally:
+        server.terminate()
+        server.wait()
+
+
 def use_window(person):
     """Presses, types as fast as the X server takes it, answers a question by keyboard."""
     person.click("gallery.search")
