@@ -191,7 +191,8 @@ class FaceReader {
     each_digit([&](const Glyph& glyph) { widest = std::max(widest, glyph.advance); });
     widest = std::round(widest);
     each_digit([&](Glyph& glyph) {
-      const float shift = std::floor((widest - glyph.advance) / 2.0F);
+      // A digit a little wider than its place must not lean over the space before it.
+      const float shift = std::round((widest - glyph.advance) / 2.0F);
       glyph.left += shift;
       glyph.right += shift;
       glyph.advance = widest;

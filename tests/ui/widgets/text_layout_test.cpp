@@ -39,6 +39,15 @@ TEST_P(FontScale, DigitsAreTabularInEveryType) {
   }
 }
 
+// Where a digit leaned over the space before it, "trainee 4" read like one word.
+TEST_P(FontScale, NoDigitBeginsBeforeItsPlace) {
+  const Fonts fonts(GetParam());
+  for (int type = 0; type < type_count; ++type)
+    for (char32_t digit = U'0'; digit <= U'9'; ++digit)
+      EXPECT_GE(fonts.face(static_cast<Type>(type)).glyph(digit).left, 0.0F)
+          << type << " " << static_cast<char>(digit);
+}
+
 TEST_P(FontScale, TheTypeScaleGrowsInProportion) {
   const Fonts fonts(GetParam());
   const float word = text_width(fonts.face(Type::Body), "Medial eminence resection");
