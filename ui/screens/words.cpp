@@ -4,6 +4,9 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <vector>
+
+#include "ui/widgets/text_layout.h"
 
 namespace hallux::ui {
 
@@ -46,17 +49,21 @@ std::string words_of(std::string_view file_name) {
 }
 
 std::string initials_of(std::string_view name) {
-  std::string initials;
+  std::vector<std::string> beginnings;
   bool is_word_begun = false;
-  for (const char letter : name) {
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool is_plain = byte < 0x80 && std::isalnum(byte) != 0;
-    if (is_plain && !is_word_begun && initials.size() < 2) {
-      initials += static_cast<char>(std::toupper(byte));
+  for (std::size_t place = 0; place < name.size();) {
+    const char32_t letter = next_code_point(name, place);
+    const bool is_plain = letter < 0x80;
+    const bool is_part = !is_plain || std::isalnum(static_cast<int>(letter)) != 0;
+    if (is_part && !is_word_begun) {
+      append_code_point(
+          beginnings.emplace_back(),
+          is_plain ? static_cast<char32_t>(std::toupper(static_cast<int>(letter))) : letter);
     }
-    is_word_begun = is_plain || byte >= 0x80;
+    is_word_begun = is_part;
   }
-  return initials;
+  if (beginnings.empty()) return {};
+  return beginnings.front() + (beginnings.size() > 1 ? beginnings.back() : std::string());
 }
 
 }  // namespace hallux::ui

@@ -19,7 +19,7 @@ std::string sentence_of(std::string_view reason);
 /// A name as files write it, as words: "first_metatarsal" is "first metatarsal".
 std::string words_of(std::string_view file_name);
 
-/// At most two letters or digits for an avatar: "Ada Mueller" is "AM", "trainee-12" is "T1".
+/// The first letter or digit of the first and of the last word, for an avatar: "trainee-12" is "T1".
 std::string initials_of(std::string_view name);
 
 }  // namespace hallux::ui
