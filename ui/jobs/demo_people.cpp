@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -24,9 +25,11 @@ constexpr std::int64_t minutes_until_talk = 20;
 
 std::string trainee_login(int number) { return "trainee-" + std::to_string(number); }
 std::string instructor_login(int number) { return "instructor-" + std::to_string(number); }
+/// "Trainee 3": nobody's name. That the course is simulated stands on every screen beside it.
 std::string shown_name(std::string login) {
   std::replace(login.begin(), login.end(), '-', ' ');
-  return "Simulated " + login;
+  login.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(login.front())));
+  return login;
 }
 
 std::string utc_text(std::int64_t seconds) {
@@ -130,8 +133,8 @@ void DemoPeople::add_people(database::AdministratorDesk& desk) {
 }
 
 void DemoPeople::add_cohorts(database::AdministratorDesk& desk) {
-  cohort_a_ = desk.add_cohort("Simulated cohort A");
-  cohort_b_ = desk.add_cohort("Simulated cohort B");
+  cohort_a_ = desk.add_cohort("Cohort A");
+  cohort_b_ = desk.add_cohort("Cohort B");
   desk.enrol(cohort_a_, instructor_login(1), CohortRole::Instructor);
   desk.enrol(cohort_b_, instructor_login(2), CohortRole::Instructor);
   desk.enrol(cohort_a_, instructor_login(2), CohortRole::Trainee);
