@@ -31,18 +31,20 @@ void draw_badge(Ui& ui, const Rect& row, int count, bool is_chosen, bool is_rail
       count > 99 ? "99+" : std::to_string(count));
 }
 
-Response navigation_row(Ui& ui, const Rect& row, std::string_view id, std::string_view label) {
+Response navigation_row(Ui& ui, const Rect& row, std::string_view id, std::string_view label,
+                        bool is_chosen = false) {
   Widget widget;
   widget.id = id;
   widget.label = label;
   widget.rect = row;
   widget.role = Role::Link;
+  widget.is_chosen = is_chosen;
   return ui.control(std::move(widget));
 }
 
 bool draw_item(Ui& ui, const Rect& row, const NavigationItem& item, bool is_chosen, bool is_rail) {
   const Theme& theme = ui.theme();
-  const Response response = navigation_row(ui, row, item.id, item.label);
+  const Response response = navigation_row(ui, row, item.id, item.label, is_chosen);
   Canvas& canvas = ui.canvas();
   if (is_chosen) {
     canvas.fill(row, theme.side_chosen, radius::control);

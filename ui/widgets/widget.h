@@ -27,7 +27,7 @@ struct Widget {
   bool is_focusable = true;
   bool is_primary = false;      ///< what Enter does on this screen
   bool takes_new_line = false;  ///< a field in which Enter makes a new line
-  bool is_chosen = false;       ///< the option of its group that Tab goes to
+  bool is_chosen = false;       ///< the place one is at; in a group the option that Tab goes to
   std::string group = {};       ///< arrows move inside a group, Tab visits it once
   bool is_in_sequence =
       false;        ///< arrows follow the order of the group, not the places: points of a chart

@@ -99,6 +99,25 @@ TEST_F(ShellJourney, WhoIsSignedInIsSeenOnEveryScreen) {
   }
 }
 
+/// A screen that can be opened from anywhere.
+class ScreenOfNoPlace : public PlainScreen {
+ public:
+  using PlainScreen::PlainScreen;
+  std::string_view navigation_id() const override { return {}; }
+};
+
+TEST_F(ShellJourney, AScreenOfNoPlaceBelongsWhereItWasOpenedFrom) {
+  const auto is_lit = [&] { return driver.widget("nav.home").is_chosen; };
+  EXPECT_TRUE(is_lit());
+  shell.push(std::make_unique<ScreenOfNoPlace>("second", events));
+  driver.frame();
+  EXPECT_TRUE(driver.has("second.on"));
+  EXPECT_TRUE(is_lit());
+  shell.replace_all(std::make_unique<ScreenOfNoPlace>("third", events));
+  driver.frame();
+  EXPECT_FALSE(is_lit());
+}
+
 TEST_F(ShellJourney, NavigationByMouseAndByKeys) {
   driver.click("nav.history");
   driver.press(Key::Digit1, {.control = true});

@@ -22,7 +22,6 @@ class ReplayScreen : public Screen {
   ReplayScreen(std::shared_ptr<Visit> visit, database::AttemptId attempt, double moment_s)
       : visit_(visit), attempt_(attempt), first_moment_s_(moment_s), notes_(visit, attempt) {}
 
-  std::string_view navigation_id() const override { return "nav.attempts"; }
   Surround surround() const override { return Surround::Rail; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

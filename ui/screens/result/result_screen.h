@@ -24,7 +24,6 @@ class ResultScreen : public Screen {
   ResultScreen(std::shared_ptr<Visit> visit, Places& places, database::AttemptId attempt)
       : visit_(visit), places_(places), attempt_(std::move(attempt)), decide_(visit) {}
 
-  std::string_view navigation_id() const override { return "nav.attempts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

@@ -21,7 +21,7 @@ class Screen {
  public:
   virtual ~Screen() = default;
 
-  /// The navigation item it belongs to, "nav.history"; "" for none.
+  /// The navigation item it belongs to, "nav.history"; "" for that of the screen it was opened from.
   virtual std::string_view navigation_id() const { return {}; }
   virtual Surround surround() const { return Surround::Navigation; }
   /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded. Finish or abandon

@@ -104,11 +104,18 @@ Rect Shell::draw_surround(Ui& ui) {
   return has_navigation && visitor_ ? draw_navigation(ui, screen) : ui.display();
 }
 
+// Where a screen belongs nowhere by itself, it belongs where it was opened from.
+std::string_view Shell::chosen_place() const noexcept {
+  for (auto screen = screens_.rbegin(); screen != screens_.rend(); ++screen)
+    if (!(*screen)->navigation_id().empty()) return (*screen)->navigation_id();
+  return {};
+}
+
 Rect Shell::draw_navigation(Ui& ui, const Screen& screen) {
   std::vector<NavigationItem> items;
   NavigationSpec spec;
   for (const Visitor::Place& place : visitor_->places) {
-    if (place.id == screen.navigation_id()) spec.chosen = static_cast<int>(items.size());
+    if (place.id == chosen_place()) spec.chosen = static_cast<int>(items.size());
     items.push_back({place.id, place.label, place.icon, place.badge});
   }
   spec.items = items;

@@ -93,6 +93,7 @@ class Shell {
   };
 
   Rect draw_surround(Ui& ui);
+  std::string_view chosen_place() const noexcept;
   Rect draw_navigation(Ui& ui, const Screen& screen);
   void draw_badge(Ui& ui);
   void draw_person_menu(Ui& ui);
