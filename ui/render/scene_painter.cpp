@@ -63,6 +63,10 @@ struct OpenGlScenePainter::Parts {
 OpenGlScenePainter::OpenGlScenePainter() : parts_(std::make_unique<Parts>()) {}
 OpenGlScenePainter::~OpenGlScenePainter() = default;
 
+void OpenGlScenePainter::set_quality(const RenderQuality& quality) {
+  parts_->renderer.set_quality(quality);
+}
+
 void OpenGlScenePainter::begin_frame(const DrawTarget& window) {
   Parts& parts = *parts_;
   parts.window = window;

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string_view>
 
+#include "ui/render/renderer.h"
 #include "ui/render/scene.h"
 #include "ui/render/stereo.h"
 
@@ -62,6 +63,9 @@ class OpenGlScenePainter final : public ScenePainter {
   ~OpenGlScenePainter() override;
   OpenGlScenePainter(const OpenGlScenePainter&) = delete;
   OpenGlScenePainter& operator=(const OpenGlScenePainter&) = delete;
+
+  /// How smooth the edges of what is drawn from now on are; live_quality() until then.
+  void set_quality(const RenderQuality& quality);
 
   /// A frame begins that is to fill `window`: nothing lies behind it yet.
   void begin_frame(const DrawTarget& window);
