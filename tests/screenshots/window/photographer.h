@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,8 +26,20 @@ class Photographer {
   void sign_in(const std::string& login, const std::string& password);
   /// Presses, and waits until what it leads to was read.
   void press(std::string_view id);
-  /// Writes `name`.png as the window is now, with nothing under the pointer.
+  /// A key in a frame of its own, where the screen never comes to rest: while somebody operates.
+  void key(ui::Key key, ui::Modifiers modifiers = {});
+  /// Makes frames in real time until `is_so`.
+  /// errors  std::runtime_error, with `what`, where it is not so within two minutes
+  void wait_until(const std::string& what, const std::function<bool()>& is_so);
+  /// Lets real time pass, in which what runs beside the window goes on.
+  void work_for(double seconds);
+  /// The id of the first widget whose id begins with `beginning`.
+  /// errors  std::runtime_error where there is none
+  std::string first(std::string_view beginning);
+  /// Writes `name`.png as the window is now, with nothing under the pointer, once whatever fades in has done so.
   void take(const std::string& name);
+  /// The same at once: while somebody operates.
+  void take_now(const std::string& name);
 
  private:
   void draw(ui::Shell& shell, ui::Ui& ui);

@@ -1,0 +1,56 @@
+// Somebody operates, in real time, and is looked at meanwhile.
+#include "tests/screenshots/window/course_pictures.h"
+#include "tests/screenshots/window/photographer.h"
+
+namespace hallux::tests {
+
+namespace {
+
+using ui::Key;
+
+void press(Photographer& photographer, Key key, int times, ui::Modifiers modifiers = {}) {
+  for (int count = 0; count < times; ++count) photographer.key(key, modifiers);
+}
+
+/// From where the saw is held at first, seen from medial, to the planned plane, by what the panel says of it.
+void lay_on_plan(Photographer& photographer) {
+  photographer.key(Key::Enter);  // the case is verified
+  photographer.key(Key::Digit3);
+  press(photographer, Key::Up, 5, {.control = true});
+  press(photographer, Key::Left, 2, {.control = true});
+  press(photographer, Key::Right, 10);
+  press(photographer, Key::PageUp, 1);
+  press(photographer, Key::PageDown, 2, {.shift = true});
+}
+
+void saw_down(Photographer& photographer, int millimetres) {
+  photographer.key(Key::Space);
+  for (int step = 0; step < millimetres; ++step) {
+    photographer.key(Key::Down);
+    photographer.work_for(0.1);
+  }
+}
+
+}  // namespace
+
+void take_operating(const SimulatedCourse& course, const std::filesystem::path& folder) {
+  Photographer photographer(course.data_directory, folder, ui::ThemeName::Dark);
+  ui::Driver& driver = photographer.driver();
+  photographer.sign_in("trainee-1", course.password);
+  photographer.press("operations.card.silver");
+  photographer.press("brief.begin");
+  photographer.wait_until("the patient", [&] { return driver.has("operate.begin"); });
+  photographer.key(Key::Enter);
+  photographer.wait_until("the operation", [&] { return driver.has("operate.pause"); });
+  lay_on_plan(photographer);
+  saw_down(photographer, 36);
+  photographer.key(Key::Digit1);
+  photographer.work_for(6.0);
+  photographer.take_now("operating");
+  photographer.key(Key::F9);
+  photographer.take_now("side_by_side");
+  photographer.key(Key::F9);
+  photographer.take_now("anaglyph");
+}
+
+}  // namespace hallux::tests

@@ -1,0 +1,33 @@
+#include "tests/screenshots/window/course_pictures.h"
+#include "tests/screenshots/window/photographer.h"
+
+namespace hallux::tests {
+
+using ui::Key;
+
+void take_first_start(const std::filesystem::path& empty_directory,
+                      const std::filesystem::path& folder) {
+  Photographer photographer(empty_directory, folder, ui::ThemeName::Dark);
+  photographer.take("first_start");
+}
+
+void take_trainee(const SimulatedCourse& course, const std::filesystem::path& folder) {
+  Photographer photographer(course.data_directory, folder, ui::ThemeName::Dark);
+  photographer.take("sign_in");
+  photographer.sign_in("trainee-1", course.password);
+  photographer.take("operations");
+  photographer.press("operations.card.silver");
+  photographer.take("briefing");
+  photographer.press("nav.history");
+  photographer.take("history");
+  photographer.sign_in("trainee-2", course.password);
+  photographer.press("nav.history");
+  photographer.press(photographer.first("history.list."));
+  photographer.take("result");
+  photographer.press("result.take.0.action");
+  photographer.take("replay");
+  photographer.press("nav.questions");
+  photographer.take("questions");
+}
+
+}  // namespace hallux::tests
