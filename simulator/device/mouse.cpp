@@ -41,20 +41,24 @@ RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& 
 }
 
 MouseDevice::MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling)
-    : coupling_(coupling), target_({world_from_start, 0}), world_from_hand_(world_from_start) {}
+    : coupling_(coupling),
+      target_({{world_from_start, 0}, 0}),
+      world_from_hand_(world_from_start) {}
 
 void MouseDevice::aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept {
-  target_.write({world_from_target, switches});
+  target_.write({{world_from_target, switches}, ++aims_});
 }
 
 bool MouseDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                            RawDeviceState& state) noexcept {
-  const RawDeviceState& target = target_.read();
+  const auto& [target, number] = target_.read();
+  if (number != heard_) heard_tick_ = tick;
+  heard_ = number;
   const std::int64_t ticks =
       tick_ < 0 ? 1 : std::clamp<std::int64_t>(tick - tick_, 1, ticks_at_most);
   tick_ = tick;
   for (std::int64_t i = 0; i < ticks; ++i) follow(target.world_from_handle, force_in_world_newton);
-  state = {world_from_hand_, target.switches};
+  state = {world_from_hand_, tick - heard_tick_ > silence_ticks ? 0U : target.switches};
   return true;
 }
 

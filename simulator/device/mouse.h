@@ -4,7 +4,8 @@
 ///                                                                                        ^ force of the simulation
 ///
 /// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the pointer runs ahead:
-/// how far it is ahead is how hard one pushes.
+/// how far it is ahead is how hard one pushes. Where no target comes any more, because the window hangs or is minimised,
+/// nobody holds the saw: it stops.
 #pragma once
 
 #include "simulator/device/haptic_device.h"
@@ -41,9 +42,12 @@ RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& 
 
 class MouseDevice final : public HapticDevice {
  public:
+  /// Without a new target for longer, every switch is off.
+  static constexpr std::int64_t silence_ticks = 1500;
+
   explicit MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling = {});
 
-  /// Where the hand is led from now on.
+  /// Where the hand is led from now on; to be said again and again while a switch is on.
   /// thread  window
   void aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept;
 
@@ -54,8 +58,16 @@ class MouseDevice final : public HapticDevice {
  private:
   void follow(const RigidTransform& world_from_target, const Vec3& force_newton) noexcept;
 
+  struct Target {
+    RawDeviceState state;
+    std::uint64_t number = 0;  ///< counts the calls of aim
+  };
+
   MouseCoupling coupling_;
-  Latest<RawDeviceState> target_;
+  Latest<Target> target_;
+  std::uint64_t aims_ = 0;   ///< the window's
+  std::uint64_t heard_ = 0;  ///< the number that was heard last
+  std::int64_t heard_tick_ = 0;
   RigidTransform world_from_hand_;
   Vec3 velocity_mm_s_{0.0, 0.0, 0.0};
   std::int64_t tick_ = -1;  ///< of the last exchange

@@ -1,6 +1,7 @@
 #include "ui/jobs/live_attempt.h"
 
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace hallux::ui {
@@ -61,13 +62,29 @@ void LiveAttempt::say(const simulator::Command& command) {
 
 void LiveAttempt::run(database::Database database, database::WriterLease lease) noexcept {
   try {
+    end_.file = database.file();
     operate(database, std::move(lease));
+  } catch (const database::DatabaseError& error) {
+    const bool is_full = error.kind() == database::DatabaseErrorKind::Full;
+    fail(is_full ? LiveFailure::DiskFull : LiveFailure::Other, error.what());
+  } catch (const std::bad_alloc& error) {
+    fail(LiveFailure::MemoryFull, error.what());
   } catch (const std::exception& error) {
-    end_.failure = error.what();
+    fail(LiveFailure::Other, error.what());
   }
   if (!end_.is_sealed) mark_interrupted(database);
   watch_.closed.store(true, std::memory_order_release);
   is_over_.store(true, std::memory_order_release);
+}
+
+/// Where even the words find no memory, the kind of failure is left.
+void LiveAttempt::fail(LiveFailure failure, const char* reason) noexcept {
+  end_.failure = failure;
+  try {
+    end_.reason = reason;
+  } catch (const std::bad_alloc&) {
+    end_.failure = LiveFailure::MemoryFull;
+  }
 }
 
 void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {

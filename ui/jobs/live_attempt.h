@@ -9,6 +9,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,11 +45,16 @@ struct LiveBegin {
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
                                  const LiveBegin& begin, const simulator::Bone& bone);
 
+/// What stopped recording or loop, as far as people can do something about it.
+enum class LiveFailure { None, DiskFull, MemoryFull, Other };
+
 /// How it ended.
 struct LiveEnd {
   simulator::AttemptEnd end = simulator::AttemptEnd::Cancelled;
   bool is_sealed = false;  ///< finished and whole: it can be scored
-  std::string failure;     ///< why recording or loop stopped; empty where they did not
+  LiveFailure failure = LiveFailure::None;
+  std::string reason;          ///< of the failure, as the one who noticed it said it
+  std::filesystem::path file;  ///< that was recorded into
   simulator::LoopStatistics loop;
   database::RecorderStatistics recorder;
 };
@@ -97,6 +103,7 @@ class LiveAttempt {
   void say(const simulator::Command& command);
   void run(database::Database database, database::WriterLease lease) noexcept;
   void operate(const database::Database& database, database::WriterLease lease);
+  void fail(LiveFailure failure, const char* reason) noexcept;
 
   std::shared_ptr<const OperatingTable> table_;
   std::unique_ptr<simulator::HapticDevice> device_;

@@ -1,6 +1,5 @@
 #include "ui/widgets/card.h"
 
-#include <cmath>
 #include <string>
 
 #include "ui/widgets/shapes.h"
@@ -18,8 +17,9 @@ bool draw_notice(Ui& ui, std::string_view id, const Rect& content, std::string_v
   Canvas& canvas = ui.canvas();
   canvas.text_in({content.x, mark.y + 30.0F, content.w, 24.0F},
                  {Type::BodyStrong, ui.theme().text, Align::Centre}, title);
+  const float top = mark.y + 56.0F;
   const float height =
-      canvas.paragraph({content.x, mark.y + 56.0F, content.w, 60.0F},
+      canvas.paragraph({content.x, top, content.w, content.bottom() - top},
                        {Type::Small, ui.theme().text_secondary, Align::Centre}, sentence);
   if (action.empty()) return false;
   const ButtonSpec spec{action};
@@ -31,9 +31,8 @@ bool draw_notice(Ui& ui, std::string_view id, const Rect& content, std::string_v
 
 Point mark_of(const Ui& ui, const Rect& content, std::string_view sentence,
               std::string_view action) {
-  const float lines = std::ceil(ui.width_of(Type::Small, sentence) / std::max(content.w, 1.0F));
-  const float height =
-      72.0F + 16.0F + 20.0F * lines + (action.empty() ? 0.0F : header_button_height);
+  const float words = ui.paragraph_height(Type::Small, sentence, std::max(content.w, 1.0F));
+  const float height = 72.0F + 16.0F + words + (action.empty() ? 0.0F : header_button_height);
   return {content.mid_x(), content.mid_y() - height / 2.0F + 16.0F};
 }
 

@@ -93,11 +93,13 @@ void Ui::forget_last_frame() {
   dragged_ = {};
   first_focus_.clear();
   pointer_shape_ = PointerShape::Arrow;
+  has_pointer_left_ = has_lost_keys_ = is_pointer_hidden_ = is_pointer_carried_ = false;
   due_in_s_ = never;
 }
 
 void Ui::end_frame() {
   CHECK(open_scrolls_.empty());
+  settle_pointer();
   canvas_->finish();
   canvas_.reset();
   ImGui::Render();
@@ -123,6 +125,20 @@ double Ui::next_frame_in_s() const noexcept {
 
 void Ui::want_frame_in_s(double seconds) noexcept {
   due_in_s_ = std::min(due_in_s_, std::max(seconds, 0.0));
+}
+
+// Drawn last, over everything: an arrow whose tip is the place.
+void Ui::settle_pointer() {
+  const bool is_drawn = is_pointer_carried_ && !is_pointer_hidden_ && is_pointer_inside_;
+  if (is_pointer_hidden_ || is_pointer_carried_) pointer_shape_ = PointerShape::Hidden;
+  if (!is_drawn) return;
+  const LayerScope layer(*canvas_, Layer::Tooltip);
+  const Point tip = pointer_;
+  const Point edge[] = {
+      {tip.x - 2.0F, tip.y - 4.0F}, {tip.x - 2.0F, tip.y + 22.0F}, {tip.x + 17.0F, tip.y + 15.0F}};
+  const Point arrow[] = {tip, {tip.x, tip.y + 18.0F}, {tip.x + 13.0F, tip.y + 13.0F}};
+  canvas_->polygon(edge, theme_.page);
+  canvas_->polygon(arrow, theme_.text);
 }
 
 // A menu or question that appears takes the focus and gives it back when it goes.

@@ -67,7 +67,12 @@ struct Shortcut {
   std::string label = {};
 };
 
-enum class PointerShape : std::uint8_t { Arrow, Text, Hand };
+enum class PointerShape : std::uint8_t {
+  Arrow,
+  Text,
+  Hand,
+  Hidden  ///< what the pointer leads stands for it, or the picture carries it
+};
 
 class Ui {
  public:
@@ -109,6 +114,14 @@ class Ui {
   Rect display() const noexcept { return display_; }
   double time_s() const noexcept { return time_s_; }
   Point pointer() const noexcept { return pointer_; }
+  /// What took the person's hands away since the last frame: the pointer left the window, keys go elsewhere.
+  bool has_pointer_left() const noexcept { return has_pointer_left_; }
+  bool has_lost_keys() const noexcept { return has_lost_keys_; }
+  /// No pointer in this frame: something that it leads stands for it.
+  void hide_pointer() noexcept { is_pointer_hidden_ = true; }
+  /// The picture of this frame carries the pointer instead of the desktop: where it consists of two eyes' pictures, each
+  /// has one at its place.
+  void carry_pointer() noexcept { is_pointer_carried_ = true; }
   Modifiers modifiers() const noexcept { return modifiers_; }
   bool is_motion_reduced() const noexcept { return is_motion_reduced_; }
 
@@ -181,6 +194,7 @@ class Ui {
   void settle_focus();
   void scroll_to_focus(const std::string& id, ScrollState& state);
   void draw_scroll_bar(const std::string& id, ScrollState& state);
+  void settle_pointer();
 
   const Texts* texts_;
   Clipboard* clipboard_;
@@ -200,7 +214,8 @@ class Ui {
   std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;
 
   Point pointer_;
-  bool is_pointer_inside_ = false;
+  bool is_pointer_inside_ = false, has_pointer_left_ = false, has_lost_keys_ = false;
+  bool is_pointer_hidden_ = false, is_pointer_carried_ = false;
   Modifiers modifiers_;
   std::array<HeldButton, mouse_button_count> held_;
   std::array<Point, mouse_button_count> dragged_{};

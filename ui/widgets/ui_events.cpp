@@ -80,6 +80,7 @@ bool Ui::apply(const InputEvent& event) {
       return false;
     case EventKind::PointerLeft:
       is_pointer_inside_ = false;
+      has_pointer_left_ = true;
       return false;
     case EventKind::ButtonPressed:
       return press_button(event);
@@ -104,6 +105,7 @@ bool Ui::apply(const InputEvent& event) {
     case EventKind::FocusLost:
       held_ = {};
       modifiers_ = {};
+      has_lost_keys_ = true;
       return false;
   }
   return false;

@@ -169,6 +169,17 @@ void change_full_screen(GLFWwindow* window, bool is_wanted, PlaceOnDesktop& befo
 
 }  // namespace
 
+namespace {
+
+void show_pointer(GLFWwindow* window, PointerShape shape,
+                  const std::array<GLFWcursor*, 3>& cursors) {
+  const bool is_hidden = shape == PointerShape::Hidden;
+  glfwSetInputMode(window, GLFW_CURSOR, is_hidden ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+  if (!is_hidden) glfwSetCursor(window, cursors[static_cast<std::size_t>(shape)]);
+}
+
+}  // namespace
+
 // One frame where there is something to draw on; a minimised window draws none and keeps its events.
 void Window::draw_frame(Shell& shell) {
   State& state = *state_;
@@ -196,7 +207,7 @@ void Window::draw_frame(Shell& shell) {
   state.last_frame_s = now_s;
   if (state.shape != state.ui->pointer_shape()) {
     state.shape = state.ui->pointer_shape();
-    glfwSetCursor(state.window, state.cursors[static_cast<std::size_t>(state.shape)]);
+    show_pointer(state.window, state.shape, state.cursors);
   }
   if (state.is_full_screen != shell.preferences().is_full_screen) {
     state.is_full_screen = shell.preferences().is_full_screen;
@@ -236,11 +247,21 @@ void Window::update_map() {
     state.map_due_in_s = state.map->update(state.ui->shown(), state.ui->scale(), glfwGetTime());
 }
 
+// Asked to close, the window says why it stays where a screen may not be left.
+bool Window::is_closing(Shell& shell) {
+  State& state = *state_;
+  if (glfwWindowShouldClose(state.window) == 0) return false;
+  if (shell.may_leave(*state.ui)) return true;
+  glfwSetWindowShouldClose(state.window, GLFW_FALSE);
+  state.events.wants_frame = true;
+  return false;
+}
+
 void Window::run(Shell& shell) {
   State& state = *state_;
-  while (glfwWindowShouldClose(state.window) == 0) {
+  while (!is_closing(shell)) {
     wait_for_frame();
-    if (glfwWindowShouldClose(state.window) != 0) break;
+    if (is_closing(shell)) break;
     state.events.wants_frame = false;
     draw_frame(shell);
     update_map();

@@ -37,13 +37,14 @@ class Window {
   Window& operator=(const Window&) = delete;
   ~Window();
 
-  /// Shows the shell until the window is closed or close() is called. An idle window waits and costs next to nothing.
+  /// Shows the shell until the window is closed or close() is called, and a screen that may not be left now says why
+  /// instead. An idle window waits and costs next to nothing.
   /// needs   the shell and what its screens keep on the graphics card end before the window
   /// thread  the one that opened the window
   /// errors  std::runtime_error where the map of the window cannot be written
   void run(Shell& shell);
 
-  /// Ends run() after the frame.
+  /// Asks for the end of run() after the frame, as the desktop does.
   void close() noexcept;
   /// Keeps the next frame as a PNG file.
   void keep_picture(std::filesystem::path file);
@@ -57,6 +58,7 @@ class Window {
   void wait_for_frame();
   void draw_frame(Shell& shell);
   void update_map();
+  bool is_closing(Shell& shell);
 
   struct State;
   std::unique_ptr<State> state_;

@@ -2,9 +2,6 @@
 // and geometry thread all at work; and how late the loop was meanwhile. A whole frame is measured, to the last pixel.
 //
 //     live_frames [EDGE_MM] [PICTURE_FOLDER]     0.44 gives a first metatarsal of about 50,000 triangles
-#include <epoxy/gl.h>
-
-#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -16,10 +13,7 @@
 #include "simulator/loop/priority.h"
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
-#include "tests/ui/screens/operating/some_operation.h"
-#include "ui/render/headless_context.h"
-#include "ui/render/imgui_painter.h"
-#include "ui/render/picture.h"
+#include "tests/ui/screens/operating/drawn_operation.h"
 
 namespace hallux::benchmarks {
 
@@ -27,65 +21,10 @@ namespace {
 
 using namespace ui;
 
-constexpr PixelSize size{1280, 720};
 constexpr int frames_measured = 150, frames_before = 30;
 
-/// A window's frames without a window: what the screen asks for is drawn with OpenGL, panels included.
-class LiveWindow {
- public:
-  explicit LiveWindow(double edge_mm)
-      : target_(size),
-        course_("silver", edge_mm),
-        person_((scenes_.begin_frame(target_.target()), course_), database::AttemptKind::Practice,
-                1.0F, {static_cast<float>(size.width), static_cast<float>(size.height)}, &scenes_) {
-  }
-
-  Operator& person() noexcept { return person_; }
-  OperableCourse& course() noexcept { return course_; }
-  std::size_t triangles() const noexcept { return scenes_.triangles(); }
-
-  /// One frame, shown. Returns its milliseconds.
-  double frame() {
-    const Stopwatch watch;
-    scenes_.begin_frame(target_.target());
-    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
-    last_ = std::chrono::steady_clock::now();
-    person_.driver().frame(since.count());
-    const Color page = person_.driver().ui().theme().page;
-    scenes_.finish_frame({page.red, page.green, page.blue}, [&](float columns) {
-      painter_.draw(person_.driver().ui().draw_data(), person_.driver().ui().fonts_version(),
-                    columns);
-    });
-    glFinish();
-    return watch.milliseconds();
-  }
-
-  void press(Key key, int times = 1) {
-    for (int i = 0; i < times; ++i) {
-      person_.driver().send(key_events(key));
-      frame();
-      frame();
-    }
-  }
-
-  void take(const std::filesystem::path& folder, const std::string& name) {
-    if (folder.empty()) return;
-    frame();
-    write_png(folder / (name + ".png"), target_.read());
-  }
-
- private:
-  HeadlessContext context_;
-  RenderTarget target_;
-  OpenGlScenePainter scenes_;
-  OperableCourse course_;
-  Operator person_;
-  ImguiPainter painter_;  ///< once there is something of Dear ImGui
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 /// Saws on while it is measured; one row of the table.
-std::vector<Cell> measure(LiveWindow& window, const std::string& name) {
+std::vector<Cell> measure(DrawnOperation& window, const std::string& name) {
   std::vector<double> times_ms;
   for (int i = 0; i < frames_before + frames_measured; ++i) {
     const double time_ms = window.frame();
@@ -98,7 +37,7 @@ std::vector<Cell> measure(LiveWindow& window, const std::string& name) {
 }
 
 /// Seen from medial: over the head, down to it, and a push of some millimetres.
-void begin_sawing(LiveWindow& window) {
+void begin_sawing(DrawnOperation& window) {
   window.press(Key::Enter);
   while (!window.person().driver().has("operate.pause")) window.frame();
   window.press(Key::Digit3);
@@ -108,7 +47,7 @@ void begin_sawing(LiveWindow& window) {
   window.press(Key::Digit1);
 }
 
-void print_loop(LiveWindow& window) {
+void print_loop(DrawnOperation& window) {
   window.person().press(Key::End);
   window.press(Key::Tab);
   window.press(Key::Enter);
@@ -124,7 +63,7 @@ int run(double edge_mm, const std::filesystem::path& folder) {
   // As the window does: one processor is left to the loop.
   const unsigned cores = std::max(2U, std::thread::hardware_concurrency());
   ::setenv("LP_NUM_THREADS", std::to_string(cores - 1).c_str(), 0);
-  LiveWindow window(edge_mm);
+  DrawnOperation window("silver", edge_mm);
   window.take(folder, "ready");
   begin_sawing(window);
   Table table{

@@ -47,6 +47,29 @@ TEST(MouseDevice, ComesToWhereItIsLedWithoutGoingBeyond) {
   EXPECT_EQ(state.switches, saw);
 }
 
+TEST(MouseDevice, ASawThatNobodyLeadsAnyMoreStops) {
+  MouseDevice device(at_origin);
+  RawDeviceState state;
+  std::int64_t tick = 0;
+  const auto exchanged_until = [&](std::int64_t end) {
+    for (; tick < end; ++tick) ASSERT_TRUE(device.exchange({0.0, 0.0, 0.0}, tick, state));
+  };
+  exchanged_until(5000);
+  for (int frame = 0; frame < 20; ++frame) {
+    device.aim(at({1.0, 0.0, 0.0}), saw);
+    exchanged_until(tick + 200);
+    EXPECT_EQ(state.switches, saw) << "led in each frame, it runs as long as one likes";
+  }
+  exchanged_until(tick + MouseDevice::silence_ticks - 200);
+  EXPECT_EQ(state.switches, saw);
+  exchanged_until(tick + 202);
+  EXPECT_EQ(state.switches, 0U);
+  EXPECT_NEAR(state.world_from_handle.translation_mm.x, 1.0, 1.0e-3) << "it stays where it was";
+  device.aim(at({1.0, 0.0, 0.0}), saw);
+  exchanged_until(tick + 1);
+  EXPECT_EQ(state.switches, saw);
+}
+
 TEST(MouseDevice, AStepOfThePointerIsNoStepOfTheHand) {
   MouseDevice device(at_origin);
   device.aim(at({60.0, 0.0, 0.0}), 0);

@@ -20,9 +20,10 @@ DriverSetting at_scale(float scale) {
 
 }  // namespace
 
-std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login) {
+std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login,
+                                const database::OpenOptions& options) {
   return std::make_shared<Visit>(
-      database::Database::open(course.database().directory()), [&](database::Database& database) {
+      database::Database::open(course.database().directory(), options), [&](database::Database& database) {
         return database::sign_in(database, login, database::secret(database::good_password),
                                  database::cheap);
       });

@@ -9,7 +9,8 @@
 namespace hallux::ui {
 
 /// Somebody of the course, signed in.
-std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login);
+std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login,
+                                const database::OpenOptions& options = {});
 
 class SomeVisitor {
  public:

@@ -138,6 +138,18 @@ TEST_F(ShellJourney, AScreenThatMustStayRefusesWithItsReason) {
   EXPECT_EQ(events.back(), "sign out");
 }
 
+TEST_F(ShellJourney, TheWindowAsksWhetherItMayEnd) {
+  EXPECT_TRUE(shell.may_leave(driver.ui()));
+  home->reason = "The attempt is still being recorded. Finish or abandon it.";
+  EXPECT_FALSE(shell.may_leave(driver.ui()));
+  EXPECT_FALSE(shell.may_leave(driver.ui()));
+  driver.frame();
+  driver.settle();
+  EXPECT_TRUE(driver.sees("still being recorded"));
+  EXPECT_FALSE(driver.has("message.0.close")) << "what is said again takes the place of the first";
+  EXPECT_TRUE(driver.has("message.1.close"));
+}
+
 TEST_F(ShellJourney, MessagesGoByThemselvesButFaultsStay) {
   driver.click("first.note");
   EXPECT_TRUE(driver.sees("Note saved"));

@@ -1,8 +1,10 @@
 // Steps, pauses and the end of an operation: the half of the screen that gives commands.
 #include <utility>
 
+#include "simulator/base/units.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/operating/operation_work.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/menu.h"
 #include "ui/widgets/shapes.h"
 
@@ -15,23 +17,52 @@ using simulator::CutEventKind;
 
 constexpr double piece_wait_s = 1.0, hinge_wait_s = 20.0;
 constexpr double soon_s = 0.05;
+constexpr double silence_s = static_cast<double>(simulator::MouseDevice::silence_ticks) * step_s;
+/// The panels at the foot and the line of trouble above them.
+constexpr float room_of_panels = 92.0F + 16.0F + 44.0F;
 
 }  // namespace
 
 void OperatingScreen::draw_paused(Ui& ui) {
   const LayerScope layer(ui.canvas(), Layer::Page);
-  const Rect rect = centred(ui.display(), std::min(360.0F, ui.display().w - 32.0F), 72.0F);
+  const Rect display = ui.display();
+  const float width = std::min(440.0F, display.w - 32.0F), inner = width - 48.0F;
+  const std::string words =
+      (paused_by_ == nullptr ? std::string() : std::string(ui.text(paused_by_)) + " ") +
+      std::string(ui.text("operate.paused.sentence"));
+  const float words_height = ui.paragraph_height(Type::Small, words, inner);
+  const float height = 44.0F + words_height + 12.0F + button_height + 16.0F;
+  // Below the bone where there is room: whoever pauses may want to look at it.
+  const float low = 0.94F * display.h - room_of_panels - height;
+  const Rect rect{display.mid_x() - 0.5F * width, std::max(display.mid_y() - 0.5F * height, low),
+                  width, height};
   draw_hud_panel(ui.canvas(), ui.theme(), rect);
-  ui.canvas().text_in({rect.x + 24.0F, rect.y + 10.0F, rect.w - 48.0F, 28.0F},
+  ui.canvas().text_in({rect.x + 24.0F, rect.y + 12.0F, inner, 28.0F},
                       {Type::CardTitle, ui.theme().text, Align::Centre}, ui.text("operate.paused"));
-  ui.canvas().text_in({rect.x + 24.0F, rect.y + 38.0F, rect.w - 48.0F, 22.0F},
-                      {Type::Small, ui.theme().text_secondary, Align::Centre},
-                      ui.text("operate.paused.sentence"));
+  ui.canvas().paragraph({rect.x + 24.0F, rect.y + 44.0F, inner, words_height},
+                        {Type::Small, ui.theme().text_secondary, Align::Centre}, words);
+  const ButtonSpec go_on{ui.text("operate.resume"), ButtonLook::Secondary, Icon::Play};
+  const float button_w = button_width(ui, go_on);
+  if (button(ui, "operate.go_on",
+             {rect.mid_x() - 0.5F * button_w, rect.bottom() - 16.0F - button_height, button_w,
+              button_height},
+             go_on))
+    set_paused(false);
+}
+
+/// The saw runs only while somebody can hear, see and stop it.
+const char* OperatingScreen::what_took_the_hands(Ui& ui) const {
+  if (ui.has_lost_keys()) return "operate.paused.keys";
+  if (!is_saw_on_) return nullptr;
+  if (ui.has_pointer_left() && steering_.is_led_by_pointer()) return "operate.paused.pointer";
+  if (reachable_layer(ui.shown()) > Layer::Page) return "operate.paused.covered";
+  return ui.time_s() > steered_s_ + silence_s ? "operate.paused.still" : nullptr;
 }
 
 void OperatingScreen::set_paused(bool is_paused) {
   if (is_paused == is_paused_) return;
   is_paused_ = is_paused;
+  paused_by_ = nullptr;
   if (is_paused) {
     is_saw_on_ = false;
     begun_->mouse->aim(world_from_target_, 0);
@@ -138,10 +169,10 @@ void OperatingScreen::follow_end(Ui& ui, Shell& shell) {
   if (phase_ == Phase::Sealing) ui.want_frame_in_s(soon_s);
   if (end == nullptr || phase_ == Phase::Scoring || phase_ == Phase::Stopped) return;
   asking_ = Asking::Nothing;
-  if (!end->failure.empty() || (!end->is_sealed && !is_abandoned_)) {
+  if (end->failure != LiveFailure::None || (!end->is_sealed && !is_abandoned_)) {
     why_not_leave_.clear();
-    stopped_ = end->failure.empty() ? std::string(ui.text("operate.stopped.unknown"))
-                                    : sentence_of(end->failure);
+    stopped_ = words_of_failure(ui, *end);
+    is_saw_on_ = false;
     phase_ = Phase::Stopped;
     ui.want_frame_in_s(0.0);
     return;
@@ -157,6 +188,20 @@ void OperatingScreen::follow_end(Ui& ui, Shell& shell) {
   score(ui, shell);
 }
 
+std::string OperatingScreen::words_of_failure(const Ui& ui, const LiveEnd& end) const {
+  switch (end.failure) {
+    case LiveFailure::DiskFull:
+      return ui.texts().say("operate.stopped.disk", {{"file", end.file.string()}});
+    case LiveFailure::MemoryFull:
+      return std::string(ui.text("operate.stopped.memory"));
+    case LiveFailure::Other:
+      return sentence_of(end.reason);
+    case LiveFailure::None:
+      break;
+  }
+  return std::string(ui.text("operate.stopped.unknown"));
+}
+
 void OperatingScreen::score(Ui& ui, Shell& shell) {
   phase_ = Phase::Scoring;
   why_not_leave_ = ui.text("operate.stay.scoring");
@@ -168,16 +213,17 @@ void OperatingScreen::score(Ui& ui, Shell& shell) {
       [this, &shell, title = std::string(ui.text("operate.unscored"))](WorkEnd end,
                                                                        const std::string& reason) {
         if (end != WorkEnd::Done) shell.say({Meaning::Warn, title, sentence_of(reason)});
-        lead_on(shell);
+        lead_on(shell, Onward::Result);
       });
 }
 
-void OperatingScreen::lead_on(Shell& shell) {
+void OperatingScreen::lead_on(Shell& shell, Onward where) {
   why_not_leave_.clear();
   const database::AttemptId attempt = begun_->live->attempt();
   Places& places = places_;
   shell.pop();
-  places.show_result(attempt);
+  if (where == Onward::Result) return places.show_result(attempt);
+  places.show_replay(attempt, 0.0);
 }
 
 }  // namespace hallux::ui

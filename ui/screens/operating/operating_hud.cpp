@@ -36,7 +36,9 @@ struct Hud {
 
   const Theme& theme() const { return ui.theme(); }
   Canvas& canvas() const { return ui.canvas(); }
-  void panel(const Rect& rect, float corner = radius::picture) const {
+  /// Over it the pointer is a pointer: the saw stays where it is. `name` is a text of the catalogue.
+  void panel(const char* name, const Rect& rect, float corner = radius::picture) const {
+    ui.area(name, ui.text(name), rect);
     draw_hud_panel(canvas(), theme(), rect, corner);
   }
 };
@@ -49,7 +51,7 @@ float draw_mode(Hud& in) {
   const float mode_width = in.ui.width_of(Type::SmallMedium, mode) + 32.0F;
   const float time_width = in.ui.width_of(Type::BodyStrong, "00:00");
   const Rect bar{in.room.x, in.room.y, 6.0F + mode_width + 40.0F + time_width + pad, bar_height};
-  in.panel(bar, bar_height / 2.0F);
+  in.panel("operate.panel.mode", bar, bar_height / 2.0F);
   const Rect chip{bar.x + 6.0F, bar.y + 6.0F, mode_width, bar_height - 12.0F};
   in.canvas().fill(chip, in.theme().chip, chip.h / 2.0F);
   in.canvas().text_in(chip, {Type::SmallMedium, in.theme().text, Align::Centre}, mode);
@@ -68,7 +70,7 @@ float draw_state(Hud& in) {
   const float recording_width = in.ui.width_of(Type::Small, recording);
   const float width = 40.0F + rate_width + 34.0F + recording_width + 16.0F + 4.0F * 38.0F + 8.0F;
   const Rect bar{in.room.right() - width, in.room.y, width, bar_height};
-  in.panel(bar, bar_height / 2.0F);
+  in.panel("operate.panel.state", bar, bar_height / 2.0F);
   draw_meaning(in.canvas(), in.theme(), is_well ? Meaning::Good : Meaning::Warn,
                {bar.x + 24.0F, bar.mid_y()}, 6.0F);
   in.canvas().text({bar.x + 38.0F, bar.mid_y()}, {Type::Small, in.theme().text}, rate);
@@ -147,7 +149,7 @@ void draw_steps(Hud& in, float left_used, float right_used) {
     x = wished;
   }
   const Rect bar{x, y, width, bar_height};
-  in.panel(bar, bar_height / 2.0F);
+  in.panel("operate.panel.steps", bar, bar_height / 2.0F);
   float at = bar.x + 8.0F;
   for (std::size_t step = 0; step < in.hud.steps.size(); ++step) {
     at += draw_step(in, {at, bar.mid_y()}, step, has_title);
@@ -160,7 +162,7 @@ void draw_steps(Hud& in, float left_used, float right_used) {
 }
 
 void draw_tool(Hud& in, const Rect& rect) {
-  in.panel(rect);
+  in.panel("operate.panel.tool", rect);
   Canvas& canvas = in.canvas();
   const Rect inner = inset(rect, pad, 0.0F);
   const std::string_view key = in.ui.text("key.space");
@@ -222,7 +224,7 @@ void draw_level(Hud& in, const Rect& rect, const Level& level) {
 }
 
 void draw_reading(Hud& in, const Rect& rect) {
-  in.panel(rect);
+  in.panel("operate.panel.plan", rect);
   const PlanReading& reading = *in.hud.reading;
   const auto angle = [&](const char* id, double rad) {
     const double degree = degree_from_radian(rad);
@@ -238,7 +240,7 @@ void draw_reading(Hud& in, const Rect& rect) {
 }
 
 void draw_force(Hud& in, const Rect& rect) {
-  in.panel(rect);
+  in.panel("operate.panel.force", rect);
   Canvas& canvas = in.canvas();
   const Rect inner = inset(rect, pad, 0.0F);
   const bool is_high = in.hud.force_newton > high_force_newton;
@@ -303,7 +305,7 @@ void draw_health(Hud& in, float y) {
        {"operate.health.priority",
         std::string(in.ui.text(health.has_priority ? "operate.yes" : "operate.no"))}}};
   const Rect rect{in.room.right() - 280.0F, y, 280.0F, 24.0F * 7.0F + 24.0F};
-  in.panel(rect);
+  in.panel("operate.panel.health", rect);
   float line = rect.y + 12.0F;
   for (const auto& [name, value] : rows) {
     in.canvas().text_in({rect.x + pad, line, rect.w - 2.0F * pad - 80.0F, 24.0F},
@@ -321,7 +323,7 @@ void draw_trouble(Hud& in) {
       std::min(in.room.w, in.ui.width_of(Type::Small, in.hud.health.trouble) + 56.0F);
   const float y = in.room.bottom() - panel_height - 8.0F - 36.0F;
   const Rect line{in.ui.display().mid_x() - 0.5F * width, y, width, 36.0F};
-  in.panel(line, 18.0F);
+  in.panel("operate.panel.trouble", line, 18.0F);
   draw_meaning(in.canvas(), in.theme(), Meaning::Warn, {line.x + 20.0F, line.mid_y()}, 6.0F);
   in.canvas().text_in({line.x + 36.0F, line.y, line.w - 52.0F, line.h},
                       {Type::Small, in.theme().text}, in.hud.health.trouble, true);

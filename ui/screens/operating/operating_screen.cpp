@@ -146,9 +146,18 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
 
 void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
   ui.canvas().fill(ui.display(), ui.theme().page);
-  const std::string why = stopped_ + (begun_ ? "\n" + std::string(ui.text("operate.kept")) : "");
-  const Rect inside =
-      card(ui, centred(ui.display(), std::min(560.0F, ui.display().w - 32.0F), 320.0F), {});
+  const std::string why = stopped_ + (begun_ ? " " + std::string(ui.text("operate.kept")) : "");
+  const float width = std::min(560.0F, ui.display().w - 32.0F);
+  const float height = 250.0F + ui.paragraph_height(Type::Small, why, width - 2.0F * space::card);
+  Rect inside = card(ui, centred(ui.display(), width, height), {});
+  if (begun_) {
+    const ButtonSpec see{ui.text("operate.see_kept"), ButtonLook::Ghost, Icon::Eye};
+    const float see_width = button_width(ui, see);
+    inside.h -= button_height;
+    if (button(ui, "operate.see_kept",
+               {inside.mid_x() - 0.5F * see_width, inside.bottom(), see_width, button_height}, see))
+      return lead_on(shell, Onward::Replay);
+  }
   if (failed_card(ui, "operate.stopped", inside,
                   {ui.text("operate.stopped"), why, ui.text("operate.back")}))
     shell.pop();
@@ -160,6 +169,12 @@ void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
   const AreaResponse area = ui.area("operate.view", ui.text("operate.view"), ui.display());
   const bool is_open = asking_ == Asking::Nothing && phase_ < Phase::Sealing;
   if (is_open) look(ui, area);
+  if (is_open && phase_ == Phase::Operating && !is_paused_) {
+    if (const char* why = what_took_the_hands(ui)) {
+      set_paused(true);
+      paused_by_ = why;
+    }
+  }
   if (is_open && phase_ == Phase::Operating) hear_keys(ui);
   if (is_open && phase_ == Phase::Operating && !is_paused_) {
     steer(ui, area);
@@ -226,6 +241,8 @@ void OperatingScreen::steer(Ui& ui, const AreaResponse& area) {
   const std::uint32_t switches =
       (is_saw_on_ ? bit(Switch::SawRuns) : 0U) | (is_irrigated_ ? bit(Switch::Irrigates) : 0U);
   begun_->mouse->aim(world_from_target_, switches);
+  steered_s_ = ui.time_s();
+  if (area.is_hovered) ui.hide_pointer();
 }
 
 // -- the picture
@@ -237,6 +254,7 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
   if (begun_) last_sample_ = begun_->live->view().sample;
   if (!is_paused_) let_chips_fly(step_ms / 1000.0);
   shell.scenes().draw_behind(scene(ui), sight_.camera, stereo_);
+  if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
   triangles_ = shell.scenes().triangles();
   ++pictures_;
   const bool is_running = phase_ == Phase::Operating && asking_ == Asking::Nothing && !is_paused_;

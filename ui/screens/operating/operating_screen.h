@@ -71,10 +71,13 @@ class OperatingScreen : public Screen {
   void ask(Asking what);
   void draw_question(Ui& ui);
   void set_paused(bool is_paused);
+  const char* what_took_the_hands(Ui& ui) const;
+  std::string words_of_failure(const Ui& ui, const LiveEnd& end) const;
   void draw_paused(Ui& ui);
   void follow_end(Ui& ui, Shell& shell);
   void score(Ui& ui, Shell& shell);
-  void lead_on(Shell& shell);
+  enum class Onward { Result, Replay };
+  void lead_on(Shell& shell, Onward where);
   bool is_practice() const noexcept { return kind_ == database::AttemptKind::Practice; }
 
   std::shared_ptr<Visit> visit_;
@@ -83,6 +86,7 @@ class OperatingScreen : public Screen {
   database::AttemptKind kind_;
   Phase phase_ = Phase::Preparing;
   std::string why_not_leave_, stopped_;
+  const char* paused_by_ = nullptr;  ///< a sentence of the catalogue, where it was not the person
 
   Reading<PreparedOperation> prepared_;
   ScreenWork work_;
@@ -96,7 +100,7 @@ class OperatingScreen : public Screen {
   StereoSetting stereo_;
   Swarf swarf_{1};
   simulator::ToolSample last_sample_;
-  double last_s_ = 0.0, frame_ms_ = 0.0;
+  double last_s_ = 0.0, frame_ms_ = 0.0, steered_s_ = 0.0;
   long pictures_ = 0;
   std::size_t triangles_ = 0;
 

@@ -33,14 +33,18 @@ void Shell::replace_all(std::unique_ptr<Screen> screen) {
   requests_.push_back({Change::ReplaceAll, std::move(screen)});
 }
 
+// What is said again takes the place of what it repeats.
 void Shell::say(Message message) {
+  std::erase_if(messages_, [&](const ShownMessage& shown) {
+    return shown.message.title == message.title && shown.message.detail == message.detail;
+  });
   messages_.push_back({std::move(message), "message." + std::to_string(next_message_++)});
   if (messages_.size() > 4) messages_.erase(messages_.begin());
 }
 
 bool Shell::may_leave(Ui& ui) {
   if (top() == nullptr || top()->why_not_leave().empty()) return true;
-  say({Meaning::Warn, std::string(ui.text("leave.refused")), std::string(top()->why_not_leave())});
+  say({Meaning::Info, std::string(ui.text("leave.refused")), std::string(top()->why_not_leave())});
   ui.want_frame_in_s(0.0);
   return false;
 }

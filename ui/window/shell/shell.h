@@ -52,6 +52,8 @@ class Shell {
   void pop();
   /// Leaves every screen for this one.
   void replace_all(std::unique_ptr<Screen> screen);
+  /// Whether the screen may be left now, also for the end of the window; where not, a message says why.
+  bool may_leave(Ui& ui);
   std::size_t depth() const noexcept { return screens_.size(); }
   Screen* top() const noexcept { return screens_.empty() ? nullptr : screens_.back().get(); }
 
@@ -103,7 +105,6 @@ class Shell {
   void hear_shortcuts(Ui& ui);
   void navigate(Ui& ui, const std::string& id);
   void sign_out(Ui& ui);
-  bool may_leave(Ui& ui);
   void apply_preferences(Ui& ui);
   void carry_out(Ui& ui);
 

@@ -155,7 +155,7 @@ TEST(Operating, APauseHoldsTheClockOfTheSawAndThePicture) {
   ASSERT_TRUE(person.until([&] { return std::isinf(person.driver().ui().next_frame_in_s()); }))
       << "a paused operation draws nothing of its own accord";
   person.press(Key::P);
-  EXPECT_FALSE(person.driver().sees("The saw is safe"));
+  EXPECT_FALSE(person.driver().sees("The saw is off"));
   EXPECT_EQ(person.driver().ui().next_frame_in_s(), 0.0);
 }
 

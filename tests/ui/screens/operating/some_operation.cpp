@@ -1,5 +1,6 @@
 #include "tests/ui/screens/operating/some_operation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -47,20 +48,32 @@ void NotedScenes::draw_behind(const Scene& scene, const Camera& seen_from,
   stereo = setting;
 }
 
-OperableCourse::OperableCourse(const std::string& scenario, double edge_mm) {
+OperableCourse::OperableCourse(const std::string& scenario, double edge_mm, std::string vfs_name)
+    : vfs_name_(std::move(vfs_name)) {
   database::AdministratorDesk desk = course_.administrator();
   version_ = desk.import_scenario({scenario + "_coarse", 1, coarse_text(scenario, edge_mm), false});
   desk.publish_scenario(version_);
 }
 
-std::shared_ptr<Visit> OperableCourse::visit_of_ada() { return visit_of(course_, "ada"); }
+std::shared_ptr<Visit> OperableCourse::visit_of_ada() {
+  database::OpenOptions options;
+  options.vfs_name = vfs_name_;
+  return visit_of(course_, "ada", options);
+}
 
 database::AttemptHeader OperableCourse::attempt() {
+  EXPECT_EQ(database::list_attempts(course_.database()).size(), 1U);
+  return newest_attempt();
+}
+
+database::AttemptHeader OperableCourse::newest_attempt() {
   // Whoever opens the file sees what became of attempts whose writer is gone.
   database::Database again = database::Database::open(course_.database().directory());
   const std::vector<database::AttemptHeader> all = database::list_attempts(again);
-  EXPECT_EQ(all.size(), 1U);
-  return all.empty() ? database::AttemptHeader{} : all.front();
+  const auto newest = std::ranges::max_element(
+      all, {}, [](const database::AttemptHeader& each) { return each.started_utc; });
+  EXPECT_NE(newest, all.end());
+  return newest == all.end() ? database::AttemptHeader{} : *newest;
 }
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,

@@ -30,20 +30,25 @@ class NotedScenes : public NoScenePainter {
   StereoSetting stereo;
 };
 
-/// A course in which a coarse patient of a shipped scenario is published.
+/// A course in which a coarse patient of a shipped scenario is published. Ada comes through SQLite's file system
+/// `vfs_name`, where it names one.
 class OperableCourse {
  public:
-  explicit OperableCourse(const std::string& scenario, double edge_mm = 1.5);
+  explicit OperableCourse(const std::string& scenario, double edge_mm = 1.5,
+                          std::string vfs_name = {});
 
   database::SomeCourse& course() noexcept { return course_; }
   database::ScenarioVersionId version() const noexcept { return version_; }
   std::shared_ptr<Visit> visit_of_ada();
   /// The one attempt there is, as it is stored now.
   database::AttemptHeader attempt();
+  /// Where there are several.
+  database::AttemptHeader newest_attempt();
 
  private:
   database::SomeCourse course_;
   database::ScenarioVersionId version_;
+  std::string vfs_name_;
 };
 
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for the one that notes;
@@ -67,6 +72,7 @@ class Operator {
   void close() { shell_.reset(); }
 
   Driver& driver() noexcept { return *driver_; }
+  const Driver& driver() const noexcept { return *driver_; }
   const Shell& shell() const noexcept { return *shell_; }
   Shell& shell() noexcept { return *shell_; }
 

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""What happens to the window while somebody saws: it loses the keyboard, it is asked to close, its display goes away.
+
+usage: operate_hard_times_check.py HALLUX [PICTURE_FOLDER]
+"""
+
+import ctypes
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from hard_times_check import lose_display, window_of
+from operate_check import PASSWORD, PATIENCE_S, begin, come_in, recorded_ticks, rows_of
+from window_check import Person, start_display, wait_until
+
+
+def is_shown(person, name):
+    return lambda: person.widgets().get(name, {}).get("enabled")
+
+
+def start_the_saw(person, place):
+    person.press_slowly("3", *["Prior"] * 3, "space")
+    so_far = recorded_ticks(place)
+    wait_until("a second with the saw on", lambda: recorded_ticks(place) >= so_far + 1000, PATIENCE_S)
+
+
+def lose_the_keyboard(person, number, take_picture):
+    """Where no desktop runs, a window that is taken off the display loses the keyboard."""
+    person.xdotool("windowunmap", "--sync", number)
+    time.sleep(0.5)
+    person.xdotool("windowmap", "--sync", number)
+    person.xdotool("windowfocus", "--sync", number)
+    wait_until("the pause", is_shown(person, "operate.go_on"), PATIENCE_S)
+    take_picture("keyboard-lost")
+    person.click("operate.go_on")
+    wait_until("the end of the pause", lambda: "operate.go_on" not in person.widgets(), PATIENCE_S)
+
+
+class ClientMessage(ctypes.Structure):
+    """XClientMessageEvent of Xlib, filled up to the size of XEvent."""
+    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
+                ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong), ("format", ctypes.c_int),
+                ("data", ctypes.c_long * 5), ("pad", ctypes.c_long * 24)]
+
+
+def send_close(display_name, number):
+    """What a window manager sends when somebody presses the cross: WM_DELETE_WINDOW."""
+    client_message = 33
+    xlib = ctypes.CDLL("libX11.so.6")
+    xlib.XOpenDisplay.restype = ctypes.c_void_p
+    xlib.XInternAtom.restype = ctypes.c_ulong
+    xlib.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
+    xlib.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long, ctypes.c_void_p]
+    xlib.XCloseDisplay.argtypes = [ctypes.c_void_p]
+    display = xlib.XOpenDisplay(display_name.encode())
+    message = ClientMessage(type=client_message, window=number, format=32)
+    message.message_type = xlib.XInternAtom(display, b"WM_PROTOCOLS", 0)
+    message.data[0] = xlib.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
+    xlib.XSendEvent(display, number, 0, 0, ctypes.byref(message))
+    xlib.XCloseDisplay(display)
+
+
+def ask_to_close(person, window, number, take_picture):
+    """As the desktop does for its cross: the window stays, and says why."""
+    send_close(person.environment["DISPLAY"], int(number))
+    wait_until("the reason", lambda: any(name.startswith("message.") for name in person.widgets()), PATIENCE_S)
+    take_picture("close-refused")
+    if window.poll() is not None:
+        sys.exit(f"the window ended with {window.returncode} while an attempt was recorded")
+
+
+def check_kept(program, place, ticks_before):
+    """Whoever opens the course next marks the attempt as interrupted; not more than 0.6 s of it are lost."""
+    subprocess.run([program, "--as", "admin-1", "--data", str(place / "course"), "attempts"], check=True, text=True,
+                   input=PASSWORD + "\n", stdout=subprocess.DEVNULL)
+    states = rows_of(place, "SELECT state FROM attempt")
+    if states != [("interrupted",)] or recorded_ticks(place) < ticks_before:
+        sys.exit(f"kept: {states}, {recorded_ticks(place)} ticks after {ticks_before}")
+    print(f"operating in hard times: {recorded_ticks(place)} ticks kept of an attempt whose display was lost")
+
+
+def operate(person, place, window, server, take_picture):
+    come_in(person)
+    begin(person, take_picture)
+    number = window_of(person)
+    start_the_saw(person, place)
+    lose_the_keyboard(person, number, take_picture)
+    start_the_saw(person, place)
+    ask_to_close(person, window, number, take_picture)
+    ticks = recorded_ticks(place)
+    lose_display(server, window)
+    return ticks
+
+
+def main():
+    program = sys.argv[1]
+    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    server, display = start_display("1440x900x24")
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        environment = dict(os.environ, DISPLAY=display)
+        window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                  env=environment, stderr=subprocess.PIPE, text=True)
+
+        def take_picture(name):
+            if pictures:
+                time.sleep(1.0)
+                subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
+
+        try:
+            ticks = operate(Person(place / "map.json", environment), place, window, server, take_picture)
+            check_kept(program, place, ticks)
+        finally:
+            if window.poll() is None:
+                window.kill()
+            window.wait()
+            if server.poll() is None:
+                server.terminate()
+                server.wait()
+    print("operating in hard times: passed")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,87 @@
+#include "ui/jobs/live_attempt.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/ui/screens/operating/some_operation.h"
+#include "ui/screens/operating/operation_work.h"
+
+namespace hallux::ui {
+namespace {
+
+using simulator::ToolSample;
+using simulator::ToolStatus;
+
+constexpr std::int64_t lost_tick = 300, found_tick = 900, end_tick = 1400;
+
+/// Held still with the saw running; it does not answer for a while.
+class LooseCable final : public simulator::HapticDevice {
+ public:
+  explicit LooseCable(const RigidTransform& world_from_handle) : pose_(world_from_handle) {}
+  simulator::DeviceDescription description() const override { return {"Loose cable", "mouse"}; }
+  bool exchange(const Vec3&, std::int64_t tick,
+                simulator::RawDeviceState& state) noexcept override {
+    if (tick >= lost_tick && tick < found_tick) return false;
+    state = {pose_, static_cast<std::uint32_t>(simulator::Switch::SawRuns)};
+    return true;
+  }
+
+ private:
+  RigidTransform pose_;
+};
+
+template <typename Condition>
+bool soon(Condition&& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
+  OperableCourse course("silver");
+  const std::shared_ptr<Visit> visit = course.visit_of_ada();
+  const auto table = visit->in_turn([&](database::Session&, database::Database& database) {
+    const database::ScenarioText text = database::get_scenario_version(database, course.version());
+    return std::make_shared<const OperatingTable>(
+        lay_table(scenarios::parse_scenario(text.json, text.name),
+                  [](const std::string&) { return std::function<bool(double)>(); }));
+  });
+  LiveBegin what;
+  what.scenario = course.version();
+  what.person = visit->person().id;
+  const std::unique_ptr<LiveAttempt> live =
+      begin_operation(*visit, table, what, std::make_unique<LooseCable>(start_pose(*table)));
+  bool was_said = false;
+  ASSERT_TRUE(soon([&] {
+    const simulator::LoopView& view = live->view();
+    was_said = was_said || has(view.sample.status, ToolStatus::Faulted);
+    return view.sample.tick > end_tick;
+  }));
+  EXPECT_TRUE(was_said);
+  live->finish();
+  ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
+  EXPECT_TRUE(live->end()->is_sealed);
+  EXPECT_EQ(live->end()->failure, LiveFailure::None);
+
+  const simulator::Recording kept = course.course().trainee("ada").recording(live->attempt());
+  for (const ToolSample& sample : kept.samples) {
+    const bool is_lost = sample.tick >= lost_tick + 3 && sample.tick < found_tick - 3;
+    const bool is_there =
+        sample.tick > 20 && (sample.tick < lost_tick - 3 || sample.tick > found_tick + 20);
+    if (is_lost) {
+      ASSERT_TRUE(has(sample.status, ToolStatus::Faulted)) << sample.tick;
+      ASSERT_FALSE(has(sample.status, ToolStatus::SawOn)) << sample.tick;
+    }
+    if (is_there) {
+      ASSERT_FALSE(has(sample.status, ToolStatus::Faulted)) << sample.tick;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hallux::ui

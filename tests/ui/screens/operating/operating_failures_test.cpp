@@ -1,0 +1,212 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "database/recordings.h"
+#include "database/verify.h"
+#include "tests/support/faulty_vfs.h"
+#include "tests/ui/screens/operating/full_memory.h"
+#include "tests/ui/screens/operating/some_operation.h"
+#include "tests/ui/screens/some_visitor.h"
+#include "ui/screens/replay/replay_screen.h"
+
+namespace hallux::ui {
+namespace {
+
+using database::AttemptKind;
+using database::AttemptState;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr auto saw_bit = static_cast<std::uint32_t>(simulator::ToolStatus::SawOn);
+
+InputEvent event_of(EventKind kind, Point position = {}) {
+  InputEvent event;
+  event.kind = kind;
+  event.position = position;
+  return event;
+}
+
+/// The words of the whole frame, whatever lines they were broken into.
+std::string words_of(const Operator& person) {
+  std::string words;
+  for (const SeenText& text : person.driver().content().texts) words += text.text + " ";
+  return words;
+}
+
+struct Failure {
+  int code;
+  const char* words;
+};
+
+class StorageFailsWhileOperating : public testing::TestWithParam<Failure> {};
+
+TEST_P(StorageFailsWhileOperating, TheAttemptEndsInterruptedAndNothingBeforeIsLost) {
+  tests::FaultyVfs vfs{"while_operating"};
+  OperableCourse course("silver", 1.5, vfs.name());
+  const database::AttemptId older = course.course().recorded_by("ada");
+  const simulator::Recording before = course.course().trainee("ada").recording(older);
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  const int writes_at_start = vfs.writes_done();
+  ASSERT_TRUE(person.until([&] { return vfs.writes_done() > writes_at_start + 10; }))
+      << "nothing is recorded";
+  person.press(Key::Space);
+  vfs.fail_after(0, GetParam().code);
+  ASSERT_TRUE(person.until([&] { return person.driver().sees("The operation stopped"); }));
+  EXPECT_THAT(words_of(person), HasSubstr(GetParam().words));
+  EXPECT_THAT(words_of(person), HasSubstr("kept as an interrupted attempt"));
+  EXPECT_THAT(person.driver().faults(), IsEmpty());
+  EXPECT_TRUE(person.shell().top()->why_not_leave().empty()) << "nothing is recorded any more";
+  vfs.heal();
+
+  const database::AttemptHeader header = course.newest_attempt();
+  EXPECT_EQ(header.state, AttemptState::Interrupted);
+  EXPECT_NE(header.id.text, older.text);
+  const simulator::Recording kept = course.course().trainee("ada").recording(header.id);
+  EXPECT_FALSE(kept.samples.empty());
+  EXPECT_EQ(kept.tape.size(), kept.samples.size());
+  EXPECT_TRUE(database::is_same(course.course().trainee("ada").recording(older), before));
+  EXPECT_TRUE(database::verify(course.course().database()).is_whole());
+
+  person.click("operate.see_kept");
+  EXPECT_TRUE(person.is_gone());
+  EXPECT_THAT(person.places.asked, ElementsAre("replay " + header.id.text + " at 0.000000"));
+  SomeVisitor looking(
+      std::make_unique<ReplayScreen>(visit_of(course.course(), "ada"), header.id, 0.0));
+  EXPECT_TRUE(looking.driver().has("replay.view"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Operating, StorageFailsWhileOperating,
+                         testing::Values(Failure{SQLITE_FULL, "The disk is full"},
+                                         Failure{SQLITE_READONLY, "read-only"},
+                                         Failure{SQLITE_IOERR_WRITE, "check the disk"}));
+
+TEST(OperatingFailures, ADiskThatIsFullBeforeItBeginsIsSaidAndAnAttemptCanBeBegunLater) {
+  tests::FaultyVfs vfs{"before_it_begins"};
+  OperableCourse course("silver", 1.5, vfs.name());
+  {
+    Operator person(course, AttemptKind::Practice);
+    vfs.fail_after(0, SQLITE_FULL);
+    person.press(Key::Enter);
+    ASSERT_TRUE(person.until([&] { return person.driver().sees("The operation stopped"); }));
+    EXPECT_THAT(words_of(person), HasSubstr("the disk is full"));
+    EXPECT_FALSE(person.driver().has("operate.see_kept"));
+    EXPECT_THAT(person.driver().faults(), IsEmpty());
+    vfs.heal();
+  }
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+}
+
+TEST(OperatingFailures, MemoryThatRunsOutEndsTheAttemptInterruptedAndSaysSo) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  const auto recorded = [&] {
+    return course.course().trainee("ada").recording(course.newest_attempt().id).samples.size();
+  };
+  ASSERT_TRUE(person.until([&] { return recorded() >= 500; }));
+  {
+    const tests::FullMemory full(4096);
+    ASSERT_TRUE(person.until([&] { return person.driver().sees("The operation stopped"); }));
+  }
+  EXPECT_THAT(words_of(person), HasSubstr("The memory is full"));
+  EXPECT_THAT(words_of(person), HasSubstr("kept as an interrupted attempt"));
+  EXPECT_THAT(person.driver().faults(), IsEmpty());
+  EXPECT_EQ(course.attempt().state, AttemptState::Interrupted);
+  EXPECT_GE(recorded(), 500U);
+}
+
+/// Practice in which the saw runs in the air, led by the pointer.
+class WithTheSawRunning : public testing::Test {
+ protected:
+  WithTheSawRunning() {
+    person.begin();
+    move_to({600.0F, 500.0F});
+    move_to({620.0F, 500.0F});
+    person.press(Key::Space);
+    EXPECT_TRUE(person.until([&] { return person.scenes.saw->is_running; }));
+  }
+
+  void move_to(Point place) {
+    person.driver().send({event_of(EventKind::PointerMoved, place)});
+    person.make_frames(3);
+  }
+
+  /// The saw is off by the record, the loop is paused by the operator, and the screen says why.
+  void expect_interrupted(const char* words) {
+    EXPECT_TRUE(person.driver().sees("Paused"));
+    EXPECT_TRUE(person.driver().sees(words));
+    EXPECT_THAT(person.driver().faults(), IsEmpty());
+    EXPECT_TRUE(person.until([&] { return !person.scenes.saw->is_running; }));
+    person.press(Key::P);
+    EXPECT_FALSE(person.driver().sees("Paused"));
+    for (int frame = 0; frame < 20; ++frame) {
+      person.until([frame_before = person.scenes.pictures, this] {
+        return person.scenes.pictures > frame_before;
+      });
+      EXPECT_FALSE(person.scenes.saw->is_running) << "it does not start by itself";
+    }
+    person.close();
+    const simulator::Recording kept = course.course().trainee("ada").recording(course.attempt().id);
+    ASSERT_FALSE(kept.samples.empty());
+    EXPECT_EQ(kept.samples.back().status & saw_bit, 0U);
+  }
+
+  OperableCourse course{"silver"};
+  Operator person{course, AttemptKind::Practice};
+};
+
+TEST_F(WithTheSawRunning, AWindowThatLosesTheKeyboardPauses) {
+  person.driver().send({event_of(EventKind::FocusLost)});
+  person.make_frames(2);
+  expect_interrupted("Another window has the keyboard");
+}
+
+TEST_F(WithTheSawRunning, APointerThatLeavesTheWindowPauses) {
+  person.driver().send({event_of(EventKind::PointerLeft)});
+  person.make_frames(2);
+  expect_interrupted("The pointer left the window");
+}
+
+TEST_F(WithTheSawRunning, AListOverThePicturePauses) {
+  person.press(Key::F1);
+  person.make_frames(2);
+  person.press(Key::Escape);
+  expect_interrupted("Something lay over the picture");
+}
+
+TEST_F(WithTheSawRunning, AWindowThatStoodStillPauses) {
+  person.driver().frame(2.0);
+  person.make_frames(2);
+  expect_interrupted("The window stood still");
+}
+
+TEST_F(WithTheSawRunning, GoOnIsAButtonToo) {
+  person.driver().send({event_of(EventKind::FocusLost)});
+  person.make_frames(2);
+  person.click("operate.go_on");
+  EXPECT_FALSE(person.driver().sees("Paused"));
+}
+
+TEST_F(WithTheSawRunning, APointerThatLeavesWithTheSawOffDisturbsNobody) {
+  person.press(Key::Space);
+  person.driver().send({event_of(EventKind::PointerLeft)});
+  person.make_frames(2);
+  EXPECT_FALSE(person.driver().sees("Paused"));
+}
+
+TEST_F(WithTheSawRunning, TheWindowIsNotClosedAndSaysWhy) {
+  EXPECT_FALSE(person.shell().may_leave(person.driver().ui()));
+  EXPECT_FALSE(person.shell().may_leave(person.driver().ui()));
+  person.make_frames(2);
+  EXPECT_TRUE(person.driver().sees("still being recorded"));
+  EXPECT_TRUE(person.driver().has("message.1.close"));
+  EXPECT_FALSE(person.driver().has("message.0.close")) << "said twice, it stands there once";
+  EXPECT_THAT(person.driver().faults(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace hallux::ui
