@@ -1,0 +1,130 @@
+#include "tests/ui/screens/operating/steady_hand.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "simulator/device/mouse.h"
+#include "ui/screens/operating/steering.h"
+
+namespace hallux::ui {
+
+namespace {
+
+/// Of the screen: a right drag's turn, a notch's depth, a key's turn.
+constexpr double turn_rad_per_pixel = 0.0045, depth_mm_per_notch = 1.0, key_turn_rad = 0.0175;
+constexpr double near_mm = 1.5, near_rad = 0.06;  ///< from where Shift is held
+constexpr double good_mm = 0.12, good_rad = 0.005;
+constexpr int rounds_at_most = 16;
+constexpr double settling_s = 0.35;
+
+/// The way from one attitude to another as axis times angle.
+Vec3 turn_between(const Quat& from, const Quat& to) {
+  const Quat way = normalised(to * glm::conjugate(from));
+  const Vec3 axis(way.x, way.y, way.z);
+  return (way.w < 0.0 ? -2.0 : 2.0) * axis;
+}
+
+}  // namespace
+
+SteadyHand::SteadyHand(Operator& person)
+    : person_(person), pointer_(person.driver().ui().display().centre()) {
+  InputEvent moved;
+  moved.kind = EventKind::PointerMoved;
+  send(moved);
+}
+
+const RigidTransform& SteadyHand::world_from_tool() const {
+  return person_.scenes.saw->world_from_tool;
+}
+
+EyeView SteadyHand::eye() const {
+  return Sight{person_.scenes.camera, Viewer{}, person_.driver().ui().display()}.eye();
+}
+
+void SteadyHand::send(InputEvent event) {
+  event.position = pointer_;
+  event.modifiers = modifiers_;
+  person_.driver().send({event});
+  person_.make_frames(2);
+}
+
+void SteadyHand::wait(double seconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  person_.until([&] { return std::chrono::steady_clock::now() > end; });
+}
+
+void SteadyHand::toggle_saw() { person_.press(Key::Space, modifiers_); }
+
+bool SteadyHand::lead_to(const RigidTransform& world_from_wanted) {
+  for (int round = 0; round < rounds_at_most; ++round) {
+    wait(settling_s);
+    const RigidTransform now = world_from_tool();
+    const Vec3 way_mm = world_from_wanted.translation_mm - now.translation_mm;
+    const Vec3 turn_rad = turn_between(now.rotation, world_from_wanted.rotation);
+    std::fprintf(stderr,
+                 "DBG round %d way %.3f %.3f %.3f turn %.4f %.4f %.4f sees %d pointer %.0f %.0f\n",
+                 round, way_mm.x, way_mm.y, way_mm.z, turn_rad.x, turn_rad.y, turn_rad.z,
+                 person_.driver().sees("Paused"), pointer_.x, pointer_.y);
+    if (glm::length(way_mm) < good_mm && glm::length(turn_rad) < good_rad) return true;
+    modifiers_.shift = glm::length(way_mm) < near_mm && glm::length(turn_rad) < near_rad;
+    owed_in_view_mm_ = {0.0, 0.0, 0.0};
+    if (glm::length(turn_rad) >= good_rad) turn(glm::conjugate(eye().world_from_view) * turn_rad);
+    nudge(way_mm);
+    modifiers_.shift = false;
+  }
+  return false;
+}
+
+/// About the view's y and x by a right drag, about its z by keys.
+void SteadyHand::turn(const Vec3& turn_in_view_rad) {
+  const double share = modifiers_.shift ? simulator::fine_share : 1.0;
+  InputEvent event;
+  event.button = MouseButton::Right;
+  event.kind = EventKind::ButtonPressed;
+  send(event);
+  const double pixel_rad = share * turn_rad_per_pixel;
+  pointer_.x += static_cast<float>(std::round(turn_in_view_rad.y / pixel_rad));
+  pointer_.y += static_cast<float>(std::round(turn_in_view_rad.x / pixel_rad));
+  event.kind = EventKind::PointerMoved;
+  send(event);
+  event.kind = EventKind::ButtonReleased;
+  send(event);
+  const auto presses = std::lround(std::abs(turn_in_view_rad.z) / (share * key_turn_rad));
+  for (long press = 0; press < presses; ++press) {
+    person_.press(turn_in_view_rad.z > 0.0 ? Key::PageUp : Key::PageDown,
+                  {.shift = modifiers_.shift, .control = true});
+  }
+  // What was held with the keys is held no more.
+  event.kind = EventKind::PointerMoved;
+  send(event);
+}
+
+void SteadyHand::nudge(const Vec3& way_in_world_mm) {
+  const EyeView seen = eye();
+  owed_in_view_mm_ += glm::conjugate(seen.world_from_view) * way_in_world_mm;
+  const double share = modifiers_.shift ? simulator::fine_share : 1.0;
+  const Rect display = person_.driver().ui().display();
+  const Vec3& tip_mm = world_from_tool().translation_mm;
+  const Vec3 place = place_in_picture(seen, tip_mm);
+  const Vec3 aside_mm(1.0, 1.0, 0.0);
+  const Vec3 there = place_in_picture(seen, tip_mm + seen.world_from_view * aside_mm);
+  const Vec2 pixels_per_mm(display.w * (there.x - place.x), display.h * (place.y - there.y));
+  const Vec2 pixels(std::round(owed_in_view_mm_.x * pixels_per_mm.x / share),
+                    std::round(owed_in_view_mm_.y * pixels_per_mm.y / share));
+  const double notches = std::round(-owed_in_view_mm_.z / (share * depth_mm_per_notch));
+  owed_in_view_mm_ -= share * Vec3(pixels.x / pixels_per_mm.x, pixels.y / pixels_per_mm.y,
+                                   -notches * depth_mm_per_notch);
+  InputEvent event;
+  if (pixels != Vec2(0.0, 0.0)) {
+    pointer_.x += static_cast<float>(pixels.x);
+    pointer_.y -= static_cast<float>(pixels.y);
+    event.kind = EventKind::PointerMoved;
+    send(event);
+  }
+  if (notches == 0.0) return;
+  event.kind = EventKind::Wheel;
+  event.wheel = static_cast<float>(notches);
+  send(event);
+}
+
+}  // namespace hallux::ui
