@@ -7,6 +7,7 @@
 
 #include "assessment/ledger.h"
 #include "assessment/number_text.h"
+#include "assessment/shown_points.h"
 
 namespace hallux::assessment {
 
@@ -75,10 +76,16 @@ std::string metric_clause(const RubricItem& item, const Measurement& measurement
   return text + direction_clause(*wording, measurement) + detail;
 }
 
-std::string loss_clause(const LedgerLine& line) {
-  if (line.points_lost_milli == 0) return "all " + points_text(line.weight_milli) + " points";
-  return points_text(line.points_lost_milli) + " of " + points_text(line.weight_milli) +
-         " points lost";
+/// A line with its points as they are said.
+struct SaidLine {
+  const LedgerLine& line;
+  const ShownLine& shown;
+};
+
+std::string loss_clause(const SaidLine& said) {
+  const std::string possible = points_text(said.shown.possible_milli);
+  if (said.line.points_lost_milli == 0) return "all " + possible + " points";
+  return lost_points_text(said.line, said.shown) + " of " + possible + " points lost";
 }
 
 std::string target_clause(const RubricItem& item) {
@@ -101,22 +108,24 @@ std::string subject_prefix(const Scenario& scenario, const RubricItem& item) {
   return "";
 }
 
-std::string item_sentence(const Scenario& scenario, const RubricItem& item, const LedgerLine& line,
+std::string item_sentence(const Scenario& scenario, const RubricItem& item, const SaidLine& said,
                           const Measurement& measurement) {
+  const LedgerLine& line = said.line;
   const std::string prefix = subject_prefix(scenario, item);
   if (!line.is_measured) {
     return prefix + item.title +
-           " could not be measured because the cut was not made: " + loss_clause(line) + ".";
+           " could not be measured because the cut was not made: " + loss_clause(said) + ".";
   }
   const bool is_unfinished = measurement.done_fraction < 1.0;
   const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
   const std::string unfinished =
       is_unfinished ? "Unfinished cut (" + done + " sawn, so " + done + " of the points). " : "";
   return prefix + unfinished + metric_clause(item, measurement, line.points_lost_milli > 0) + " " +
-         target_clause(item) + ": " + loss_clause(line) + ".";
+         target_clause(item) + ": " + loss_clause(said) + ".";
 }
 
-std::string damping_sentence(const LedgerLine& line) {
+std::string damping_sentence(const SaidLine& said) {
+  const LedgerLine& line = said.line;
   const std::string reached = number_text(100.0 * line.value, 0) + " %";
   const std::string needed = number_text(100.0 * line.target, 0) + " %";
   if (line.points_lost_milli == 0) {
@@ -124,8 +133,7 @@ std::string damping_sentence(const LedgerLine& line) {
            " needed), so efficiency counts in full.";
   }
   return "Accuracy reached " + reached + " of its points; below " + needed +
-         " efficiency counts less: " + points_text(line.points_lost_milli) + " of " +
-         points_text(line.weight_milli) + " points lost.";
+         " efficiency counts less: " + loss_clause(said) + ".";
 }
 
 /// "Title: 1.50 mm (limit 1 mm)", or of a claim the title alone.
@@ -135,11 +143,12 @@ std::string gate_finding(const Gate& gate, double value) {
          short_number_text(gate.limit) + " " + gate.unit + ")";
 }
 
-std::string gate_sentence(const Gate& gate, const LedgerLine& line) {
+std::string gate_sentence(const Gate& gate, const SaidLine& said) {
+  const LedgerLine& line = said.line;
   const std::string head =
       gate_finding(gate, line.value) + ", so the score is capped at " + points_text(gate.cap_milli);
   if (line.points_lost_milli == 0) return head + "; it was not above that.";
-  return head + ": " + points_text(line.points_lost_milli) + " points lost.";
+  return head + ": " + lost_points_text(line, said.shown) + " points lost.";
 }
 
 std::string gate_text(const GateResult& result, const Gate& gate, bool is_measured) {
@@ -153,21 +162,22 @@ std::string gate_text(const GateResult& result, const Gate& gate, bool is_measur
   return value + ", within the limit of " + limit + ".";
 }
 
-void explain_line(LedgerLine& line, const Scenario& scenario,
+void explain_line(LedgerLine& line, const ShownLine& shown, const Scenario& scenario,
                   std::span<const Measurement> measurements) {
+  const SaidLine said{line, shown};
   if (line.kind == LedgerKind::Damping) {
-    line.text = damping_sentence(line);
+    line.text = damping_sentence(said);
     return;
   }
   for (const Gate& gate : scenario.rubric.gates) {
     if (line.kind == LedgerKind::Gate && gate.name == line.item) {
-      line.text = gate_sentence(gate, line);
+      line.text = gate_sentence(gate, said);
     }
   }
   for (const RubricItem& item : scenario.rubric.items) {
     if (line.kind != LedgerKind::Metric || item.id != line.item) continue;
     const Measurement* measurement = find_measurement(measurements, item);
-    if (measurement != nullptr) line.text = item_sentence(scenario, item, line, *measurement);
+    if (measurement != nullptr) line.text = item_sentence(scenario, item, said, *measurement);
   }
 }
 
@@ -192,7 +202,9 @@ void choose_sentences(ScoreCard& card) {
 }  // namespace
 
 void explain(ScoreCard& card, const Scenario& scenario, std::span<const Measurement> measurements) {
-  for (LedgerLine& line : card.ledger) explain_line(line, scenario, measurements);
+  const ShownPoints shown = shown_points(card);
+  for (std::size_t line = 0; line < card.ledger.size(); ++line)
+    explain_line(card.ledger[line], shown.lines[line], scenario, measurements);
   for (std::size_t index = 0; index < card.gates.size(); ++index) {
     const Gate& gate = scenario.rubric.gates[index];
     const Measurement* measurement = find_measurement(measurements, gate);

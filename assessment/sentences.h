@@ -1,4 +1,5 @@
-/// One plain sentence with numbers for each line of a ledger, and the three that matter most.
+/// One plain sentence with numbers for each line of a ledger, and the three that matter most. Their points are those that
+/// are shown, of 100 (see shown_points.h).
 #pragma once
 
 #include <span>

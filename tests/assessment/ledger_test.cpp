@@ -6,6 +6,8 @@
 #include <numeric>
 #include <string>
 
+#include "tests/assessment/any_card.h"
+
 namespace hallux::assessment {
 namespace {
 
@@ -15,36 +17,6 @@ using database::ScoreCard;
 using scenarios::Gate;
 using scenarios::Rubric;
 using scenarios::RubricItem;
-
-RubricItem item(const std::string& id, const std::string& group, std::int64_t weight_milli) {
-  RubricItem made;
-  made.id = id;
-  made.group = group;
-  made.metric = id + "_mm";
-  made.cut = "cut";
-  made.unit = "mm";
-  made.weight_milli = weight_milli;
-  made.zero = 1.0;
-  return made;
-}
-
-Gate gate(const std::string& metric, double limit, std::int64_t cap_milli) {
-  Gate made;
-  made.name = "gate " + metric;
-  made.metric = metric;
-  made.cut = "cut";
-  made.limit = limit;
-  made.cap_milli = cap_milli;
-  return made;
-}
-
-Measurement measured(const std::string& metric, double value) {
-  Measurement made;
-  made.metric = metric;
-  made.cut = "cut";
-  made.value = value;
-  return made;
-}
 
 /// Accuracy 60, efficiency 40; a value of v loses the share v of its item.
 Rubric two_groups() {
@@ -150,31 +122,6 @@ TEST(Ledger, ScalingGivesTheRestToTheLargestRemainders) {
   const std::vector<std::int64_t> thirds{1, 1, 1, 0};
   const std::vector<std::int64_t> scaled = scale_to_total(thirds, 100, 3, 100);
   EXPECT_EQ(scaled, (std::vector<std::int64_t>{34, 33, 33, 0}));
-}
-
-double any_value() { return static_cast<double>(*rc::gen::inRange(0, 1500)) / 1000.0; }
-
-/// Weights, measurements and gates of every kind, with what cannot be measured among them.
-ScoreCard any_card() {
-  Rubric rubric;
-  std::vector<Measurement> measurements;
-  for (const std::string group : {"accuracy", "safety", "efficiency"}) {
-    rubric.groups.push_back({group, group, *rc::gen::inRange(0, 50000), ""});
-    for (int count = *rc::gen::inRange(0, 4); count > 0; --count) {
-      const std::string id = group + std::to_string(count);
-      rubric.items.push_back(item(id, group, *rc::gen::inRange(0, 20000)));
-      if (*rc::gen::inRange(0, 4) == 0) continue;
-      measurements.push_back(measured(id + "_mm", any_value()));
-      measurements.back().done_fraction = *rc::gen::inRange(0, 2) == 0 ? 1.0 : any_value() / 1.5;
-      measurements.back().is_measured = *rc::gen::inRange(0, 6) != 0;
-    }
-  }
-  for (int count = *rc::gen::inRange(0, 3); count > 0; --count) {
-    const std::string metric = "gate" + std::to_string(count);
-    rubric.gates.push_back(gate(metric, any_value(), *rc::gen::inRange(0, 100001)));
-    measurements.push_back(measured(metric, any_value()));
-  }
-  return balance(rubric, measurements);
 }
 
 TEST(Ledger, EarnedAndLostAreMeasuredExactly) {

@@ -55,14 +55,14 @@ TEST(Sentences, SayTheNumberTheTargetAndTheLoss) {
   const ScoreCard card = explained(silver_like(), {measured("angle_deg", 4.2, "dorsal")});
   EXPECT_EQ(card.ledger[0].text,
             "The face is tilted 4.2 deg, deepest at its dorsal edge (full points to 1 deg): "
-            "7.3 of 16 points lost.");
+            "45.7 of 100 points lost.");
 }
 
 TEST(Sentences, SayWhatWasRight) {
   const ScoreCard card = explained(silver_like(), {measured("depth_mm", 0.3, "")});
   EXPECT_EQ(card.ledger[0].text,
             "At the depth landmark the face is 0.30 mm from the planned depth (full points to "
-            "0.5 mm): all 10 points.");
+            "0.5 mm): all 100 points.");
 }
 
 TEST(Sentences, TheThreeGreatestLossesComeFirst) {
@@ -80,7 +80,7 @@ TEST(Sentences, SayWhyNothingCouldBeMeasured) {
   absent.is_measured = false;
   const ScoreCard card = explained(silver_like(), {absent});
   EXPECT_EQ(card.sentences.at(0),
-            "Title of A1 could not be measured because the cut was not made: 16 of 16 points "
+            "Title of A1 could not be measured because the cut was not made: 100 of 100 points "
             "lost.");
   const ScoreCard empty = explained(silver_like(), {});
   EXPECT_EQ(empty.sentences.at(0), "Nothing of this attempt could be measured, so its score is 0.");
@@ -108,7 +108,7 @@ TEST(Sentences, AGateSaysItsLimitItsCapAndWhatItTook) {
   const ScoreCard card =
       explained(scenario, {measured("angle_deg", 0.0, ""), measured("past_landmark_mm", 1.4, "")});
   EXPECT_EQ(card.ledger[1].text,
-            "Past the sulcus: 1.40 mm (limit 1 mm), so the score is capped at 59: 6.6 points "
+            "Past the sulcus: 1.40 mm (limit 1 mm), so the score is capped at 59: 41 points "
             "lost.");
   EXPECT_EQ(card.gates[0].text,
             "Past the sulcus: 1.40 mm, above the limit of 1 mm; the score is capped at 59.");
@@ -149,10 +149,10 @@ TEST(Sentences, WithSeveralCutsEachLineSaysWhichItIsAbout) {
   wedge.detail = "15.4 deg were taken out";
   const ScoreCard card = explained(akin_like(), {measured("angle_deg", 0.4, "dorsal"), wedge});
   EXPECT_EQ(card.ledger[0].text,
-            "First cut: The face is tilted 0.4 deg (full points to 1 deg): all 16 points.");
+            "First cut: The face is tilted 0.4 deg (full points to 1 deg): all 57.1 points.");
   EXPECT_EQ(card.ledger[1].text,
             "Lateral hinge: The wedge is 5.4 deg off the planned angle, too large: 15.4 deg were "
-            "taken out (full points to 0.5 deg): 10.7 of 12 points lost.");
+            "taken out (full points to 0.5 deg): 38.2 of 42.9 points lost.");
 }
 
 TEST(Sentences, AMetricOfACutIsNotOneOfAHingeOfTheSameName) {
@@ -169,7 +169,7 @@ TEST(Sentences, AGateOnAClaimHasNoNumber) {
   const Measurement angle = measured("angle_deg", 0.0, "");
   const ScoreCard lost = explained(scenario, {angle, of_hinge("hinge_lost", 1.0)});
   EXPECT_EQ(lost.ledger[1].text,
-            "Lateral cortex cut through, so the score is capped at 69: 5.0 points lost.");
+            "Lateral cortex cut through, so the score is capped at 69: 31 points lost.");
   EXPECT_EQ(lost.gates[0].text, "Lateral cortex cut through: yes; the score is capped at 69.");
   const ScoreCard kept = explained(scenario, {angle, of_hinge("hinge_lost", 0.0)});
   EXPECT_EQ(kept.gates[0].text, "Lateral cortex cut through: no.");

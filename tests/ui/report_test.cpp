@@ -20,7 +20,8 @@ LedgerLine line(const std::string& item, const std::string& text, std::int64_t l
   made.text = text;
   made.unit = "mm";
   made.value = 1.25;
-  made.weight_milli = 16000;
+  made.group = "accuracy";
+  made.weight_milli = 25000;
   made.points_lost_milli = lost_milli;
   made.start_us = 2700000;
   made.end_us = 61000000;
@@ -77,9 +78,18 @@ TEST(Report, CarriesItsMarksWhereverTheScoreIsSeen) {
     EXPECT_NE(text.find("80.0"), std::string::npos);
     EXPECT_NE(text.find("machine score, not confirmed"), std::string::npos);
     EXPECT_NE(text.find("not surgeon-reviewed"), std::string::npos);
-    EXPECT_NE(text.find("partial: measures 50 of 100 points"), std::string::npos);
+    EXPECT_NE(text.find("partial: 50 % of the rubric is measured"), std::string::npos);
     EXPECT_NE(text.find("not measured yet"), std::string::npos);
   }
+}
+
+TEST(Report, WhatIsLostAndTheScoreAreAHundredOnPageAndSheet) {
+  const std::string html = html_report(made_up());
+  EXPECT_NE(html.find("Score 80 + 20 lost = 100 points"), std::string::npos);
+  EXPECT_NE(html.find("<b>80</b> of 100"), std::string::npos);
+  const std::string sheet = score_sheet(made_up());
+  EXPECT_NE(sheet.find("80 of 100\n"), std::string::npos);
+  EXPECT_NE(sheet.find("     -20  The face is tilted."), std::string::npos);
 }
 
 TEST(Report, AReviewedAndWholeScoreHasNoSuchMarks) {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "assessment/number_text.h"
+#include "assessment/shown_points.h"
 #include "simulator/base/embedded.h"
 #include "ui/report/html_text.h"
 #include "ui/report/report_ledger.h"
@@ -56,7 +57,8 @@ std::string header_html(const ReportMaterial& material) {
 }
 
 std::string score_html(const ReportMaterial& material) {
-  const double score = static_cast<double>(material.card.score_milli) / 1000.0;
+  const double score =
+      static_cast<double>(assessment::shown_points(material.card).score_milli) / 1000.0;
   std::string html = "<section class=\"result\"><div class=\"score\"><span class=\"value\">" +
                      assessment::number_text(score, 1) +
                      "</span><span class=\"of\">of 100</span></div>" + groups_html(material) +

@@ -1,6 +1,7 @@
 #include "ui/report/report_ledger.h"
 
 #include "assessment/number_text.h"
+#include "assessment/shown_points.h"
 #include "ui/report/html_text.h"
 
 namespace hallux::ui {
@@ -8,6 +9,9 @@ namespace hallux::ui {
 namespace {
 
 using assessment::points_text;
+using assessment::ShownGroup;
+using assessment::ShownLine;
+using assessment::ShownPoints;
 using database::GateResult;
 using database::GroupScore;
 using database::LedgerKind;
@@ -26,16 +30,16 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return assessment::number_text(100.0 * fraction, 2) + "%";
 }
 
-std::string group_row(const GroupScore& group, const std::string& title) {
+std::string group_row(const GroupScore& group, const ShownGroup& shown, const std::string& title) {
   const bool is_measured = group.measured_milli > 0;
   std::string row = "<div class=\"group\"><span class=\"name\">" + escaped(title) + "</span>";
   row += is_measured ? "<span class=\"bar\"><i style=\"width:" +
-                           percent(group.earned_milli, group.measured_milli) + "\"></i></span>"
+                           percent(shown.earned_milli, shown.possible_milli) + "\"></i></span>"
                      : "<span class=\"bar none\"></span>";
   row += "<span class=\"number\">";
-  row += is_measured ? "<b>" + points_text(group.earned_milli) + "</b> of " +
-                           points_text(group.measured_milli)
-                     : "not measured yet (" + points_text(group.weight_milli) + ")";
+  row += is_measured ? "<b>" + points_text(shown.earned_milli) + "</b> of " +
+                           points_text(shown.possible_milli)
+                     : "not measured yet";
   return row + "</span></div>";
 }
 
@@ -65,39 +69,41 @@ std::string value_cell(const LedgerLine& line) {
   return assessment::value_text(line.value, line.unit);
 }
 
-std::string loss_cell(std::int64_t loss_milli) {
-  return loss_milli == 0 ? "0" : minus_sign + points_text(loss_milli);
+std::string loss_cell(const LedgerLine& line, const ShownLine& shown) {
+  const std::string loss = assessment::lost_points_text(line, shown);
+  return shown.lost_milli == 0 ? loss : minus_sign + loss;
 }
 
-std::string ledger_row(const LedgerLine& line, std::int64_t shown_milli) {
+std::string ledger_row(const LedgerLine& line, const ShownLine& shown) {
   const bool is_gate = line.kind == LedgerKind::Gate;
   std::string row = line.points_lost_milli > 0 ? "<tr class=\"lost\">" : "<tr>";
   row += "<td class=\"item\">" + escaped(is_gate ? "Gate" : line.item) + "</td>";
   row += "<td class=\"text\">" + escaped(line.text) + "</td>";
   row += "<td class=\"number\">" + escaped(value_cell(line)) + "</td>";
   row += "<td class=\"number moment\">" + moment_cell(line) + "</td>";
-  row += "<td class=\"number\">" + loss_cell(line.points_lost_milli) + "</td>";
-  return row + "<td class=\"number\">" + loss_cell(shown_milli) + "</td></tr>";
+  return row + "<td class=\"number\">" + loss_cell(line, shown) + "</td></tr>";
 }
 
-std::string sum_row(const ScoreCard& card) {
-  std::int64_t lost_milli = 0, shown_milli = 0;
-  for (const LedgerLine& line : card.ledger) lost_milli += line.points_lost_milli;
-  for (const std::int64_t shown : card.shown_losses_milli) shown_milli += shown;
-  return "<tr class=\"sum\"><td></td><td class=\"text\">Earned " + points_text(card.earned_milli) +
-         " of the " + points_text(card.measured_milli) + " points that were measured; score " +
-         points_text(card.score_milli) + "</td><td></td><td></td><td class=\"number\">" +
-         loss_cell(lost_milli) + "</td><td class=\"number\">" + loss_cell(shown_milli) +
-         "</td></tr>";
+/// The row that shows that nothing is missing: score and losses are the 100 points.
+std::string sum_row(const ShownPoints& shown) {
+  std::int64_t lost_milli = 0;
+  for (const ShownLine& line : shown.lines) lost_milli += line.lost_milli;
+  const std::string lost = points_text(lost_milli);
+  return "<tr class=\"sum\"><td></td><td class=\"text\">Score " + points_text(shown.score_milli) +
+         " + " + lost + " lost = " + points_text(shown.score_milli + lost_milli) +
+         " points</td><td></td><td></td><td class=\"number\">" +
+         (lost_milli == 0 ? lost : minus_sign + lost) + "</td></tr>";
 }
 
 }  // namespace
 
 std::string groups_html(const ReportMaterial& material) {
+  const ShownPoints shown = assessment::shown_points(material.card);
   std::string html = "<div class=\"groups\">";
   for (std::size_t index = 0; index < material.card.groups.size(); ++index) {
     const GroupScore& group = material.card.groups[index];
-    html += group_row(group, title_of(material.group_titles, index, group.name));
+    html +=
+        group_row(group, shown.groups[index], title_of(material.group_titles, index, group.name));
   }
   return html + "</div>";
 }
@@ -114,21 +120,19 @@ std::string gates_html(const ReportMaterial& material) {
 
 std::string ledger_html(const ReportMaterial& material) {
   const ScoreCard& card = material.card;
+  const ShownPoints shown = assessment::shown_points(card);
   std::string html =
       "<section><h2>Where the points went</h2><table><thead><tr><th>Item</th><th>What was found"
       "</th><th class=\"number\">Value</th><th class=\"number\">Moment</th>"
-      "<th class=\"number\">Points</th><th class=\"number\">Of 100</th></tr></thead><tbody>";
-  for (std::size_t index = 0; index < card.ledger.size(); ++index) {
-    const bool is_shown = index < card.shown_losses_milli.size();
-    html += ledger_row(card.ledger[index], is_shown ? card.shown_losses_milli[index] : 0);
-  }
-  return html + sum_row(card) + "</tbody></table></section>";
+      "<th class=\"number\">Points</th></tr></thead><tbody>";
+  for (std::size_t index = 0; index < card.ledger.size(); ++index)
+    html += ledger_row(card.ledger[index], shown.lines[index]);
+  return html + sum_row(shown) + "</tbody></table></section>";
 }
 
 std::string partial_text(const ScoreCard& card) {
   if (card.measured_milli >= card.rubric_milli) return "";
-  return "partial: measures " + points_text(card.measured_milli) + " of " +
-         points_text(card.rubric_milli) + " points";
+  return "partial: " + assessment::measured_share_text(card) + " of the rubric is measured";
 }
 
 }  // namespace hallux::ui

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assessment/number_text.h"
+#include "assessment/shown_points.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_ledger.h"
 
@@ -11,6 +12,9 @@ namespace hallux::ui {
 namespace {
 
 using assessment::points_text;
+using assessment::ShownGroup;
+using assessment::ShownLine;
+using assessment::ShownPoints;
 using database::GateResult;
 using database::GroupScore;
 using database::LedgerLine;
@@ -64,15 +68,14 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return result + "\n";
 }
 
-std::string group_row(const GroupScore& group, const std::string& title) {
+std::string group_row(const GroupScore& group, const ShownGroup& shown, const std::string& title) {
   std::string row = "  " + padded(printable(title), name_columns);
   if (group.measured_milli == 0) {
-    return row + repeated("\xC2\xB7", bar_columns) + "  not measured yet (" +
-           points_text(group.weight_milli) + " points)\n";
+    return row + repeated("\xC2\xB7", bar_columns) + "  not measured yet\n";
   }
-  const std::int64_t full = group.earned_milli * bar_columns / group.measured_milli;
+  const std::int64_t full = shown.earned_milli * bar_columns / shown.possible_milli;
   return row + repeated("\xE2\x96\x88", full) + repeated("\xE2\x96\x91", bar_columns - full) +
-         "  " + points_text(group.earned_milli) + " of " + points_text(group.measured_milli) + "\n";
+         "  " + points_text(shown.earned_milli) + " of " + points_text(shown.possible_milli) + "\n";
 }
 
 std::string marks_row(const ScoreCard& card) {
@@ -82,14 +85,15 @@ std::string marks_row(const ScoreCard& card) {
   return partial.empty() ? row + "\n" : row + "; " + partial + "\n";
 }
 
-std::string ledger_rows(const ScoreCard& card) {
+std::string ledger_rows(const ScoreCard& card, const ShownPoints& shown) {
   std::string rows;
   for (std::size_t index = 0; index < card.ledger.size(); ++index) {
     const LedgerLine& line = card.ledger[index];
-    const bool is_shown = index < card.shown_losses_milli.size();
-    const std::int64_t shown_milli = is_shown ? card.shown_losses_milli[index] : 0;
-    const std::string loss = shown_milli == 0 ? "0" : "-" + points_text(shown_milli);
-    rows += right_aligned(loss, 8) + "  " + wrapped(printable(line.text), 10);
+    const ShownLine& points = shown.lines[index];
+    const std::string lost = points.lost_milli == 0 && line.points_lost_milli > 0
+                                 ? "< 0.1"
+                                 : points_text(-points.lost_milli);
+    rows += right_aligned(lost, 8) + "  " + wrapped(printable(line.text), 10);
   }
   return rows;
 }
@@ -98,12 +102,13 @@ std::string ledger_rows(const ScoreCard& card) {
 
 std::string score_sheet(const ReportMaterial& material) {
   const ScoreCard& card = material.card;
-  const double score = static_cast<double>(card.score_milli) / 1000.0;
+  const ShownPoints shown = assessment::shown_points(card);
+  const double score = static_cast<double>(shown.score_milli) / 1000.0;
   std::string sheet = printable(material.title) + "\n" + marks_row(card) + "\n";
   sheet += "  Score " + assessment::number_text(score, 1) + " of 100\n\n";
   for (std::size_t index = 0; index < card.groups.size(); ++index) {
     const bool has_title = index < material.group_titles.size();
-    sheet += group_row(card.groups[index],
+    sheet += group_row(card.groups[index], shown.groups[index],
                        has_title ? material.group_titles[index] : card.groups[index].name);
   }
   if (!card.gates.empty()) sheet += "\n";
@@ -111,7 +116,7 @@ std::string score_sheet(const ReportMaterial& material) {
     sheet += std::string("  ") + (gate.is_triggered ? "x " : "- ") +
              wrapped(printable(gate.text.empty() ? gate.name : gate.text), 4);
   }
-  if (!card.ledger.empty()) sheet += "\n  of 100\n" + ledger_rows(card);
+  if (!card.ledger.empty()) sheet += "\n  of 100\n" + ledger_rows(card, shown);
   if (!material.quality.empty()) sheet += "\n  " + wrapped(printable(material.quality), 2);
   return sheet;
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "assessment/number_text.h"
 #include "assessment/pass_mark.h"
+#include "assessment/shown_points.h"
 #include "ui/screens/words.h"
 #include "ui/widgets/charts/axis.h"
 #include "ui/widgets/marks.h"
@@ -79,27 +81,26 @@ bool is_measured(const Scenario& scenario, const scenarios::RubricGroup& group) 
                      [&](const RubricItem& item) { return item.group == group.name; });
 }
 
-/// Whole points without a decimal: weights are round numbers.
-std::string weight_text(std::int64_t milli) {
-  return milli % 1000 == 0 ? std::to_string(milli / 1000) : points_text(milli);
-}
-
-void draw_group(Ui& ui, Rect& rest, const Scenario& scenario, const scenarios::RubricGroup& group) {
+/// The group's line and those of its items, with what they can give of 100 points, as the result will say it.
+void draw_group(Ui& ui, Rect& rest, const Scenario& scenario,
+                const assessment::ShownWeights& weights, std::size_t index) {
+  const scenarios::RubricGroup& group = scenario.rubric.groups[index];
   const Rect line = take_top(rest, 26.0F);
   read_along(ui, "brief.group." + group.name, group.title, line);
-  draw_points(ui, line, group.title, weight_text(group.weight_milli), true);
-  if (!is_measured(scenario, group)) {
+  const bool is_given = is_measured(scenario, group);
+  draw_points(ui, line, group.title, is_given ? points_text(weights.groups_milli[index]) : "",
+              true);
+  if (!is_given) {
     pill(ui, {line.x + ui.width_of(Type::BodyStrong, group.title) + 12.0F, line.mid_y()},
          ui.text("brief.not_measured"), Meaning::Neutral, false);
   }
-  for (const RubricItem& item : scenario.rubric.items) {
-    if (item.group != group.name) continue;
-    draw_points(ui, take_top(rest, 22.0F), item.title, weight_text(item.weight_milli), false);
+  for (std::size_t item = 0; item < scenario.rubric.items.size(); ++item) {
+    if (scenario.rubric.items[item].group != group.name) continue;
+    draw_points(ui, take_top(rest, 22.0F), scenario.rubric.items[item].title,
+                points_text(weights.items_milli[item]), false);
   }
-  if (is_measured(scenario, group) && group.not_measured_milli > 0) {
-    draw_points(ui, take_top(rest, 22.0F), ui.text("brief.not_measured"),
-                weight_text(group.not_measured_milli), false);
-  }
+  if (is_given && group.not_measured_milli > 0)
+    draw_points(ui, take_top(rest, 22.0F), ui.text("brief.group.rest"), "", false);
   take_top(rest, 8.0F);
 }
 
@@ -116,7 +117,7 @@ void draw_gates(Ui& ui, Rect& rest, const Scenario& scenario) {
     ui.canvas().text_in(
         {line.x + 26.0F, line.y, line.w - 26.0F, line.h}, {Type::Small, ui.theme().text_secondary},
         ui.texts().say("brief.gate",
-                       {{"gate", gate.title}, {"points", weight_text(gate.cap_milli)}}),
+                       {{"gate", gate.title}, {"points", assessment::points_text(gate.cap_milli)}}),
         true);
   }
   take_top(rest, 8.0F);
@@ -162,12 +163,12 @@ float draw_steps(Ui& ui, const Rect& rect, const Scenario& scenario) {
 
 float draw_scoring(Ui& ui, const Rect& rect, const Scenario& scenario) {
   Rect rest = endless(rect);
-  for (const scenarios::RubricGroup& group : scenario.rubric.groups) {
-    draw_group(ui, rest, scenario, group);
-  }
+  const assessment::ShownWeights weights = assessment::shown_weights(scenario.rubric);
+  for (std::size_t group = 0; group < scenario.rubric.groups.size(); ++group)
+    draw_group(ui, rest, scenario, weights, group);
   draw_gates(ui, rest, scenario);
   const std::string pass =
-      ui.texts().say("brief.pass", {{"points", weight_text(assessment::pass_milli)}});
+      ui.texts().say("brief.pass", {{"points", assessment::points_text(assessment::pass_milli)}});
   const float height = ui.paragraph_height(Type::Small, pass, rest.w);
   ui.canvas().paragraph(take_top(rest, height, 8.0F), {Type::Small, ui.theme().text_caption}, pass);
   return rest.y - rect.y;

@@ -65,7 +65,7 @@ void bar(Ui& ui, const Rect& rect, float share, Color color) {
 }
 
 void named_bar(Ui& ui, const Rect& line, const NamedBar& named, float name_width) {
-  constexpr float value_width = 44.0F, maximum_width = 36.0F, gap = 16.0F;
+  constexpr float value_width = 44.0F, maximum_width = 46.0F, gap = 16.0F;
   Canvas& canvas = ui.canvas();
   Rect rest = line;
   canvas.text_in(take_left(rest, name_width, gap), {Type::Small, ui.theme().text}, named.name);

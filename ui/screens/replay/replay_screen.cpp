@@ -268,6 +268,7 @@ void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
   }
   const database::ScoreCard& card = *material().card;
   const std::vector<std::size_t> order = lines_by_loss(card);
+  const assessment::ShownPoints shown = assessment::shown_points(card);
   const std::array<TableColumn, 3> columns{{
       {ui.text("result.ledger.item"), 0.0F, 1.0F},
       {ui.text("result.ledger.loss"), 52.0F, 1.0F, Align::Right},
@@ -290,11 +291,8 @@ void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
       own.canvas().text_in(cell, {Type::Small, own.theme().text},
                            item_title(line, &material().scenario), true);
     } else if (column == 1) {
-      const std::int64_t lost = index < card.shown_losses_milli.size()
-                                    ? card.shown_losses_milli[index]
-                                    : line.points_lost_milli;
       own.canvas().text_in(cell, {Type::SmallMedium, own.theme().text, Align::Right},
-                           loss_text(lost));
+                           loss_text(line, shown.lines[index]));
     } else {
       own.canvas().text_in(cell, {Type::SmallMedium, own.theme().accent, Align::Right},
                            clock_text(static_cast<double>(line.start_us) / 1.0e6));

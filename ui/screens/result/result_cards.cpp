@@ -79,18 +79,17 @@ void draw_facts(Ui& ui, Rect rest, const ResultFacts& facts) {
     draw_fact(ui, rest, ui.text("result.machine"), Meaning::Info, points_text(card.score_milli));
   } else if (card.measured_milli < card.rubric_milli) {
     draw_fact(ui, rest, ui.text("result.measured"), Meaning::Warn,
-              ui.texts().say("result.measured.points",
-                             {{"measured", assessed_points(card.measured_milli)},
-                              {"all", assessed_points(card.rubric_milli)}}));
+              ui.texts().say("result.measured.share",
+                             {{"share", assessment::measured_share_text(card)}}));
   }
 }
 
-void draw_group(Ui& ui, const Rect& line, const GroupScore& group, std::string_view title,
-                float name_width) {
-  if (group.measured_milli > 0) {
+void draw_group(Ui& ui, const Rect& line, const assessment::ShownGroup& group,
+                std::string_view title, float name_width) {
+  if (group.possible_milli > 0) {
     const std::string value = points_text(group.earned_milli);
-    const std::string maximum = "/ " + assessed_points(group.measured_milli);
-    named_bar(ui, line, {title, value, maximum, share_of(group.earned_milli, group.measured_milli)},
+    const std::string maximum = "/ " + possible_text(group);
+    named_bar(ui, line, {title, value, maximum, share_of(group.earned_milli, group.possible_milli)},
               name_width);
     return;
   }
@@ -106,8 +105,11 @@ void draw_groups(Ui& ui, Rect rest, const ResultFacts& facts) {
   for (const GroupScore& group : facts.score->card.groups)
     name_width = std::max(name_width, ui.width_of(Type::Small, group_title(group, scenario)));
   name_width = std::min(std::ceil(name_width) + 1.0F, 0.4F * rest.w);
-  for (const GroupScore& group : facts.score->card.groups)
-    draw_group(ui, take_top(rest, bar_step), group, group_title(group, scenario), name_width);
+  const assessment::ShownPoints shown = assessment::shown_points(facts.score->card);
+  for (std::size_t group = 0; group < shown.groups.size(); ++group) {
+    draw_group(ui, take_top(rest, bar_step), shown.groups[group],
+               group_title(facts.score->card.groups[group], scenario), name_width);
+  }
 }
 
 /// One row of what to take away.
@@ -120,8 +122,7 @@ struct Takeaway {
 };
 
 Takeaway takeaway_of(const Texts& texts, const ResultFacts& facts, std::size_t index) {
-  const ScoreCard& card = facts.score->card;
-  const LedgerLine& line = card.ledger[index];
+  const LedgerLine& line = facts.score->card.ledger[index];
   const bool is_loss = line.points_lost_milli > 0;
   Takeaway taken;
   taken.meaning = line.kind == database::LedgerKind::Gate ? Meaning::Bad
@@ -129,12 +130,10 @@ Takeaway takeaway_of(const Texts& texts, const ResultFacts& facts, std::size_t i
                                                           : Meaning::Good;
   taken.head = item_title(line, scenario_of(facts));
   taken.body = line.text;
-  const bool has_shown = index < card.shown_losses_milli.size();
-  taken.right = is_loss
-                    ? texts.say("result.points_lost",
-                                {{"points", points_text(has_shown ? card.shown_losses_milli[index]
-                                                                  : line.points_lost_milli)}})
-                    : std::string(texts.text("result.points_kept"));
+  const assessment::ShownLine shown = assessment::shown_points(facts.score->card).lines[index];
+  taken.right = is_loss ? texts.say("result.points_lost",
+                                    {{"points", assessment::lost_points_text(line, shown)}})
+                        : std::string(texts.text("result.points_kept"));
   if (line.end_us > 0)
     taken.action = texts.say("result.watch",
                              {{"moment", clock_text(static_cast<double>(line.start_us) / 1.0e6)}});

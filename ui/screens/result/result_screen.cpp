@@ -234,7 +234,8 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
   std::string title(ui.text("result.ledger"));
   if (facts().score) {
     std::int64_t lost = 0;
-    for (const std::int64_t each : facts().score->card.shown_losses_milli) lost += each;
+    for (const assessment::ShownLine& each : assessment::shown_points(facts().score->card).lines)
+      lost += each.lost_milli;
     title = ui.texts().say("result.ledger.lost", {{"points", points_text(lost)}});
   }
   Rect inside = card(ui, rect, title);
@@ -254,8 +255,10 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
 void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
   const database::ScoreCard& score = facts().score->card;
   const std::vector<std::size_t> order = lines_by_loss(score);
+  const assessment::ShownPoints shown = assessment::shown_points(score);
   std::int64_t greatest = 1;
-  for (const std::int64_t loss : score.shown_losses_milli) greatest = std::max(greatest, loss);
+  for (const assessment::ShownLine& each : shown.lines)
+    greatest = std::max(greatest, each.lost_milli);
   const bool is_narrow = rect.w < 540.0F;
   const std::array<TableColumn, column_count> columns{{
       {ui.text("result.ledger.item"), 0.0F, 1.0F},
@@ -267,10 +270,8 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
   const auto line_of = [&](int row) -> const LedgerLine& {
     return score.ledger[order[static_cast<std::size_t>(row)]];
   };
-  const auto loss_of = [&](int row) {
-    const std::size_t line = order[static_cast<std::size_t>(row)];
-    return line < score.shown_losses_milli.size() ? score.shown_losses_milli[line]
-                                                  : score.ledger[line].points_lost_milli;
+  const auto shown_of = [&](int row) -> const assessment::ShownLine& {
+    return shown.lines[order[static_cast<std::size_t>(row)]];
   };
   TableSpec spec;
   spec.columns = columns;
@@ -292,10 +293,11 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
       canvas.text_in(cell, {Type::Body, theme.text_caption, Align::Right},
                      target_text(line, scenario()));
     } else if (column == Lost) {
-      canvas.text_in(cell, {Type::BodyStrong, theme.text, Align::Right}, loss_text(loss_of(row)));
-      const float length =
-          loss_bar_width * static_cast<float>(loss_of(row)) / static_cast<float>(greatest);
-      if (!is_narrow && loss_of(row) > 0)
+      const std::int64_t lost = shown_of(row).lost_milli;
+      canvas.text_in(cell, {Type::BodyStrong, theme.text, Align::Right},
+                     loss_text(line, shown_of(row)));
+      const float length = loss_bar_width * static_cast<float>(lost) / static_cast<float>(greatest);
+      if (!is_narrow && lost > 0)
         canvas.fill({cell.right() - 52.0F - length, cell.mid_y() - 3.0F, length, 6.0F},
                     theme.muted_bar, 3.0F);
     } else if (line.end_us == 0 || !line.is_measured) {

@@ -90,10 +90,13 @@ std::string group_title(const database::GroupScore& group, const Scenario* scena
   return group.name;
 }
 
-std::string loss_text(std::int64_t milli) { return milli == 0 ? "0" : minus + points_text(milli); }
+std::string loss_text(const LedgerLine& line, const assessment::ShownLine& shown) {
+  if (shown.lost_milli > 0) return minus + points_text(shown.lost_milli);
+  return line.points_lost_milli > 0 ? "< 0.1" : "0";
+}
 
-std::string assessed_points(std::int64_t milli) {
-  return milli % 1000 == 0 ? std::to_string(milli / 1000) : points_text(milli);
+std::string possible_text(const assessment::ShownGroup& shown) {
+  return assessment::points_text(shown.possible_milli);
 }
 
 std::optional<std::size_t> cut_of(const LedgerLine& line, const Scenario* scenario) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assessment/shown_points.h"
 #include "ui/screens/result/result_material.h"
 #include "ui/widgets/texts.h"
 #include "ui/widgets/theme.h"
@@ -20,11 +21,10 @@ std::string target_text(const database::LedgerLine& line, const scenarios::Scena
 /// The item's title in the scenario; its own name where that is not known.
 std::string item_title(const database::LedgerLine& line, const scenarios::Scenario* scenario);
 std::string group_title(const database::GroupScore& group, const scenarios::Scenario* scenario);
-/// "−3.9"; "0" where nothing was lost.
-std::string loss_text(std::int64_t milli);
-
-/// Points that a rubric gives, without needless decimals: "50", "7.5".
-std::string assessed_points(std::int64_t milli);
+/// "−17.6"; "0" where nothing was lost, "< 0.1" where too little to show.
+std::string loss_text(const database::LedgerLine& line, const assessment::ShownLine& shown);
+/// What a group could have given, without needless decimals: "100", "86.2".
+std::string possible_text(const assessment::ShownGroup& shown);
 
 /// Of which planned cut the line is; nothing where it is about none or several.
 std::optional<std::size_t> cut_of(const database::LedgerLine& line,

@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "assessment/number_text.h"
 #include "tests/ui/screens/some_operation.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_visitor.h"
+#include "ui/screens/result/result_words.h"
 
 namespace hallux::ui {
 namespace {
@@ -57,6 +61,34 @@ TEST(ResultScreen, ATraineeReadsScoreLedgerAndMarks) {
   EXPECT_FALSE(driver.has("result.decide")) << "a trainee decides nothing";
   EXPECT_FALSE(driver.sees("Computed again now")) << "the same score is no difference";
   EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+/// The number of points after these words, in tenths.
+int tenths_after(Driver& driver, const std::string& words) {
+  for (const std::string& text : driver.texts())
+    if (text.starts_with(words))
+      return static_cast<int>(std::lround(10.0 * std::stod(text.substr(words.size()))));
+  ADD_FAILURE() << "no text begins with " << words;
+  return 0;
+}
+
+TEST(ResultScreen, OnePointMeansTheSameInScoreLedgerGroupsAndSentences) {
+  SomeCourse course;
+  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  Reader reader(course, "ada", attempt);
+  Driver& driver = reader.driver();
+  const database::ScoreCard card = course.trainee("ada").score(attempt)->card;
+  ASSERT_LT(card.measured_milli, card.rubric_milli) << "else there is but one scale";
+  const assessment::ShownPoints shown = assessment::shown_points(card);
+  EXPECT_TRUE(driver.sees(points_text(shown.score_milli)));
+  EXPECT_EQ(tenths_after(driver, "Where ") + static_cast<int>(shown.score_milli / 100), 1000);
+  EXPECT_TRUE(driver.sees("/ 86.2")) << "accuracy has 50 of the 58 rubric points measured";
+  EXPECT_TRUE(driver.sees("/ 13.8"));
+  EXPECT_TRUE(driver.sees("58 % of the rubric"));
+  const std::size_t dearest = lines_by_loss(card).front();
+  const std::string lost = assessment::points_text(shown.lines[dearest].lost_milli);
+  EXPECT_THAT(card.ledger[dearest].text, HasSubstr(": " + lost + " of "));
+  EXPECT_TRUE(driver.sees(lost + " points lost"));
 }
 
 TEST(ResultScreen, ALedgerEntryLeadsToItsMomentByMouse) {
