@@ -17,22 +17,29 @@ database::TraineeDesk own_desk(database::Session& session) {
   return *std::move(desk);
 }
 
-/// The score that stands, and whether it passes.
-void judge(OwnAttempt& attempt, const database::ScoreCard& card) {
-  attempt.rubric_version = card.rubric_version;
-  attempt.score_milli = attempt.header.decided_milli.value_or(card.score_milli);
-  attempt.pass = assessment::pass_answer(card, *attempt.score_milli);
+/// With the score that stands, and whether it passes; without where it is void or has none.
+JudgedAttempt judged(database::CourseDesk& desk, database::AttemptHeader header) {
+  JudgedAttempt attempt;
+  attempt.header = std::move(header);
+  const bool counts = attempt.header.state != database::AttemptState::Void;
+  if (!counts || !attempt.header.score_milli) return attempt;
+  if (const auto score = desk.score(attempt.header.id)) {
+    attempt.rubric_version = score->card.rubric_version;
+    attempt.score_milli = attempt.header.decided_milli.value_or(score->card.score_milli);
+    attempt.pass = assessment::pass_answer(score->card, *attempt.score_milli);
+  }
+  return attempt;
 }
 
 OwnOperation standing_in(database::Database& database, database::Operation published,
-                         const std::vector<OwnAttempt>& attempts) {
+                         const std::vector<JudgedAttempt>& attempts) {
   OwnOperation own;
   own.published = std::move(published);
+  own.learning = learning_of(attempts, own.published.name);
   const database::ScenarioText text =
       database::get_scenario_version(database, own.published.scenario);
   try {
     own.scenario = scenarios::parse_scenario(text.json, text.name);
-    own.learning = learning_of(attempts, own.published.name, own.scenario->rubric.version);
   } catch (const scenarios::ScenarioError& error) {
     own.fault = error.what();
   }
@@ -50,23 +57,41 @@ const std::string& OwnOperation::title() const noexcept {
   return scenario ? scenario->title : published.name;
 }
 
-std::vector<OwnAttempt> own_attempts(database::Session& session) {
+std::vector<JudgedAttempt> own_attempts(database::Session& session) {
   database::TraineeDesk desk = own_desk(session);
-  std::vector<OwnAttempt> own;
+  std::vector<JudgedAttempt> own;
   for (database::AttemptHeader& header : desk.attempts()) {
     if (header.begun.person != session.person().id) continue;  // the robot's
-    OwnAttempt& attempt = own.emplace_back();
-    attempt.header = std::move(header);
-    const bool counts = attempt.header.state != database::AttemptState::Void;
-    if (!counts || !attempt.header.score_milli) continue;
-    if (const auto score = desk.score(attempt.header.id)) judge(attempt, score->card);
+    own.push_back(judged(desk, std::move(header)));
   }
   std::reverse(own.begin(), own.end());
   return own;
 }
 
+TraineeProgress trainee_progress(database::InstructorDesk& desk, database::TraineeStanding standing) {
+  std::vector<JudgedAttempt> attempts;
+  for (database::AttemptHeader& header : desk.attempts_of(standing.id)) {
+    // Practice says nothing about competence, and there is much of it.
+    if (header.begun.kind == database::AttemptKind::Assessment)
+      attempts.push_back(judged(desk, std::move(header)));
+  }
+  std::reverse(attempts.begin(), attempts.end());
+  TraineeProgress progress{std::move(standing), {}};
+  for (const database::OperationStanding& operation : progress.standing.operations)
+    progress.learning.push_back(learning_of(attempts, operation.scenario_name));
+  return progress;
+}
+
+std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk,
+                                         std::int32_t attempts_max) {
+  std::vector<TraineeProgress> trainees;
+  for (database::TraineeStanding& standing : desk.trainees(attempts_max))
+    trainees.push_back(trainee_progress(desk, std::move(standing)));
+  return trainees;
+}
+
 std::vector<OwnOperation> own_operations(database::Session& session, database::Database& database) {
-  const std::vector<OwnAttempt> attempts = own_attempts(session);
+  const std::vector<JudgedAttempt> attempts = own_attempts(session);
   std::vector<OwnOperation> operations;
   for (database::Operation& published : own_desk(session).operations()) {
     operations.push_back(standing_in(database, std::move(published), attempts));
@@ -92,13 +117,17 @@ int difficulty_of(const scenarios::Scenario& scenario) noexcept {
   return std::clamp(static_cast<int>(scenario.cuts.size()), 1, 5);
 }
 
-assessment::LearningState learning_of(const std::vector<OwnAttempt>& attempts,
-                                      const std::string& scenario_name,
-                                      std::int32_t rubric_version) {
+assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
+                                      const std::string& scenario_name) {
+  std::int32_t newest_rubric = 0;
+  for (const JudgedAttempt& attempt : attempts) {
+    if (attempt.header.scenario_name == scenario_name)
+      newest_rubric = std::max(newest_rubric, attempt.rubric_version);
+  }
   std::vector<bool> passed;
-  for (const OwnAttempt& attempt : attempts) {
+  for (const JudgedAttempt& attempt : attempts) {
     const database::AttemptHeader& header = attempt.header;
-    if (header.scenario_name == scenario_name && attempt.rubric_version == rubric_version &&
+    if (header.scenario_name == scenario_name && attempt.rubric_version == newest_rubric &&
         header.begun.kind == database::AttemptKind::Assessment &&
         attempt.pass != assessment::PassAnswer::NotDecided) {
       passed.push_back(attempt.pass == assessment::PassAnswer::Reached);

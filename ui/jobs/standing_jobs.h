@@ -1,4 +1,5 @@
-/// How a person stands in the course: the operations that are published with what they are about, and the own attempts.
+/// How people stand in the course: the operations that are published with what they are about, the own attempts, and the
+/// trainees of a cohort.
 #pragma once
 
 #include <optional>
@@ -12,8 +13,8 @@
 
 namespace hallux::ui {
 
-/// One of the person's own attempts, and what it says about them.
-struct OwnAttempt {
+/// An attempt, and what it says about whoever made it.
+struct JudgedAttempt {
   database::AttemptHeader header;
   std::optional<std::int64_t>
       score_milli;  ///< that stands: an instructor's before the machine's; nothing: not scored, or void
@@ -23,7 +24,21 @@ struct OwnAttempt {
 
 /// Oldest first.
 /// errors  DatabaseError: Refused for a person disabled since; storage failures
-std::vector<OwnAttempt> own_attempts(database::Session& session);
+std::vector<JudgedAttempt> own_attempts(database::Session& session);
+
+/// A trainee of a cohort, with how they learn.
+struct TraineeProgress {
+  database::TraineeStanding standing;
+  std::vector<assessment::LearningState> learning;  ///< as the standing's operations
+};
+
+/// needs   the trainee is of the desk's cohort
+/// errors  DatabaseError: Refused; storage failures
+TraineeProgress trainee_progress(database::InstructorDesk& desk, database::TraineeStanding standing);
+
+/// By login, each with at most `attempts_max` of their newest attempts.
+/// errors  DatabaseError: Refused; storage failures
+std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk, std::int32_t attempts_max);
 
 /// A published operation and how the person stands in it.
 struct OwnOperation {
@@ -48,10 +63,10 @@ OwnOperation own_operation(database::Session& session, database::Database& datab
 /// 1 to 5: one for each cut that is to be made. The format says nothing of its own about it yet.
 int difficulty_of(const scenarios::Scenario& scenario) noexcept;
 
-/// How the person learns an operation: by their assessments that were scored with this rubric and pass or do not, see
-/// assessment/learning.h.
-assessment::LearningState learning_of(const std::vector<OwnAttempt>& attempts,
-                                      const std::string& scenario_name,
-                                      std::int32_t rubric_version);
+/// How somebody learns an operation: by their assessments that pass or do not, see assessment/learning.h. The curve is of
+/// the newest rubric that scored any of them: what was declared stands until an attempt is scored by another.
+/// needs   attempts are oldest first
+assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
+                                      const std::string& scenario_name);
 
 }  // namespace hallux::ui

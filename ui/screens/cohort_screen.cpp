@@ -28,10 +28,19 @@ constexpr int idle_days = 14;
 constexpr std::size_t listed_attempts = 6, listed_requests = 4;
 constexpr std::int32_t attempts_read = 5;
 
-const OperationStanding* standing_in(const TraineeStanding& trainee, const std::string& operation) {
-  for (const OperationStanding& standing : trainee.operations)
-    if (standing.scenario_name == operation) return &standing;
-  return nullptr;
+/// How a trainee stands in one operation.
+struct StandingIn {
+  const OperationStanding& results;
+  const assessment::LearningState& learning;
+};
+
+std::optional<StandingIn> standing_in(const TraineeProgress& trainee,
+                                      const std::string& operation) {
+  const std::vector<OperationStanding>& operations = trainee.standing.operations;
+  for (std::size_t index = 0; index < operations.size(); ++index)
+    if (operations[index].scenario_name == operation)
+      return StandingIn{operations[index], trainee.learning[index]};
+  return std::nullopt;
 }
 
 int hue_of(database::PersonId person) noexcept { return static_cast<int>(person.number % 6); }
@@ -73,13 +82,14 @@ CohortScreen::Glance CohortScreen::look(database::Session& session, database::Co
   database::InstructorDesk desk = instructor_of(session, cohort);
   Glance glance;
   glance.cohort = desk.cohort();
-  glance.trainees = desk.trainees(attempts_read);
+  glance.trainees = trainees_of(desk, attempts_read);
   glance.open_requests = desk.help_requests(true);
   glance.now_utc = utc_now_text();
   std::set<std::string> operations;
   for (const database::Operation& operation : trainee_of(session).operations())
     operations.insert(operation.name);
-  for (const TraineeStanding& trainee : glance.trainees) {
+  for (const TraineeProgress& progress : glance.trainees) {
+    const TraineeStanding& trainee = progress.standing;
     const std::string name = shown_name_of(trainee.login, trainee.display_name);
     for (const OperationStanding& standing : trainee.operations) {
       operations.insert(standing.scenario_name);
@@ -103,15 +113,17 @@ std::string CohortScreen::last_seen(const TraineeStanding& trainee) {
   return last;
 }
 
-bool CohortScreen::is_in(const TraineeStanding& trainee, int filter, std::string_view now_utc) {
-  if (filter == Asking) return trainee.open_help_requests > 0;
-  if (filter == Slipped)
-    return std::any_of(trainee.operations.begin(), trainee.operations.end(),
-                       [&](const OperationStanding& standing) {
-                         return competence_of(standing, now_utc) == Competence::Slipped;
-                       });
+bool CohortScreen::is_in(const TraineeProgress& trainee, int filter, std::string_view now_utc) {
+  const std::vector<OperationStanding>& operations = trainee.standing.operations;
+  if (filter == Asking) return trainee.standing.open_help_requests > 0;
+  if (filter == Slipped) {
+    for (std::size_t index = 0; index < operations.size(); ++index)
+      if (competence_of(operations[index], trainee.learning[index], now_utc) == Competence::Slipped)
+        return true;
+    return false;
+  }
   if (filter == Idle) {
-    const std::string last = last_seen(trainee);
+    const std::string last = last_seen(trainee.standing);
     return last.empty() || days_between(last, now_utc) > idle_days;
   }
   return true;
@@ -186,7 +198,7 @@ std::array<std::string, CohortScreen::filter_count> CohortScreen::pill_labels(
   const auto count = [&](int filter) {
     return static_cast<long>(std::count_if(
         glance.trainees.begin(), glance.trainees.end(),
-        [&](const TraineeStanding& trainee) { return is_in(trainee, filter, glance.now_utc); }));
+        [&](const TraineeProgress& trainee) { return is_in(trainee, filter, glance.now_utc); }));
   };
   return {texts.say("cohort.filter.all", {{"count", grouped(count(All))}}),
           texts.say_count("cohort.filter.asking", count(Asking)),
@@ -214,26 +226,26 @@ void CohortScreen::draw_pills(Ui& ui, Rect& page) {
   }
 }
 
-void CohortScreen::sort(std::vector<const TraineeStanding*>& shown, std::size_t operations) const {
+void CohortScreen::sort(std::vector<const TraineeProgress*>& shown, std::size_t operations) const {
   const int column = table_.sort.column;
   if (column < 0) return;
-  const auto key = [&](const TraineeStanding& trainee) -> std::pair<std::int64_t, std::string> {
-    const std::string name = shown_name_of(trainee.login, trainee.display_name);
+  const auto key = [&](const TraineeProgress& trainee) -> std::pair<std::int64_t, std::string> {
+    const std::string name = shown_name_of(trainee.standing.login, trainee.standing.display_name);
     if (column == 0 || static_cast<std::size_t>(column) > operations) return {0, name};
-    const OperationStanding* standing =
+    const auto standing =
         standing_in(trainee, glance_.value().operations[static_cast<std::size_t>(column) - 1]);
-    return {standing == nullptr ? -2 : standing->best_milli.value_or(-1), name};
+    return {standing ? standing->results.best_milli.value_or(-1) : -2, name};
   };
   std::stable_sort(shown.begin(), shown.end(),
-                   [&](const TraineeStanding* a, const TraineeStanding* b) {
+                   [&](const TraineeProgress* a, const TraineeProgress* b) {
                      return table_.sort.is_descending ? key(*b) < key(*a) : key(*a) < key(*b);
                    });
 }
 
 void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   const Glance& glance = glance_.value();
-  std::vector<const TraineeStanding*> shown;
-  for (const TraineeStanding& trainee : glance.trainees)
+  std::vector<const TraineeProgress*> shown;
+  for (const TraineeProgress& trainee : glance.trainees)
     if (is_in(trainee, filter_, glance.now_utc)) shown.push_back(&trainee);
   if (shown.empty()) {
     const bool is_nobody = glance.trainees.empty();
@@ -262,22 +274,24 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   spec.row_height = grid_row;
   spec.label = glance.cohort.name;
   const auto at = [&](int row) -> const TraineeStanding& {
-    return *shown[static_cast<std::size_t>(row)];
+    return shown[static_cast<std::size_t>(row)]->standing;
   };
   spec.row_id = [&](int row) { return at(row).login; };
   spec.row_label = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    if (column == 0) return draw_person_cell(own, at(row), cell);
-    draw_standing_cell(own, at(row), glance.operations[static_cast<std::size_t>(column) - 1], cell);
+    const TraineeProgress& trainee = *shown[static_cast<std::size_t>(row)];
+    if (column == 0) return draw_person_cell(own, trainee, cell);
+    draw_standing_cell(own, trainee, glance.operations[static_cast<std::size_t>(column) - 1], cell);
   };
   const TableResponse response = table(ui, "cohort.row", rest, spec, table_);
   draw_legend(ui, legend);
   if (response.opened) places_.show_trainee(glance.cohort.id, at(*response.opened).id);
 }
 
-void CohortScreen::draw_person_cell(Ui& ui, const TraineeStanding& trainee,
+void CohortScreen::draw_person_cell(Ui& ui, const TraineeProgress& progress,
                                     const Rect& cell) const {
   const Theme& theme = ui.theme();
+  const TraineeStanding& trainee = progress.standing;
   const std::string name = shown_name_of(trainee.login, trainee.display_name);
   avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name), hue_of(trainee.id));
   const bool asks = trainee.open_help_requests > 0;
@@ -285,7 +299,7 @@ void CohortScreen::draw_person_cell(Ui& ui, const TraineeStanding& trainee,
   ui.canvas().text_in({cell.x + 38.0F, cell.mid_y() - 19.0F, room, 20.0F},
                       {Type::BodyMedium, theme.text}, name, true);
   const std::string last = last_seen(trainee);
-  const bool is_idle = is_in(trainee, Idle, glance_.value().now_utc);
+  const bool is_idle = is_in(progress, Idle, glance_.value().now_utc);
   const std::string when = trainee.is_disabled
                                ? std::string(ui.text("people.disabled"))
                                : ago_text(ui.texts(), last, glance_.value().now_utc);
@@ -296,34 +310,36 @@ void CohortScreen::draw_person_cell(Ui& ui, const TraineeStanding& trainee,
                      theme.accent);
 }
 
-void CohortScreen::draw_standing_cell(Ui& ui, const TraineeStanding& trainee,
+void CohortScreen::draw_standing_cell(Ui& ui, const TraineeProgress& trainee,
                                       const std::string& operation, const Rect& cell) const {
   const Theme& theme = ui.theme();
-  const OperationStanding* standing = standing_in(trainee, operation);
-  const Competence competence = standing == nullptr
-                                    ? Competence::NotStarted
-                                    : competence_of(*standing, glance_.value().now_utc);
+  const auto standing = standing_in(trainee, operation);
+  const Competence competence =
+      standing ? competence_of(standing->results, standing->learning, glance_.value().now_utc)
+               : Competence::NotStarted;
   if (competence == Competence::Slipped)
     ui.canvas().fill({cell.x - 4.0F, cell.y + 4.0F, 96.0F, cell.h - 8.0F},
                      tint_of(theme, Meaning::Bad), radius::row);
   draw_competence(ui.canvas(), theme, competence, {cell.x + 10.0F, cell.mid_y()}, 7.5F,
-                  standing == nullptr ? 0.0F : progress_of(*standing));
-  if (standing == nullptr) return;
+                  standing ? progress_of(standing->results, standing->learning) : 0.0F);
+  if (!standing) return;
+  const OperationStanding& results = standing->results;
   // Best and attempts stand at the same place in every row.
   const Rect best{cell.x + 22.0F, cell.y, 32.0F, cell.h};
   const std::string words =
-      standing->best_milli ? std::to_string((*standing->best_milli + 500) / 1000) : "\xE2\x80\x93";
+      results.best_milli ? std::to_string((*results.best_milli + 500) / 1000) : "\xE2\x80\x93";
   ui.canvas().text_in(best, {Type::BodyMedium, theme.text, Align::Right}, words);
   ui.canvas().text_in({best.right() + 6.0F, cell.y, 26.0F, cell.h},
                       {Type::Small, theme.text_caption, Align::Right},
-                      std::to_string(standing->attempts));
+                      std::to_string(results.attempts));
 }
 
 void CohortScreen::draw_legend(Ui& ui, const Rect& line) const {
   const Theme& theme = ui.theme();
   ui.canvas().hairline_across(line.x, line.y, line.w, theme.line);
-  constexpr std::array<std::pair<Competence, std::string_view>, 4> shapes{
-      {{Competence::Learning, "cohort.legend.learning"},
+  constexpr std::array<std::pair<Competence, std::string_view>, 5> shapes{
+      {{Competence::Competent, "cohort.legend.competent"},
+       {Competence::Learning, "cohort.legend.learning"},
        {Competence::Slipped, "cohort.legend.slipped"},
        {Competence::Stale, "cohort.legend.stale"},
        {Competence::NotStarted, "cohort.legend.not_started"}}};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/jobs/standing_jobs.h"
 #include "ui/screens/places.h"
 #include "ui/screens/reading.h"
 #include "ui/screens/visit.h"
@@ -32,7 +33,7 @@ class CohortScreen : public Screen {
   };
   struct Glance {
     database::Cohort cohort;
-    std::vector<database::TraineeStanding> trainees;
+    std::vector<TraineeProgress> trainees;
     std::vector<std::string> operations;  ///< of the columns, by name
     std::vector<LastAttempt> last_attempts;
     std::vector<database::HelpRequest> open_requests;
@@ -42,7 +43,7 @@ class CohortScreen : public Screen {
   enum Filter { All, Asking, Slipped, Idle, filter_count };
 
   static Glance look(database::Session& session, database::CohortId cohort);
-  static bool is_in(const database::TraineeStanding& trainee, int filter, std::string_view now_utc);
+  static bool is_in(const TraineeProgress& trainee, int filter, std::string_view now_utc);
   static std::string last_seen(const database::TraineeStanding& trainee);
   void read(Ui& ui, Shell& shell);
   void show(std::size_t cohort);
@@ -51,13 +52,13 @@ class CohortScreen : public Screen {
   std::array<std::string, filter_count> pill_labels(const Texts& texts) const;
   void draw_pills(Ui& ui, Rect& page);
   void draw_grid(Ui& ui, const Rect& content);
-  void draw_person_cell(Ui& ui, const database::TraineeStanding& trainee, const Rect& cell) const;
-  void draw_standing_cell(Ui& ui, const database::TraineeStanding& trainee,
-                          const std::string& operation, const Rect& cell) const;
+  void draw_person_cell(Ui& ui, const TraineeProgress& progress, const Rect& cell) const;
+  void draw_standing_cell(Ui& ui, const TraineeProgress& trainee, const std::string& operation,
+                          const Rect& cell) const;
   void draw_legend(Ui& ui, const Rect& line) const;
   void draw_requests(Ui& ui, const Rect& rect);
   void draw_last_attempts(Ui& ui, const Rect& rect);
-  void sort(std::vector<const database::TraineeStanding*>& shown, std::size_t operations) const;
+  void sort(std::vector<const TraineeProgress*>& shown, std::size_t operations) const;
 
   std::shared_ptr<Visit> visit_;
   Places& places_;

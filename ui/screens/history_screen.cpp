@@ -51,7 +51,7 @@ std::string kind_text(const Ui& ui, const database::AttemptHeader& header) {
 void draw_cell(Ui& ui, const OperationHistory& history, std::size_t row, int column,
                const Rect& cell) {
   const Theme& theme = ui.theme();
-  const OwnAttempt& attempt = history.attempts[row];
+  const JudgedAttempt& attempt = history.attempts[row];
   const TextStyle plain{Type::Body, theme.text_secondary};
   const TextStyle caption{Type::Body, theme.text_caption, Align::Right};
   switch (column) {
@@ -109,7 +109,7 @@ std::array<Fact, 4> facts_of(const Ui& ui, const OperationHistory& history) {
   std::int64_t best_milli = -1;
   long assessments = 0;
   for (std::size_t number = 0; number < history.counted.size(); ++number) {
-    const OwnAttempt& attempt = history.attempts[history.counted[number]];
+    const JudgedAttempt& attempt = history.attempts[history.counted[number]];
     if (attempt.header.begun.kind == database::AttemptKind::Assessment) ++assessments;
     if (!attempt.score_milli) continue;
     last.value = points_text(*attempt.score_milli);
@@ -133,7 +133,9 @@ void draw_evidence(Ui& ui, const Rect& rect, const assessment::LearningState& le
   const Fact fact{std::string(ui.text("history.clean_runs")),
                   ui.texts().say("history.clean_runs.value", {{"runs", std::to_string(runs)},
                                                               {"needed", std::to_string(needed)}}),
-                  std::string(ui.text("history.clean_runs.note"))};
+                  std::string(ui.text(learning.is_competent  ? "history.clean_runs.competent"
+                                      : learning.has_slipped ? "history.clean_runs.slipped"
+                                                             : "history.clean_runs.note"))};
   draw_fact(ui, {rect.x, rect.y, rect.w, rect.h - 14.0F}, fact);
   const Rect strip{rect.x, rect.bottom() - 10.0F, rect.w, 8.0F};
   const std::vector<Rect> blocks = columns(strip, needed, 4.0F);
@@ -229,7 +231,7 @@ void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
   chart.pass_name =
       ui.texts().say("history.pass", {{"points", std::to_string(assessment::pass_milli / 1000)}});
   const auto words = [&](std::size_t point) {
-    const OwnAttempt& attempt = shown.attempts[shown.counted[point]];
+    const JudgedAttempt& attempt = shown.attempts[shown.counted[point]];
     return std::pair(
         ui.texts().say("history.point", {{"points", points_text(*attempt.score_milli)}}),
         ui.texts().say("history.point.context",

@@ -17,7 +17,7 @@ namespace hallux::ui {
 /// The attempts at one operation, and what the chart shows of them. Void attempts do not count and have no number.
 struct OperationHistory {
   std::string scenario_name;
-  std::vector<OwnAttempt> attempts;         ///< oldest first, the void ones too
+  std::vector<JudgedAttempt> attempts;      ///< oldest first, the void ones too
   std::vector<int> numbers;                 ///< of each attempt, from 1; 0: void
   std::vector<std::size_t> counted;         ///< those with a number, in their order
   std::vector<ChartPoint> scores, medians;  ///< of the counted ones; a gap where there is no score
@@ -25,7 +25,7 @@ struct OperationHistory {
 };
 
 /// By operation, that of the newest attempt first.
-std::vector<OperationHistory> histories_of(const std::vector<OwnAttempt>& attempts);
+std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& attempts);
 /// A line for each counted attempt, with a head: "attempt,begun_utc,for,score,median_of_5".
 std::string csv_of(const OperationHistory& history);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t median_window = 5;
 
-std::vector<std::string> names_of(const std::vector<OwnAttempt>& attempts) {
+std::vector<std::string> names_of(const std::vector<JudgedAttempt>& attempts) {
   std::vector<std::string> names;
   for (auto attempt = attempts.rbegin(); attempt != attempts.rend(); ++attempt) {
     const std::string& name = attempt->header.scenario_name;
@@ -25,7 +25,7 @@ void count(OperationHistory& history) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> scores;
   std::vector<std::size_t> scored;
-  for (const OwnAttempt& attempt : history.attempts) {
+  for (const JudgedAttempt& attempt : history.attempts) {
     const bool counts = attempt.header.state != database::AttemptState::Void;
     history.numbers.push_back(counts ? static_cast<int>(history.counted.size()) + 1 : 0);
     if (!counts) continue;
@@ -44,29 +44,21 @@ void count(OperationHistory& history) {
   }
 }
 
-std::int32_t newest_rubric(const OperationHistory& history) {
-  std::int32_t newest = 0;
-  for (const OwnAttempt& attempt : history.attempts) {
-    newest = std::max(newest, attempt.rubric_version);
-  }
-  return newest;
-}
-
 std::string csv_number(double points) {
   return std::isnan(points) ? std::string() : points_text(std::llround(points * 1000.0));
 }
 
 }  // namespace
 
-std::vector<OperationHistory> histories_of(const std::vector<OwnAttempt>& attempts) {
+std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& attempts) {
   std::vector<OperationHistory> histories;
   for (const std::string& name : names_of(attempts)) {
     OperationHistory& history = histories.emplace_back();
     history.scenario_name = name;
     std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(history.attempts),
-                 [&](const OwnAttempt& each) { return each.header.scenario_name == name; });
+                 [&](const JudgedAttempt& each) { return each.header.scenario_name == name; });
     count(history);
-    history.learning = learning_of(attempts, name, newest_rubric(history));
+    history.learning = learning_of(attempts, name);
   }
   return histories;
 }

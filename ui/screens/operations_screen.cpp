@@ -50,9 +50,7 @@ std::string what_text(const Texts& texts, const OwnOperation& operation) {
 }  // namespace
 
 Competence competence_of(const OwnOperation& operation, std::string_view now_utc) {
-  if (operation.learning.is_competent) return Competence::Competent;
-  if (operation.learning.has_slipped) return Competence::Slipped;
-  return competence_of(operation.published.standing, now_utc);
+  return competence_of(operation.published.standing, operation.learning, now_utc);
 }
 
 std::string standing_text(const Texts& texts, const OwnOperation& operation,
@@ -245,12 +243,6 @@ void say_difficulty(const Ui& ui, const OwnOperation& operation, PictureCardSpec
   }
 }
 
-float ring_of(const OwnOperation& operation) noexcept {
-  return operation.learning.evidence_by_run.empty()
-             ? progress_of(operation.published.standing)
-             : static_cast<float>(operation.learning.evidence / assessment::evidence_needed);
-}
-
 }  // namespace
 
 Picture OperationsScreen::picture_of(Ui& ui, const Rect& card, const OwnOperation& operation,
@@ -278,7 +270,7 @@ bool OperationsScreen::draw_card(Ui& ui, const Rect& rect, const OwnOperation& o
   spec.picture = picture_of(ui, rect, operation, shell);
   say_difficulty(ui, operation, spec);
   spec.competence = competence_of(operation, now_utc_);
-  spec.progress = ring_of(operation);
+  spec.progress = progress_of(operation.published.standing, operation.learning);
   spec.state = state;
   spec.best_word = ui.text("operations.best");
   spec.best = best;

@@ -50,7 +50,7 @@ class OperationsScreen : public Screen {
   std::string search_;
 };
 
-/// How far the person is with it: competent by their assessments, else as ui/screens/standing.h says.
+/// How far the person is with it, by ui/screens/standing.h.
 Competence competence_of(const OwnOperation& operation, std::string_view now_utc);
 /// The same in words: "Learning, 3 of 12".
 std::string standing_text(const Texts& texts, const OwnOperation& operation,

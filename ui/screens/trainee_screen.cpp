@@ -23,7 +23,7 @@ constexpr float standing_width = 232.0F, standing_height = 138.0F, roomy_from = 
 
 std::string_view competence_id(Competence competence) noexcept {
   constexpr std::array<std::string_view, 5> ids{"cohort.legend.not_started",
-                                                "cohort.legend.learning", "standing.competent",
+                                                "cohort.legend.learning", "cohort.legend.competent",
                                                 "cohort.legend.slipped", "cohort.legend.stale"};
   return ids[static_cast<std::size_t>(competence)];
 }
@@ -76,7 +76,7 @@ TraineeScreen::File TraineeScreen::read(database::Session& session, database::Co
   file.cohort_name = desk.cohort().name;
   file.attempts = desk.attempts_of(trainee);  // refuses one who is not of the cohort
   for (database::TraineeStanding& standing : desk.trainees(1))
-    if (standing.id == trainee) file.standing = std::move(standing);
+    if (standing.id == trainee) file.progress = trainee_progress(desk, std::move(standing));
   file.now_utc = utc_now_text();
   return file;
 }
@@ -92,7 +92,8 @@ void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   }
   const float width = content.w - 2.0F * page_margin(content);
   const float above =
-      file_.is_ready() ? standings_height(width, file_.value().standing.operations.size()) : 0.0F;
+      file_.is_ready() ? standings_height(width, file_.value().progress.standing.operations.size())
+                       : 0.0F;
   const Page scrolled(ui, "trainee", ui.text("trainee.attempts"), content, 420.0F + above);
   Rect page = scrolled.rect();
   if (draw_head(ui, page)) shell.pop();
@@ -107,9 +108,10 @@ bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
   std::string name, sentence;
   if (file_.is_ready()) {
     const File& file = file_.value();
-    name = shown_name_of(file.standing.login, file.standing.display_name);
+    const database::TraineeStanding& standing = file.progress.standing;
+    name = shown_name_of(standing.login, standing.display_name);
     sentence = ui.texts().say_count("trainee.sentence", static_cast<long>(file.attempts.size()),
-                                    {{"cohort", file.cohort_name}, {"login", file.standing.login}});
+                                    {{"cohort", file.cohort_name}, {"login", standing.login}});
   }
   head.title = name.empty() ? ui.text("role.trainee") : std::string_view(name);
   head.sentence = sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence);
@@ -118,28 +120,29 @@ bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
 }
 
 void TraineeScreen::draw_standings(Ui& ui, Rect& page) const {
-  const std::vector<OperationStanding>& operations = file_.value().standing.operations;
+  const std::vector<OperationStanding>& operations = file_.value().progress.standing.operations;
   const int per_row = standings_per_row(page.w);
   Rect row;
   for (std::size_t i = 0; i < operations.size(); ++i) {
     if (static_cast<int>(i) % per_row == 0)
       row = take_top(page, standing_height, space::between_cards);
-    draw_standing(ui, take_left(row, std::min(standing_width, row.w), space::between_cards),
-                  operations[i]);
+    draw_standing(ui, take_left(row, std::min(standing_width, row.w), space::between_cards), i);
   }
 }
 
-void TraineeScreen::draw_standing(Ui& ui, const Rect& rect,
-                                  const OperationStanding& standing) const {
+void TraineeScreen::draw_standing(Ui& ui, const Rect& rect, std::size_t operation) const {
   const Theme& theme = ui.theme();
+  const TraineeProgress& progress = file_.value().progress;
+  const OperationStanding& standing = progress.standing.operations[operation];
+  const assessment::LearningState& learning = progress.learning[operation];
   Rect rest = card(ui, rect, {}, space::side_card);
-  const Competence competence = competence_of(standing, file_.value().now_utc);
+  const Competence competence = competence_of(standing, learning, file_.value().now_utc);
   Rect title = take_top(rest, 22.0F, 6.0F);
   ui.canvas().text_in(title, {Type::BodyStrong, theme.text}, operation_text(standing.scenario_name),
                       true);
   Rect state = take_top(rest, 20.0F, 10.0F);
   draw_competence(ui.canvas(), theme, competence, {state.x + 8.0F, state.mid_y()}, 7.0F,
-                  progress_of(standing));
+                  progress_of(standing, learning));
   ui.canvas().text_in({state.x + 24.0F, state.y, state.w - 24.0F, state.h},
                       {Type::Small, theme.text_secondary}, ui.text(competence_id(competence)),
                       true);

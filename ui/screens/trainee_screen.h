@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/jobs/standing_jobs.h"
 #include "ui/screens/places.h"
 #include "ui/screens/reading.h"
 #include "ui/screens/visit.h"
@@ -26,7 +27,7 @@ class TraineeScreen : public Screen {
  private:
   struct File {
     std::string cohort_name;
-    database::TraineeStanding standing;
+    TraineeProgress progress;
     std::vector<database::AttemptHeader> attempts;  ///< newest first
     std::string now_utc;
   };
@@ -35,7 +36,7 @@ class TraineeScreen : public Screen {
                    database::PersonId trainee);
   bool draw_head(Ui& ui, Rect& page);
   void draw_standings(Ui& ui, Rect& page) const;
-  void draw_standing(Ui& ui, const Rect& rect, const database::OperationStanding& standing) const;
+  void draw_standing(Ui& ui, const Rect& rect, std::size_t operation) const;
   void draw_attempts(Ui& ui, const Rect& content);
 
   std::shared_ptr<Visit> visit_;

@@ -6,6 +6,9 @@
 
 #include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_published.h"
+#include "ui/screens/history_screen.h"
+#include "ui/screens/operations_screen.h"
 #include "ui/screens/standing.h"
 #include "ui/screens/trainee_screen.h"
 
@@ -142,22 +145,103 @@ TEST(CohortScreen, NothingIsCutOffAnywhere) {
       << "with nothing to show";
 }
 
-TEST(Standing, SaysWhatTheResultsSay) {
+const std::string now = "2026-03-03T10:00:00Z";
+
+database::OperationStanding tried_twice() {
   database::OperationStanding standing;
   standing.scenario_name = "akin";
-  const std::string now = "2026-03-03T10:00:00Z";
-  EXPECT_EQ(competence_of(standing, now), Competence::NotStarted);
   standing.attempts = 2;
   standing.best_milli = 80'000;
   standing.last_milli = 60'001;
   standing.last_started_utc = "2026-03-01T10:00:00Z";
-  EXPECT_EQ(competence_of(standing, now), Competence::Learning);
+  return standing;
+}
+
+TEST(Standing, SaysWhatTheResultsSay) {
+  const assessment::LearningState nothing;
+  EXPECT_EQ(competence_of({}, nothing, now), Competence::NotStarted);
+  database::OperationStanding standing = tried_twice();
+  EXPECT_EQ(competence_of(standing, nothing, now), Competence::Learning);
   standing.last_milli = 60'000;
-  EXPECT_EQ(competence_of(standing, now), Competence::Slipped);
+  EXPECT_EQ(competence_of(standing, nothing, now), Competence::Slipped);
   standing.last_started_utc = "2025-12-03T10:00:00Z";  // 90 days
-  EXPECT_EQ(competence_of(standing, now), Competence::Slipped);
+  EXPECT_EQ(competence_of(standing, nothing, now), Competence::Slipped);
   standing.last_started_utc = "2025-12-02T10:00:00Z";
-  EXPECT_EQ(competence_of(standing, now), Competence::Stale);
+  EXPECT_EQ(competence_of(standing, nothing, now), Competence::Stale);
+}
+
+TEST(Standing, SaysWhatTheAssessmentsSayBeforeAllElse) {
+  database::OperationStanding standing = tried_twice();
+  std::vector<bool> passed(12, true);
+  EXPECT_EQ(competence_of(standing, assessment::learning_state(passed), now),
+            Competence::Competent);
+  standing.last_milli = 10'000;
+  EXPECT_EQ(competence_of(standing, assessment::learning_state(passed), now), Competence::Competent)
+      << "one bad result takes nothing back";
+  passed.insert(passed.end(), 3, false);
+  standing.last_milli = standing.best_milli;
+  EXPECT_EQ(competence_of(standing, assessment::learning_state(passed), now), Competence::Slipped);
+}
+
+TEST(Standing, TheRingFillsWithTheEvidence) {
+  EXPECT_FLOAT_EQ(progress_of(tried_twice(), {}), 0.8F) << "no assessment counts yet";
+  const auto half = assessment::learning_state(std::vector<bool>(6, true));
+  EXPECT_NEAR(progress_of(tried_twice(), half), 0.5F, 0.01F);
+}
+
+/// The same attempts, as the instructor and as the trainee see them.
+struct BothSides {
+  explicit BothSides(SomePublished& published) {
+    database::InstructorDesk desk =
+        published.course().instructor("kim", published.course().autumn());
+    for (const TraineeProgress& each : trainees_of(desk, 1)) {
+      if (each.standing.login != "ada") continue;
+      grid = competence_of(each.standing.operations.front(), each.learning.front(), now);
+      page = trainee_progress(desk, each.standing).learning.front().is_competent;
+    }
+    database::Session session = published.course().sign_in_as("ada");
+    history = histories_of(own_attempts(session)).front().learning.is_competent;
+    for (const OwnOperation& each : own_operations(session, published.course().database()))
+      if (each.published.name == "akin") choice = competence_of(each, now);
+  }
+
+  Competence grid = Competence::NotStarted, choice = Competence::NotStarted;
+  bool page = false, history = false;
+};
+
+TEST(Standing, InstructorAndTraineeSeeTheSame) {
+  SomePublished published;
+  published.assessed("ada", 11, 60000);
+  const BothSides before(published);
+  EXPECT_EQ(before.grid, Competence::Learning);
+  EXPECT_EQ(before.choice, Competence::Learning);
+  EXPECT_FALSE(before.page || before.history);
+  published.assessed("ada", 1, 60000);
+  const BothSides after(published);
+  EXPECT_EQ(after.grid, Competence::Competent);
+  EXPECT_EQ(after.choice, Competence::Competent);
+  EXPECT_TRUE(after.page && after.history);
+}
+
+TEST(CohortScreen, WhoWasCompetentAndFailedAgainAndAgainHasSlipped) {
+  SomePublished published;
+  published.assessed("ada", 12, 60000);
+  published.assessed("bob", 12, 60000);
+  published.assessed("ada", 3, 59000);  // not far below the best, but three in a row
+  Teacher teacher(published.course());
+  teacher.press("cohort.filter.2");
+  EXPECT_TRUE(teacher.driver().has("cohort.row.ada"));
+  EXPECT_FALSE(teacher.driver().has("cohort.row.bob"));
+}
+
+TEST(TraineeScreen, SaysCompetentWhereTheAssessmentsDo) {
+  SomePublished published;
+  published.assessed("ada", 12, 60000);
+  SomePlaces places;
+  database::SomeCourse& course = published.course();
+  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
+                                                      course.autumn(), course.id_of("ada")));
+  EXPECT_TRUE(visitor.driver().sees("Competent"));
 }
 
 TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {

@@ -35,7 +35,7 @@ void make_void(SomePublished& published, const database::AttemptId& attempt) {
   published.course().instructor("kim", published.course().autumn()).decide(decision);
 }
 
-std::vector<OwnAttempt> own_of(SomePublished& published, const std::string& login) {
+std::vector<JudgedAttempt> own_of(SomePublished& published, const std::string& login) {
   database::Session session = published.course().sign_in_as(login);
   return own_attempts(session);
 }
@@ -90,7 +90,7 @@ TEST(History, AnOverriddenScoreStandsInPlaceOfTheMachines) {
   decision.score_milli = 72000;
   decision.reason = "the depth was measured beside a defect";
   published.course().instructor("kim", published.course().autumn()).decide(decision);
-  const std::vector<OwnAttempt> own = own_of(published, "ada");
+  const std::vector<JudgedAttempt> own = own_of(published, "ada");
   ASSERT_EQ(own.size(), 1U);
   EXPECT_EQ(own.front().score_milli, 72000);
   EXPECT_EQ(own.front().pass, assessment::PassAnswer::Reached);
@@ -109,6 +109,17 @@ TEST(HistoryScreen, TheFactsAreOfWhatCounts) {
   }
   EXPECT_FALSE(looker.driver().sees("99.0"));
   EXPECT_TRUE(looker.driver().sees("Void"));
+}
+
+TEST(HistoryScreen, SaysThatTheEvidenceIsEnough) {
+  SomePublished published;
+  published.assessed("ada", 12, 60000);
+  Looker competent(published, "ada");
+  EXPECT_TRUE(competent.driver().sees("Enough: you are competent"));
+  EXPECT_THAT(competent.driver().faults(), IsEmpty());
+  published.assessed("ada", 3, 40000);
+  Looker slipped(published, "ada");
+  EXPECT_TRUE(slipped.driver().sees("You were competent and slipped"));
 }
 
 TEST(HistoryScreen, RowsAndPointsLeadToTheirResult) {
