@@ -6,10 +6,10 @@
 #include "ui/screens/course_words.h"
 #include "ui/screens/page.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/dialog.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/marks.h"
 #include "ui/widgets/menu.h"
-#include "ui/widgets/sheet.h"
 
 namespace hallux::ui {
 
@@ -19,7 +19,7 @@ using database::CohortMember;
 using database::CohortRole;
 
 constexpr float side_width = 600.0F, stacked_height = 460.0F, roomy_from = 460.0F;
-constexpr float sheet_width = 520.0F, list_height = 260.0F, gap = 14.0F;
+constexpr float list_height = 260.0F, gap = 14.0F;
 
 std::string_view role_id(CohortRole role) noexcept {
   return role == CohortRole::Trainee ? "role.trainee" : "role.instructor";
@@ -69,8 +69,8 @@ void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
       card(ui, panes.side, {});
     }
   }
-  draw_add_sheet(ui, shell);
-  draw_enrol_sheet(ui, shell);
+  draw_add_dialog(ui, shell);
+  draw_enrol_dialog(ui, shell);
   draw_question(ui, shell);
 }
 
@@ -208,30 +208,26 @@ void CohortsScreen::draw_member_actions(Ui& ui, const Rect& line, const Listed& 
           role](database::AdministratorDesk& desk) { desk.enrol(cohort, login, role); });
 }
 
-void CohortsScreen::draw_add_sheet(Ui& ui, Shell& shell) {
+void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
   if (!new_name_) return;
-  const std::string& fault = adding_.fault();
-  const float room = 432.0F;
-  const float fault_height =
-      fault.empty() ? 0.0F : ui.paragraph_height(Type::Small, fault, room) + gap;
-  const Sheet sheet(ui, "cohorts.new",
-                    {ui.text("cohorts.add"), 480.0F, 68.0F + gap + fault_height + button_height});
-  Rect rest = sheet.content();
-  FieldSpec name;
-  name.label = ui.text("cohorts.new.name");
-  name.placeholder = ui.text("cohorts.new.example");
-  name.max_bytes = 80;
-  take_top(rest, field_label_height);
-  field(ui, "cohorts.new.name", take_top(rest, field_height, gap), *new_name_, name);
-  ui.focus_first("cohorts.new.name");
-  if (!fault.empty()) words_line(ui, rest, Type::Small, ui.theme().bad_text, fault, gap);
-  Rect line = take_top(rest, button_height);
-  ButtonSpec act{ui.text("cohorts.add"), ButtonLook::Primary};
-  act.is_enabled = new_name_->find_first_not_of(' ') != std::string::npos;
-  act.is_busy = adding_.is_running();
-  if (button(ui, "cohorts.new.act", take_right(line, button_width(ui, act)), act)) add(ui, shell);
-  if (!sheet.wants_close()) return;
-  new_name_.reset();
+  Dialog shown;
+  shown.title = shown.act = ui.text("cohorts.add");
+  shown.keep = ui.text("form.cancel");
+  shown.error = adding_.fault();
+  shown.form_height = field_label_height + field_height;
+  shown.is_busy = adding_.is_running();
+  const Answer answer = dialog(ui, "cohorts.new", shown, [&](Rect form) {
+    FieldSpec name;
+    name.label = ui.text("cohorts.new.name");
+    name.placeholder = ui.text("cohorts.new.example");
+    name.max_bytes = 80;
+    take_top(form, field_label_height);
+    field(ui, "cohorts.new.name", form, *new_name_, name);
+    ui.focus_first("cohorts.new.name");
+    return new_name_->find_first_not_of(' ') != std::string::npos;
+  });
+  if (answer == Answer::Act) add(ui, shell);
+  if (answer == Answer::Keep) new_name_.reset();
 }
 
 void CohortsScreen::add(Ui& ui, Shell& shell) {
@@ -250,19 +246,28 @@ void CohortsScreen::add(Ui& ui, Shell& shell) {
       });
 }
 
-void CohortsScreen::draw_enrol_sheet(Ui& ui, Shell& shell) {
+void CohortsScreen::draw_enrol_dialog(Ui& ui, Shell& shell) {
   const Listed* listed = everybody_.is_ready() ? chosen() : nullptr;
   if (!enrolment_ || listed == nullptr) return;
-  const std::string& fault = enrolling_.fault();
-  const float fault_height =
-      fault.empty() ? 0.0F : ui.paragraph_height(Type::Small, fault, sheet_width - 48.0F) + gap;
   const std::string title =
       ui.texts().say("cohorts.enrol.title", {{"cohort", listed->cohort.name}});
-  const Sheet sheet(
-      ui, "cohorts.enrolment",
-      {title, sheet_width,
-       field_height + segmented_height + list_height + 3.0F * gap + fault_height + button_height});
-  Rect rest = sheet.content();
+  const std::string act = enrol_label(ui.texts());
+  Dialog shown;
+  shown.title = title;
+  shown.act = act;
+  shown.keep = ui.text("form.cancel");
+  shown.error = enrolling_.fault();
+  shown.form_height = field_height + list_height + segmented_height + 2.0F * gap;
+  shown.is_busy = enrolling_.is_running();
+  const Answer answer = dialog(ui, "cohorts.enrolment", shown, [&](const Rect& form) {
+    draw_enrol_form(ui, form, *listed);
+    return !enrolment_->table.chosen.empty();
+  });
+  if (answer == Answer::Act) enrol(ui, shell, listed->cohort);
+  if (answer == Answer::Keep) enrolment_.reset();
+}
+
+void CohortsScreen::draw_enrol_form(Ui& ui, Rect rest, const Listed& listed) {
   FieldSpec search;
   search.label = search.placeholder = ui.text("people.search");
   search.icon = Icon::Search;
@@ -270,38 +275,31 @@ void CohortsScreen::draw_enrol_sheet(Ui& ui, Shell& shell) {
   field(ui, "cohorts.enrolment.search", take_top(rest, field_height, gap), enrolment_->search,
         search);
   ui.focus_first("cohorts.enrolment.search");
-  draw_enrol_table(ui, take_top(rest, list_height, gap), *listed);
-  if (!fault.empty()) words_line(ui, rest, Type::Small, ui.theme().bad_text, fault, gap);
-  Rect line = take_top(rest, segmented_height, gap);
+  draw_enrol_table(ui, take_top(rest, list_height, gap), listed);
+  Rect line = take_top(rest, segmented_height);
   const std::array<std::string_view, 2> roles{ui.text("role.trainee"), ui.text("role.instructor")};
   line.w = std::min(line.w, segmented_width(ui, roles));
   segmented(ui, "cohorts.enrolment.role", line, roles, enrolment_->role);
-  Rect foot = take_top(rest, button_height);
-  if (draw_enrol_button(ui, foot)) {
-    const CohortRole role = enrolment_->role == 0 ? CohortRole::Trainee : CohortRole::Instructor;
-    const std::set<std::string> logins = enrolment_->table.chosen;
-    change(
-        enrolling_, ui, shell,
-        ui.texts().say_count("cohorts.enrolled", static_cast<long>(logins.size()),
-                             {{"cohort", listed->cohort.name}}),
-        [cohort = listed->cohort.id, logins, role](database::AdministratorDesk& desk) {
-          for (const std::string& login : logins) desk.enrol(cohort, login, role);
-        },
-        [this] { enrolment_.reset(); });
-  }
-  if (sheet.wants_close()) enrolment_.reset();
 }
 
-bool CohortsScreen::draw_enrol_button(Ui& ui, Rect& line) {
+std::string CohortsScreen::enrol_label(const Texts& texts) const {
   const auto count = static_cast<long>(enrolment_->table.chosen.size());
-  const std::string label = enrolment_->role == 0
-                                ? ui.texts().say_count("cohorts.enrol.trainees", count)
-                                : ui.texts().say_count("cohorts.enrol.instructors", count);
-  ButtonSpec act{count > 0 ? std::string_view(label) : ui.text("cohorts.enrol"),
-                 ButtonLook::Primary};
-  act.is_enabled = count > 0;
-  act.is_busy = enrolling_.is_running();
-  return button(ui, "cohorts.enrolment.act", take_right(line, button_width(ui, act)), act);
+  if (count == 0) return std::string(texts.text("cohorts.enrol"));
+  return enrolment_->role == 0 ? texts.say_count("cohorts.enrol.trainees", count)
+                               : texts.say_count("cohorts.enrol.instructors", count);
+}
+
+void CohortsScreen::enrol(Ui& ui, Shell& shell, const database::Cohort& cohort) {
+  const CohortRole role = enrolment_->role == 0 ? CohortRole::Trainee : CohortRole::Instructor;
+  const std::set<std::string> logins = enrolment_->table.chosen;
+  change(
+      enrolling_, ui, shell,
+      ui.texts().say_count("cohorts.enrolled", static_cast<long>(logins.size()),
+                           {{"cohort", cohort.name}}),
+      [id = cohort.id, logins, role](database::AdministratorDesk& desk) {
+        for (const std::string& login : logins) desk.enrol(id, login, role);
+      },
+      [this] { enrolment_.reset(); });
 }
 
 void CohortsScreen::draw_enrol_table(Ui& ui, const Rect& rect, const Listed& listed) {

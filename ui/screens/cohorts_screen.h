@@ -46,12 +46,14 @@ class CohortsScreen : public Screen {
   void draw_members(Ui& ui, const Rect& rect, Shell& shell);
   void draw_member_table(Ui& ui, const Rect& content, const Listed& listed);
   void draw_member_actions(Ui& ui, const Rect& line, const Listed& listed, Shell& shell);
-  void draw_add_sheet(Ui& ui, Shell& shell);
-  void draw_enrol_sheet(Ui& ui, Shell& shell);
+  void draw_add_dialog(Ui& ui, Shell& shell);
+  void draw_enrol_dialog(Ui& ui, Shell& shell);
   void draw_enrol_table(Ui& ui, const Rect& rect, const Listed& listed);
-  bool draw_enrol_button(Ui& ui, Rect& line);
+  void draw_enrol_form(Ui& ui, Rect rest, const Listed& listed);
+  std::string enrol_label(const Texts& texts) const;
   void draw_question(Ui& ui, Shell& shell);
   void add(Ui& ui, Shell& shell);
+  void enrol(Ui& ui, Shell& shell, const database::Cohort& cohort);
   /// Reads anew once `change` was made and says `done`; `after` is called before that.
   void change(DeskWork& work, Ui& ui, Shell& shell, std::string done,
               std::function<void(database::AdministratorDesk&)> change,

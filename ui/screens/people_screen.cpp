@@ -151,7 +151,7 @@ void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
       card(ui, panes.side, {});
     }
   }
-  draw_sheets(ui, shell);
+  draw_dialogs(ui, shell);
   draw_question(ui, shell);
 }
 
@@ -348,9 +348,9 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
     asked_ = Asked{Asked::Deed::Disable, login};
 }
 
-void PeopleScreen::draw_sheets(Ui& ui, Shell& shell) {
+void PeopleScreen::draw_dialogs(Ui& ui, Shell& shell) {
   if (code_) {
-    const CodeAnswer answer = draw_code_sheet(ui, *code_);
+    const CodeAnswer answer = draw_code_dialog(ui, *code_);
     if (answer == CodeAnswer::Copied)
       shell.say({Meaning::Good, std::string(ui.text("people.code.copied")),
                  std::string(ui.text("people.code.copied.sentence"))});
@@ -359,11 +359,9 @@ void PeopleScreen::draw_sheets(Ui& ui, Shell& shell) {
     return;
   }
   if (!added_) return;
-  const SheetAnswer answer = draw_add_sheet(ui, *added_, adding_.fault(), adding_.is_running());
-  if (answer == SheetAnswer::Waiting) return;
-  if (answer == SheetAnswer::Done) add(ui, shell);
-  if (answer == SheetAnswer::Closed) added_.reset();
-  ui.want_frame_in_s(0.0);
+  const Answer answer = draw_add_dialog(ui, *added_, adding_.fault(), adding_.is_running());
+  if (answer == Answer::Act) add(ui, shell);
+  if (answer == Answer::Keep) added_.reset();
 }
 
 void PeopleScreen::draw_question(Ui& ui, Shell& shell) {

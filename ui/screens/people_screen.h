@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/screens/desk_work.h"
-#include "ui/screens/person_sheets.h"
+#include "ui/screens/person_dialogs.h"
 #include "ui/screens/reading.h"
 #include "ui/widgets/table.h"
 
@@ -57,7 +57,7 @@ class PeopleScreen : public Screen {
   void draw_code_button(Ui& ui, Rect& rest, const Listed& listed);
   void draw_role_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
   void draw_disable_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
-  void draw_sheets(Ui& ui, Shell& shell);
+  void draw_dialogs(Ui& ui, Shell& shell);
   void draw_question(Ui& ui, Shell& shell);
   void add(Ui& ui, Shell& shell);
   void reset(Ui& ui, Shell& shell, const std::string& login);

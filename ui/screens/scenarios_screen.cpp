@@ -6,10 +6,10 @@
 #include "ui/jobs/scenario_jobs.h"
 #include "ui/screens/course_words.h"
 #include "ui/screens/page.h"
+#include "ui/widgets/dialog.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/marks.h"
 #include "ui/widgets/menu.h"
-#include "ui/widgets/sheet.h"
 
 namespace hallux::ui {
 
@@ -19,7 +19,7 @@ using database::ScenarioState;
 using database::ScenarioVersion;
 
 enum Column { Operation, Version, StateColumn, Review, Attempts, Since };
-constexpr float side_share = 0.46F, stacked_height = 560.0F, roomy_from = 500.0F, gap = 14.0F;
+constexpr float side_share = 0.46F, stacked_height = 560.0F, roomy_from = 500.0F;
 constexpr float review_from = 420.0F;
 
 std::string name_text(const Texts& texts, const ScenarioVersion& version) {
@@ -150,7 +150,7 @@ void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
       card(ui, panes.side, {});
     }
   }
-  draw_import_sheet(ui, shell);
+  draw_import_dialog(ui, shell);
   draw_question(ui, shell);
 }
 
@@ -266,39 +266,33 @@ void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& ve
     asked_ = Asked{version, !is_published};
 }
 
-void ScenariosScreen::draw_import_sheet(Ui& ui, Shell& shell) {
+void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
   if (!file_) return;
-  const std::string& fault = importing_.fault();
-  const float width = 620.0F, room = std::min(width, ui.display().w - 32.0F) - 48.0F;
-  const std::string_view words = ui.text("scenarios.import.sentence");
-  const float words_height = ui.paragraph_height(Type::Body, words, room) + gap;
-  const float fault_height =
-      fault.empty() ? 0.0F : ui.paragraph_height(Type::Small, fault, room) + 26.0F + gap;
-  const Sheet sheet(ui, "scenarios.file",
-                    {ui.text("scenarios.import"), width,
-                     words_height + 68.0F + gap + fault_height + button_height});
-  Rect rest = sheet.content();
-  words_line(ui, rest, Type::Body, ui.theme().text_secondary, words, gap);
-  take_top(rest, field_label_height);
-  FieldSpec path;
-  path.label = ui.text("scenarios.file");
-  path.placeholder = ui.text("scenarios.file.example");
-  path.max_bytes = 1000;
-  path.is_enabled = !importing_.is_running();
-  field(ui, "scenarios.file.path", take_top(rest, field_height, gap), *file_, path);
-  ui.focus_first("scenarios.file.path");
-  if (!fault.empty()) {
-    words_line(ui, rest, Type::SmallMedium, ui.theme().bad_text, ui.text("scenarios.refused"),
-               4.0F);
-    words_line(ui, rest, Type::Small, ui.theme().bad_text, fault, gap);
-  }
-  Rect line = take_top(rest, button_height);
-  ButtonSpec act{ui.text("scenarios.file.act"), ButtonLook::Primary};
-  act.is_enabled = !file_->empty();
-  act.is_busy = importing_.is_running();
-  if (button(ui, "scenarios.file.act", take_right(line, button_width(ui, act)), act))
-    import(ui, shell);
-  if (sheet.wants_close()) file_.reset();
+  const std::string error = importing_.fault().empty() ? std::string()
+                                                       : std::string(ui.text("scenarios.refused")) +
+                                                             "\n" + importing_.fault();
+  Dialog shown;
+  shown.title = ui.text("scenarios.import");
+  shown.sentence = ui.text("scenarios.import.sentence");
+  shown.act = ui.text("scenarios.file.act");
+  shown.keep = ui.text("form.cancel");
+  shown.error = error;
+  shown.width = 620.0F;
+  shown.form_height = field_label_height + field_height;
+  shown.is_busy = importing_.is_running();
+  const Answer answer = dialog(ui, "scenarios.file", shown, [&](Rect form) {
+    FieldSpec path;
+    path.label = ui.text("scenarios.file");
+    path.placeholder = ui.text("scenarios.file.example");
+    path.max_bytes = 1000;
+    path.is_enabled = !importing_.is_running();
+    take_top(form, field_label_height);
+    field(ui, "scenarios.file.path", form, *file_, path);
+    ui.focus_first("scenarios.file.path");
+    return !file_->empty();
+  });
+  if (answer == Answer::Act) import(ui, shell);
+  if (answer == Answer::Keep) file_.reset();
 }
 
 void ScenariosScreen::import(Ui& ui, Shell& shell) {

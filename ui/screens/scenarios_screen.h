@@ -33,7 +33,7 @@ class ScenariosScreen : public Screen {
   void draw_table(Ui& ui, const Rect& content);
   void draw_chosen(Ui& ui, const Rect& rect, Shell& shell);
   void draw_actions(Ui& ui, Rect& rest, const database::ScenarioVersion& version);
-  void draw_import_sheet(Ui& ui, Shell& shell);
+  void draw_import_dialog(Ui& ui, Shell& shell);
   void draw_question(Ui& ui, Shell& shell);
   void import(Ui& ui, Shell& shell);
   void change(Ui& ui, Shell& shell, const Asked& asked);

@@ -1,5 +1,6 @@
 #include "ui/widgets/dialog.h"
 
+#include <algorithm>
 #include <string>
 
 #include "ui/widgets/shapes.h"
@@ -7,64 +8,64 @@
 namespace hallux::ui {
 namespace {
 
-constexpr float dialog_width = 520.0F, edge = 24.0F, title_height = 30.0F, gap = 16.0F;
+constexpr float edge = 24.0F, title_height = 30.0F, gap = 16.0F, error_indent = 24.0F;
+constexpr float margin = 16.0F, least_view = 80.0F;
 /// Room around the fields for their focus rings, which a region that scrolls would clip.
 constexpr float ring_room = 6.0F;
 
 struct Layout {
-  Rect panel, form, buttons;
-  float words = 0.0F, error = 0.0F;  ///< heights
+  Rect panel, view, buttons;
+  float words = 0.0F, error = 0.0F, content = 0.0F;  ///< heights; the content is what may scroll
 };
 
 Layout layout_of(const Ui& ui, const Dialog& shown) {
   const Rect display = ui.display();
+  const float width = std::min(shown.width, display.w - 2.0F * margin), room = width - 2.0F * edge;
   Layout layout;
-  const float width = std::min(dialog_width, display.w - 32.0F), room = width - 2.0F * edge;
-  layout.words =
-      shown.sentence.empty() ? 0.0F : ui.paragraph_height(Type::Body, shown.sentence, room) + gap;
-  layout.error = shown.error.empty()
-                     ? 0.0F
-                     : ui.paragraph_height(Type::Small, shown.error, room - 24.0F) + gap;
-  const float fixed =
-      2.0F * edge + title_height + gap / 2.0F + layout.words + layout.error + gap + button_height;
-  const float form = std::min(shown.form_height, std::max(80.0F, display.h - 24.0F - fixed));
-  layout.panel = centred(display, width, fixed + form);
+  if (!shown.sentence.empty())
+    layout.words = ui.paragraph_height(Type::Body, shown.sentence, room) + gap;
+  if (!shown.error.empty())
+    layout.error = ui.paragraph_height(Type::Small, shown.error, room - error_indent) + gap;
+  layout.content = layout.words + layout.error + shown.form_height;
+  const float fixed = 2.0F * edge + title_height + gap / 2.0F + gap + button_height;
+  const float view =
+      std::min(layout.content, std::max(least_view, display.h - 2.0F * margin - fixed));
+  layout.panel = centred(display, width, fixed + view);
   Rect rest = inset(layout.panel, edge);
-  take_top(rest, title_height + gap / 2.0F + layout.words);
+  take_top(rest, title_height, gap / 2.0F);
   layout.buttons = take_bottom(rest, button_height, gap);
-  take_bottom(rest, layout.error);
-  layout.form = rest;
+  layout.view = rest;
   return layout;
 }
 
-void draw_words(Ui& ui, const Dialog& shown, const Layout& layout) {
+/// Sentence and error; leaves the place of the form in `rest`.
+void draw_words(Ui& ui, const Dialog& shown, const Layout& layout, Rect& rest) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
-  const Rect inner = inset(layout.panel, edge);
-  canvas.text_in({inner.x, inner.y, inner.w, title_height}, {Type::CardTitle, theme.text},
-                 shown.title);
-  if (!shown.sentence.empty()) {
-    canvas.paragraph({inner.x, inner.y + title_height + gap / 2.0F, inner.w, layout.words - gap},
-                     {Type::Body, theme.text_secondary}, shown.sentence);
-  }
+  if (!shown.sentence.empty())
+    canvas.paragraph(take_top(rest, layout.words - gap, gap), {Type::Body, theme.text_secondary},
+                     shown.sentence);
   if (shown.error.empty()) return;
-  const float top = layout.form.bottom() + gap / 2.0F;
-  draw_meaning(canvas, theme, Meaning::Bad, {inner.x + 8.0F, top + 10.0F}, 7.0F);
-  canvas.paragraph({inner.x + 24.0F, top, inner.w - 24.0F, layout.error},
+  const Rect line = take_top(rest, layout.error - gap, gap);
+  draw_meaning(canvas, theme, Meaning::Bad, {line.x + 8.0F, line.y + 10.0F}, 7.0F);
+  canvas.paragraph({line.x + error_indent, line.y, line.w - error_indent, line.h},
                    {Type::Small, theme.bad_text}, shown.error);
 }
 
 Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, bool is_ready, Rect line) {
+  const std::string prefix = std::string(id) + ".";
   ButtonSpec act{shown.act, shown.is_dangerous ? ButtonLook::Danger : ButtonLook::Primary};
   act.is_enabled = is_ready;
   act.is_busy = shown.is_busy;
-  const ButtonSpec keep{shown.keep, ButtonLook::Secondary};
   Answer answer = Answer::Waiting;
   const Rect act_place = take_right(line, button_width(ui, act) + 24.0F, 12.0F);
-  if (button(ui, std::string(id) + ".keep", take_right(line, button_width(ui, keep)), keep))
+  const ButtonSpec keep{shown.keep, ButtonLook::Secondary};
+  if (!shown.keep.empty() &&
+      button(ui, prefix + "keep", take_right(line, button_width(ui, keep)), keep))
     answer = Answer::Keep;
-  if (button(ui, std::string(id) + ".act", act_place, act)) answer = Answer::Act;
-  if (ui.shortcut({Key::Escape}, shown.keep)) answer = Answer::Keep;
+  if (button(ui, prefix + std::string(shown.act_name), act_place, act)) answer = Answer::Act;
+  if (ui.shortcut({Key::Escape}, shown.keep.empty() ? shown.act : shown.keep))
+    answer = Answer::Keep;
   return answer;
 }
 
@@ -78,12 +79,15 @@ Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
   const Layout layout = layout_of(ui, shown);
   draw_popup(canvas, ui.theme(), layout.panel, radius::picture);
   canvas.push_room(layout.panel);
-  draw_words(ui, shown, layout);
-  const Rect view = inset(layout.form, -ring_room);
-  const float offset = ui.begin_scroll(std::string(id) + ".form", shown.title, view,
-                                       shown.form_height + 2.0F * ring_room);
-  const bool is_ready =
-      draw_form({layout.form.x, layout.form.y - offset, layout.form.w, shown.form_height});
+  Rect inner = inset(layout.panel, edge);
+  canvas.text_in(take_top(inner, title_height), {Type::CardTitle, ui.theme().text}, shown.title,
+                 true);
+  const float offset =
+      ui.begin_scroll(std::string(id) + ".form", shown.title, inset(layout.view, -ring_room),
+                      layout.content + 2.0F * ring_room);
+  Rect rest{layout.view.x, layout.view.y - offset, layout.view.w, layout.content};
+  draw_words(ui, shown, layout, rest);
+  const bool is_ready = draw_form(rest);
   ui.end_scroll();
   const Answer answer = draw_buttons(ui, id, shown, is_ready, layout.buttons);
   canvas.pop_room();

@@ -376,5 +376,32 @@ TEST(Frames, ManyTextsOutgrowSixteenBitsOfVertices) {
   EXPECT_EQ(driver.texts().size(), 400U);
 }
 
+/// A short list inside a page that is lower than its content.
+struct ListInPage {
+  void draw(Ui& ui) {
+    const float page = ui.begin_scroll("page", "Page", {0.0F, 0.0F, 600.0F, 300.0F}, 900.0F);
+    const Rect view{20.0F, 500.0F - page, 400.0F, 160.0F};
+    const float list = ui.begin_scroll("list", "List", view, 400.0F);
+    for (int row = 0; row < 10; ++row)
+      button(ui, "row." + std::to_string(row),
+             {24.0F, view.y - list + 40.0F * static_cast<float>(row) + 4.0F, 200.0F, 32.0F},
+             {"Row"});
+    ui.end_scroll();
+    ui.end_scroll();
+  }
+};
+
+TEST(Scroll, ARegionInsideAnotherIsBroughtIntoSightWithTheFocus) {
+  const Texts texts = english_texts();
+  ListInPage page;
+  Driver driver(texts, [&](Ui& ui) { page.draw(ui); }, {600.0F, 300.0F, 1.0F});
+  for (int tab = 0; tab < 10; ++tab) {
+    driver.press(Key::Tab);
+    driver.frame();
+    driver.frame();
+    EXPECT_FALSE(driver.widget("row." + std::to_string(tab)).visible.is_empty()) << tab;
+  }
+}
+
 }  // namespace
 }  // namespace hallux::ui

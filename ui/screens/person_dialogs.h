@@ -1,11 +1,11 @@
-/// The sheets of the people screen: adding a person, and the one-time code that is shown once.
+/// The dialogs of the people screen: adding a person, and the one-time code that is shown once.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "database/administrator_desk.h"
-#include "ui/widgets/ui.h"
+#include "ui/widgets/menu.h"
 
 namespace hallux::ui {
 
@@ -15,10 +15,8 @@ struct AddedPersonWords {
   bool is_administrator = false;
 };
 
-enum class SheetAnswer { Waiting, Done, Closed };
-
-/// Asks who is added. Done where the person wants them added. `fault` is shown at the login.
-SheetAnswer draw_add_sheet(Ui& ui, AddedPersonWords& words, const std::string& fault, bool is_busy);
+/// Asks who is added. `fault` says why the last try failed.
+Answer draw_add_dialog(Ui& ui, AddedPersonWords& words, const std::string& fault, bool is_busy);
 
 /// A code that was just issued. It is drawn but not noted with the texts of the frame, and wiped with this.
 struct ShownCode {
@@ -26,6 +24,6 @@ struct ShownCode {
   database::IssuedCode issued;
 };
 enum class CodeAnswer { Waiting, Copied, Done };
-CodeAnswer draw_code_sheet(Ui& ui, const ShownCode& code);
+CodeAnswer draw_code_dialog(Ui& ui, const ShownCode& code);
 
 }  // namespace hallux::ui
