@@ -14,6 +14,7 @@ namespace {
 using database::AttemptHeader;
 
 enum Column { Number, Operation, PersonColumn, Started, Kind, StateColumn, Score, column_count };
+constexpr float number_from = 540.0F, state_from = 700.0F, kind_from = 860.0F;
 
 /// -1, 0 or 1: how two attempts stand to each other in a column.
 int compared(const AttemptHeader& a, const AttemptHeader& b, int column) {
@@ -99,12 +100,12 @@ void AttemptsScreen::draw_list(Ui& ui, const Rect& content) {
 
 void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
   const std::array<TableColumn, column_count> columns{{
-      {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, true},
+      {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, true, number_from},
       {ui.text("attempts.operation"), 0.0F, 1.4F, Align::Left, true},
       {ui.text("attempts.person"), 0.0F, 1.0F, Align::Left, true},
       {ui.text("attempts.started"), 160.0F, 1.0F, Align::Left, true},
-      {ui.text("attempts.kind"), 104.0F},
-      {ui.text("attempts.state"), 190.0F},
+      {ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, false, kind_from},
+      {ui.text("attempts.state"), 190.0F, 1.0F, Align::Left, false, state_from},
       {ui.text("attempts.score"), 88.0F, 1.0F, Align::Right, true},
   }};
   TableSpec spec;

@@ -18,7 +18,8 @@ namespace {
 using database::CohortMember;
 using database::CohortRole;
 
-constexpr float side_width = 600.0F, stacked_height = 460.0F, roomy_from = 460.0F;
+constexpr ListPageSpec page_spec{600.0F, 0.56F, 460.0F};
+constexpr float since_from = 460.0F;
 constexpr float list_height = 260.0F, gap = 14.0F;
 
 std::string_view role_id(CohortRole role) noexcept {
@@ -52,38 +53,30 @@ const CohortsScreen::Listed* CohortsScreen::chosen() const {
 
 void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (everybody_.is_new()) read_all(ui, shell);
-  {
-    const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
-    const Page scrolled(ui, "cohorts", ui.text("cohorts.title"), content,
-                        is_stacked ? 420.0F + stacked_height : 480.0F);
-    Rect page = scrolled.rect();
-    draw_head(ui, page);
-    const Panes panes = panes_of(page, std::min(side_width, page.w * 0.56F), stacked_height);
-    const Rect inside = list_card(ui, panes.main);
-    if (everybody_.draw_until_ready(ui, "cohorts.failed", inside, 6)) {
-      if (!chosen_ && !everybody_.value().cohorts.empty())
-        chosen_ = everybody_.value().cohorts.front().cohort.id;
-      draw_cohorts(ui, inside);
-      draw_members(ui, panes.side, shell);
-    } else {
-      card(ui, panes.side, {});
-    }
-  }
+  draw_page(ui, content, shell);
   draw_add_dialog(ui, shell);
   draw_enrol_dialog(ui, shell);
   draw_question(ui, shell);
 }
 
-void CohortsScreen::draw_head(Ui& ui, Rect& page) {
+void CohortsScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("cohorts.add"), ButtonLook::Primary, Icon::Add};
   PageHead head{ui.text("cohorts.title"), ui.text("cohorts.sentence")};
   if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
   head.buttons_width = button_width(ui, add);
-  const Rect buttons = page_head(ui, "cohorts", page, head).buttons;
-  if (button(ui, "cohorts.add", buttons, add)) {
+  const ListPage page(ui, "cohorts", head, content, page_spec);
+  if (button(ui, "cohorts.add", page.buttons(), add)) {
     new_name_.emplace();
     adding_.forget_fault();
   }
+  if (!everybody_.draw_until_ready(ui, "cohorts.failed", page.list(), 6)) {
+    card(ui, page.side(), {});
+    return;
+  }
+  if (!chosen_ && !everybody_.value().cohorts.empty())
+    chosen_ = everybody_.value().cohorts.front().cohort.id;
+  draw_cohorts(ui, page.list());
+  draw_members(ui, page.side(), shell);
 }
 
 void CohortsScreen::draw_cohorts(Ui& ui, const Rect& content) {
@@ -148,10 +141,10 @@ void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
 }
 
 void CohortsScreen::draw_member_table(Ui& ui, const Rect& content, const Listed& listed) {
-  const bool is_roomy = content.w >= roomy_from;
-  std::vector<TableColumn> columns{{ui.text("people.name"), 0.0F, 1.4F},
-                                   {ui.text("people.role"), 96.0F}};
-  if (is_roomy) columns.push_back({ui.text("cohorts.since"), 140.0F});
+  const std::array<TableColumn, 3> columns{
+      {{ui.text("people.name"), 0.0F, 1.4F},
+       {ui.text("people.role"), 96.0F},
+       {ui.text("cohorts.since"), 140.0F, 1.0F, Align::Left, false, since_from}}};
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(listed.members.size());

@@ -41,7 +41,7 @@ class CohortsScreen : public Screen {
   static Everybody read(database::Session& session);
   void read_all(Ui& ui, Shell& shell);
   const Listed* chosen() const;
-  void draw_head(Ui& ui, Rect& page);
+  void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_cohorts(Ui& ui, const Rect& content);
   void draw_members(Ui& ui, const Rect& rect, Shell& shell);
   void draw_member_table(Ui& ui, const Rect& content, const Listed& listed);

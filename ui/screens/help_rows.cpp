@@ -1,5 +1,6 @@
 #include "ui/screens/help_rows.h"
 
+#include <array>
 #include <vector>
 
 #include "ui/screens/course_words.h"
@@ -51,13 +52,13 @@ std::string help_moment(const Texts& texts, const HelpRequest& request) {
 
 int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& rows,
               std::span<const HelpRequest* const> requests, database::HelpRequestId chosen) {
-  std::vector<TableColumn> columns{{ui.text("help.question")}};
-  if (rect.w >= roomy_from) columns.push_back({ui.text("help.asked"), 150.0F});
-  columns.push_back({ui.text("help.state"), 96.0F});
+  const std::array<TableColumn, 3> columns{
+      {{ui.text("help.question")},
+       {ui.text("help.asked"), 150.0F, 1.0F, Align::Left, false, roomy_from},
+       {ui.text("help.state"), 96.0F}}};
   const auto at = [&](int row) -> const HelpRequest& {
     return *requests[static_cast<std::size_t>(row)];
   };
-  const int last = static_cast<int>(columns.size()) - 1;
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(requests.size());
@@ -68,7 +69,7 @@ int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& rows,
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
     if (column == 0) {
       draw_request_cell(own, at(row), rows.names_asker, cell);
-    } else if (column == last) {
+    } else if (column == 2) {
       pill(own, {cell.x, cell.mid_y()}, own.text(at(row).answer ? "help.answered" : "help.open"),
            at(row).answer ? Meaning::Good : Meaning::Info);
     } else {

@@ -77,6 +77,20 @@ Panes panes_of(const Rect& page, float side_width, float stacked_side_height) {
   return panes;
 }
 
+ListPage::ListPage(Ui& ui, std::string_view id, const PageHead& head, const Rect& content,
+                   const ListPageSpec& spec)
+    : page_(ui, id, head.title, content,
+            are_panes_stacked(content.w - 2.0F * page_margin(content))
+                ? spec.list_height + spec.side_height
+                : spec.least_height) {
+  Rect rest = page_.rect();
+  buttons_ = page_head(ui, id, rest, head).buttons;
+  const Panes panes =
+      panes_of(rest, std::min(spec.side_width, rest.w * spec.side_share), spec.side_height);
+  list_ = list_card(ui, panes.main);
+  side_ = panes.side;
+}
+
 Rect list_card(Ui& ui, const Rect& rect) {
   const Rect inside = card(ui, rect, {});
   constexpr float top = 8.0F;

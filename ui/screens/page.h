@@ -53,6 +53,38 @@ struct Panes {
 bool are_panes_stacked(float page_width) noexcept;
 Panes panes_of(const Rect& page, float side_width, float stacked_side_height);
 
+/// Heights and widths of a page with a list.
+struct ListPageSpec {
+  float side_width = 0.0F;      ///< of the card beside the list
+  float side_share = 1.0F;      ///< of the page that the card takes at most
+  float side_height = 0.0F;     ///< of the card where it stands below the list
+  float list_height = 420.0F;   ///< of all above that card
+  float least_height = 480.0F;  ///< of the page where they stand beside each other
+};
+
+/// A page with a list and, beside or below it, what was chosen in it. What is drawn while it is in scope lies on it.
+///
+///     const ListPage page(ui, "cohorts", head, content, spec);
+///     if (button(ui, "cohorts.add", page.buttons(), add)) ...
+///     if (!cohorts_.draw_until_ready(ui, "cohorts.failed", page.list(), 6)) return;
+class ListPage {
+ public:
+  /// Draws the head and the cards.
+  ListPage(Ui& ui, std::string_view id, const PageHead& head, const Rect& content,
+           const ListPageSpec& spec);
+
+  /// At the right of the head, as wide as it asked for.
+  const Rect& buttons() const noexcept { return buttons_; }
+  /// Inside the list's card, whose first line is the head of a table or tabs.
+  const Rect& list() const noexcept { return list_; }
+  /// All of the place for what was chosen; its card is drawn by whoever knows its padding.
+  const Rect& side() const noexcept { return side_; }
+
+ private:
+  Page page_;
+  Rect buttons_, list_, side_;
+};
+
 /// A card without a title whose first line is the head of a table or tabs; returns the place for it.
 Rect list_card(Ui& ui, const Rect& rect);
 

@@ -16,9 +16,9 @@ namespace {
 
 using database::Person;
 
-enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen };
-constexpr float side_width = 312.0F, stacked_height = 580.0F, search_width = 220.0F;
-constexpr float roomy_from = 700.0F;
+enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen, column_count };
+constexpr ListPageSpec page_spec{312.0F, 1.0F, 580.0F, 480.0F, 680.0F};
+constexpr float search_width = 220.0F, roomy_from = 700.0F;
 
 bool can_administer(const Person& person) noexcept {
   return person.is_administrator && !person.is_disabled && person.has_password;
@@ -135,36 +135,29 @@ bool PeopleScreen::is_last_administrator(const Person& person) const {
 
 void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (people_.is_new()) read_people(ui, shell);
-  {
-    const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
-    const Page scrolled(ui, "people", ui.text("people.title"), content,
-                        is_stacked ? 480.0F + stacked_height : 680.0F);
-    Rect page = scrolled.rect();
-    draw_head(ui, page);
-    const Panes panes = panes_of(page, side_width, stacked_height);
-    const Rect inside = list_card(ui, panes.main);
-    if (people_.draw_until_ready(ui, "people.failed", inside, 8)) {
-      filter();
-      draw_list(ui, inside);
-      draw_person(ui, panes.side, shell);
-    } else {
-      card(ui, panes.side, {});
-    }
-  }
+  draw_page(ui, content, shell);
   draw_dialogs(ui, shell);
   draw_question(ui, shell);
 }
 
-void PeopleScreen::draw_head(Ui& ui, Rect& page) {
+void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("people.add"), ButtonLook::Primary, Icon::Add};
-  const float add_width = button_width(ui, add);
-  PageHead head;
-  head.title = ui.text("people.title");
-  head.sentence = ui.text("people.sentence");
+  PageHead head{ui.text("people.title"), ui.text("people.sentence")};
   if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
-  head.buttons_width = search_width + 12.0F + add_width;
-  Rect buttons = page_head(ui, "people", page, head).buttons;
-  if (button(ui, "people.add", take_right(buttons, add_width, 12.0F), add))
+  head.buttons_width = search_width + 12.0F + button_width(ui, add);
+  const ListPage page(ui, "people", head, content, page_spec);
+  draw_head_buttons(ui, page.buttons(), add);
+  if (!people_.draw_until_ready(ui, "people.failed", page.list(), 8)) {
+    card(ui, page.side(), {});
+    return;
+  }
+  filter();
+  draw_list(ui, page.list());
+  draw_person(ui, page.side(), shell);
+}
+
+void PeopleScreen::draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add) {
+  if (button(ui, "people.add", take_right(buttons, button_width(ui, add), 12.0F), add))
     added_.emplace(), adding_.forget_fault();
   FieldSpec search;
   search.label = search.placeholder = ui.text("people.search");
@@ -195,20 +188,13 @@ void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
 }
 
 void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
-  const bool is_roomy = content.w >= roomy_from;
-  std::vector<int> fields{Name, Login};
-  std::vector<TableColumn> columns{{ui.text("people.name"), 0.0F, 1.7F, Align::Left, true},
-                                   {ui.text("people.login"), 0.0F, 1.0F, Align::Left, true}};
-  const auto add = [&](int column, std::string_view head, float width) {
-    fields.push_back(column);
-    columns.push_back({head, width, 1.0F, Align::Left, true});
-  };
-  if (is_roomy) {
-    add(RoleColumn, ui.text("people.role"), 96.0F);
-    add(CohortColumn, ui.text("people.cohorts"), 0.0F);
-  }
-  add(StateColumn, ui.text("people.state"), 112.0F);
-  if (is_roomy) add(Seen, ui.text("people.seen"), 88.0F);
+  const std::array<TableColumn, column_count> columns{
+      {{ui.text("people.name"), 0.0F, 1.7F, Align::Left, true},
+       {ui.text("people.login"), 0.0F, 1.0F, Align::Left, true},
+       {ui.text("people.role"), 96.0F, 1.0F, Align::Left, true, roomy_from},
+       {ui.text("people.cohorts"), 0.0F, 1.0F, Align::Left, true, roomy_from},
+       {ui.text("people.state"), 112.0F, 1.0F, Align::Left, true},
+       {ui.text("people.seen"), 88.0F, 1.0F, Align::Left, true, roomy_from}}};
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(shown_.size());
@@ -223,7 +209,7 @@ void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
     const Listed& listed = at(row);
     const TextStyle plain{Type::Body, own.theme().text_secondary};
-    switch (fields[static_cast<std::size_t>(column)]) {
+    switch (column) {
       case Name:
         return draw_name(own, listed.person, cell);
       case Login:
@@ -245,14 +231,7 @@ void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
     }
   };
   table_.chosen = {chosen_};
-  // The columns that are left out where it is narrow keep their numbers in the sort.
-  const auto shown_place = std::find(fields.begin(), fields.end(), table_.sort.column);
-  TableState state = table_;
-  state.sort.column =
-      shown_place == fields.end() ? -1 : static_cast<int>(shown_place - fields.begin());
-  const TableResponse response = table(ui, "people.row", content, spec, state);
-  if (response.has_sort_changed)
-    table_.sort = {fields[static_cast<std::size_t>(state.sort.column)], state.sort.is_descending};
+  const TableResponse response = table(ui, "people.row", content, spec, table_);
   if (response.opened) chosen_ = at(*response.opened).person.login;
 }
 

@@ -49,7 +49,8 @@ class PeopleScreen : public Screen {
   static std::string_view role_id(const Listed& listed) noexcept;
   const Listed* chosen() const;
   bool is_last_administrator(const database::Person& person) const;
-  void draw_head(Ui& ui, Rect& page);
+  void draw_page(Ui& ui, const Rect& content, Shell& shell);
+  void draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add);
   void draw_list(Ui& ui, const Rect& content);
   void draw_table(Ui& ui, const Rect& content);
   void draw_person(Ui& ui, const Rect& content, Shell& shell);

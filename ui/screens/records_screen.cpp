@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using database::AuditLine;
 
-enum Field { When, Who, Did, What, Entry };
+enum Field { When, Who, Did, What, Entry, column_count };
 constexpr float side_width = 320.0F, stacked_height = 620.0F, backup_height = 300.0F,
                 roomy_from = 640.0F;
 constexpr std::int32_t lines_per_page = 50;
@@ -117,20 +117,12 @@ void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
 }
 
 void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
-  std::vector<int> fields;
-  std::vector<TableColumn> columns;
-  const auto add = [&](int field, std::string_view head, float width, float share = 1.0F) {
-    fields.push_back(field);
-    columns.push_back({head, width, share, field == Entry ? Align::Right : Align::Left});
-  };
-  const bool is_roomy = content.w >= roomy_from;
-  add(When, ui.text("records.when"), is_roomy ? 140.0F : 0.0F);
-  add(Who, ui.text("records.who"), 0.0F, 0.8F);
-  add(Did, ui.text("records.did"), 0.0F, 1.3F);
-  if (is_roomy) {
-    add(What, ui.text("records.what"), 0.0F, 1.5F);
-    add(Entry, ui.text("records.entry"), 64.0F);
-  }
+  const std::array<TableColumn, column_count> columns{
+      {{ui.text("records.when"), 140.0F},
+       {ui.text("records.who"), 0.0F, 0.8F},
+       {ui.text("records.did"), 0.0F, 1.3F},
+       {ui.text("records.what"), 0.0F, 1.5F, Align::Left, false, roomy_from},
+       {ui.text("records.entry"), 64.0F, 1.0F, Align::Right, false, roomy_from}}};
   const std::vector<AuditLine>& lines = page_.value().lines;
   TableSpec spec;
   spec.columns = columns;
@@ -144,7 +136,7 @@ void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
                                           {"moment", moment_text(at(row).at_utc)}});
   };
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    draw_cell(own, at(row), fields[static_cast<std::size_t>(column)], cell);
+    draw_cell(own, at(row), column, cell);
   };
   table_.chosen = {std::to_string(chosen_)};
   const TableResponse response = table(ui, "records.row", content, spec, table_);

@@ -1,6 +1,7 @@
 #include "ui/screens/scenarios_screen.h"
 
 #include <algorithm>
+#include <array>
 
 #include "ui/jobs/course_jobs.h"
 #include "ui/jobs/scenario_jobs.h"
@@ -18,9 +19,9 @@ namespace {
 using database::ScenarioState;
 using database::ScenarioVersion;
 
-enum Column { Operation, Version, StateColumn, Review, Attempts, Since };
-constexpr float side_share = 0.46F, stacked_height = 560.0F, roomy_from = 500.0F;
-constexpr float review_from = 420.0F;
+enum Column { Operation, Version, StateColumn, Review, Attempts, column_count };
+constexpr ListPageSpec page_spec{1000.0F, 0.46F, 560.0F, 420.0F, 520.0F};
+constexpr float review_from = 420.0F, attempts_from = 500.0F;
 
 std::string name_text(const Texts& texts, const ScenarioVersion& version) {
   return texts.say("scenarios.version_of", {{"operation", operation_text(version.name)},
@@ -134,36 +135,28 @@ const ScenarioVersion* ScenariosScreen::published_beside(const ScenarioVersion& 
 
 void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (versions_.is_new()) read(ui, shell);
-  {
-    const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
-    const Page scrolled(ui, "scenarios", ui.text("scenarios.title"), content,
-                        is_stacked ? 420.0F + stacked_height : 520.0F);
-    Rect page = scrolled.rect();
-    draw_head(ui, page);
-    const Panes panes = panes_of(page, page.w * side_share, stacked_height);
-    const Rect inside = list_card(ui, panes.main);
-    if (versions_.draw_until_ready(ui, "scenarios.failed", inside, 6)) {
-      if (!chosen_ && !versions_.value().empty()) chosen_ = versions_.value().front().id;
-      draw_table(ui, inside);
-      draw_chosen(ui, panes.side, shell);
-    } else {
-      card(ui, panes.side, {});
-    }
-  }
+  draw_page(ui, content, shell);
   draw_import_dialog(ui, shell);
   draw_question(ui, shell);
 }
 
-void ScenariosScreen::draw_head(Ui& ui, Rect& page) {
+void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec act{ui.text("scenarios.import"), ButtonLook::Primary, Icon::Import};
   PageHead head{ui.text("scenarios.title"), ui.text("scenarios.sentence")};
   if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
   head.buttons_width = button_width(ui, act);
-  const Rect buttons = page_head(ui, "scenarios", page, head).buttons;
-  if (button(ui, "scenarios.import", buttons, act)) {
+  const ListPage page(ui, "scenarios", head, content, page_spec);
+  if (button(ui, "scenarios.import", page.buttons(), act)) {
     file_.emplace();
     importing_.forget_fault();
   }
+  if (!versions_.draw_until_ready(ui, "scenarios.failed", page.list(), 6)) {
+    card(ui, page.side(), {});
+    return;
+  }
+  if (!chosen_ && !versions_.value().empty()) chosen_ = versions_.value().front().id;
+  draw_table(ui, page.list());
+  draw_chosen(ui, page.side(), shell);
 }
 
 void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
@@ -174,17 +167,12 @@ void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
         {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence"), {}});
     return;
   }
-  std::vector<int> fields;
-  std::vector<TableColumn> columns;
-  const auto add = [&](int column, std::string_view head, float width, Align align = Align::Left) {
-    fields.push_back(column);
-    columns.push_back({head, width, 1.0F, align});
-  };
-  add(Operation, ui.text("scenarios.operation"), 0.0F);
-  add(Version, ui.text("scenarios.version"), 56.0F, Align::Right);
-  add(StateColumn, ui.text("scenarios.state"), 106.0F);
-  if (content.w >= review_from) add(Review, ui.text("scenarios.review"), 150.0F);
-  if (content.w >= roomy_from) add(Attempts, ui.text("scenarios.attempts"), 66.0F, Align::Right);
+  const std::array<TableColumn, column_count> columns{
+      {{ui.text("scenarios.operation")},
+       {ui.text("scenarios.version"), 56.0F, 1.0F, Align::Right},
+       {ui.text("scenarios.state"), 106.0F},
+       {ui.text("scenarios.review"), 150.0F, 1.0F, Align::Left, false, review_from},
+       {ui.text("scenarios.attempts"), 66.0F, 1.0F, Align::Right, false, attempts_from}}};
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(versions.size());
@@ -197,7 +185,7 @@ void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
     const ScenarioVersion& version = at(row);
     const TextStyle number{Type::Body, own.theme().text_secondary, Align::Right};
-    switch (fields[static_cast<std::size_t>(column)]) {
+    switch (column) {
       case Operation:
         own.canvas().text_in(cell, {Type::BodyMedium, own.theme().text},
                              operation_text(version.name), true);

@@ -29,7 +29,7 @@ class ScenariosScreen : public Screen {
   const database::ScenarioVersion* chosen() const;
   /// The published version of the same operation, which publishing another would retire; null for none.
   const database::ScenarioVersion* published_beside(const database::ScenarioVersion& version) const;
-  void draw_head(Ui& ui, Rect& page);
+  void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_table(Ui& ui, const Rect& content);
   void draw_chosen(Ui& ui, const Rect& rect, Shell& shell);
   void draw_actions(Ui& ui, Rect& rest, const database::ScenarioVersion& version);

@@ -18,7 +18,7 @@ namespace {
 using database::AttemptHeader;
 using database::OperationStanding;
 
-enum Column { Number, Operation, Started, Kind, StateColumn, Score };
+enum Column { Number, Operation, Started, Kind, StateColumn, Score, column_count };
 constexpr float standing_width = 232.0F, standing_height = 138.0F, roomy_from = 680.0F;
 
 std::string_view competence_id(Competence competence) noexcept {
@@ -164,19 +164,13 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
                {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
     return;
   }
-  std::vector<int> fields;
-  std::vector<TableColumn> columns;
-  const auto add = [&](int column, std::string_view head, float width, Align align = Align::Left) {
-    fields.push_back(column);
-    columns.push_back({head, width, 1.0F, align});
-  };
-  const bool is_roomy = content.w >= roomy_from;
-  if (is_roomy) add(Number, ui.text("attempts.number"), 48.0F, Align::Right);
-  add(Operation, ui.text("attempts.operation"), 0.0F);
-  add(Started, ui.text("attempts.started"), is_roomy ? 160.0F : 0.0F);
-  if (is_roomy) add(Kind, ui.text("attempts.kind"), 104.0F);
-  if (is_roomy) add(StateColumn, ui.text("attempts.state"), 150.0F);
-  add(Score, ui.text("attempts.score"), 84.0F, Align::Right);
+  const std::array<TableColumn, column_count> columns{
+      {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, false, roomy_from},
+       {ui.text("attempts.operation")},
+       {ui.text("attempts.started"), 150.0F},
+       {ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, false, roomy_from},
+       {ui.text("attempts.state"), 150.0F, 1.0F, Align::Left, false, roomy_from},
+       {ui.text("attempts.score"), 84.0F, 1.0F, Align::Right}}};
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(attempts.size());
@@ -190,7 +184,7 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
                                            {"moment", moment_text(at(row).started_utc)}});
   };
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    draw_attempt_cell(own, at(row), fields[static_cast<std::size_t>(column)], cell);
+    draw_attempt_cell(own, at(row), column, cell);
   };
   const TableResponse response = table(ui, "trainee.row", content, spec, table_);
   if (response.opened) places_.show_result(at(*response.opened).id);

@@ -11,23 +11,31 @@ namespace {
 
 constexpr float head_height = 40.0F, checkbox_room = 34.0F, column_gap = 16.0F, row_reach = 12.0F;
 
-std::vector<Rect> columns_of(const Rect& line, const TableSpec& spec) {
+/// A column that is not left out, and its part of a line.
+struct ColumnPlace {
+  int number = 0;
+  Rect rect;
+};
+
+std::vector<ColumnPlace> columns_of(const Rect& line, const TableSpec& spec) {
   float left = line.x + (spec.has_checkboxes ? checkbox_room : 0.0F);
-  float fixed = column_gap * static_cast<float>(std::max<std::size_t>(spec.columns.size(), 1) - 1),
-        shares = 0.0F;
+  float fixed = -column_gap, shares = 0.0F;
   for (const TableColumn& column : spec.columns) {
-    fixed += column.width;
+    if (line.w < column.from_width) continue;
+    fixed += column.width + column_gap;
     if (column.width <= 0.0F) shares += column.share;
   }
   const float room = std::max(0.0F, line.right() - left - fixed);
-  std::vector<Rect> columns;
-  for (const TableColumn& column : spec.columns) {
+  std::vector<ColumnPlace> places;
+  for (std::size_t number = 0; number < spec.columns.size(); ++number) {
+    const TableColumn& column = spec.columns[number];
+    if (line.w < column.from_width) continue;
     const float width =
         column.width > 0.0F ? column.width : room * column.share / std::max(shares, 0.001F);
-    columns.push_back({left, line.y, width, line.h});
+    places.push_back({static_cast<int>(number), {left, line.y, width, line.h}});
     left += width + column_gap;
   }
-  return columns;
+  return places;
 }
 
 bool draw_head(Ui& ui, std::string_view id, const Rect& place, const TableColumn& column,
@@ -49,7 +57,7 @@ bool draw_head(Ui& ui, std::string_view id, const Rect& place, const TableColumn
       is_sorted ? theme.text_secondary : mixed(theme.text_caption, theme.text, response.hover);
   const bool is_right = column.align == Align::Right;
   const Rect room{place.x, place.y, place.w - (is_sorted && !is_right ? 16.0F : 0.0F), place.h};
-  const float width = canvas.text_in(room, {Type::Caption, ink, column.align}, column.head);
+  const float width = canvas.text_in(room, {Type::Caption, ink, column.align}, column.head, true);
   if (is_sorted)
     canvas.icon({is_right ? place.right() - width - 10.0F : place.x + width + 10.0F, place.mid_y()},
                 sort.is_descending ? Icon::SortDown : Icon::SortUp, IconSize::Inline,
@@ -136,10 +144,9 @@ void draw_one_row(Ui& ui, std::string_view id, const TableSpec& spec, TableState
   if (spec.has_checkboxes)
     draw_checkbox(ui, {place.rect.x, place.rect.mid_y() - 9.0F, 18.0F, 18.0F}, place.is_chosen,
                   true, {});
-  const std::vector<Rect> cells = columns_of(place.rect, spec);
-  for (std::size_t column = 0; column < cells.size(); ++column) {
-    ui.canvas().push_room(inset(cells[column], -1.0F, 0.0F));
-    spec.draw_cell(ui, place.row, static_cast<int>(column), cells[column]);
+  for (const ColumnPlace& cell : columns_of(place.rect, spec)) {
+    ui.canvas().push_room(inset(cell.rect, -1.0F, 0.0F));
+    spec.draw_cell(ui, place.row, cell.number, cell.rect);
     ui.canvas().pop_room();
   }
 }
@@ -177,7 +184,6 @@ TableResponse table(Ui& ui, std::string_view id, const Rect& rect, const TableSp
   TableResponse answer;
   Rect rest = rect;
   const Rect head = take_top(rest, head_height);
-  const std::vector<Rect> heads = columns_of(head, spec);
   if (spec.has_checkboxes && spec.row_count > 0) {
     bool is_all = static_cast<int>(state.chosen.size()) == spec.row_count;
     const bool is_flipped =
@@ -191,9 +197,10 @@ TableResponse table(Ui& ui, std::string_view id, const Rect& rect, const TableSp
       answer.has_choice_changed = true;
     }
   }
-  for (std::size_t column = 0; column < heads.size(); ++column)
-    answer.has_sort_changed |= draw_head(ui, id, heads[column], spec.columns[column],
-                                         static_cast<int>(column), state.sort);
+  for (const ColumnPlace& place : columns_of(head, spec)) {
+    const TableColumn& column = spec.columns[static_cast<std::size_t>(place.number)];
+    answer.has_sort_changed |= draw_head(ui, id, place.rect, column, place.number, state.sort);
+  }
   ui.canvas().hairline_across(head.x, head.bottom() - 1.0F, head.w, ui.theme().line);
   draw_rows(ui, id, rest, spec, state, answer);
   if (answer.opened || answer.has_sort_changed || answer.has_choice_changed)

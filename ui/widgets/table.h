@@ -1,4 +1,5 @@
-/// Rows with columns: choose one or many, sort by a head, open by Enter or a double click.
+/// Rows with columns: choose one or many, sort by a head, open by Enter or a double click. A narrow table leaves out the
+/// columns that say so.
 ///
 /// Only what is in sight is laid out, so a table may have a hundred thousand rows. Arrows move, Space chooses,
 /// Shift+arrows extend, Enter opens, Ctrl+A chooses all. The row with the focus stays in sight.
@@ -21,6 +22,9 @@ struct TableColumn {
   float share = 1.0F;
   Align align = Align::Left;  ///< numbers right, words left
   bool can_sort = false;
+  /// Where the table is narrower the column is left out. The numbers of the others stay: in the sort, in `draw_cell` and in
+  /// ids.
+  float from_width = 0.0F;
 };
 
 struct TableSort {
@@ -45,7 +49,7 @@ struct TableSpec {
   std::function<std::string(int row)> row_id;
   /// What a person would call the row.
   std::function<std::string(int row)> row_label;
-  /// Draws one cell inside `cell`.
+  /// Draws one cell inside `cell`, of a column that is not left out.
   std::function<void(Ui& ui, int row, int column, const Rect& cell)> draw_cell;
 };
 

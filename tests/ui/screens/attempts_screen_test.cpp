@@ -85,6 +85,10 @@ TEST(AttemptsScreen, EveryStateIsShownAndNothingIsCutOff) {
     EXPECT_TRUE(reader.driver().sees("Interrupted"));
     EXPECT_TRUE(reader.driver().sees("Not scored"));
     EXPECT_THAT(reader.driver().faults(), IsEmpty()) << scale;
+    reader.driver().resize(1280.0F, 720.0F);
+    reader.driver().settle();
+    EXPECT_TRUE(reader.driver().sees("76.8")) << "however narrow";
+    EXPECT_THAT(reader.driver().faults(), IsEmpty()) << "1280 x 720 at " << scale;
   }
 }
 

@@ -77,6 +77,42 @@ TEST(Table, WithoutCheckboxesAPressOpens) {
   EXPECT_THAT(people.state.chosen, IsEmpty());
 }
 
+TEST(Table, ANarrowOneLeavesOutColumnsAndKeepsTheirNumbers) {
+  const Texts texts = english_texts();
+  TableState state;
+  float width = 600.0F;
+  std::set<int> drawn;
+  Driver driver(texts, [&](Ui& ui) {
+    const std::array<TableColumn, 3> columns{{{"Name", 0.0F, 1.0F, Align::Left, true},
+                                              {"Seen", 90.0F, 1.0F, Align::Left, true, 500.0F},
+                                              {"Attempts", 90.0F, 1.0F, Align::Right, true}}};
+    TableSpec spec;
+    spec.columns = columns;
+    spec.row_count = 3;
+    spec.label = "People";
+    spec.row_id = [](int row) { return std::to_string(row); };
+    drawn.clear();
+    spec.draw_cell = [&](Ui&, int, int column, const Rect& cell) {
+      drawn.insert(column);
+      EXPECT_LE(cell.right(), 40.0F + width + 0.5F);
+      if (column == 2) {
+        EXPECT_NEAR(cell.right(), 40.0F + width, 0.5F) << "no hole is left";
+      }
+    };
+    table(ui, "people", {40.0F, 40.0F, width, 340.0F}, spec, state);
+  });
+  EXPECT_THAT(drawn, ElementsAre(0, 1, 2));
+  driver.click("people.sort.1");
+  width = 499.0F;
+  driver.frame();
+  EXPECT_THAT(drawn, ElementsAre(0, 2));
+  EXPECT_FALSE(driver.has("people.sort.1"));
+  EXPECT_EQ(state.sort.column, 1) << "what is left out still sorts";
+  driver.click("people.sort.2");
+  EXPECT_EQ(state.sort.column, 2);
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
 TEST(Table, AHeadSortsAndTurnsRound) {
   People people;
   Driver driver(people.texts, [&](Ui& ui) { people.draw(ui); });

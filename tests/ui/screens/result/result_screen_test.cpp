@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include "assessment/number_text.h"
-#include "tests/ui/screens/some_operation.h"
-#include "tests/ui/screens/some_places.h"
-#include "tests/ui/screens/some_visitor.h"
+#include "tests/ui/screens/some_reviewer.h"
 #include "ui/screens/result/result_words.h"
 
 namespace hallux::ui {
@@ -23,34 +21,19 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 /// Somebody of the course who looks at a result.
-struct Reader {
+struct Reader : SomeReviewer {
   Reader(SomeCourse& course, const std::string& login, const AttemptId& attempt, float scale = 1.0F)
-      : visitor(std::make_unique<ResultScreen>(visit_of(course, login), places, attempt), scale) {
-    finish();
-  }
-  /// What is done starts what is read anew.
-  void finish() {
-    visitor.finish_work();
-    visitor.finish_work();
-  }
-  Driver& driver() { return visitor.driver(); }
-  /// Tab until the control has the focus.
-  void tab_to(const std::string& id) {
-    for (int presses = 0; presses < 60 && driver().focused() != id; ++presses)
-      driver().press(Key::Tab);
-    ASSERT_EQ(driver().focused(), id);
-  }
-
-  SomePlaces places;
-  SomeVisitor visitor;
+      : SomeReviewer(
+            [&](SomePlaces& places) {
+              return std::make_unique<ResultScreen>(visit_of(course, login), places, attempt);
+            },
+            scale) {}
 };
 
 TEST(ResultScreen, ATraineeReadsScoreLedgerAndMarks) {
-  SomeCourse course;
-  const SomeOperation operation = some_operation();
-  const AttemptId attempt = operated_by(course, "ada", operation);
-  const auto stored = course.trainee("ada").score(attempt);
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  const auto stored = akin.course.trainee("ada").score(akin.attempt);
+  Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
   EXPECT_TRUE(driver.sees(points_text(stored->card.score_milli)));
   for (const char* words : {"Score advisory until signed", "Partial", "Not surgeon-reviewed",
@@ -73,11 +56,10 @@ int tenths_after(Driver& driver, const std::string& words) {
 }
 
 TEST(ResultScreen, OnePointMeansTheSameInScoreLedgerGroupsAndSentences) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
-  const database::ScoreCard card = course.trainee("ada").score(attempt)->card;
+  const database::ScoreCard card = akin.course.trainee("ada").score(akin.attempt)->card;
   ASSERT_LT(card.measured_milli, card.rubric_milli) << "else there is but one scale";
   const assessment::ShownPoints shown = assessment::shown_points(card);
   EXPECT_TRUE(driver.sees(points_text(shown.score_milli)));
@@ -92,35 +74,30 @@ TEST(ResultScreen, OnePointMeansTheSameInScoreLedgerGroupsAndSentences) {
 }
 
 TEST(ResultScreen, ALedgerEntryLeadsToItsMomentByMouse) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
   reader.driver().click("result.moment.A1");
-  ASSERT_THAT(reader.places.asked, SizeIs(1));
-  EXPECT_THAT(reader.places.asked.front(), HasSubstr("replay " + attempt.text + " at 0.01"));
+  ASSERT_THAT(reader.asked(), SizeIs(1));
+  EXPECT_THAT(reader.asked().front(), HasSubstr("replay " + akin.attempt.text + " at 0.01"));
 }
 
 TEST(ResultScreen, ALedgerEntryLeadsToItsMomentByKeyboard) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
-  driver.press(Key::Tab);
-  for (int presses = 0; presses < 60 && !driver.focused().starts_with("result.ledger."); ++presses)
-    driver.press(Key::Tab);
+  reader.tab_to("result.ledger.");
   driver.press(Key::Down);
   ASSERT_TRUE(driver.focused().starts_with("result.ledger."));
   driver.press(Key::Enter);
-  EXPECT_THAT(reader.places.asked, IsEmpty()) << "the first press shows it here";
+  EXPECT_THAT(reader.asked(), IsEmpty()) << "the first press shows it here";
   EXPECT_FALSE(driver.sees("Choose an entry"));
   driver.press(Key::Enter);
-  EXPECT_THAT(reader.places.asked, SizeIs(1));
+  EXPECT_THAT(reader.asked(), SizeIs(1));
 }
 
 TEST(ResultScreen, StandardViewsAreChosenByMouseAndByKey) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
   EXPECT_TRUE(driver.sees("left standing"));
   driver.click("result.views");
@@ -135,17 +112,15 @@ TEST(ResultScreen, StandardViewsAreChosenByMouseAndByKey) {
 }
 
 TEST(ResultScreen, EnterIsTheReplayOfTheWholeAttempt) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
   reader.driver().press(Key::Enter);
-  EXPECT_THAT(reader.places.asked, ElementsAre("replay " + attempt.text + " at 0.000000"));
+  EXPECT_THAT(reader.asked(), ElementsAre("replay " + akin.attempt.text + " at 0.000000"));
 }
 
 TEST(ResultScreen, AnInstructorConfirmsByMouse) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "kim", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "kim", akin.attempt);
   Driver& driver = reader.driver();
   driver.click("result.decide");
   EXPECT_FALSE(driver.widget("decide.act").is_enabled) << "a reason is wanted";
@@ -156,16 +131,15 @@ TEST(ResultScreen, AnInstructorConfirmsByMouse) {
   EXPECT_FALSE(driver.has("decide.act"));
   EXPECT_TRUE(driver.sees("Confirmed by an instructor"));
   EXPECT_FALSE(driver.sees("Score advisory until signed"));
-  const auto decisions = course.trainee("ada").decisions(attempt);
+  const auto decisions = akin.course.trainee("ada").decisions(akin.attempt);
   ASSERT_THAT(decisions, SizeIs(1));
   EXPECT_EQ(decisions.front().kind, DecisionKind::Confirmed);
   EXPECT_EQ(decisions.front().reason, "Seen in the replay.");
 }
 
 TEST(ResultScreen, AnInstructorOverridesByKeyboardAlone) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "kim", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "kim", akin.attempt);
   Driver& driver = reader.driver();
   reader.tab_to("result.decide");
   driver.press(Key::Space);
@@ -182,7 +156,7 @@ TEST(ResultScreen, AnInstructorOverridesByKeyboardAlone) {
   driver.type("The table was moved.");
   driver.press(Key::Enter, {.control = true});
   reader.finish();
-  const auto decisions = course.trainee("ada").decisions(attempt);
+  const auto decisions = akin.course.trainee("ada").decisions(akin.attempt);
   ASSERT_THAT(decisions, SizeIs(1));
   EXPECT_EQ(decisions.front().score_milli, 72'500);
   EXPECT_TRUE(driver.sees("72.5"));
@@ -191,10 +165,9 @@ TEST(ResultScreen, AnInstructorOverridesByKeyboardAlone) {
 }
 
 TEST(ResultScreen, AVoidAsksFirstAndIsReadByTheTrainee) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
+  OperatedCourse akin;
   {
-    Reader reader(course, "kim", attempt);
+    Reader reader(akin.course, "kim", akin.attempt);
     Driver& driver = reader.driver();
     driver.click("result.decide");
     driver.click("decide.kind.2");
@@ -204,40 +177,38 @@ TEST(ResultScreen, AVoidAsksFirstAndIsReadByTheTrainee) {
     EXPECT_TRUE(driver.sees("Void this attempt?"));
     driver.press(Key::Enter);  // the safe answer has the focus
     reader.finish();
-    EXPECT_THAT(course.trainee("ada").decisions(attempt), IsEmpty());
+    EXPECT_THAT(akin.course.trainee("ada").decisions(akin.attempt), IsEmpty());
     driver.click("decide.act");
     driver.click("decide.void.act");
     reader.finish();
     EXPECT_TRUE(driver.sees("This attempt does not count. The station was restarted."));
   }
-  Reader trainee(course, "ada", attempt);
+  Reader trainee(akin.course, "ada", akin.attempt);
   EXPECT_TRUE(trainee.driver().sees("This attempt does not count. The station was restarted."));
   EXPECT_TRUE(trainee.driver().sees("does not count"));
   EXPECT_THAT(trainee.driver().faults(), IsEmpty());
 }
 
 TEST(ResultScreen, EscLeavesTheFormAndDecidesNothing) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "kim", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "kim", akin.attempt);
   reader.driver().click("result.decide");
   reader.driver().type("A reason");
   reader.driver().press(Key::Escape);
   EXPECT_FALSE(reader.driver().has("decide.act"));
-  EXPECT_THAT(course.trainee("ada").decisions(attempt), IsEmpty());
+  EXPECT_THAT(akin.course.trainee("ada").decisions(akin.attempt), IsEmpty());
 }
 
 TEST(ResultScreen, ATraineeAsksAboutTheMomentOfAnEntry) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "ada", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
   driver.click("result.ledger.A3");
   driver.click("result.ask");
   driver.type("Why here?");
   driver.press(Key::Enter, {.control = true});
   reader.finish();
-  const auto requests = course.trainee("ada").help_requests();
+  const auto requests = akin.course.trainee("ada").help_requests();
   ASSERT_THAT(requests, SizeIs(1));
   EXPECT_EQ(requests.front().question, "Why here?");
   EXPECT_GT(requests.front().moment.moment_us, 300'000) << "the second cut";
@@ -246,9 +217,8 @@ TEST(ResultScreen, ATraineeAsksAboutTheMomentOfAnEntry) {
 }
 
 TEST(ResultScreen, AnAttemptOfSomebodyElseIsRefused) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  Reader reader(course, "bob", attempt);
+  OperatedCourse akin;
+  Reader reader(akin.course, "bob", akin.attempt);
   EXPECT_TRUE(reader.driver().sees("This could not be read"));
   EXPECT_FALSE(reader.driver().sees("Akin"));
   EXPECT_THAT(reader.driver().faults(), IsEmpty());
@@ -284,17 +254,16 @@ TEST(ResultScreen, WhatTheStoreLacksIsComputedAndKept) {
 }
 
 TEST(ResultScreen, ADifferenceToTheStoredScoreIsNeverHidden) {
-  SomeCourse course;
-  const SomeOperation operation = some_operation();
-  const AttemptId attempt = operated_by(course, "ada", operation);
-  database::ScoreCard older = course.trainee("ada").score(attempt)->card;
+  OperatedCourse akin;
+  database::ScoreCard older = akin.course.trainee("ada").score(akin.attempt)->card;
   older.score_milli = 12'300;
   older.engine = 1;
-  store_score(course.database(), attempt, older, course.id_of("ada"));
-  Reader reader(course, "ada", attempt);
+  store_score(akin.course.database(), akin.attempt, older, akin.course.id_of("ada"));
+  Reader reader(akin.course, "ada", akin.attempt);
   EXPECT_TRUE(reader.driver().sees("12.3"));
   EXPECT_TRUE(reader.driver().sees("what is shown is the stored score, 12.3 (engine 1)"));
-  EXPECT_EQ(course.trainee("ada").score(attempt)->card.score_milli, 12'300) << "and stays";
+  EXPECT_EQ(akin.course.trainee("ada").score(akin.attempt)->card.score_milli, 12'300)
+      << "and stays";
 }
 
 TEST(ResultScreen, AnInterruptedAttemptSaysSo) {
@@ -306,12 +275,12 @@ TEST(ResultScreen, AnInterruptedAttemptSaysSo) {
 }
 
 TEST(ResultScreen, NothingIsCutOffAtAnyScaleOrSize) {
-  SomeCourse course;
-  const AttemptId attempt = operated_by(course, "ada", some_operation());
-  course.instructor("kim", course.autumn())
-      .decide({attempt, DecisionKind::Overridden, 60'000, "The table was moved during the cut."});
+  OperatedCourse akin;
+  akin.course.instructor("kim", akin.course.autumn())
+      .decide(
+          {akin.attempt, DecisionKind::Overridden, 60'000, "The table was moved during the cut."});
   for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
-    Reader reader(course, "kim", attempt, scale);
+    Reader reader(akin.course, "kim", akin.attempt, scale);
     EXPECT_THAT(reader.driver().faults(), IsEmpty()) << scale;
     reader.driver().resize(1280.0F, 720.0F);
     reader.driver().settle();
