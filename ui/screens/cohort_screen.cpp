@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 
 #include "simulator/base/check.h"
@@ -13,6 +14,7 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/marks.h"
 #include "ui/widgets/menu.h"
+#include "ui/widgets/pager.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -23,7 +25,8 @@ using database::OperationStanding;
 using database::TraineeStanding;
 
 constexpr float side_width = 320.0F, stacked_height = 620.0F, grid_row = 46.0F;
-constexpr float person_width = 190.0F, least_cell = 92.0F, legend_height = 48.0F;
+constexpr float person_width = 190.0F, least_cell = 92.0F, most_cell = 150.0F, sort_mark = 18.0F,
+                legend_height = 48.0F;
 constexpr int idle_days = 14;
 constexpr std::size_t listed_attempts = 6, listed_requests = 4;
 constexpr std::int32_t attempts_read = 5;
@@ -132,6 +135,8 @@ bool CohortScreen::is_in(const TraineeProgress& trainee, int filter, std::string
 void CohortScreen::show(std::size_t cohort) {
   cohort_ = cohort;
   filter_ = All;
+  first_column_ = 0;
+  table_.sort = {};
   glance_.read_again();
 }
 
@@ -226,8 +231,9 @@ void CohortScreen::draw_pills(Ui& ui, Rect& page) {
   }
 }
 
-void CohortScreen::sort(std::vector<const TraineeProgress*>& shown, std::size_t operations) const {
+void CohortScreen::sort(std::vector<const TraineeProgress*>& shown) const {
   const int column = table_.sort.column;
+  const std::size_t operations = glance_.value().operations.size();
   if (column < 0) return;
   const auto key = [&](const TraineeProgress& trainee) -> std::pair<std::int64_t, std::string> {
     const std::string name = shown_name_of(trainee.standing.login, trainee.standing.display_name);
@@ -240,6 +246,36 @@ void CohortScreen::sort(std::vector<const TraineeProgress*>& shown, std::size_t 
                    [&](const TraineeProgress* a, const TraineeProgress* b) {
                      return table_.sort.is_descending ? key(*b) < key(*a) : key(*a) < key(*b);
                    });
+}
+
+void CohortScreen::turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>& heads) {
+  float cell = least_cell;
+  for (const std::string& head : heads)
+    cell = std::max(cell, std::min(most_cell, ui.width_of(Type::Caption, head) + sort_mark));
+  const int count = static_cast<int>(heads.size());
+  const auto room = static_cast<int>((rest.w - person_width) / (cell + 16.0F));
+  page_columns_ = std::clamp(room, 1, std::max(1, count));
+  if (page_columns_ >= count) {
+    first_column_ = 0;
+    return;
+  }
+  first_column_ = pager(
+      ui, "cohort.operations", take_top(rest, pager_height),
+      {first_column_, page_columns_, count, ui.text("cohort.earlier"), ui.text("cohort.later")});
+}
+
+std::vector<TableColumn> CohortScreen::columns_of(const Ui& ui,
+                                                  const std::vector<std::string>& heads) const {
+  std::vector<TableColumn> columns{
+      {ui.text("cohort.person"), 0.0F, page_columns_ > 3 ? 2.0F : 1.2F, Align::Left, true}};
+  for (int number = 0; number < static_cast<int>(heads.size()); ++number) {
+    TableColumn& column = columns.emplace_back();
+    column.head = heads[static_cast<std::size_t>(number)];
+    column.can_sort = true;
+    const bool is_on_page = number >= first_column_ && number < first_column_ + page_columns_;
+    if (!is_on_page) column.from_width = std::numeric_limits<float>::infinity();
+  }
+  return columns;
 }
 
 void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
@@ -256,18 +292,13 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
                 {}});
     return;
   }
-  const auto room =
-      static_cast<std::size_t>(std::max(1.0F, (content.w - person_width) / (least_cell + 16.0F)));
-  const std::size_t operations = std::min(glance.operations.size(), room);
-  sort(shown, operations);
-  std::vector<std::string> heads;
-  for (std::size_t i = 0; i < operations; ++i)
-    heads.push_back(operation_text(glance.operations[i]));
-  std::vector<TableColumn> columns{
-      {ui.text("cohort.person"), 0.0F, operations > 3 ? 2.0F : 1.2F, Align::Left, true}};
-  for (const std::string& head : heads) columns.push_back({head, 0.0F, 1.0F, Align::Left, true});
   Rect rest = content;
   const Rect legend = take_bottom(rest, legend_height);
+  std::vector<std::string> heads;
+  for (const std::string& operation : glance.operations) heads.push_back(operation_text(operation));
+  turn_pages(ui, rest, heads);
+  sort(shown);
+  const std::vector<TableColumn> columns = columns_of(ui, heads);
   TableSpec spec;
   spec.columns = columns;
   spec.row_count = static_cast<int>(shown.size());

@@ -52,13 +52,17 @@ class CohortScreen : public Screen {
   std::array<std::string, filter_count> pill_labels(const Texts& texts) const;
   void draw_pills(Ui& ui, Rect& page);
   void draw_grid(Ui& ui, const Rect& content);
+  /// As many operations as have room beside each other are a page; with more, cuts a line off `rest` that turns them.
+  void turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>& heads);
+  /// The person and all operations; those of other pages are left out and keep their number.
+  std::vector<TableColumn> columns_of(const Ui& ui, const std::vector<std::string>& heads) const;
   void draw_person_cell(Ui& ui, const TraineeProgress& progress, const Rect& cell) const;
   void draw_standing_cell(Ui& ui, const TraineeProgress& trainee, const std::string& operation,
                           const Rect& cell) const;
   void draw_legend(Ui& ui, const Rect& line) const;
   void draw_requests(Ui& ui, const Rect& rect);
   void draw_last_attempts(Ui& ui, const Rect& rect);
-  void sort(std::vector<const TraineeProgress*>& shown, std::size_t operations) const;
+  void sort(std::vector<const TraineeProgress*>& shown) const;
 
   std::shared_ptr<Visit> visit_;
   Places& places_;
@@ -67,6 +71,7 @@ class CohortScreen : public Screen {
   std::size_t cohort_ = 0;  ///< index into taught_
   Reading<Glance> glance_;
   int filter_ = All;
+  int first_column_ = 0, page_columns_ = 1;  ///< the operations that are shown
   TableState table_;
   std::optional<Point> menu_;  ///< its corner, while the cohorts are listed
 };

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_published.h"
@@ -19,9 +21,11 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 struct Teacher {
-  explicit Teacher(database::SomeCourse& course, const std::string& login = "kim")
+  explicit Teacher(database::SomeCourse& course, const std::string& login = "kim",
+                   float scale = 1.0F)
       : visitor(std::make_unique<CohortScreen>(visit_of(course, login), places,
-                                               [this] { ++inbox_opened; })) {}
+                                               [this] { ++inbox_opened; }),
+                scale) {}
   Driver& driver() { return visitor.driver(); }
   void press(std::string_view id) {
     driver().click(id);
@@ -116,6 +120,101 @@ TEST(CohortScreen, IsUsedByKeyboardAlone) {
   teacher.driver().press(Key::Enter);
   press_by_keyboard(teacher.visitor, "cohort.attempt.1");
   EXPECT_EQ(teacher.places.asked.size(), 3U);
+}
+
+/// Twelve operations are published, Operation 01 to Operation 12; ada tried the last, bob none of them.
+struct ManyOperations {
+  ManyOperations() {
+    database::AdministratorDesk desk = course.administrator();
+    for (int number = 1; number <= 12; ++number) {
+      const std::string name = "operation_" + std::to_string(100 + number).substr(1);
+      last = desk.import_scenario({name, 1, "{\"name\": \"" + name + "\"}", false});
+      desk.publish_scenario(last);
+    }
+    database::NewAttempt attempt = course.attempt_of("ada");
+    attempt.scenario = last;
+    const database::AttemptId id =
+        database::record(course.database(), attempt, database::some_recording(5));
+    database::store_score(course.database(), id, database::card_worth(87'000), course.id_of("ada"));
+  }
+
+  database::SomeCourse course;
+  database::ScenarioVersionId last;
+};
+
+/// A window of 1280 x 720 device pixels.
+void shrink(SomeVisitor& visitor) {
+  visitor.driver().resize(1280.0F, 720.0F);
+  visitor.finish_work();
+}
+
+/// Every head that is seen while `turn` leads from page to page.
+std::set<std::string> heads_seen(Teacher& teacher, const std::function<void()>& turn) {
+  std::set<std::string> heads;
+  for (int pages = 0; pages < 13; ++pages) {
+    for (int number = 1; number <= 12; ++number) {
+      const std::string head = "Operation " + std::to_string(100 + number).substr(1);
+      if (teacher.driver().sees(head)) heads.insert(head);
+    }
+    EXPECT_TRUE(teacher.driver().has("cohort.row.ada")) << "the names stay";
+    EXPECT_THAT(teacher.driver().faults(), IsEmpty()) << "page " << pages;
+    if (teacher.driver().has("cohort.operations.on") &&
+        teacher.driver().widget("cohort.operations.on").is_enabled) {
+      turn();
+    } else {
+      break;
+    }
+  }
+  return heads;
+}
+
+TEST(CohortScreen, OfManyOperationsAllAreReachedByMouse) {
+  ManyOperations many;
+  Teacher teacher(many.course, "kim", 2.0F);
+  shrink(teacher.visitor);
+  const auto heads = heads_seen(teacher, [&] { teacher.press("cohort.operations.on"); });
+  EXPECT_EQ(heads.size(), 12U);
+  EXPECT_TRUE(teacher.driver().sees("87")) << "what was reached in the last of them";
+  teacher.press("cohort.operations.back");
+  EXPECT_FALSE(teacher.driver().sees("Operation 12"));
+}
+
+TEST(CohortScreen, OfManyOperationsAllAreReachedByKeyboard) {
+  ManyOperations many;
+  Teacher teacher(many.course, "kim", 2.0F);
+  shrink(teacher.visitor);
+  const auto heads =
+      heads_seen(teacher, [&] { press_by_keyboard(teacher.visitor, "cohort.operations.on"); });
+  EXPECT_EQ(heads.size(), 12U);
+  EXPECT_EQ(teacher.driver().focused(), "cohort.operations.back");
+}
+
+TEST(CohortScreen, AnOperationOfALaterPageSortsAndKeepsSorting) {
+  ManyOperations many;
+  Teacher teacher(many.course);
+  const auto is_ada_first = [&] {
+    return teacher.driver().widget("cohort.row.ada").rect.y <
+           teacher.driver().widget("cohort.row.bob").rect.y;
+  };
+  ASSERT_TRUE(is_ada_first());
+  while (teacher.driver().widget("cohort.operations.on").is_enabled)
+    teacher.press("cohort.operations.on");
+  teacher.press("cohort.row.sort.12");
+  EXPECT_FALSE(is_ada_first()) << "the least first";
+  while (teacher.driver().widget("cohort.operations.back").is_enabled)
+    teacher.press("cohort.operations.back");
+  EXPECT_FALSE(is_ada_first()) << "also where its column is not on the page";
+  teacher.press("cohort.row.sort.0");
+  EXPECT_TRUE(is_ada_first());
+}
+
+TEST(CohortScreen, OfManyOperationsNothingIsCutOffAnywhere) {
+  ManyOperations many;
+  SomePlaces places;
+  EXPECT_THAT(faults_at_every_size([&] {
+                return std::make_unique<CohortScreen>(visit_of(many.course, "kim"), places, [] {});
+              }),
+              IsEmpty());
 }
 
 TEST(CohortScreen, WhoDoesNotTeachItAnyMoreSeesWhy) {
