@@ -243,6 +243,10 @@ bool Ui::shortcut(Chord chord, std::string_view label) {
   return true;
 }
 
+int Ui::shortcut_repeats(Chord chord, std::string_view label) {
+  return shortcut(chord, label) ? key_repeats_ : 0;
+}
+
 float Ui::eased(const std::string& id, bool is_on, float duration_s) {
   Motion& motion = motions_.try_emplace(id, Motion{.value = 0.0F}).first->second;
   motion.is_touched = true;

@@ -136,6 +136,10 @@ class Ui {
   /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that writes a letter does
   /// not come while a field has the focus; none comes from below a menu or a question. The label is listed under F1.
   bool shortcut(Chord chord, std::string_view label);
+  /// The same for what goes on while its key is held: how often the keyboard repeated it since the last frame.
+  int shortcut_repeats(Chord chord, std::string_view label);
+  /// The key of this frame's shortcut was held already; what turns on and off does not listen to that.
+  bool is_key_held_on() const noexcept { return is_key_held_on_; }
   const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
 
   void focus(std::string_view id);
@@ -182,6 +186,7 @@ class Ui {
   void build_fonts();
   void forget_last_frame();
   void take_events(EventQueue& queue);
+  void take_repeats(EventQueue& queue);
   bool apply(const InputEvent& event);
   void move_pointer(Point position);
   bool press_button(const InputEvent& event);
@@ -226,6 +231,9 @@ class Ui {
   bool is_double_ = false;
   float wheel_ = 0.0F;
   std::optional<Chord> key_;
+  int key_repeats_ = 0;           ///< of key_, in this frame
+  Key held_key_ = Key::None;      ///< pressed and not released yet
+  bool is_key_held_on_ = false;   ///< key_ came without a release before it
   bool is_letter_taken_ = false;  ///< by a shortcut: the character that the key writes is no text
   std::vector<Edit> edits_;
 

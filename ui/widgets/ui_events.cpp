@@ -61,6 +61,7 @@ void Ui::take_events(EventQueue& queue) {
     const std::optional<InputEvent> event = queue.take();
     if (!event) break;
     is_settling_ = apply(*event);
+    if (key_) take_repeats(queue);
   }
   has_waiting_events_ = !queue.is_empty();
   const Widget* under = is_pointer_inside_ ? widget_at(shown_, pointer_) : nullptr;
@@ -68,6 +69,17 @@ void Ui::take_events(EventQueue& queue) {
   if (hovered != hovered_) {
     hovered_ = hovered;
     hovered_since_s_ = time_s_;
+  }
+}
+
+// A held key repeats faster than a slow machine makes frames: all that came meet this frame, else they would go on long
+// after the key was let go.
+void Ui::take_repeats(EventQueue& queue) {
+  key_repeats_ = 1;
+  for (const InputEvent* next = queue.oldest(); next != nullptr; next = queue.oldest()) {
+    if (next->kind != EventKind::KeyPressed || Chord{next->key, next->modifiers} != *key_) return;
+    queue.take();
+    ++key_repeats_;
   }
 }
 
@@ -91,9 +103,11 @@ bool Ui::apply(const InputEvent& event) {
       return false;
     case EventKind::KeyPressed:
       is_letter_taken_ = false;
+      is_key_held_on_ = event.key != Key::None && event.key == std::exchange(held_key_, event.key);
       return press_key({event.key, event.modifiers});
     case EventKind::KeyReleased:
       is_letter_taken_ = false;
+      if (event.key == held_key_) held_key_ = Key::None;
       return false;
     case EventKind::Character: {
       if (std::exchange(is_letter_taken_, false)) return false;
@@ -106,6 +120,7 @@ bool Ui::apply(const InputEvent& event) {
       held_ = {};
       modifiers_ = {};
       has_lost_keys_ = true;
+      held_key_ = Key::None;
       return false;
   }
   return false;

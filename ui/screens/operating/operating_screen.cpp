@@ -217,10 +217,13 @@ void OperatingScreen::hear_views(Ui& ui) {
 }
 
 void OperatingScreen::hear_keys(Ui& ui) {
-  const auto heard = [&](Key key, const char* id) { return ui.shortcut({key}, ui.text(id)); };
+  // All of it turns on and off: once, however long the key is held.
+  const auto pressed = [&](Chord chord, const char* id) {
+    return ui.shortcut(chord, ui.text(id)) && !ui.is_key_held_on();
+  };
+  const auto heard = [&](Key key, const char* id) { return pressed({key}, id); };
   // The saw also answers while Shift slows the hand down.
-  if (heard(Key::Space, "operate.key.saw") ||
-      ui.shortcut(with_shift(Key::Space), ui.text("operate.key.saw")))
+  if (heard(Key::Space, "operate.key.saw") || pressed(with_shift(Key::Space), "operate.key.saw"))
     is_saw_on_ = !is_saw_on_ && !is_paused_;
   if (heard(Key::I, "operate.key.irrigation")) is_irrigated_ = !is_irrigated_;
   if (is_practice() && heard(Key::G, "operate.key.plane")) is_plane_shown_ = !is_plane_shown_;
@@ -251,7 +254,10 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
   const double now_s = ui.time_s();
   const double step_ms = 1000.0 * (now_s - std::exchange(last_s_, now_s));
   frame_ms_ = std::max(step_ms, 0.9 * frame_ms_);
-  if (begun_) last_sample_ = begun_->live->view().sample;
+  if (begun_ && begun_->live->view().lines > 0) {
+    last_sample_ = begun_->live->view().sample;
+    has_sample_ = true;
+  }
   if (!is_paused_) let_chips_fly(step_ms / 1000.0);
   shell.scenes().draw_behind(scene(ui), sight_.camera, stereo_);
   if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
@@ -297,7 +303,8 @@ Scene OperatingScreen::scene(Ui& ui) {
   }
   const simulator::BladeSize& blade = table.scenario.blade.size;
   SawInScene saw;
-  saw.world_from_tool = begun_ ? transform_from(last_sample_.world_from_tool) : world_from_target_;
+  saw.world_from_tool =
+      has_sample_ ? transform_from(last_sample_.world_from_tool) : world_from_target_;
   saw.blade = blade;
   saw.thickness_mm = table.scenario.blade.thickness_mm;
   saw.is_running = has(last_sample_.status, ToolStatus::SawOn) && !is_paused_;

@@ -100,6 +100,7 @@ class OperatingScreen : public Screen {
   StereoSetting stereo_;
   Swarf swarf_{1};
   simulator::ToolSample last_sample_;
+  bool has_sample_ = false;  ///< the loop has taken its first step
   double last_s_ = 0.0, frame_ms_ = 0.0, steered_s_ = 0.0;
   long pictures_ = 0;
   std::size_t triangles_ = 0;

@@ -126,18 +126,16 @@ PointerMotion Steering::motion_by_keys(Ui& ui) const {
   PointerMotion motion;
   const auto heard = [&](Key key, bool is_turn) {
     const std::string_view label = ui.text(is_turn ? "operate.key.turn" : "operate.key.move");
-    const bool is_fine = ui.shortcut({key, {.shift = true, .control = is_turn}}, label);
-    motion.is_fine = motion.is_fine || is_fine;
-    return is_fine || ui.shortcut({key, {.control = is_turn}}, label);
+    const int fine = ui.shortcut_repeats({key, {.shift = true, .control = is_turn}}, label);
+    motion.is_fine = motion.is_fine || fine > 0;
+    return static_cast<double>(fine + ui.shortcut_repeats({key, {.control = is_turn}}, label));
   };
   for (const Arrow& arrow : arrows) {
-    if (heard(arrow.key, false)) motion.across_mm += key_step_mm * arrow.way;
-    if (heard(arrow.key, true)) motion.turned_rad += key_turn_rad * arrow.way;
+    motion.across_mm += heard(arrow.key, false) * key_step_mm * arrow.way;
+    motion.turned_rad += heard(arrow.key, true) * key_turn_rad * arrow.way;
   }
-  if (heard(Key::PageUp, false)) motion.deeper_mm += key_step_mm;
-  if (heard(Key::PageDown, false)) motion.deeper_mm -= key_step_mm;
-  if (heard(Key::PageUp, true)) motion.rolled_rad += key_turn_rad;
-  if (heard(Key::PageDown, true)) motion.rolled_rad -= key_turn_rad;
+  motion.deeper_mm += key_step_mm * (heard(Key::PageUp, false) - heard(Key::PageDown, false));
+  motion.rolled_rad += key_turn_rad * (heard(Key::PageUp, true) - heard(Key::PageDown, true));
   return motion;
 }
 

@@ -264,6 +264,43 @@ TEST_F(PointerOfAnOperation, SideBySideThePictureCarriesIt) {
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Arrow) << "an anaglyph is one picture";
 }
 
+TEST(Operating, AKeyThatIsHeldLeadsOnAndEndsWithItAndTurnsNothingOnAndOffAgain) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  const auto hold = [&](Key key, int repeats) {
+    InputEvent event;
+    event.kind = EventKind::KeyPressed;
+    event.key = key;
+    std::vector<InputEvent> events(static_cast<std::size_t>(repeats), event);
+    event.kind = EventKind::KeyReleased;
+    events.push_back(event);
+    person.driver().send(events);
+    person.make_frames(3);
+  };
+  const auto is_there = [&](const Vec3& place_mm) {
+    return glm::length(person.scenes.saw->world_from_tool.translation_mm - place_mm) < 0.1;
+  };
+  // Away from the bone.
+  const Vec3 nearer = person.scenes.camera.world_from_view * Vec3(0.0, 0.0, 1.0);
+  const Vec3 wanted_mm = person.scenes.saw->world_from_tool.translation_mm + 12.0 * nearer;
+  hold(Key::PageDown, 12);
+  EXPECT_TRUE(person.until([&] { return is_there(wanted_mm); }))
+      << "twelve repeats that waited for three slow frames are twelve millimetres";
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    InputEvent event;
+    event.kind = EventKind::KeyPressed;
+    event.key = Key::Space;
+    person.driver().send({event});
+    person.make_frames(3);
+  }
+  EXPECT_TRUE(person.until([&] { return person.scenes.saw->is_running; }, 2.0));
+  hold(Key::Space, 1);
+  EXPECT_TRUE(person.scenes.saw->is_running) << "that was the end of the same press";
+  hold(Key::Space, 4);
+  EXPECT_TRUE(person.until([&] { return !person.scenes.saw->is_running; }, 2.0));
+}
+
 TEST(Operating, HHidesThePanels) {
   OperableCourse course("silver");
   Operator person(course, AttemptKind::Practice);
