@@ -37,9 +37,9 @@ def come_in(person):
     person.click("entry.begin")
 
 
-def begin(person, take_picture):
+def begin(person, take_picture, scenario=SCENARIO):
     """From the list of operations through the briefing into the operation, as practice."""
-    for name in ("nav.operations", f"operations.card.{SCENARIO}", "brief.begin"):
+    for name in ("nav.operations", f"operations.card.{scenario}", "brief.begin"):
         wait_until(name, lambda name=name: person.widgets().get(name, {}).get("enabled"), PATIENCE_S)
         person.click(name)
     wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
