@@ -259,15 +259,21 @@ void CohortScreen::turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>
     first_column_ = 0;
     return;
   }
-  first_column_ = pager(
-      ui, "cohort.operations", take_top(rest, pager_height),
-      {first_column_, page_columns_, count, ui.text("cohort.earlier"), ui.text("cohort.later")});
+  first_column_ = std::clamp(first_column_, 0, count - page_columns_);
+  const TextValues place{{"first", std::to_string(first_column_ + 1)},
+                         {"last", std::to_string(first_column_ + page_columns_)},
+                         {"count", std::to_string(count)}};
+  const std::string words = page_columns_ == 1 ? ui.texts().say("cohort.operation_shown", place)
+                                               : ui.texts().say("cohort.operations_shown", place);
+  first_column_ = pager(ui, "cohort.operations", take_top(rest, pager_height),
+                        {first_column_, page_columns_, count, words, ui.text("cohort.earlier"),
+                         ui.text("cohort.later")});
 }
 
 std::vector<TableColumn> CohortScreen::columns_of(const Ui& ui,
                                                   const std::vector<std::string>& heads) const {
-  std::vector<TableColumn> columns{
-      {ui.text("cohort.person"), 0.0F, page_columns_ > 3 ? 2.0F : 1.2F, Align::Left, true}};
+  const float person = page_columns_ > 3 ? person_width : 0.0F;
+  std::vector<TableColumn> columns{{ui.text("cohort.person"), person, 1.2F, Align::Left, true}};
   for (int number = 0; number < static_cast<int>(heads.size()); ++number) {
     TableColumn& column = columns.emplace_back();
     column.head = heads[static_cast<std::size_t>(number)];

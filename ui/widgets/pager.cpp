@@ -10,18 +10,16 @@ namespace hallux::ui {
 int pager(Ui& ui, std::string_view id, const Rect& line, const PagerSpec& spec) {
   const std::string prefix(id);
   const int last = std::max(0, spec.count - spec.shown);
-  const std::string words = ui.texts().say(
-      "pager.place", {{"first", std::to_string(spec.first + 1)},
-                      {"last", std::to_string(std::min(spec.count, spec.first + spec.shown))},
-                      {"count", std::to_string(spec.count)}});
-  Rect rest = line;
+  // The glyph of the last arrow, not its button, stands at the end of the line.
+  Rect rest{line.x, line.y, line.w + 10.0F, line.h};
   const Rect on_place = take_right(rest, pager_height, 4.0F);
-  const float width = ui.width_of(Type::Small, words) + 1.0F;
+  const float width = ui.width_of(Type::Small, spec.words) + 1.0F;
   const Rect words_place = take_right(rest, width, 4.0F);
   const Rect back_place = take_right(rest, pager_height);
   const bool goes_back =
       icon_button(ui, prefix + ".back", back_place, {spec.back, Icon::Left, false, spec.first > 0});
-  ui.canvas().text_in(words_place, {Type::Small, ui.theme().text_secondary, Align::Right}, words);
+  ui.canvas().text_in(words_place, {Type::Small, ui.theme().text_secondary, Align::Right},
+                      spec.words);
   const bool goes_on =
       icon_button(ui, prefix + ".on", on_place, {spec.on, Icon::Right, false, spec.first < last});
   if (!goes_back && !goes_on) return std::clamp(spec.first, 0, last);

@@ -1,4 +1,4 @@
-/// Steps through what does not fit beside each other: an arrow back, "4 to 6 of 12", an arrow on.
+/// Steps through what does not fit beside each other: an arrow back, "Operations 4 to 6 of 12", an arrow on.
 #pragma once
 
 #include <string_view>
@@ -10,6 +10,7 @@ namespace hallux::ui {
 /// A window of `shown` things, the first of them number `first` (from 0) of `count`.
 struct PagerSpec {
   int first = 0, shown = 0, count = 0;
+  std::string_view words = {};          ///< what is shown: "Operations 4 to 6 of 12"
   std::string_view back = {}, on = {};  ///< what the arrows do: "Earlier operations"
 };
 
