@@ -20,7 +20,7 @@ using database::LedgerLine;
 constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height = 66.0F,
                 row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F;
 
-enum Column { Item, Yours, Target, Lost, Moment, column_count };
+enum Column { Item, Yours, Target, Lost, Moment, ColumnCount };
 
 double second_of(std::int64_t time_us) noexcept { return static_cast<double>(time_us) / 1.0e6; }
 
@@ -49,6 +49,8 @@ void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   // What the store lacked was computed and kept: it is read as all else that is stored.
   const bool is_waiting = facts_.is_ready() && !facts().score;
   if (is_waiting && examined_.is_ready() && examined_.value()->was_stored) facts_.read_again();
+  if (facts_.has_value() && facts_.value().score && examined_.has_value())
+    adopt_words(facts_.value().score->card, examined_.value()->card);
   Rect page = inset(content, space::page, 0.0F);
   if (!facts_.draw_until_ready(ui, "result.failed", inset(content, space::page), 10)) return;
   const float height = std::max(page_height_, content.h);
@@ -260,7 +262,7 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
   for (const assessment::ShownLine& each : shown.lines)
     greatest = std::max(greatest, each.lost_milli);
   const bool is_narrow = rect.w < 540.0F;
-  const std::array<TableColumn, column_count> columns{{
+  const std::array<TableColumn, ColumnCount> columns{{
       {ui.text("result.ledger.item"), 0.0F, 1.0F},
       {ui.text("result.ledger.yours"), 76.0F, 1.0F, Align::Right},
       {ui.text("result.ledger.target"), is_narrow ? 76.0F : 100.0F, 1.0F, Align::Right},

@@ -266,6 +266,18 @@ TEST(ResultScreen, ADifferenceToTheStoredScoreIsNeverHidden) {
       << "and stays";
 }
 
+TEST(ResultScreen, AScoreOfAnOlderProgramIsSaidInTodaysWords) {
+  OperatedCourse akin;
+  database::ScoreCard older = akin.course.trainee("ada").score(akin.attempt)->card;
+  for (database::LedgerLine& line : older.ledger)
+    line.text = "In other words " + line.item + ": 4.7 of 8 points lost.";
+  older.sentences = {older.ledger[0].text};
+  store_score(akin.course.database(), akin.attempt, older, akin.course.id_of("ada"));
+  Reader reader(akin.course, "ada", akin.attempt);
+  EXPECT_FALSE(reader.driver().sees("In other words"));
+  EXPECT_FALSE(reader.driver().sees("Computed again now")) << "the same score is no difference";
+}
+
 TEST(ResultScreen, AnInterruptedAttemptSaysSo) {
   SomeCourse course;
   Reader reader(course, "ada", course.interrupted_of("ada"));
