@@ -13,7 +13,7 @@ namespace {
 
 using database::AttemptHeader;
 
-enum Column { Number, Operation, PersonColumn, Started, Kind, StateColumn, Score, column_count };
+enum Column { Number, Operation, PersonColumn, Started, Kind, StateColumn, Score, ColumnCount };
 constexpr float number_from = 540.0F, state_from = 700.0F, kind_from = 860.0F;
 
 /// -1, 0 or 1: how two attempts stand to each other in a column.
@@ -99,7 +99,7 @@ void AttemptsScreen::draw_list(Ui& ui, const Rect& content) {
 }
 
 void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
-  const std::array<TableColumn, column_count> columns{{
+  const std::array<TableColumn, ColumnCount> columns{{
       {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, true, number_from},
       {ui.text("attempts.operation"), 0.0F, 1.4F, Align::Left, true},
       {ui.text("attempts.person"), 0.0F, 1.0F, Align::Left, true},

@@ -197,7 +197,7 @@ void CohortScreen::draw_cohort_menu(Ui& ui) {
   if (chosen >= 0) show(static_cast<std::size_t>(chosen));
 }
 
-std::array<std::string, CohortScreen::filter_count> CohortScreen::pill_labels(
+std::array<std::string, CohortScreen::FilterCount> CohortScreen::pill_labels(
     const Texts& texts) const {
   const Glance& glance = glance_.value();
   const auto count = [&](int filter) {
@@ -214,8 +214,8 @@ std::array<std::string, CohortScreen::filter_count> CohortScreen::pill_labels(
 void CohortScreen::draw_pills(Ui& ui, Rect& page) {
   Rect line = take_top(page, 24.0F, 12.0F);
   if (!glance_.is_ready()) return;
-  const std::array<std::string, filter_count> labels = pill_labels(ui.texts());
-  for (int filter = All; filter < filter_count; ++filter) {
+  const std::array<std::string, FilterCount> labels = pill_labels(ui.texts());
+  for (int filter = All; filter < FilterCount; ++filter) {
     const std::string& label = labels[static_cast<std::size_t>(filter)];
     const float wanted = ui.width_of(Type::CaptionMedium, label) + 20.0F;
     if (wanted > line.w) {  // a second line, where the window is narrow

@@ -40,7 +40,7 @@ class CohortScreen : public Screen {
     std::string now_utc;
     long attempts = 0;
   };
-  enum Filter { All, Asking, Slipped, Idle, filter_count };
+  enum Filter { All, Asking, Slipped, Idle, FilterCount };
 
   static Glance look(database::Session& session, database::CohortId cohort);
   static bool is_in(const TraineeProgress& trainee, int filter, std::string_view now_utc);
@@ -49,7 +49,7 @@ class CohortScreen : public Screen {
   void show(std::size_t cohort);
   void draw_head(Ui& ui, Rect& page);
   void draw_cohort_menu(Ui& ui);
-  std::array<std::string, filter_count> pill_labels(const Texts& texts) const;
+  std::array<std::string, FilterCount> pill_labels(const Texts& texts) const;
   void draw_pills(Ui& ui, Rect& page);
   void draw_grid(Ui& ui, const Rect& content);
   /// As many operations as have room beside each other are a page; with more, cuts a line off `rest` that turns them.

@@ -126,7 +126,7 @@ void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
   const ButtonSpec enrol{ui.text("cohorts.enrol"), ButtonLook::Secondary, Icon::Add};
   Rect head = take_top(inside, header_button_height, 8.0F);
   if (button(ui, "cohorts.enrol", take_right(head, button_width(ui, enrol), 12.0F), enrol)) {
-    enrolment_.emplace();
+    enrolment_ = Enrolment{};
     enrolling_.forget_fault();
   }
   ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, listed->cohort.name, true);

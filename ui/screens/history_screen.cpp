@@ -21,10 +21,11 @@ constexpr float head_room = 100.0F, facts_width = 360.0F, chart_height = 404.0F;
 constexpr float least_chart = 330.0F, least_table = 200.0F, control_gap = 16.0F;
 constexpr int fewest_places = 12;  // the axis is no shorter: two points are no trend
 
-enum Column { Number, When, Kind, StateColumn, Duration, Score, column_count };
+enum Column { Number, When, Kind, StateColumn, Duration, Score, ColumnCount };
 
 std::vector<std::string> operation_names(const std::vector<OperationHistory>& histories) {
   std::vector<std::string> names;
+  names.reserve(histories.size());
   for (const OperationHistory& history : histories) {
     names.push_back(operation_text(history.scenario_name));
   }
@@ -262,7 +263,7 @@ void HistoryScreen::draw_facts(Ui& ui, const Rect& rect) const {
 void HistoryScreen::draw_attempts(Ui& ui, const Rect& rect) {
   const OperationHistory& shown = history();
   const Rect inside = card(ui, rect, ui.text("history.list"));
-  const std::array<TableColumn, column_count> columns{{
+  const std::array<TableColumn, ColumnCount> columns{{
       {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right},
       {ui.text("attempts.started"), 0.0F, 1.4F},
       {ui.text("attempts.kind"), 0.0F, 1.0F},

@@ -220,11 +220,11 @@ void OperationsScreen::draw_cards(Ui& ui, const Rect& page, Shell& shell) {
   const std::vector<const OwnOperation*> cards = shown();
   const Grid grid = grid_of(page.w);
   for (std::size_t number = 0; number < cards.size(); ++number) {
-    const auto column = static_cast<float>(static_cast<int>(number) % grid.across);
-    const auto row = static_cast<float>(static_cast<int>(number) / grid.across);
-    const Rect rect{page.x + column * (grid.card_width + space::between_cards),
-                    page.y + row * (grid.card_height + space::between_cards), grid.card_width,
-                    grid.card_height};
+    const int place = static_cast<int>(number);
+    const int column = place % grid.across, row = place / grid.across;
+    const Rect rect{page.x + static_cast<float>(column) * (grid.card_width + space::between_cards),
+                    page.y + static_cast<float>(row) * (grid.card_height + space::between_cards),
+                    grid.card_width, grid.card_height};
     if (draw_card(ui, rect, *cards[number], shell)) {
       places_.brief(cards[number]->published.scenario);
     }

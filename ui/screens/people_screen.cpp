@@ -16,7 +16,7 @@ namespace {
 
 using database::Person;
 
-enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen, column_count };
+enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen, ColumnCount };
 constexpr ListPageSpec page_spec{312.0F, 1.0F, 580.0F, 480.0F, 680.0F};
 constexpr float search_width = 220.0F, roomy_from = 700.0F;
 
@@ -188,7 +188,7 @@ void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
 }
 
 void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
-  const std::array<TableColumn, column_count> columns{
+  const std::array<TableColumn, ColumnCount> columns{
       {{ui.text("people.name"), 0.0F, 1.7F, Align::Left, true},
        {ui.text("people.login"), 0.0F, 1.0F, Align::Left, true},
        {ui.text("people.role"), 96.0F, 1.0F, Align::Left, true, roomy_from},

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using database::AuditLine;
 
-enum Field { When, Who, Did, What, Entry, column_count };
+enum Field { When, Who, Did, What, Entry, ColumnCount };
 constexpr float side_width = 320.0F, stacked_height = 620.0F, backup_height = 300.0F,
                 roomy_from = 640.0F;
 constexpr std::int32_t lines_per_page = 50;
@@ -117,7 +117,7 @@ void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
 }
 
 void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
-  const std::array<TableColumn, column_count> columns{
+  const std::array<TableColumn, ColumnCount> columns{
       {{ui.text("records.when"), 140.0F},
        {ui.text("records.who"), 0.0F, 0.8F},
        {ui.text("records.did"), 0.0F, 1.3F},

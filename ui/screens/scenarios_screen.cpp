@@ -19,7 +19,7 @@ namespace {
 using database::ScenarioState;
 using database::ScenarioVersion;
 
-enum Column { Operation, Version, StateColumn, Review, Attempts, column_count };
+enum Column { Operation, Version, StateColumn, Review, Attempts, ColumnCount };
 constexpr ListPageSpec page_spec{1000.0F, 0.46F, 560.0F, 420.0F, 520.0F};
 constexpr float review_from = 420.0F, attempts_from = 500.0F;
 
@@ -167,7 +167,7 @@ void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
         {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence"), {}});
     return;
   }
-  const std::array<TableColumn, column_count> columns{
+  const std::array<TableColumn, ColumnCount> columns{
       {{ui.text("scenarios.operation")},
        {ui.text("scenarios.version"), 56.0F, 1.0F, Align::Right},
        {ui.text("scenarios.state"), 106.0F},

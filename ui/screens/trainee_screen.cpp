@@ -18,7 +18,7 @@ namespace {
 using database::AttemptHeader;
 using database::OperationStanding;
 
-enum Column { Number, Operation, Started, Kind, StateColumn, Score, column_count };
+enum Column { Number, Operation, Started, Kind, StateColumn, Score, ColumnCount };
 constexpr float standing_width = 232.0F, standing_height = 138.0F, roomy_from = 680.0F;
 
 std::string_view competence_id(Competence competence) noexcept {
@@ -164,7 +164,7 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
                {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
     return;
   }
-  const std::array<TableColumn, column_count> columns{
+  const std::array<TableColumn, ColumnCount> columns{
       {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, false, roomy_from},
        {ui.text("attempts.operation")},
        {ui.text("attempts.started"), 150.0F},
