@@ -14,7 +14,7 @@ database::TraineeDesk own_desk(database::Session& session) {
     throw database::DatabaseError(database::DatabaseErrorKind::Refused,
                                   "you were disabled in this course; ask its administrator");
   }
-  return *std::move(desk);
+  return *desk;
 }
 
 /// With the score that stands, and whether it passes; without where it is void or has none.

@@ -20,7 +20,10 @@ namespace hallux::ui {
 class ReplayScreen : public Screen {
  public:
   ReplayScreen(std::shared_ptr<Visit> visit, database::AttemptId attempt, double moment_s)
-      : visit_(visit), attempt_(attempt), first_moment_s_(moment_s), notes_(visit, attempt) {}
+      : visit_(std::move(visit)),
+        attempt_(std::move(attempt)),
+        first_moment_s_(moment_s),
+        notes_(visit_, attempt_) {}
 
   Surround surround() const override { return Surround::Rail; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;

@@ -22,7 +22,7 @@ class ResultScreen : public Screen {
  public:
   /// `places` outlives the screen.
   ResultScreen(std::shared_ptr<Visit> visit, Places& places, database::AttemptId attempt)
-      : visit_(visit), places_(places), attempt_(std::move(attempt)), decide_(visit) {}
+      : visit_(std::move(visit)), places_(places), attempt_(std::move(attempt)), decide_(visit_) {}
 
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
