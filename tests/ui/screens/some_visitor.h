@@ -19,7 +19,7 @@ class SomeVisitor {
   Shell& shell() noexcept { return shell_; }
   Driver& driver() noexcept { return driver_; }
   /// Makes frames until no work runs beside the window.
-  /// errors  fails the test after ten seconds
+  /// errors  fails the test after a minute
   void finish_work();
 
  private:
