@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "simulator/base/units.h"
 #include "ui/screens/result/result_cards.h"
 #include "ui/screens/words.h"
 #include "ui/widgets/card.h"
@@ -23,12 +23,6 @@ constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height 
 enum Column { Item, Yours, Target, Lost, Moment, ColumnCount };
 
 double second_of(std::int64_t time_us) noexcept { return static_cast<double>(time_us) / 1.0e6; }
-
-std::string duration_words(const Texts& texts, std::int64_t ticks) {
-  const long seconds = std::lround(static_cast<double>(ticks) / 1000.0);
-  return texts.say("result.duration", {{"minutes", std::to_string(seconds / 60)},
-                                       {"seconds", std::to_string(seconds % 60)}});
-}
 
 }  // namespace
 
@@ -91,7 +85,7 @@ float ResultScreen::draw_head(Ui& ui, const Rect& place) {
   if (header.duration_ticks)
     when = ui.texts().say(
         "result.when",
-        {{"moment", when}, {"duration", duration_words(ui.texts(), *header.duration_ticks)}});
+        {{"moment", when}, {"duration", clock_text(second_from_tick(*header.duration_ticks))}});
   Rect rest = place;
   Rect crumb = take_top(rest, 20.0F, 4.0F);
   const float when_width = std::min(ui.width_of(Type::Small, when) + 2.0F, 0.5F * crumb.w);
