@@ -47,9 +47,24 @@ TEST(KernelPictures, AreTheCommittedOnesToTheLastByte) {
         << file << " is out of date: build the target `screenshots`, look at it, commit it";
   }
   for (const auto& entry : std::filesystem::directory_iterator(docs / "pictures")) {
+    if (entry.is_directory()) continue;  // the window's pictures
     EXPECT_TRUE(made.contains(entry.path().filename().string()))
         << entry.path() << " is made by nothing";
   }
+}
+
+// They show dates and somebody's hand, so their bytes are not compared; a picture that nobody sees is not kept.
+TEST(WindowPictures, AreAllShownInTheGuides) {
+  std::string text;
+  for (const auto& guide : std::filesystem::directory_iterator(docs / "guides"))
+    text += text_of(guide.path());
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(docs / "pictures" / "window")) {
+    const std::string file = entry.path().filename().string();
+    EXPECT_NE(text.find("](../pictures/window/" + file + ")"), std::string::npos) << file;
+    ++pictures;
+  }
+  EXPECT_GT(pictures, 12);
 }
 
 TEST(KernelPictures, AreAllShownInTheText) {
