@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include "ui/render/imgui_painter.h"
 #include "ui/render/picture.h"
 #include "ui/render/scene_painter.h"
+#include "ui/render/software_renderer.h"
 #include "ui/widgets/ui_map.h"
 #include "ui/window/glfw_events.h"
 #include "ui/window/shell/shell.h"
@@ -43,9 +42,7 @@ class DesktopClipboard : public Clipboard {
 class Library {
  public:
   Library() {
-    // The software renderer would take every core; one is left to the 1 kHz loop.
-    const unsigned cores = std::max(2U, std::thread::hardware_concurrency());
-    ::setenv("LP_NUM_THREADS", std::to_string(cores - 1).c_str(), 0);
+    share_processors_with_loop();
     if (glfwInit() == GLFW_FALSE)
       throw WindowError(
           "There is no display to open a window on (" + last_glfw_fault() +

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <vector>
 
 #include "simulator/loop/priority.h"
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/ui/screens/operating/drawn_operation.h"
+#include "ui/render/software_renderer.h"
 
 namespace hallux::benchmarks {
 
@@ -60,9 +60,7 @@ void print_loop(DrawnOperation& window) {
 }
 
 int run(double edge_mm, const std::filesystem::path& folder) {
-  // As the window does: one processor is left to the loop.
-  const unsigned cores = std::max(2U, std::thread::hardware_concurrency());
-  ::setenv("LP_NUM_THREADS", std::to_string(cores - 1).c_str(), 0);
+  share_processors_with_loop();  // as the window does
   DrawnOperation window("silver", edge_mm);
   window.take(folder, "ready");
   begin_sawing(window);
