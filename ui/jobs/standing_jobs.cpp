@@ -68,7 +68,8 @@ std::vector<JudgedAttempt> own_attempts(database::Session& session) {
   return own;
 }
 
-TraineeProgress trainee_progress(database::InstructorDesk& desk, database::TraineeStanding standing) {
+TraineeProgress trainee_progress(database::InstructorDesk& desk,
+                                 database::TraineeStanding standing) {
   std::vector<JudgedAttempt> attempts;
   for (database::AttemptHeader& header : desk.attempts_of(standing.id)) {
     // Practice says nothing about competence, and there is much of it.

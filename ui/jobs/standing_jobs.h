@@ -34,7 +34,8 @@ struct TraineeProgress {
 
 /// needs   the trainee is of the desk's cohort
 /// errors  DatabaseError: Refused; storage failures
-TraineeProgress trainee_progress(database::InstructorDesk& desk, database::TraineeStanding standing);
+TraineeProgress trainee_progress(database::InstructorDesk& desk,
+                                 database::TraineeStanding standing);
 
 /// By login, each with at most `attempts_max` of their newest attempts.
 /// errors  DatabaseError: Refused; storage failures

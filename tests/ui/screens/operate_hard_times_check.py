@@ -5,16 +5,14 @@ usage: operate_hard_times_check.py HALLUX [PICTURE_FOLDER]
 """
 
 import ctypes
-import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
 from hard_times_check import lose_display, window_of
 from operate_check import PASSWORD, PATIENCE_S, begin, come_in, recorded_ticks, rows_of
-from window_check import Person, start_display, wait_until
+from window_check import opened_course, wait_until
 
 
 def is_shown(person, name):
@@ -82,44 +80,25 @@ def check_kept(program, place, ticks_before):
     print(f"operating in hard times: {recorded_ticks(place)} ticks kept of an attempt whose display was lost")
 
 
-def operate(person, place, window, server, take_picture):
+def operate(course):
+    person, place, take_picture = course.person, course.place, course.take_picture
     come_in(person)
     begin(person, take_picture)
     number = window_of(person)
     start_the_saw(person, place)
     lose_the_keyboard(person, number, take_picture)
     start_the_saw(person, place)
-    ask_to_close(person, window, number, take_picture)
+    ask_to_close(person, course.window, number, take_picture)
     ticks = recorded_ticks(place)
-    lose_display(server, window)
+    lose_display(course.server, course.window)
     return ticks
 
 
 def main():
     program = sys.argv[1]
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    server, display = start_display("1440x900x24")
-    with tempfile.TemporaryDirectory() as folder:
-        place = pathlib.Path(folder)
-        environment = dict(os.environ, DISPLAY=display)
-        window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
-                                  env=environment, stderr=subprocess.PIPE, text=True)
-
-        def take_picture(name):
-            if pictures:
-                time.sleep(1.0)
-                subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
-
-        try:
-            ticks = operate(Person(place / "map.json", environment), place, window, server, take_picture)
-            check_kept(program, place, ticks)
-        finally:
-            if window.poll() is None:
-                window.kill()
-            window.wait()
-            if server.poll() is None:
-                server.terminate()
-                server.wait()
+    with opened_course(program, pictures=pictures) as course:
+        check_kept(program, course.place, operate(course))
     print("operating in hard times: passed")
 
 

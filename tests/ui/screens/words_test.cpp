@@ -29,7 +29,8 @@ TEST(Words, InitialsAreOfTheFirstAndTheLastWord) {
   EXPECT_EQ(initials_of("trainee-12"), "T1");
   EXPECT_EQ(initials_of("Administrator"), "A");
   EXPECT_EQ(initials_of("a b c"), "AC");
-  EXPECT_EQ(initials_of("\u0141 \u00f3"), "\u0141\u00f3") << "letters beyond ASCII stay as they are written";
+  EXPECT_EQ(initials_of("\u0141 \u00f3"), "\u0141\u00f3")
+      << "letters beyond ASCII stay as they are written";
   EXPECT_EQ(initials_of(""), "");
   EXPECT_EQ(initials_of(" - "), "");
 }

@@ -4,14 +4,12 @@
 usage: hard_times_check.py HALLUX
 """
 
-import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
-from window_check import Person, start_display, wait_until
+from window_check import opened_course, wait_until
 
 NO_DISPLAY = 7
 STORM = [(1280, 720), (640, 360), (333, 777), (1, 1), (1500, 40), (40, 900), (1599, 999), (2, 2), (900, 600)]
@@ -84,27 +82,13 @@ def lose_display(server, window):
 
 
 def main():
-    program = sys.argv[1]
-    server, display = start_display("1600x1000x24")
-    with tempfile.TemporaryDirectory() as folder:
-        place = pathlib.Path(folder)
-        environment = dict(os.environ, DISPLAY=display)
-        window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
-                                  env=environment, stderr=subprocess.PIPE, text=True)
-        try:
-            person = Person(place / "map.json", environment)
-            wait_until("the first screen", lambda: "entry.begin" in person.widgets())
-            number = wait_until("the window", lambda: window_of(person))
-            resize_often(person, window, number)
-            hide_and_show(person, number)
-            lose_display(server, window)
-        finally:
-            if window.poll() is None:
-                window.kill()
-            window.wait()
-            if server.poll() is None:
-                server.terminate()
-                server.wait()
+    with opened_course(sys.argv[1], "1600x1000x24") as course:
+        person, window = course.person, course.window
+        wait_until("the first screen", lambda: "entry.begin" in person.widgets())
+        number = wait_until("the window", lambda: window_of(person))
+        resize_often(person, window, number)
+        hide_and_show(person, number)
+        lose_display(course.server, window)
     print("hard times: passed")
 
 

@@ -5,6 +5,7 @@ usage: window_check.py GALLERY_WINDOW [PICTURE]
 """
 
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -12,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import types
 
 IDLE_S = 10.0
 MAX_IDLE_CPU_SHARE = 0.01
@@ -76,31 +78,38 @@ class Person:
         self.xdotool("type", "--delay", "0", letters)
 
 
+@contextlib.contextmanager
+def opened_course(program, size="1440x900x24", pictures=None):
+    """The command's window on an empty course, with all that belongs to it: person, place, window and server (processes; what
+    the window says on stderr is kept for who reads it) and take_picture(name). Both processes are gone afterwards."""
+    server, display = start_display(size)
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        environment = dict(os.environ, DISPLAY=display)
+        window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                  env=environment, stderr=subprocess.PIPE, text=True)
+
+        def take_picture(name):
+            if pictures:
+                time.sleep(1.0)
+                subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
+
+        try:
+            yield types.SimpleNamespace(person=Person(place / "map.json", environment), place=place, window=window,
+                                        server=server, take_picture=take_picture)
+        finally:
+            for process in (window, server):
+                if process.poll() is None:
+                    process.kill()
+                process.wait()
+
+
 def use_course_window(program, pictures, use):
     """Opens the command's window on an empty course: use(person, place, take_picture), which must leave it open."""
-    server, display = start_display("1440x900x24")
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            place = pathlib.Path(folder)
-            environment = dict(os.environ, DISPLAY=display)
-            window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
-                                      env=environment)
-
-            def take_picture(name):
-                if pictures:
-                    time.sleep(1.0)
-                    subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
-
-            try:
-                use(Person(place / "map.json", environment), place, take_picture)
-                if window.poll() is not None:
-                    sys.exit(f"the window ended with {window.returncode}")
-            finally:
-                window.kill()
-                window.wait()
-    finally:
-        server.terminate()
-        server.wait()
+    with opened_course(program, pictures=pictures) as course:
+        use(course.person, course.place, course.take_picture)
+        if course.window.poll() is not None:
+            sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")
 
 
 def use_window(person):
