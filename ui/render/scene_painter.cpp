@@ -136,12 +136,16 @@ void OpenGlScenePainter::finish_frame(const std::array<std::uint8_t, 3>& page,
     draw_panels(1.0F);
     return;
   }
-  for (const Eye eye : {Eye::Left, Eye::Right}) {
-    if (eye == Eye::Right && parts.stage->eye_count() < 2) continue;
-    const DrawTarget target = parts.stage->eye(eye).target();
+  const auto draw_into = [&](const DrawTarget& target) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     draw_panels(static_cast<float>(target.size.width) /
                 static_cast<float>(parts.window.size.width));
+  };
+  if (const RenderTarget* panels = parts.stage->panels()) {
+    draw_into(panels->target());
+  } else {
+    draw_into(parts.stage->eye(Eye::Left).target());
+    if (parts.stage->eye_count() > 1) draw_into(parts.stage->eye(Eye::Right).target());
   }
   parts.stage->compose(parts.window);
 }

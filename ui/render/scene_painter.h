@@ -77,8 +77,9 @@ class OpenGlScenePainter final : public ScenePainter {
   void draw_behind(const Scene& scene, const Camera& camera, const StereoSetting& setting) override;
   std::size_t triangles() const noexcept override;
 
-  /// Calls `draw_panels` for each picture that the frame consists of, bound and ready: each eye's over the scene behind,
-  /// with the share of the window's columns that it has; without a scene once, over the window filled with `page`.
+  /// Calls `draw_panels` for each picture that takes panels, bound and ready: each eye's over the scene behind, with the share
+  /// of the window's columns that it has; in an anaglyph once, for both eyes; without a scene once, over the window filled with
+  /// `page`.
   void finish_frame(const std::array<std::uint8_t, 3>& page,
                     const std::function<void(float columns)>& draw_panels);
 

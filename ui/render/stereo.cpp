@@ -22,6 +22,13 @@ void resize(std::optional<RenderTarget>& target, PixelSize size) {
   target.emplace(size);
 }
 
+void make_transparent(const RenderTarget& target) {
+  const BoundFramebuffer bound(target.target().framebuffer);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
 }  // namespace
 
 AnaglyphMatrices anaglyph_matrices() noexcept {
@@ -36,7 +43,7 @@ AnaglyphMatrices anaglyph_matrices() noexcept {
   return matrices;
 }
 
-double live_eye_columns() { return is_software_renderer() ? 0.625 : 1.0; }
+double live_eye_columns() { return is_software_renderer() ? 0.5 : 1.0; }
 
 StereoStage::StereoStage() : anaglyph_("ground.vert", "anaglyph.frag") {}
 
@@ -53,6 +60,12 @@ void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
     right_.reset();
   } else {
     resize(right_, eye);
+  }
+  if (setting.mode == StereoMode::Anaglyph) {
+    resize(panels_, window_);
+    make_transparent(*panels_);
+  } else {
+    panels_.reset();
   }
 }
 
@@ -95,10 +108,12 @@ void StereoStage::compose_anaglyph(const DrawTarget& window) {
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
   anaglyph_.use();
+  bind_picture(2, panels_->texture());
   bind_picture(1, eye(setting_.is_swapped ? Eye::Left : Eye::Right).texture());
   bind_picture(0, eye(setting_.is_swapped ? Eye::Right : Eye::Left).texture());
   anaglyph_.set("left_eye", 0);
   anaglyph_.set("right_eye", 1);
+  anaglyph_.set("panels", 2);
   anaglyph_.set("picture",
                 Float4(window.left, window.bottom, 1.0F / static_cast<float>(window.size.width),
                        1.0F / static_cast<float>(window.size.height)));

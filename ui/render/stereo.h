@@ -1,5 +1,5 @@
-/// Two eyes' pictures become one: each is drawn into a target of its own, panels included, then
-/// one pass composes them.
+/// Two eyes' pictures become one: each is drawn into a target of its own, then one pass composes them. Panels are drawn into
+/// each eye's picture; in an anaglyph once, over both.
 #pragma once
 
 #include <cstdint>
@@ -46,6 +46,9 @@ class StereoStage {
   /// The picture of one eye; side by side it has half the window's columns, so what is laid out for the window must be
   /// squeezed to it.
   const RenderTarget& eye(Eye eye) const;
+  /// Where panels are drawn once for both eyes, transparent until then; nullptr where they belong into each eye's picture. They
+  /// lie in the plane of the screen, where both eyes see the same.
+  const RenderTarget* panels() const noexcept { return panels_ ? &*panels_ : nullptr; }
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;
   /// Composes the eyes' pictures into the window, or wherever else.
@@ -62,7 +65,7 @@ class StereoStage {
 
   ShaderProgram anaglyph_;
   GlVertexArray no_attributes_;
-  std::optional<RenderTarget> left_, right_;
+  std::optional<RenderTarget> left_, right_, panels_;
   StereoSetting setting_;
   PixelSize window_;
 };

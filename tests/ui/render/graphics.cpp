@@ -52,4 +52,13 @@ bool is_bone_coloured(const Colour& colour) {
   return colour.red > 60 && colour.red > colour.blue + 12 && colour.green > colour.blue;
 }
 
+void whiten_column(const ui::DrawTarget& target, int column) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(target.left + column, target.bottom, 1, target.size.height);
+  glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace hallux::tests

@@ -50,4 +50,7 @@ Facts facts_of(const ui::Pixels& picture, const std::function<bool(const Colour&
 /// Warm and not dark: bone, on either ground.
 bool is_bone_coloured(const Colour& colour);
 
+/// Makes one column of a picture opaque white.
+void whiten_column(const ui::DrawTarget& target, int column);
+
 }  // namespace hallux::tests

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <tuple>
 
 #include "tests/ui/render/graphics.h"
 #include "tests/ui/render/operating_world.h"
@@ -260,6 +262,37 @@ TEST_F(Pictures, APointOfTheScreenPlaneIsOnTheSamePixelForBothEyes) {
   EXPECT_GT(behind[1], behind[0] + 2.0);
   const auto before = mark_places(8.0);
   EXPECT_LT(before[1], before[0] - 2.0);
+}
+
+// A line of one pixel stays one, though the eyes' pictures have half of the columns.
+TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
+  const RenderTarget window(size);
+  StereoStage stage;
+  constexpr int line = 21;
+  const auto picture = [&](bool has_line) {
+    stage.begin({.mode = StereoMode::Anaglyph, .eye_columns = 0.5}, size);
+    for (const Eye eye : {Eye::Left, Eye::Right})
+      renderer_->draw(world->scene(), stage.view(eye, world->camera()), stage.eye(eye).target());
+    if (has_line) whiten_column(stage.panels()->target(), line);
+    stage.compose(window.target());
+    return window.read();
+  };
+  picture(false);  // the first of a context may differ from all others by a level
+  const Pixels without = picture(false), with = picture(true);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const Colour colour = pixel_at(with, x, y), before = pixel_at(without, x, y);
+      if (x == line) {
+        ASSERT_GT(std::min({colour.red, colour.green, colour.blue}), 250) << x << " " << y;
+      } else {
+        ASSERT_EQ(std::tie(colour.red, colour.green, colour.blue),
+                  std::tie(before.red, before.green, before.blue))
+            << x << " " << y;
+      }
+    }
+  }
+  stage.begin({.mode = StereoMode::SideBySide}, size);
+  EXPECT_EQ(stage.panels(), nullptr) << "there panels belong into each eye's half";
 }
 
 TEST_F(Pictures, SideBySideShowsTheLeftEyeOnTheLeftUnlessSwapped) {

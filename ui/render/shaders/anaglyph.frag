@@ -1,7 +1,8 @@
-// Two eyes' pictures into one, in red and cyan.
+// Two eyes' pictures into one, in red and cyan, with the panels over both.
 out vec4 colour;
 
 uniform sampler2D left_eye, right_eye;
+uniform sampler2D panels;  // colours already times their alpha
 uniform vec4 picture;  // left, bottom, 1 / width, 1 / height in pixels
 uniform mat4 left_to_shown, right_to_shown;
 
@@ -9,7 +10,9 @@ vec3 linear(vec3 srgb) { return srgb * srgb; }
 
 void main() {
   vec2 place = (gl_FragCoord.xy - picture.xy) * picture.zw;
-  vec3 sum = mat3(left_to_shown) * linear(texture(left_eye, place).rgb) +
-             mat3(right_to_shown) * linear(texture(right_eye, place).rgb);
+  vec4 over = texture(panels, place);
+  vec3 left = over.rgb + (1.0 - over.a) * texture(left_eye, place).rgb;
+  vec3 right = over.rgb + (1.0 - over.a) * texture(right_eye, place).rgb;
+  vec3 sum = mat3(left_to_shown) * linear(left) + mat3(right_to_shown) * linear(right);
   colour = vec4(sqrt(clamp(sum, 0.0, 1.0)), 1.0);
 }
