@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ui/screens/account_screen.h"
 #include "ui/screens/attempts_screen.h"
 #include "ui/screens/briefing_screen.h"
 #include "ui/screens/entry_screen.h"
@@ -20,6 +21,7 @@ Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& 
                database::PasswordCost cost)
     : texts_(texts), data_directory_(std::move(data_directory)), shell_(shell), cost_(cost) {
   shell_.on_navigate([this](const std::string& id) { show_place(id); });
+  shell_.on_account([this] { show_account(); });
   shell_.on_sign_out([this] { sign_out(); });
   ask_who();
 }
@@ -95,6 +97,11 @@ void Course::show_trainee(database::CohortId cohort, database::PersonId trainee)
 }
 void Course::show_replay(const database::AttemptId& attempt, double moment_s) {
   shell_.push(std::make_unique<ReplayScreen>(visit_, attempt, moment_s));
+}
+
+void Course::show_account() {
+  if (shell_.top()->navigation_id() == AccountScreen::account_place) return;
+  shell_.push(std::make_unique<AccountScreen>(visit_, cost_));
 }
 
 // The end of the session is written beside the window: other work may hold the visit for a moment.

@@ -40,6 +40,7 @@ class Course : public Places {
   void show_badge(int open_questions);
   /// The screen of a place of the navigation.
   void show_place(const std::string& id);
+  void show_account();
   void sign_out();
 
   const Texts& texts_;

@@ -92,6 +92,7 @@ void Renderer::Parts::draw_all(const Frame& frame) {
   overlays.draw_chips(frame);
   saw.draw_ghosts(frame);
   overlays.draw_planes(frame);
+  saw.draw_seen_through(frame);
   overlays.draw_marks(frame);
   end_drawing();
   counts = {bones.triangle_count() + (frame.scene.saw ? saw.triangle_count() : 0),

@@ -18,7 +18,44 @@ RigidTransform swung(const SawInScene& saw, double share) {
   return saw.world_from_tool * RigidTransform{turn, pivot_mm - turn * pivot_mm};
 }
 
+/// Within the first of the line from the eye to the teeth the handpiece is seen through, beyond the second it is whole.
+constexpr double clear_within_mm = 12.0, whole_beyond_mm = 19.0;
+constexpr double widest_handle_mm = 9.0;
+
+/// Sets what the shader of a tool's part needs of the picture.
+void set_part(ShaderProgram& program, const Frame& frame, const RigidTransform& world_from_part) {
+  const DoubleMatrix4 matrix = matrix_of(world_from_part);
+  set_light(program, frame);
+  program.set("noise", noise_unit);
+  program.set("world_from_tool", to_float(matrix));
+  program.set("clip_from_tool", to_float(frame.clip_from_world * matrix));
+}
+
+/// Draws first the depth, then the colour, so that of parts behind each other only the nearest is seen through.
+void draw_nearest_only(const ToolView& part) {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  part.draw();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_BLEND);
+  part.draw();
+  glDisable(GL_BLEND);
+}
+
 }  // namespace
+
+bool hides_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept {
+  const Vec3 teeth_mm = saw.world_from_tool.translation_mm;
+  const Vec3 to_teeth = glm::normalize(teeth_mm - eye_mm);
+  constexpr double step_mm = 4.0;
+  for (double along_mm = pivot_x_mm(saw.blade); along_mm > -handpiece_length_mm;
+       along_mm -= step_mm) {
+    const Vec3 from_teeth = transform_direction(saw.world_from_tool, Vec3(along_mm, 0.0, 0.0));
+    const bool is_nearer = glm::dot(from_teeth, to_teeth) < 0.0;
+    const double beside_mm = glm::length(glm::cross(from_teeth, to_teeth));
+    if (is_nearer && beside_mm < whole_beyond_mm + widest_handle_mm) return true;
+  }
+  return false;
+}
 
 ToolView::ToolView(const ToolMesh& mesh) {
   vertices_.assign(mesh.vertices);
@@ -51,6 +88,7 @@ SawPainter::SawPainter(const NoiseTextures& noise)
     : noise_(noise),
       blade_("tool.vert", "tool.frag", "#define BLADE\n"),
       handpiece_("tool.vert", "tool.frag"),
+      seen_through_("tool.vert", "tool.frag", "#define SEEN_THROUGH\n"),
       ghost_("ghost.vert", "ghost.frag") {}
 
 SawPainter::Model& SawPainter::model_of(const simulator::BladeSize& size, double thickness_mm) {
@@ -66,12 +104,8 @@ SawPainter::Model& SawPainter::model_of(const simulator::BladeSize& size, double
 
 void SawPainter::draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
                            const RigidTransform& world_from_part) {
-  const DoubleMatrix4 matrix = matrix_of(world_from_part);
   program.use();
-  set_light(program, frame);
-  program.set("noise", noise_unit);
-  program.set("world_from_tool", to_float(matrix));
-  program.set("clip_from_tool", to_float(frame.clip_from_world * matrix));
+  set_part(program, frame, world_from_part);
   part.draw();
 }
 
@@ -84,13 +118,23 @@ void SawPainter::draw_ghost(const Frame& frame, const ToolView& part,
   // where the blade itself stands, the blade is seen.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0F, 8.0F);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  part.draw();
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glEnable(GL_BLEND);
-  part.draw();
-  glDisable(GL_BLEND);
+  draw_nearest_only(part);
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SawPainter::draw_handpiece(const Frame& frame, const ToolView& part,
+                                bool is_translucent_part) {
+  const SawInScene& saw = *frame.scene.saw;
+  seen_through_.use();
+  seen_through_.set("teeth_mm", to_float(saw.world_from_tool.translation_mm));
+  seen_through_.set("reach_mm", to_float(Vec2(clear_within_mm, whole_beyond_mm)));
+  seen_through_.set("is_translucent_part", is_translucent_part ? 1.0F : 0.0F);
+  set_part(seen_through_, frame, saw.world_from_tool);
+  if (is_translucent_part) {
+    draw_nearest_only(part);
+  } else {
+    part.draw();
+  }
 }
 
 void SawPainter::draw(const Frame& frame) {
@@ -98,7 +142,11 @@ void SawPainter::draw(const Frame& frame) {
   const SawInScene& saw = *frame.scene.saw;
   const Model& model = model_of(saw.blade, saw.thickness_mm);
   noise_.bind();
-  draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
+  if (hides_the_teeth(saw, frame.view.eye_in_world_mm)) {
+    draw_handpiece(frame, model.handpiece, false);
+  } else {
+    draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
+  }
   draw_part(blade_, frame, model.blade,
             saw.is_running ? swung(saw, saw.swing) : saw.world_from_tool);
 }
@@ -121,6 +169,13 @@ void SawPainter::draw_ghosts(const Frame& frame) {
     draw_ghost(frame, ghost_model_->blade, ghost.world_from_tool,
                Float4(colour_of(frame.palette, ghost.ink), 0.80F));
   }
+}
+
+void SawPainter::draw_seen_through(const Frame& frame) {
+  if (!frame.scene.saw || !hides_the_teeth(*frame.scene.saw, frame.view.eye_in_world_mm)) return;
+  noise_.bind();
+  draw_handpiece(frame, model_of(frame.scene.saw->blade, frame.scene.saw->thickness_mm).handpiece,
+                 true);
 }
 
 std::size_t SawPainter::triangle_count() const noexcept {

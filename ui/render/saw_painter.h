@@ -31,6 +31,8 @@ class SawPainter {
   void draw(const Frame& frame);
   /// After everything that is not translucent.
   void draw_ghosts(const Frame& frame);
+  /// The part of the handpiece that would hide the teeth, after everything that may lie behind it.
+  void draw_seen_through(const Frame& frame);
   std::size_t triangle_count() const noexcept;
 
  private:
@@ -43,12 +45,16 @@ class SawPainter {
   Model& model_of(const simulator::BladeSize& size, double thickness_mm);
   void draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
                  const RigidTransform& world_from_part);
+  void draw_handpiece(const Frame& frame, const ToolView& part, bool is_translucent_part);
   void draw_ghost(const Frame& frame, const ToolView& part, const RigidTransform& world_from_part,
                   const Float4& ink);
 
   const NoiseTextures& noise_;
-  ShaderProgram blade_, handpiece_, ghost_;
+  ShaderProgram blade_, handpiece_, seen_through_, ghost_;
   std::optional<Model> model_, ghost_model_;
 };
+
+/// Whether part of the handpiece lies between the eye and the teeth, so that it is seen through there.
+bool hides_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept;
 
 }  // namespace hallux::ui

@@ -13,6 +13,9 @@ constexpr float field_gap = 14.0F, code_height = 84.0F, checkbox_height = 28.0F;
 constexpr float add_height =
     2.0F * (field_label_height + field_height + field_gap) + field_message_height + checkbox_height;
 
+constexpr float password_height =
+    3.0F * (field_label_height + field_height + field_gap) + 2.0F * field_message_height;
+
 Rect field_line(Rect& rest, float below) {
   take_top(rest, field_label_height);
   return take_top(rest, field_height, below);
@@ -31,6 +34,29 @@ void draw_add_fields(Ui& ui, Rect rest, AddedPersonWords& words) {
   checkbox(ui, "people.add.administrator", take_top(rest, checkbox_height),
            ui.text("people.add.administrator"), words.is_administrator);
   ui.focus_first("people.add.login");
+}
+
+/// True where all three are there and the new one was written the same twice.
+bool draw_password_fields(Ui& ui, Rect rest, PasswordWords& words) {
+  FieldSpec secret;
+  secret.is_secret = true;
+  secret.label = ui.text("account.password.old");
+  field(ui, "account.password.old", field_line(rest, field_gap), words.old_password, secret);
+  secret.label = ui.text("entry.new_password");
+  secret.hint = ui.text("entry.password.rule");
+  field(ui, "account.password.new", field_line(rest, field_message_height + field_gap),
+        words.new_password, secret);
+  secret.label = ui.text("entry.password_again");
+  secret.hint = {};
+  const auto is_same = [&] { return words.new_password == words.new_password_again; };
+  if (!is_same() && words.new_password_again.size() >= words.new_password.size())
+    secret.error = ui.text("entry.passwords_differ");
+  const bool is_changed =
+      field(ui, "account.password.again", field_line(rest, field_message_height + field_gap),
+            words.new_password_again, secret);
+  if (is_changed) ui.want_frame_in_s(0.0);  // what was said below it was about the frame before
+  ui.focus_first("account.password.old");
+  return is_same() && !words.old_password.empty() && !words.new_password.empty();
 }
 
 /// The code, large, and a button beside it. True where it was copied.
@@ -63,6 +89,24 @@ Answer draw_add_dialog(Ui& ui, AddedPersonWords& words, const std::string& fault
     draw_add_fields(ui, form, words);
     return !words.login.empty();
   });
+}
+
+PasswordWords::~PasswordWords() {
+  for (std::string* secret : {&old_password, &new_password, &new_password_again}) {
+    database::SecretText::take(*secret);  // wipes what it takes
+  }
+}
+
+Answer draw_password_dialog(Ui& ui, PasswordWords& words, const std::string& fault, bool is_busy) {
+  Dialog shown;
+  shown.title = ui.text("account.password.title");
+  shown.act = ui.text("account.password.act");
+  shown.keep = ui.text("form.cancel");
+  shown.error = fault;
+  shown.form_height = password_height;
+  shown.is_busy = is_busy;
+  return dialog(ui, "account.password", shown,
+                [&](const Rect& form) { return draw_password_fields(ui, form, words); });
 }
 
 CodeAnswer draw_code_dialog(Ui& ui, const ShownCode& code) {

@@ -1,4 +1,4 @@
-/// The dialogs of the people screen: adding a person, and the one-time code that is shown once.
+/// The dialogs about people: adding a person, the one-time code that is shown once, one's own new password.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,18 @@ struct AddedPersonWords {
 
 /// Asks who is added. `fault` says why the last try failed.
 Answer draw_add_dialog(Ui& ui, AddedPersonWords& words, const std::string& fault, bool is_busy);
+
+/// What is typed to change one's password; wiped when it goes.
+struct PasswordWords {
+  std::string old_password, new_password, new_password_again;
+  PasswordWords() = default;
+  PasswordWords(const PasswordWords&) = delete;
+  PasswordWords& operator=(const PasswordWords&) = delete;
+  ~PasswordWords();
+};
+
+/// Asks for the old password and twice for the new one. `fault` says why the last try failed.
+Answer draw_password_dialog(Ui& ui, PasswordWords& words, const std::string& fault, bool is_busy);
 
 /// A code that was just issued. It is drawn but not noted with the texts of the frame, and wiped with this.
 struct ShownCode {

@@ -104,6 +104,43 @@ TEST_F(Pictures, TheBladeShadowsTheBone) {
   EXPECT_EQ(brighter, 0U);
 }
 
+/// How much bone is seen within a share of the picture's height around a place of the world.
+std::size_t bone_around(const Pixels& picture, const Camera& camera, const Vec3& place_mm) {
+  const double aspect = static_cast<double>(size.width) / size.height;
+  const Vec3 place = place_in_picture(view_of(camera, Viewer{}, Eye::Middle, aspect), place_mm);
+  constexpr int reach = 28;
+  const int x0 = static_cast<int>(place.x * size.width),
+            y0 = static_cast<int>(place.y * size.height);
+  std::size_t count = 0;
+  for (int y = y0 - reach; y <= y0 + reach; ++y) {
+    for (int x = x0 - reach; x <= x0 + reach; ++x) {
+      const Colour colour = pixel_at(picture, x, y);
+      count += colour.red > colour.blue + 12 && colour.red > 60 ? 1U : 0U;
+    }
+  }
+  return count;
+}
+
+TEST_F(Pictures, AHandpieceBeforeTheTeethIsSeenThrough) {
+  Scene scene = world->scene();
+  scene.planes.clear();
+  scene.lines.clear();
+  // Straight along the saw: without that the grip covers what it cuts.
+  Camera camera = world->camera();
+  const RigidTransform tool = scene.saw->world_from_tool;
+  camera.target_mm = tool.translation_mm;
+  camera.world_from_view =
+      tool.rotation * rotation_from_axes(Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, 1.0));
+  const Pixels with = draw(scene, camera);
+  Scene without = scene;
+  without.saw.reset();
+  const std::size_t all = bone_around(draw(without, camera), camera, tool.translation_mm);
+  ASSERT_GT(all, 1500U);
+  EXPECT_GT(bone_around(with, camera, tool.translation_mm), all / 2);
+  // It is there all the same.
+  EXPECT_NE(with.rgba, draw(without, camera).rgba);
+}
+
 TEST_F(Pictures, ALineOfTheBladesPlaneRunsOverTheBone) {
   Scene scene = world->scene();
   scene.planes.clear();

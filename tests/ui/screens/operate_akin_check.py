@@ -9,11 +9,10 @@ usage: operate_akin_check.py HALLUX [PICTURE_FOLDER]
 """
 
 import json
-import pathlib
 import sys
 
-from operate_check import PATIENCE_S, begin, come_in, finish, recorded_ticks, rows_of
-from window_check import use_course_window, wait_until
+from operate_check import PATIENCE_S, recorded_ticks, rows_of, run_check
+from window_check import wait_until
 
 # Millimetres: before the bone, through it to the line at which to stop, and what a push needs beyond to come that far.
 HOVER, TO_THE_LINE, PUSH, HARD_PUSH = 10.0, 15.0, 2.0, 5.0
@@ -109,20 +108,5 @@ def check_record(place):
         sys.exit(f"not measured: {unmeasured}; score {score}")
 
 
-def operate(person, place, take_picture):
-    come_in(person)
-    begin(person, take_picture, "akin")
-    saw(person, place, take_picture)
-    finish(person, place, take_picture)
-    check_record(place)
-    take_picture("after")
-
-
-def main():
-    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    use_course_window(sys.argv[1], pictures, operate)
-    print("operate check: passed")
-
-
 if __name__ == "__main__":
-    main()
+    run_check("akin", saw, check_record)

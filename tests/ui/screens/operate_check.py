@@ -13,7 +13,6 @@ import time
 from window_check import use_course_window, wait_until
 
 PASSWORD = "a long enough phrase"
-SCENARIO = "silver"
 PATIENCE_S = 150.0
 
 
@@ -37,7 +36,7 @@ def come_in(person):
     person.click("entry.begin")
 
 
-def begin(person, take_picture, scenario=SCENARIO):
+def begin(person, take_picture, scenario="silver"):
     """From the list of operations through the briefing into the operation, as practice."""
     for name in ("nav.operations", f"operations.card.{scenario}", "brief.begin"):
         wait_until(name, lambda name=name: person.widgets().get(name, {}).get("enabled"), PATIENCE_S)
@@ -67,7 +66,7 @@ def events(place):
     return rows_of(place, "SELECT total(row_count) FROM chunk WHERE stream = 2")[0][0]
 
 
-def saw(person, place):
+def saw(person, place, _take_picture):
     """Seen from medial: away from the person, over the head; the saw started; down into the bone; led by the pointer too."""
     person.press_slowly("3", *["Prior"] * 7, "space", *["Down"] * 44)
     for step in range(1, 6):
@@ -106,20 +105,21 @@ def check_record(place):
     print(f"operate check: {ticks} ticks, score {scores[0][0]} of {scores[0][1]} measured, {quality}")
 
 
-def operate(person, place, take_picture):
-    come_in(person)
-    begin(person, take_picture)
-    saw(person, place)
-    finish(person, place, take_picture)
-    check_record(place)
-    take_picture("after")
+def run_check(scenario, saw, check_record):
+    """From the first administrator to a scored attempt: `saw` operates, `check_record` looks at what was kept."""
 
+    def operate(person, place, take_picture):
+        come_in(person)
+        begin(person, take_picture, scenario)
+        saw(person, place, take_picture)
+        finish(person, place, take_picture)
+        check_record(place)
+        take_picture("after")
 
-def main():
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     use_course_window(sys.argv[1], pictures, operate)
     print("operate check: passed")
 
 
 if __name__ == "__main__":
-    main()
+    run_check("silver", saw, check_record)

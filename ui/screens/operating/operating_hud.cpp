@@ -15,7 +15,7 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float inset_share = 0.06F, bar_height = 44.0F, panel_height = 92.0F, gap = 16.0F;
+constexpr float bar_height = 44.0F, panel_height = 92.0F, gap = 16.0F;
 constexpr float pad = 20.0F, badge_room = 112.0F;
 /// Bands that colour the force; source  docs/haptics.md (usual pushes are 8 to 20 N), not surgeon-reviewed
 constexpr double high_force_newton = 15.0, force_scale_newton = 30.0;
@@ -367,7 +367,7 @@ std::string signed_text(double value) {
 
 HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const Rect display = ui.display();
-  Hud in{ui, hud, inset(display, inset_share * display.w, inset_share * display.h), {}};
+  Hud in{ui, hud, inset(display, hud_inset_share * display.w, hud_inset_share * display.h), {}};
   draw_force_at_blade(in);
   const float left = draw_mode(in), right = draw_state(in);
   draw_steps(in, left, right);

@@ -13,6 +13,9 @@
 
 namespace hallux::ui {
 
+/// Of the window, around everything that lies over the picture.
+inline constexpr float hud_inset_share = 0.06F;
+
 /// How machine and recording are.
 struct OperatingHealth {
   double frame_ms = 0.0;  ///< between two pictures, the slower of the last

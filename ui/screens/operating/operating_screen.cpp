@@ -91,8 +91,11 @@ void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
   const std::string_view words =
       ui.text(is_practice() ? "operate.ready.practice" : "operate.ready.assessment");
   const float words_height = ui.paragraph_height(Type::Body, words, width - 2.0F * space::card);
-  const Rect rect =
-      centred(ui.display(), width, 64.0F + words_height + 24.0F + button_height + 24.0F);
+  // Below, where the panels will be: the bone stays in sight.
+  const float height = 64.0F + words_height + 24.0F + button_height + 24.0F;
+  const Rect display = ui.display();
+  const float above = std::max(display.bottom() - height - hud_inset_share * display.h, 0.0F);
+  const Rect rect{display.mid_x() - 0.5F * width, above, width, height};
   const Rect inside = card(ui, rect, table.scenario.title);
   ui.canvas().paragraph({inside.x, inside.y, inside.w, words_height},
                         {Type::Body, ui.theme().text_secondary}, words);

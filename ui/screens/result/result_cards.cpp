@@ -141,11 +141,30 @@ Takeaway takeaway_of(const Texts& texts, const ResultFacts& facts, std::size_t i
   return taken;
 }
 
+/// The lines that lost nothing, what they are worth first.
+std::vector<std::size_t> kept_lines(const ScoreCard& card) {
+  std::vector<std::size_t> kept;
+  for (std::size_t line = 0; line < card.ledger.size(); ++line) {
+    const LedgerLine& each = card.ledger[line];
+    if (each.points_lost_milli == 0 && each.is_measured && !each.text.empty() &&
+        each.kind == database::LedgerKind::Metric)
+      kept.push_back(line);
+  }
+  std::stable_sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) {
+    return card.ledger[a].weight_milli > card.ledger[b].weight_milli;
+  });
+  return kept;
+}
+
+/// What cost the most; and wherever something was done well, that too.
 std::vector<Takeaway> takeaways_of(const Texts& texts, const ResultFacts& facts) {
   std::vector<Takeaway> taken;
   if (!facts.score) return taken;
   const ScoreCard& card = facts.score->card;
+  const std::vector<std::size_t> kept = kept_lines(card);
+  const std::size_t losses_wanted = rows_wanted - (kept.empty() ? 0 : 1);
   for (const std::string& sentence : card.sentences) {
+    if (taken.size() == losses_wanted) break;
     if (const auto line = line_of_sentence(card, sentence)) {
       taken.push_back(takeaway_of(texts, facts, *line));
     } else {
@@ -153,11 +172,9 @@ std::vector<Takeaway> takeaways_of(const Texts& texts, const ResultFacts& facts)
           {Meaning::Info, std::string(texts.text("result.whole")), sentence, "", "", {}});
     }
   }
-  for (std::size_t line = 0; line < card.ledger.size() && taken.size() < rows_wanted; ++line) {
-    const LedgerLine& kept = card.ledger[line];
-    if (kept.points_lost_milli == 0 && kept.is_measured && !kept.text.empty() &&
-        kept.kind == database::LedgerKind::Metric)
-      taken.push_back(takeaway_of(texts, facts, line));
+  for (const std::size_t line : kept) {
+    if (taken.size() == rows_wanted) break;
+    taken.push_back(takeaway_of(texts, facts, line));
   }
   return taken;
 }

@@ -152,7 +152,7 @@ void Shell::draw_person_menu(Ui& ui) {
   const std::array<MenuItem, 4> items{{
       {ui.text(is_dark ? "person.light" : "person.dark"), is_dark ? Icon::Light : Icon::Dark},
       {ui.text("person.help"), Icon::Help, "F1"},
-      {ui.text("person.change"), Icon::People},
+      {ui.text("person.account"), Icon::People},
       {ui.text("person.sign_out"), Icon::SignOut},
   }};
   const float height = menu_height(items);
@@ -161,7 +161,8 @@ void Shell::draw_person_menu(Ui& ui) {
   person_menu_.reset();
   if (chosen == 0) preferences_.theme = is_dark ? ThemeName::Light : ThemeName::Dark;
   if (chosen == 1) is_help_shown_ = true;
-  if (chosen == 2 || chosen == 3) sign_out(ui);
+  if (chosen == 2 && may_leave(ui) && on_account_) on_account_();
+  if (chosen == 3) sign_out(ui);
 }
 
 // Work that runs stands below the messages, in the same corner. Returns the height it takes.

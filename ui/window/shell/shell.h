@@ -66,6 +66,8 @@ class Shell {
   }
   /// Called when the person asked to sign out or to change; not while the screen says why it may not be left.
   void on_sign_out(std::function<void()> action) { on_sign_out_ = std::move(action); }
+  /// Called when the person asked for their own account; not while the screen says why it may not be left.
+  void on_account(std::function<void()> action) { on_account_ = std::move(action); }
 
   // -- messages and work
   void say(Message message);
@@ -112,7 +114,7 @@ class Shell {
   std::vector<Request> requests_;
   std::optional<Visitor> visitor_;
   std::function<void(const std::string&)> on_navigate_;
-  std::function<void()> on_sign_out_;
+  std::function<void()> on_sign_out_, on_account_;
   std::vector<ShownMessage> messages_;
   int next_message_ = 0;
   Preferences preferences_;

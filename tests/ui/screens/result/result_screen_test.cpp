@@ -46,6 +46,19 @@ TEST(ResultScreen, ATraineeReadsScoreLedgerAndMarks) {
   EXPECT_THAT(driver.faults(), IsEmpty());
 }
 
+TEST(ResultScreen, OfThreeThingsToTakeAwayOneWasDoneWell) {
+  OperatedCourse akin;
+  const auto stored = akin.course.trainee("ada").score(akin.attempt);
+  ASSERT_EQ(stored->card.sentences.size(), 3U) << "three losses, and still";
+  Reader reader(akin.course, "ada", akin.attempt);
+  int kept = 0;
+  for (const std::string& text : reader.driver().texts())
+    kept +=
+        text.find("points lost.") == std::string::npos && text.find(": all ") != std::string::npos;
+  EXPECT_EQ(kept, 1);
+  EXPECT_FALSE(reader.driver().sees(stored->card.sentences[2].substr(0, 60)));
+}
+
 /// The number of points after these words, in tenths.
 int tenths_after(Driver& driver, const std::string& words) {
   for (const std::string& text : driver.texts())

@@ -1,0 +1,94 @@
+#include "ui/screens/account_screen.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/screens/page.h"
+#include "ui/screens/words.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float side_width = 440.0F, person_height = 260.0F, row_height = 44.0F;
+
+}  // namespace
+
+void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  const auto rows = static_cast<float>(std::max<std::size_t>(visit_->memberships().size(), 3));
+  const float cohorts_height = 80.0F + row_height * rows;
+  const Page scrolled(ui, "account", ui.text("account.title"), content,
+                      140.0F + person_height + space::between_cards + cohorts_height);
+  Rect page = scrolled.rect();
+  PageHead head{ui.text("account.title"), ui.text("account.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.has_back = true;
+  if (page_head(ui, "account", page, head).is_back_pressed) shell.pop();
+  Panes panes = panes_of(page, side_width, cohorts_height);
+  if (are_panes_stacked(page.w)) {
+    panes.side.y = panes.main.y + person_height + space::between_cards;
+  }
+  panes.main.h = person_height;
+  panes.side.h = cohorts_height;
+  draw_person(ui, card(ui, panes.main, ui.text("account.person")));
+  draw_cohorts(ui, card(ui, panes.side, ui.text("account.cohorts"), space::side_card));
+  if (!typed_) return;
+  const Answer answer =
+      draw_password_dialog(ui, *typed_, changing_.fault(), changing_.is_running());
+  if (answer == Answer::Keep) typed_.reset();
+  if (answer == Answer::Act) change_password(ui, shell);
+}
+
+void AccountScreen::draw_person(Ui& ui, Rect rest) {
+  const database::Person& person = visit_->person();
+  fact_line(ui, rest, ui.text("people.login"), person.login);
+  fact_line(ui, rest, ui.text("account.name"),
+            person.display_name.empty() ? person.login : person.display_name);
+  fact_line(ui, rest, ui.text("account.role"),
+            ui.text(person.is_administrator ? "role.administrator" : "account.member"));
+  fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
+  const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
+  Rect line = take_bottom(rest, button_height);
+  line.w = std::min(line.w, button_width(ui, change));
+  if (!button(ui, "account.change_password", line, change)) return;
+  typed_.emplace();
+  changing_.forget_fault();
+}
+
+void AccountScreen::draw_cohorts(Ui& ui, Rect rest) const {
+  if (visit_->memberships().empty()) {
+    words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
+    return;
+  }
+  for (const database::Membership& each : visit_->memberships()) {
+    Rect line = take_top(rest, row_height);
+    const std::string_view role =
+        ui.text(each.role == database::CohortRole::Instructor ? "role.instructor" : "role.trainee");
+    const Rect place = take_right(line, ui.width_of(Type::Small, role) + 2.0F, 12.0F);
+    ui.canvas().text_in(place, {Type::Small, ui.theme().text_secondary, Align::Right}, role);
+    ui.canvas().text_in(line, {Type::BodyMedium, ui.theme().text}, each.cohort_name, true);
+  }
+}
+
+/// What was typed stays where it is refused, so that only what is wrong is typed again.
+void AccountScreen::change_password(Ui& ui, Shell& shell) {
+  struct Secrets {
+    database::SecretText old_password, new_password;
+  };
+  if (changing_.is_running()) return;
+  std::string old_password = typed_->old_password, new_password = typed_->new_password;
+  const auto secrets = std::make_shared<Secrets>(
+      Secrets{database::SecretText::take(old_password), database::SecretText::take(new_password)});
+  changing_.start<bool>(
+      shell, visit_, {std::string(ui.text("account.password.changing")), {}},
+      [secrets, cost = cost_](database::Session& session, WorkReport&) {
+        session.change_password(secrets->old_password, secrets->new_password, cost);
+        return true;
+      },
+      [this, &shell, said = std::string(ui.text("account.password.changed"))](bool&) {
+        typed_.reset();
+        shell.say({Meaning::Good, said});
+      });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,34 @@
+/// One's own account: how one is known here, in which cohorts one is what, and a new password.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ui/screens/desk_work.h"
+#include "ui/screens/person_dialogs.h"
+
+namespace hallux::ui {
+
+class AccountScreen : public Screen {
+ public:
+  explicit AccountScreen(std::shared_ptr<Visit> visit, database::PasswordCost cost = {})
+      : visit_(std::move(visit)), cost_(cost) {}
+
+  std::string_view navigation_id() const override { return account_place; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+  /// No place of the navigation: it is opened from the menu beside one's name.
+  static constexpr std::string_view account_place = "account";
+
+ private:
+  void draw_person(Ui& ui, Rect rest);
+  void draw_cohorts(Ui& ui, Rect rest) const;
+  void change_password(Ui& ui, Shell& shell);
+
+  std::shared_ptr<Visit> visit_;
+  database::PasswordCost cost_;
+  std::optional<PasswordWords> typed_;  ///< while the dialog is open
+  DeskWork changing_;
+};
+
+}  // namespace hallux::ui
