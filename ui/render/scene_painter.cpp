@@ -14,7 +14,7 @@ namespace hallux::ui {
 
 namespace {
 
-// About five seconds at full rate: a screen that is gone needs its pictures no more.
+// About five seconds at full rate: a screen that is gone needs its pictures and bones no more.
 constexpr long frames_kept = 300;
 
 struct ShownPixels {
@@ -57,7 +57,7 @@ struct OpenGlScenePainter::Parts {
   std::map<std::string, ShownPixels, std::less<>> shown;
   DrawTarget window;
   bool has_scene_behind = false;
-  long frame = 0;
+  long frame = 0, last_scene_frame = 0;
 };
 
 OpenGlScenePainter::OpenGlScenePainter() : parts_(std::make_unique<Parts>()) {}
@@ -74,6 +74,7 @@ void OpenGlScenePainter::begin_frame(const DrawTarget& window) {
   const long oldest = ++parts.frame - frames_kept;
   std::erase_if(parts.drawn, [&](const auto& entry) { return entry.second.last_frame < oldest; });
   std::erase_if(parts.shown, [&](const auto& entry) { return entry.second.last_frame < oldest; });
+  if (parts.last_scene_frame == oldest) parts.renderer.forget_bones();
 }
 
 std::uint64_t OpenGlScenePainter::draw(std::string_view name, const Scene& scene,
@@ -88,7 +89,7 @@ std::uint64_t OpenGlScenePainter::draw(std::string_view name, const Scene& scene
   if (found == parts.drawn.end())
     found = parts.drawn.emplace(std::string(name), DrawnScene{RenderTarget(wanted)}).first;
   parts.renderer.draw(scene, camera, found->second.target.target());
-  found->second.last_frame = parts.frame;
+  found->second.last_frame = parts.last_scene_frame = parts.frame;
   return found->second.target.texture();
 }
 
@@ -121,6 +122,7 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
     parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye).target());
   }
   parts.has_scene_behind = true;
+  parts.last_scene_frame = parts.frame;
 }
 
 std::size_t OpenGlScenePainter::triangles() const noexcept {

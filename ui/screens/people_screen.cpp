@@ -319,9 +319,11 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
              [login](database::AdministratorDesk& desk) { desk.set_disabled(login, false); });
     return;
   }
+  const bool is_self = listed.person.id == visit_->person().id;
   const std::string_view why_not = is_last_administrator(listed.person)
                                        ? ui.text("people.last_administrator")
-                                       : std::string_view();
+                                   : is_self ? ui.text("people.disable.own")
+                                             : std::string_view();
   if (wide_button(ui, "people.disable", rest, {ui.text("people.disable"), ButtonLook::Danger},
                   why_not))
     asked_ = Asked{Asked::Deed::Disable, login};

@@ -104,6 +104,7 @@ void Ui::end_frame() {
   canvas_.reset();
   ImGui::Render();
   settle_focus();
+  building_.focus = focus_;
   shown_ = std::move(building_);
   shown_shortcuts_ = std::move(building_shortcuts_);
   forget_untouched(motions_);

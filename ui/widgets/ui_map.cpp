@@ -44,7 +44,7 @@ std::string ui_map_json(const FrameContent& content, float scale) {
                        {"h", device(widget.visible.bottom()) - y},
                        {"enabled", widget.is_enabled}});
   }
-  return nlohmann::ordered_json{{"widgets", widgets}}.dump(
+  return nlohmann::ordered_json{{"focus", content.focus}, {"widgets", widgets}}.dump(
              1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
          "\n";
 }

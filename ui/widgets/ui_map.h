@@ -8,8 +8,8 @@
 
 namespace hallux::ui {
 
-/// One JSON value: {"widgets": [{"id", "label", "x", "y", "w", "h", "enabled"}, ...]} in device pixels of the window.
-/// Only what can be seen and reached; never what a field holds.
+/// One JSON value: {"focus": "id of the widget that keys go to, or empty", "widgets": [{"id", "label", "x", "y", "w", "h",
+/// "enabled"}, ...]} in device pixels of the window. Only what can be seen and reached; never what a field holds.
 std::string ui_map_json(const FrameContent& content, float scale);
 
 /// Keeps the file up to date: replaced as a whole, so that no reader sees half of it, and at most ten times a second.

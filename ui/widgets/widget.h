@@ -48,6 +48,7 @@ struct SeenText {
 struct FrameContent {
   std::vector<Widget> widgets = {};  ///< in the order of drawing, which is the order of Tab
   std::vector<SeenText> texts = {};
+  std::string focus = {};  ///< the widget that keys go to; "" for none
 };
 
 /// The widget with this id, or null.

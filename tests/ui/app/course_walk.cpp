@@ -5,13 +5,16 @@
 // and then it must find home from where it is. What it did last is printed where something is wrong.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
 #include <random>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/database/some_database.h"
 #include "tests/ui/app/course_window.h"
@@ -127,6 +130,12 @@ class Walker {
     return found;
   }
 
+  bool can_press(std::string_view id) {
+    const auto found = reachable(false);
+    return std::any_of(found.begin(), found.end(),
+                       [&](const Widget* widget) { return widget->id == id; });
+  }
+
   void press(const Widget& widget) {
     const Point middle = widget.visible.centre();
     const float scale = driver().ui().scale();
@@ -223,13 +232,26 @@ class Walker {
     return driver().has("entry.sign_in") || driver().has("entry.to_sign_in");
   }
 
+  /// While an attempt is being saved there is nothing to press; it takes real time.
+  void wait_for_the_record() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (reachable(false).size() == 1 && driver().has("operate.view")) {
+      if (std::chrono::steady_clock::now() > end) throw Fault("an attempt is not saved");
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      driver().frame();
+      window_.finish_work();
+    }
+  }
+
   // Esc leads back from everywhere, but for an operation: that is abandoned.
   void find_home() {
     note("home");
     for (int count = 0; count < escapes_at_most && !is_home(); ++count) {
-      if (driver().has("operate.abandon") && driver().widget("operate.abandon").is_enabled) {
+      wait_for_the_record();
+      if (can_press("operate.ask_abandon.act")) {
+        driver().click("operate.ask_abandon.act");
+      } else if (can_press("operate.abandon")) {
         driver().click("operate.abandon");
-        if (driver().has("operate.question.act")) driver().click("operate.question.act");
       } else {
         driver().press(Key::Escape);
       }

@@ -11,6 +11,7 @@
 #include "tests/ui/render/graphics.h"
 #include "tests/ui/render/operating_world.h"
 #include "ui/render/picture.h"
+#include "ui/render/scene_painter.h"
 #include "ui/render/stereo.h"
 #include "ui/render/swarf.h"
 
@@ -258,6 +259,18 @@ TEST_F(Pictures, BonesThatAreNoLongerSeenAreLetGo) {
   EXPECT_GT(count_objects().buffers, empty.buffers);
   renderer_->forget_bones();
   // The saw stays: the next operation has one, too. Its blade and handpiece are four buffers.
+  EXPECT_LE(count_objects().buffers, empty.buffers + 4);
+}
+
+TEST_F(Pictures, AScreenWithoutBonesKeepsNoneOfTheScreenBefore) {
+  const RenderTarget window({32, 18});
+  OpenGlScenePainter painter;
+  painter.begin_frame(window.target());
+  painter.draw("nothing", Scene{}, world->camera(), {32, 18});
+  const ObjectCensus empty = count_objects();
+  painter.draw("bones", world->scene(), world->camera(), {32, 18});
+  ASSERT_GT(count_objects().buffers, empty.buffers + 4);
+  for (int frame = 0; frame < 301; ++frame) painter.begin_frame(window.target());
   EXPECT_LE(count_objects().buffers, empty.buffers + 4);
 }
 

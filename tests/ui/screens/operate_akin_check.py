@@ -11,8 +11,8 @@ usage: operate_akin_check.py HALLUX [PICTURE_FOLDER]
 import json
 import sys
 
-from operate_check import PATIENCE_S, recorded_ticks, rows_of, run_check
-from window_check import wait_until
+from operate_check import PATIENCE_S, recorded_ticks, run_check
+from window_check import rows_of, wait_until
 
 # Millimetres: before the bone, through it to the line at which to stop, and what a push needs beyond to come that far.
 HOVER, TO_THE_LINE, PUSH, HARD_PUSH = 10.0, 15.0, 2.0, 5.0

@@ -6,11 +6,10 @@ usage: operate_check.py HALLUX [PICTURE_FOLDER]
 
 import json
 import pathlib
-import sqlite3
 import sys
 import time
 
-from window_check import use_course_window, wait_until
+from window_check import rows_of, use_course_window, wait_until
 
 PASSWORD = "a long enough phrase"
 PATIENCE_S = 150.0
@@ -48,11 +47,6 @@ def begin(person, take_picture, scenario="silver"):
     person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
     person.press("Return")
     wait_until("the running operation", lambda: "operate.pause" in person.widgets(), PATIENCE_S)
-
-
-def rows_of(place, words):
-    with sqlite3.connect(f"file:{place / 'course' / 'hallux.db'}?mode=ro", uri=True, timeout=10.0) as database:
-        return database.execute(words).fetchall()
 
 
 def recorded_ticks(place):

@@ -11,8 +11,8 @@ import sys
 import time
 
 from hard_times_check import lose_display, window_of
-from operate_check import PASSWORD, PATIENCE_S, begin, come_in, recorded_ticks, rows_of
-from window_check import opened_course, wait_until
+from operate_check import PASSWORD, PATIENCE_S, begin, come_in, recorded_ticks
+from window_check import opened_course, rows_of, wait_until
 
 
 def is_shown(person, name):

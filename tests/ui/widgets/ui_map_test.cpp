@@ -66,6 +66,8 @@ TEST_F(UiMapFile, NamesWhatCanBeSeenAndReachedButNeverWhatAFieldHolds) {
   const nlohmann::json asked = nlohmann::json::parse(ui_map_json(driver.content(), 1.5F));
   ASSERT_EQ(asked["widgets"].size(), 2U) << "what lies below a question cannot be reached";
   EXPECT_EQ(asked["widgets"][0]["id"], "ask.keep");
+  EXPECT_EQ(map["focus"], "");
+  EXPECT_EQ(asked["focus"], "ask.keep") << "the safe answer";
 }
 
 FrameContent content_with(const std::string& id) {

@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import pathlib
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -54,10 +55,15 @@ class Person:
         self.map_file = map_file
         self.environment = environment
 
+    def map(self):
+        return json.loads(self.map_file.read_text()) if self.map_file.exists() else {"focus": "", "widgets": []}
+
     def widgets(self):
-        if not self.map_file.exists():
-            return {}
-        return {each["id"]: each for each in json.loads(self.map_file.read_text())["widgets"]}
+        return {each["id"]: each for each in self.map()["widgets"]}
+
+    def focus(self):
+        """The control that keys go to; "" for none."""
+        return self.map()["focus"]
 
     def xdotool(self, *words):
         subprocess.run(["xdotool", *words], check=True, env=self.environment)
@@ -78,13 +84,21 @@ class Person:
         self.xdotool("type", "--delay", "0", letters)
 
 
+def rows_of(place, words):
+    """What the course of an opened window answers to a query."""
+    with sqlite3.connect(f"file:{place / 'course' / 'hallux.db'}?mode=ro", uri=True, timeout=10.0) as database:
+        return database.execute(words).fetchall()
+
+
 @contextlib.contextmanager
-def opened_course(program, size="1440x900x24", pictures=None):
-    """The command's window on an empty course, with all that belongs to it: person, place, window and server (processes; what
+def opened_course(program, size="1440x900x24", pictures=None, prepare=None):
+    """The command's window on an empty course, or on what prepare(folder) makes, with all that belongs to it: person, place, window and server (processes; what
     the window says on stderr is kept for who reads it) and take_picture(name). Both processes are gone afterwards."""
     server, display = start_display(size)
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
+        if prepare:
+            prepare(place / "course")
         environment = dict(os.environ, DISPLAY=display)
         window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
                                   env=environment, stderr=subprocess.PIPE, text=True)
@@ -104,9 +118,9 @@ def opened_course(program, size="1440x900x24", pictures=None):
                 process.wait()
 
 
-def use_course_window(program, pictures, use):
-    """Opens the command's window on an empty course: use(person, place, take_picture), which must leave it open."""
-    with opened_course(program, pictures=pictures) as course:
+def use_course_window(program, pictures, use, prepare=None):
+    """Opens the command's window on such a course: use(person, place, take_picture), which must leave it open."""
+    with opened_course(program, pictures=pictures, prepare=prepare) as course:
         use(course.person, course.place, course.take_picture)
         if course.window.poll() is not None:
             sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")

@@ -16,7 +16,8 @@ using scenarios::StepKind;
 using simulator::CutEventKind;
 
 constexpr double piece_wait_s = 1.0, hinge_wait_s = 20.0;
-constexpr double soon_s = 0.05;
+constexpr double soon_s = 0.05, shown_after_s = 0.3;
+constexpr float sealing_height = 44.0F;
 constexpr double silence_s = static_cast<double>(simulator::MouseDevice::silence_ticks) * step_s;
 /// The panels at the foot and the line of trouble above them.
 constexpr float room_of_panels = 92.0F + 16.0F + 44.0F;
@@ -48,6 +49,18 @@ void OperatingScreen::draw_paused(Ui& ui) {
               button_height},
              go_on))
     set_paused(false);
+}
+
+/// The loop ends and the record is closed: a moment, unless the disk is slow.
+void OperatingScreen::draw_sealing(Ui& ui) const {
+  if (ui.time_s() - sealing_since_s_ < shown_after_s) return;
+  const std::string_view words = ui.text("operate.sealing");
+  const float width = ui.width_of(Type::BodyMedium, words) + 48.0F;
+  const Rect display = ui.display();
+  const Rect rect{display.mid_x() - 0.5F * width, 0.94F * display.h - sealing_height, width,
+                  sealing_height};
+  draw_hud_panel(ui.canvas(), ui.theme(), rect);
+  ui.canvas().text_in(rect, {Type::BodyMedium, ui.theme().text, Align::Centre}, words);
 }
 
 /// The saw runs only while somebody can hear, see and stop it.
@@ -156,6 +169,7 @@ void OperatingScreen::draw_question(Ui& ui) {
     return;
   }
   phase_ = Phase::Sealing;
+  sealing_since_s_ = ui.time_s();
   is_abandoned_ = !is_finish;
   if (is_finish) {
     begun_->live->finish();

@@ -192,6 +192,8 @@ void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
     if (is_hud_shown_) draw_hud(ui, shell);
     if (is_paused_ && asking_ == Asking::Nothing) draw_paused(ui);
     draw_question(ui);
+  } else if (phase_ == Phase::Sealing) {
+    draw_sealing(ui);
   }
   if (begun_) follow_end(ui, shell);
 }

@@ -74,6 +74,7 @@ class OperatingScreen : public Screen {
   const char* what_took_the_hands(Ui& ui) const;
   std::string words_of_failure(const Ui& ui, const LiveEnd& end) const;
   void draw_paused(Ui& ui);
+  void draw_sealing(Ui& ui) const;
   void follow_end(Ui& ui, Shell& shell);
   void score(Ui& ui, Shell& shell);
   enum class Onward { Result, Replay };
@@ -101,7 +102,7 @@ class OperatingScreen : public Screen {
   Swarf swarf_{1};
   simulator::ToolSample last_sample_;
   bool has_sample_ = false;  ///< the loop has taken its first step
-  double last_s_ = 0.0, frame_ms_ = 0.0, steered_s_ = 0.0;
+  double last_s_ = 0.0, frame_ms_ = 0.0, steered_s_ = 0.0, sealing_since_s_ = 0.0;
   long pictures_ = 0;
   std::size_t triangles_ = 0;
 
