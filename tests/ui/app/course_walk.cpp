@@ -219,9 +219,12 @@ class Walker {
     for (const std::string& text : driver().texts()) {
       if (text == "[missing text]") throw Fault("a text is missing");
       for (const std::string& word : walk_.forbidden)
-        if (names(text, word))
-          throw Fault("'" + word + "' is seen by " + walk_.login + ": " + text);
+        if (names(text, word)) fail_for(word, text);
     }
+  }
+
+  [[noreturn]] void fail_for(const std::string& word, const std::string& text) const {
+    throw Fault("'" + word + "' is seen by " + walk_.login + ": " + text);
   }
 
   bool is_home() {

@@ -24,21 +24,21 @@ std::string content_of(const std::filesystem::path& file) {
 class UiMapFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder = std::filesystem::temp_directory_path() /
-             ("hallux_ui_map_" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
-              "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder);
+    folder_ = std::filesystem::temp_directory_path() /
+              ("hallux_ui_map_" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
+               "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
   }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::filesystem::path folder;
-  Texts texts = english_texts();
+  std::filesystem::path folder_;
+  Texts texts_ = english_texts();
 };
 
 TEST_F(UiMapFile, NamesWhatCanBeSeenAndReachedButNeverWhatAFieldHolds) {
   std::string login = "trainee-12", password = "geheim";
   bool is_asking = false;
-  Driver driver(texts,
+  Driver driver(texts_,
                 [&](Ui& ui) {
                   field(ui, "form.login", {20, 60, 300, 42}, login, {"Login"});
                   FieldSpec secret{"Password"};
@@ -79,7 +79,7 @@ FrameContent content_with(const std::string& id) {
 }
 
 TEST_F(UiMapFile, IsWrittenAtMostTenTimesASecond) {
-  const std::filesystem::path file = folder / "map.json";
+  const std::filesystem::path file = folder_ / "map.json";
   UiMap map(file);
   EXPECT_TRUE(std::isinf(map.update(content_with("a"), 1.0F, 10.0)));
   EXPECT_NE(content_of(file).find("\"a\""), std::string::npos);
@@ -90,7 +90,7 @@ TEST_F(UiMapFile, IsWrittenAtMostTenTimesASecond) {
 }
 
 TEST_F(UiMapFile, IsReplacedAsAWhole) {
-  const std::filesystem::path file = folder / "map.json";
+  const std::filesystem::path file = folder_ / "map.json";
   UiMap map(file);
   map.update(content_with("a"), 1.0F, 0.0);
   std::ifstream reader(file);  // opened before the replacement: sees the old file to its end
@@ -98,12 +98,12 @@ TEST_F(UiMapFile, IsReplacedAsAWhole) {
   const std::string old{std::istreambuf_iterator<char>(reader), {}};
   EXPECT_TRUE(nlohmann::json::accept(old));
   EXPECT_NE(old.find("\"a\""), std::string::npos);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1)
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1)
       << "nothing is left beside it";
 }
 
 TEST_F(UiMapFile, ThatCannotBeWrittenIsNamed) {
-  UiMap map(folder / "no" / "map.json");
+  UiMap map(folder_ / "no" / "map.json");
   try {
     map.update(content_with("a"), 1.0F, 0.0);
     FAIL() << "nothing was thrown";
