@@ -18,7 +18,6 @@ namespace {
 
 using database::AttemptKind;
 using scenarios::StepKind;
-using simulator::CutEventKind;
 using simulator::Switch;
 using simulator::ToolStatus;
 
