@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "simulator/base/transform.h"
+#include "simulator/device/device_limits.h"
 
 namespace hallux::simulator {
 
@@ -12,6 +14,8 @@ struct DeviceDescription {
   std::string name;
   std::string
       device_class;  ///< "scripted", "mouse", "arm": comparisons of scores stay within a class
+  /// Of what pushes a hand; none where nothing does: it is told the simulated force as it is.
+  std::optional<DeviceLimits> limits = std::nullopt;
 };
 
 /// What the device said; not yet rounded, not yet trusted.

@@ -1,0 +1,34 @@
+/// What a haptic device bears and gives, and how many of its newtons stand for a simulated one.
+///
+/// The simulation computes, records and scores its own newtons: a saw is pushed with 8 to 20 N, an arm gives 3 to 12. What
+/// the hand feels is made of them afterwards and never comes back into the record.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace hallux::simulator {
+
+struct DeviceLimits {
+  double force_newton = 0.0;             ///< the greatest, for a moment, in any direction
+  double continuous_force_newton = 0.0;  ///< that its motors bear for ever
+  double thermal_time_s = 10.0;          ///< in which its motors warm to 63 %
+  double stiffness_newton_per_mm = 0.0;  ///< of the stiffest wall that it renders
+  double damping_newton_s_per_mm = 0.0;  ///< the greatest that it renders
+  double slew_newton_per_s = 500.0;
+  std::int32_t transport_ticks = 0;  ///< from sending a force until it acts; at most 2
+  std::optional<double> force_scale =
+      std::nullopt;  ///< device newtons per simulated newton, where it says one
+};
+
+/// A push of 20 N, the upper end of what is usual, takes six tenths of what the device gives: min(1, 0.6 F / 20 N).
+/// source  docs/haptics.md, What an arm is given
+double usual_force_scale(double force_newton) noexcept;
+
+/// Device newtons per simulated newton on that device, for a contact that is at most so stiff: the device's own word or the
+/// usual scale, made smaller until the contact takes at most half of the stiffness that the device renders.
+/// needs   stiffness above 0
+double force_scale_on(const DeviceLimits& limits,
+                      double simulated_stiffness_newton_per_mm) noexcept;
+
+}  // namespace hallux::simulator

@@ -1,0 +1,55 @@
+/// Passivity observer and controller: what is rendered may give back no more energy than the hand has put into it.
+///
+///     E += -F . dx      each tick, F the force that acted meanwhile: what the hand has paid in
+///     wanted >= 0.75 F^2 / 2K                                        what the spring behind the force still holds, nearly
+///     E <= 2 F^2 / 2K                                                more was sawn, rubbed or damped: it is spent
+///     F -= a v          where E would fall below what is wanted; a at most the device's greatest damping
+///
+/// A sampled spring gives back more than it took, the more the later its force comes. Hannaford and Ryu (2002) watch the
+/// account and take the surplus out with a damper. Ours differs in three things: it counts the force that really acted (with
+/// the delay the device has said) and looks ahead over what is on its way; it begins to act before the account is empty,
+/// because the damper has a limit; and it forgets what cannot come back, else a minute's sawing would pay for any limit cycle.
+/// source  docs/haptics.md, What an arm is given
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "simulator/base/vector.h"
+
+namespace hallux::simulator {
+
+inline constexpr std::int32_t delay_ticks_at_most = 3;
+
+struct PassivitySettings {
+  bool is_on = true;                   ///< off: the account is kept, nothing is damped
+  double spring_newton_per_mm = 1.0;   ///< K, on the device's side
+  double damping_newton_s_per_mm = 0;  ///< the greatest that the device renders
+  std::int32_t delay_ticks = 0;        ///< from a force's output until it acts
+};
+
+struct EnergyAccount {
+  double energy_millijoule = 0.0;
+  /// What was sent, the newest first; what acts now lies at the delay.
+  std::array<Vec3, delay_ticks_at_most + 1> sent_newton{};
+  double quiet_s = 0.0;  ///< how long nothing was pushing
+};
+
+/// How the handle moved since the tick before.
+struct HandleMotion {
+  Vec3 way_mm{0.0, 0.0, 0.0};
+  double duration_s = 0.001;
+
+  Vec3 velocity_mm_s() const noexcept { return way_mm / duration_s; }
+};
+
+/// Counts the tick that has passed, and returns the force that may follow: `wanted_newton`, or less of it, or damping.
+/// needs   0 <= delay_ticks <= 3, duration_s > 0, all of it finite
+/// errors  none: total, allocates nothing
+Vec3 kept_passive(EnergyAccount& account, const PassivitySettings& settings,
+                  const HandleMotion& motion, const Vec3& wanted_newton) noexcept;
+
+/// What really goes to the device at this tick.
+void note_sent(EnergyAccount& account, const Vec3& sent_newton) noexcept;
+
+}  // namespace hallux::simulator
