@@ -10,18 +10,28 @@
 
 namespace hallux::simulator {
 
+/// How a living device is told from one that only repeats itself; what it cannot say is not asked for.
+struct DevicePulse {
+  /// Its state never stays the same to the last bit for more ticks, because a converter or an encoder flickers; 0: it may,
+  /// as of an arm that lies at rest.
+  std::int64_t flicker_ticks = 0;
+  bool numbers_packets = false;  ///< RawDeviceState::packet grows with each packet that came
+};
+
 struct DeviceDescription {
   std::string name;
   std::string
       device_class;  ///< "scripted", "mouse", "arm": comparisons of scores stay within a class
   /// Of what pushes a hand; none where nothing does: it is told the simulated force as it is.
   std::optional<DeviceLimits> limits = std::nullopt;
+  DevicePulse pulse = {};
 };
 
 /// What the device said; not yet rounded, not yet trusted.
 struct RawDeviceState {
   RigidTransform world_from_handle;
   std::uint32_t switches = 0;  ///< bits of Switch
+  std::uint64_t packet = 0;    ///< of the packet that said it, where the device numbers them
 };
 
 class HapticDevice {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <exception>
 #include <thread>
 #include <utility>
 
-#include "simulator/base/units.h"
+#include "simulator/loop/device_link.h"
+#include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
 
 namespace hallux::simulator {
@@ -21,10 +21,6 @@ constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
 /// How long the worst lateness is shown.
 constexpr std::int64_t lines_per_lateness = 1000;
-/// A hand does not move farther in one tick: twenty metres per second.
-constexpr double jump_limit_mm = 20.0;
-/// A device that stays where it jumped to for so many ticks is believed.
-constexpr int jumps_believed = 20;
 
 double microseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::micro>(duration).count();
@@ -55,19 +51,12 @@ class Spread {
   std::vector<float> values_us_;
 };
 
-bool is_finite(const RigidTransform& pose) noexcept {
-  return std::isfinite(pose.translation_mm.x) && std::isfinite(pose.translation_mm.y) &&
-         std::isfinite(pose.translation_mm.z) && std::isfinite(pose.rotation.w) &&
-         std::isfinite(pose.rotation.x) && std::isfinite(pose.rotation.y) &&
-         std::isfinite(pose.rotation.z);
-}
-
 /// The attempt while it runs; one object per call of run_attempt.
 class AttemptRun {
  public:
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels)
       : setup_(setup),
-        device_(device),
+        device_(device, setup.contact.coupling_newton_per_mm),
         channels_(channels),
         tissue_(setup.bone),
         operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact),
@@ -83,9 +72,14 @@ class AttemptRun {
 
   LoopStatistics run(const AttemptProgress& progress) {
     std::optional<RealTimePriority> priority;
-    if (setup_.pacing == Pacing::RealTime && setup_.watch != nullptr) priority.emplace();
-    view_.has_priority = priority && priority->is_granted();
-    statistics_.has_priority = view_.has_priority;
+    std::optional<LockedMemory> memory;
+    if (setup_.pacing == Pacing::RealTime && setup_.watch != nullptr) {
+      memory.emplace();
+      priority.emplace();
+    }
+    statistics_.has_priority = view_.has_priority = priority && priority->is_granted();
+    statistics_.has_locked_memory = view_.has_locked_memory = memory && memory->is_granted();
+    statistics_.force_scale = device_.scale();
     deadline_ = Clock::now() + tick_time;
     while (tick_ <= setup_.last_tick && !operation_.is_over()) {
       if (channels_.recorder_failed.load(std::memory_order_relaxed)) {
@@ -101,6 +95,7 @@ class AttemptRun {
         break;
       }
     }
+    device_.let_go();
     if (operation_.is_over()) statistics_.end = AttemptEnd::Finished;
     channels_.closed.store(true, std::memory_order_release);
     if (setup_.watch != nullptr) close_watch();
@@ -164,6 +159,8 @@ class AttemptRun {
     view_.missed_ticks = statistics_.missed_ticks;
     view_.pauses = statistics_.pauses;
     view_.ring_share = fullest_ring_share();
+    view_.device_force_newton = device_.force_newton();
+    view_.force_limits = device_.limits();
     watch.view.write(view_);
   }
 
@@ -177,8 +174,10 @@ class AttemptRun {
   std::int64_t pause_gap() {
     ++statistics_.pauses;
     is_gap_ = true;
+    device_.let_go();
     while (is_a_ring_nearly_full() && !channels_.recorder_failed.load(std::memory_order_relaxed)) {
       std::this_thread::sleep_for(tick_time);
+      device_.let_go();
     }
     deadline_ = Clock::now() + tick_time;
     return 1;
@@ -188,7 +187,7 @@ class AttemptRun {
     TapeLine line;
     line.tick = tick_;
     line.ticks = static_cast<std::uint8_t>(ticks);
-    read_device(tick_ + ticks - 1, line.device);
+    line.device = device_.read(tick_ + ticks - 1, ticks);
     std::array<const JobResult*, commands_per_tick> results{};
     add_commands(line, results);
 
@@ -196,9 +195,8 @@ class AttemptRun {
     const StepOutput output = operation_.step({line, results});
     step_times_.add(Clock::now() - before);
 
-    force_newton_ = Vec3{newton_from_millinewton(output.sample.force_mn[0]),
-                         newton_from_millinewton(output.sample.force_mn[1]),
-                         newton_from_millinewton(output.sample.force_mn[2])};
+    device_.give(output.sample, ticks);
+    statistics_.force_limits |= device_.limits();
     push(channels_.tape, line);
     for (const CutEvent& event : output.events) push(channels_.events, event);
     push(channels_.samples, output.sample);
@@ -206,25 +204,6 @@ class AttemptRun {
     tick_ += ticks;
     ++statistics_.lines;
     if (setup_.watch != nullptr) show(output);
-  }
-
-  /// Rounds what the device said; what it cannot have meant becomes a fault and the last good pose.
-  void read_device(std::int64_t tick, DeviceState& state) noexcept {
-    RawDeviceState raw;
-    if (!device_.exchange(force_newton_, tick, raw)) {
-      state.faults |= static_cast<std::uint32_t>(DeviceFault::Lost);
-    } else if (!is_finite(raw.world_from_handle)) {
-      state.faults |= static_cast<std::uint32_t>(DeviceFault::NotFinite);
-    } else {
-      const Vec3 way = raw.world_from_handle.translation_mm - last_good_.translation_mm;
-      const bool jumped = has_pose_ && glm::dot(way, way) > jump_limit_mm * jump_limit_mm;
-      jumps_ = jumped ? jumps_ + 1 : 0;
-      if (jumped) state.faults |= static_cast<std::uint32_t>(DeviceFault::Jumped);
-      if (!jumped || jumps_ >= jumps_believed) last_good_ = raw.world_from_handle;
-      has_pose_ = true;
-      state.switches = raw.switches;
-    }
-    state.world_from_handle = quantise(last_good_);
   }
 
   void add_commands(TapeLine& line,
@@ -264,7 +243,7 @@ class AttemptRun {
   }
 
   const AttemptSetup& setup_;
-  HapticDevice& device_;
+  DeviceLink device_;
   AttemptChannels& channels_;
   TissueMap tissue_;
   Operation operation_;
@@ -274,12 +253,8 @@ class AttemptRun {
   LoopView view_;
   double late_max_us_ = 0.0;  ///< since the view showed it last
   Clock::time_point deadline_;
-  RigidTransform last_good_;
-  Vec3 force_newton_{0.0, 0.0, 0.0};
   std::int64_t tick_ = 0;
   std::size_t next_command_ = 0;
-  int jumps_ = 0;
-  bool has_pose_ = false;
   bool is_gap_ = false;
   bool is_resumed_due_ = false;
 };

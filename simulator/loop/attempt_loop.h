@@ -45,6 +45,9 @@ struct LoopStatistics {
   double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;  ///< RealTime
   bool has_priority =
       false;  ///< the system ran the loop before all else; asked for where it is watched
+  bool has_locked_memory = false;  ///< the system kept its memory in place; asked for likewise
+  double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
+  std::uint32_t force_limits = 0;  ///< bits of ForceLimit that occurred
 };
 
 /// Called about ten times a second with the fraction done [0, 1]; returning false cancels the attempt.

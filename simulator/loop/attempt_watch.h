@@ -26,7 +26,10 @@ struct LoopView {
   std::int64_t pauses = 0;        ///< by the loop: gaps beyond three ticks, or a full ring
   double late_us = 0.0;           ///< the most of the last whole second
   double ring_share = 0.0;        ///< of the fullest ring towards recorder and geometry
-  bool has_priority = false;      ///< the system runs the loop before all else
+  Vec3 device_force_newton{0.0, 0.0, 0.0};  ///< that the device is given next, in the world
+  std::uint32_t force_limits = 0;  ///< bits of ForceLimit: what made it another than simulated
+  bool has_priority = false;       ///< the system runs the loop before all else
+  bool has_locked_memory = false;  ///< the system keeps its memory in place
   bool is_over = false;
 };
 

@@ -44,7 +44,9 @@ enum class Switch : std::uint32_t { SawRuns = 1U << 0U, Irrigates = 1U << 1U };
 enum class DeviceFault : std::uint32_t {
   Lost = 1U << 0U,       ///< no state came
   NotFinite = 1U << 1U,  ///< the device said NaN or infinity
-  Jumped = 1U << 2U      ///< moved faster than a hand can
+  Jumped = 1U << 2U,     ///< moved faster than a hand can
+  Frozen = 1U << 3U,     ///< the same to the last bit for longer than the device ever is
+  Late = 1U << 4U        ///< no new packet for longer than one may be late
 };
 
 enum class CommandKind : std::int32_t {

@@ -13,6 +13,7 @@ namespace {
 constexpr std::int64_t ticks_at_most = 3;
 /// Of a converter of 16 bits over half a turn.
 constexpr double gimbal_step_rad = 5.0e-5;
+constexpr std::uint64_t gimbal_steps = 9;
 
 Vec3 start_of(const HandMotion& motion) {
   CHECK(!motion.keys.empty());
@@ -33,7 +34,10 @@ ModelledArm::ModelledArm(HandMotion motion, const ModelledArmSetup& setup)
 }
 
 DeviceDescription ModelledArm::description() const {
-  return {.name = "Modelled arm", .device_class = "arm", .limits = setup_.limits};
+  return {.name = "Modelled arm",
+          .device_class = "arm",
+          .limits = setup_.limits,
+          .pulse = {.flicker_ticks = flicker_ticks, .numbers_packets = true}};
 }
 
 bool ModelledArm::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
@@ -52,12 +56,15 @@ bool ModelledArm::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   state.world_from_handle = {flickered(wanted.world_from_handle.rotation),
                              read_encoders(arm_, setup_.arm)};
   state.switches = wanted.switches;
+  state.packet = ++packet_;
   return true;
 }
 
 Quat ModelledArm::flickered(const Quat& rotation) noexcept {
   const auto half_angle_rad = [&] {
-    return 0.5 * gimbal_step_rad * (static_cast<double>(gimbal_.bits() % 5U) - 2.0);
+    return 0.5 * gimbal_step_rad *
+           (static_cast<double>(gimbal_.bits() % gimbal_steps) -
+            0.5 * static_cast<double>(gimbal_steps - 1));
   };
   const double x = half_angle_rad(), y = half_angle_rad(), z = half_angle_rad();
   return normalised(rotation * Quat(1.0, x, y, z));

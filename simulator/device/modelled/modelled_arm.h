@@ -32,8 +32,8 @@ struct ModelledArmSetup {
 
 class ModelledArm final : public HapticDevice {
  public:
-  /// Never the same state for longer: the gimbal flickers among five steps about each of three axes.
-  static constexpr std::int64_t flicker_ticks = 3;
+  /// Never the same state for longer: the gimbal flickers among nine steps about each of three axes.
+  static constexpr std::int64_t flicker_ticks = 2;
 
   /// At rest where the motion begins.
   /// needs   at least one key, ticks ascending
@@ -54,6 +54,7 @@ class ModelledArm final : public HapticDevice {
   Random gimbal_;
   ArmState arm_;
   std::int64_t tick_ = -1;  ///< of the last exchange
+  std::uint64_t packet_ = 0;
 };
 
 }  // namespace hallux::simulator

@@ -7,6 +7,9 @@
 #include <string>
 #include <thread>
 
+#include "simulator/device/force_output.h"
+#include "simulator/device/modelled/modelled_arm.h"
+#include "simulator/loop/locked_memory.h"
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/recorded_run.h"
 
@@ -157,6 +160,73 @@ TEST(RealTimeLoop, AGapDoesNotResumeWhatTheOperatorPaused) {
       bone, {{0, {CommandKind::Start, 0, 0}}, {50, {CommandKind::Pause, 0, 0}}});
   EXPECT_GE(run.statistics.pauses, 1);
   EXPECT_FALSE(has(run.recording.samples.back().status, ToolStatus::Running));
+}
+
+/// An arm that keeps the loop waiting once, in the midst of the bone; remembers what it was given.
+class StallingArm final : public HapticDevice {
+ public:
+  static constexpr std::int64_t stall_tick = 650;
+
+  explicit StallingArm(const HandMotion& motion) : arm_(motion, {}) {}
+  DeviceDescription description() const override { return arm_.description(); }
+  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                RawDeviceState& state) noexcept override {
+    given_newton.push_back(force_in_world_newton);
+    if (stalled_at == 0 && tick >= stall_tick) {
+      stalled_at = given_newton.size() - 1;
+      std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    }
+    return arm_.exchange(force_in_world_newton, tick, state);
+  }
+
+  std::vector<Vec3> given_newton;  ///< at each exchange
+  std::size_t stalled_at = 0;      ///< index of the exchange that waited
+
+ private:
+  ModelledArm arm_;
+};
+
+TEST(RealTimeLoop, AfterAGapAnArmIsGivenNothingAtOnceAndThenBeginsSoftly) {
+  const Bone bone = tests::loop_block();
+  const HandMotion motion = tests::sawing_motion(bone, 1500);
+  StallingArm device(motion);
+  const AttemptSetup setup{.bone = bone,
+                           .blade = {},
+                           .contact = {},
+                           .pacing = Pacing::RealTime,
+                           .commands = motion.commands,
+                           .last_tick = 1500,
+                           .job_delay = {}};
+  const tests::RecordedRun run = tests::record(setup, device, 65536);
+  ASSERT_GT(device.stalled_at, 0U);
+  EXPECT_GE(run.statistics.pauses, 1);
+  const Vec3 nothing(0.0, 0.0, 0.0);
+  EXPECT_EQ(device.given_newton.at(device.stalled_at + 1), nothing);
+  EXPECT_EQ(device.given_newton.back(), nothing) << "and nothing after the end";
+  EXPECT_TRUE(has(run.statistics.force_limits, ForceLimit::SoftStart));
+  const auto is_something = [&](const Vec3& force) { return force != nothing; };
+  EXPECT_TRUE(std::any_of(device.given_newton.begin(), device.given_newton.end(), is_something));
+  EXPECT_TRUE(replay(run.recording, {bone, {}, {}, {}}).is_identical);
+}
+
+TEST(RealTimeLoop, IsLockedInMemoryWhereItIsWatchedAndTheSystemAllowsIt) {
+  const bool is_allowed = LockedMemory().is_granted();
+  const Bone bone = tests::loop_block();
+  AttemptWatch watch;
+  for (AttemptWatch* watching : {&watch, static_cast<AttemptWatch*>(nullptr)}) {
+    ScriptedDevice device(tests::sawing_motion(bone, 50));
+    const AttemptSetup setup{.bone = bone,
+                             .blade = {},
+                             .contact = {},
+                             .pacing = Pacing::RealTime,
+                             .last_tick = 50,
+                             .job_delay = {},
+                             .watch = watching};
+    const LoopStatistics statistics = tests::record(setup, device, 65536).statistics;
+    EXPECT_EQ(statistics.has_locked_memory, is_allowed && watching != nullptr);
+    EXPECT_EQ(statistics.force_scale, 1.0) << "a scripted hand is pushed by nobody";
+  }
+  EXPECT_EQ(watch.view.read().has_locked_memory, is_allowed);
 }
 #endif
 

@@ -1,0 +1,49 @@
+/// The loop's end of a device: reads and judges what it says, and makes of the simulated force what it is given.
+///
+///     device --state--> watchdog --> line of the tape --> step --> sample --> force output --force--> device
+///                                                                         (one tick later: the next exchange carries it)
+///
+/// A device without limits pushes nobody back: it is told the simulated force as it is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "simulator/device/force_output.h"
+#include "simulator/device/haptic_device.h"
+#include "simulator/loop/watchdog.h"
+#include "simulator/record/record.h"
+
+namespace hallux::simulator {
+
+class DeviceLink {
+ public:
+  /// Borrows the device for its lifetime. The contact's force is a spring of at most that stiffness, simulated.
+  DeviceLink(HapticDevice& device, double contact_newton_per_mm);
+  ~DeviceLink() { let_go(); }
+  DeviceLink(const DeviceLink&) = delete;
+  DeviceLink& operator=(const DeviceLink&) = delete;
+
+  /// One exchange: the force made last goes out, the judged state at `last_tick` of a line of `ticks` comes in.
+  /// thread  haptic; allocates nothing
+  DeviceState read(std::int64_t last_tick, std::int64_t ticks) noexcept;
+  /// Makes the force for the next exchange of what the step has computed of that state.
+  void give(const ToolSample& sample, std::int64_t ticks) noexcept;
+  /// No force from now on, said to the device at once where it has motors; what is given later begins softly.
+  void let_go() noexcept;
+
+  const Vec3& force_newton() const noexcept { return force_.force_in_world_newton; }
+  std::uint32_t limits() const noexcept { return force_.limits; }  ///< bits of ForceLimit
+  /// Device newtons per simulated newton; 1 without limits.
+  double scale() const noexcept { return settings_ ? settings_->scale : 1.0; }
+
+ private:
+  HapticDevice& device_;
+  std::optional<ForceOutputSettings> settings_;
+  DeviceWatchdog watchdog_;
+  ForceOutputState output_;
+  DeviceForce force_;
+  std::int64_t last_tick_ = 0;
+};
+
+}  // namespace hallux::simulator
