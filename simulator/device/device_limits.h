@@ -16,7 +16,7 @@ struct DeviceLimits {
   double stiffness_newton_per_mm = 0.0;  ///< of the stiffest wall that it renders
   double damping_newton_s_per_mm = 0.0;  ///< the greatest that it renders
   double slew_newton_per_s = 500.0;
-  std::int32_t transport_ticks = 0;  ///< from sending a force until it acts; at most 2
+  std::int32_t transport_ticks = 0;  ///< from sending a force until it acts; at most 3
   std::optional<double> force_scale =
       std::nullopt;  ///< device newtons per simulated newton, where it says one
 };

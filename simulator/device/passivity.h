@@ -19,7 +19,7 @@
 
 namespace hallux::simulator {
 
-inline constexpr std::int32_t delay_ticks_at_most = 3;
+inline constexpr std::int32_t delay_ticks_at_most = 4;
 
 struct PassivitySettings {
   bool is_on = true;                   ///< off: the account is kept, nothing is damped
@@ -44,7 +44,7 @@ struct HandleMotion {
 };
 
 /// Counts the tick that has passed, and returns the force that may follow: `wanted_newton`, or less of it, or damping.
-/// needs   0 <= delay_ticks <= 3, duration_s > 0, all of it finite
+/// needs   0 <= delay_ticks <= 4, duration_s > 0, all of it finite
 /// errors  none: total, allocates nothing
 Vec3 kept_passive(EnergyAccount& account, const PassivitySettings& settings,
                   const HandleMotion& motion, const Vec3& wanted_newton) noexcept;

@@ -6,7 +6,6 @@
 #include <thread>
 #include <utility>
 
-#include "simulator/loop/device_link.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
 
@@ -56,7 +55,7 @@ class AttemptRun {
  public:
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels)
       : setup_(setup),
-        device_(device, setup.contact.coupling_newton_per_mm),
+        device_(device, setup.contact.coupling_newton_per_mm, setup.force_law),
         channels_(channels),
         tissue_(setup.bone),
         operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact),

@@ -10,6 +10,7 @@
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/scripted.h"
 #include "simulator/loop/attempt_watch.h"
+#include "simulator/loop/device_link.h"
 #include "simulator/loop/jobs.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/channels.h"
@@ -30,6 +31,7 @@ struct AttemptSetup {
   std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
   JobDelay job_delay = {};                 ///< RealTime only
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
+  ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
 };
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };

@@ -1,5 +1,7 @@
 #include "simulator/loop/device_link.h"
 
+#include <cmath>
+
 #include "simulator/base/units.h"
 
 namespace hallux::simulator {
@@ -8,6 +10,8 @@ namespace {
 
 /// A force is made at the end of a tick and carried by the exchange of the next.
 constexpr std::int32_t ticks_until_sent = 1;
+/// A weaker simulated force has no direction that a surface could be told from.
+constexpr double least_touch_newton = 0.05;
 
 std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
                                                 double contact_newton_per_mm) {
@@ -17,8 +21,9 @@ std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
 
 }  // namespace
 
-DeviceLink::DeviceLink(HapticDevice& device, double contact_newton_per_mm)
+DeviceLink::DeviceLink(HapticDevice& device, double contact_newton_per_mm, ForceLaw law)
     : device_(device),
+      law_(law),
       settings_(settings_for(device.description(), contact_newton_per_mm)),
       watchdog_(device.description().pulse) {}
 
@@ -39,9 +44,21 @@ void DeviceLink::give(const ToolSample& sample, std::int64_t ticks) noexcept {
   }
   const bool is_live =
       has(sample.status, ToolStatus::Running) && !has(sample.status, ToolStatus::Faulted);
+  if (!is_live) historic_ = {};
+  const Vec3 felt_newton =
+      law_ == ForceLaw::Historic ? historic_newton(simulated_newton, ticks) : simulated_newton;
   force_ = output_force(output_, *settings_,
-                        {simulated_newton, watchdog_.last_good().translation_mm,
+                        {felt_newton, watchdog_.last_good().translation_mm,
                          static_cast<double>(ticks) * step_s, is_live});
+}
+
+Vec3 DeviceLink::historic_newton(const Vec3& simulated_newton, std::int64_t ticks) noexcept {
+  const double touch_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
+  std::optional<Vec3> normal;
+  if (touch_newton > least_touch_newton) normal = simulated_newton / touch_newton;
+  const HistoricSettings settings{.force_limit_newton = settings_->force_newton};
+  const Vec3 handle_mm = watchdog_.last_good().translation_mm;
+  return historic_force(historic_, settings, handle_mm, normal, ticks) / settings_->scale;
 }
 
 void DeviceLink::let_go() noexcept {

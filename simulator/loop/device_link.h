@@ -11,15 +11,23 @@
 
 #include "simulator/device/force_output.h"
 #include "simulator/device/haptic_device.h"
+#include "simulator/device/historic_law.h"
 #include "simulator/loop/watchdog.h"
 #include "simulator/record/record.h"
 
 namespace hallux::simulator {
 
+/// What an arm is made to feel. Neither changes what is simulated, recorded and scored.
+enum class ForceLaw {
+  Simulated,  ///< the scaled force of the simulation
+  Historic    ///< the thesis's law where the simulation feels bone: for the lesson
+};
+
 class DeviceLink {
  public:
   /// Borrows the device for its lifetime. The contact's force is a spring of at most that stiffness, simulated.
-  DeviceLink(HapticDevice& device, double contact_newton_per_mm);
+  DeviceLink(HapticDevice& device, double contact_newton_per_mm,
+             ForceLaw law = ForceLaw::Simulated);
   ~DeviceLink() { let_go(); }
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
@@ -38,7 +46,13 @@ class DeviceLink {
   double scale() const noexcept { return settings_ ? settings_->scale : 1.0; }
 
  private:
+  /// What the thesis's law makes of the handle's motion at the surface that the simulated force comes from, in newtons of
+  /// the simulation: the output scales them.
+  Vec3 historic_newton(const Vec3& simulated_newton, std::int64_t ticks) noexcept;
+
   HapticDevice& device_;
+  ForceLaw law_;
+  HistoricState historic_;
   std::optional<ForceOutputSettings> settings_;
   DeviceWatchdog watchdog_;
   ForceOutputState output_;

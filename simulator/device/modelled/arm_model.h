@@ -11,7 +11,7 @@
 
 namespace hallux::simulator {
 
-inline constexpr std::size_t transport_ticks_at_most = 2;
+inline constexpr std::size_t transport_ticks_at_most = 3;
 
 /// source  docs/haptics.md, The modelled arm
 struct ArmTraits {
@@ -19,7 +19,7 @@ struct ArmTraits {
   double damping_newton_s_per_mm = 0.002;
   double encoder_step_mm = 0.015;
   double motor_limit_newton = 8.0;
-  std::int32_t transport_ticks = 1;  ///< from 0 to 2
+  std::int32_t transport_ticks = 1;  ///< from 0 to 3
   std::int32_t substeps = 10;        ///< of a tick: the arm itself knows no ticks
 };
 
@@ -46,7 +46,7 @@ struct HandGrip {
 };
 
 /// The force sent now; it begins to act after the transport.
-/// needs   0 <= transport_ticks <= 2
+/// needs   0 <= transport_ticks <= 3
 void send_force(ArmState& arm, const Vec3& force_newton) noexcept;
 
 /// One millisecond, by semi-implicit Euler: the velocity first, then the way with the new velocity.

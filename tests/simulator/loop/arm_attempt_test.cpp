@@ -48,7 +48,8 @@ class GarbledArm final : public HapticDevice {
 
 struct ArmAttempt {
   explicit ArmAttempt(GarbledArm::Garble garble, std::int64_t fault_ticks = 60,
-                      std::int32_t transport_ticks = 1, std::vector<HandCommand> extra = {})
+                      std::int32_t transport_ticks = 1, std::vector<HandCommand> extra = {},
+                      ForceLaw law = ForceLaw::Simulated)
       : device(motion, arm_setup(transport_ticks), fault_ticks, std::move(garble)) {
     extra.insert(extra.begin(), motion.commands.front());
     extra.push_back(motion.commands.back());
@@ -57,7 +58,8 @@ struct ArmAttempt {
                              .contact = {},
                              .commands = std::move(extra),
                              .last_tick = last_tick,
-                             .job_delay = {}};
+                             .job_delay = {},
+                             .force_law = law};
     run = tests::record(setup, device);
   }
   static ModelledArmSetup arm_setup(std::int32_t transport_ticks) {
@@ -203,6 +205,27 @@ TEST(ArmAttempt, ItsMotorsNeverDoMoreThanTheHandHasPaid) {
     const ArmAttempt attempt(says_nothing_wrong, 0, transport);
     EXPECT_LT(attempt.device.arm().work.of_motors_millijoule, 0.0) << "sawing takes work";
   }
+}
+
+TEST(ArmAttempt, TheHistoricLawIsFeltAndTheSimulatedForceIsRecorded) {
+  const ArmAttempt attempt(says_nothing_wrong, 0, 1, {}, ForceLaw::Historic);
+  const auto& samples = attempt.run.recording.samples;
+  std::size_t pushed = 0, equal = 0;
+  double most_newton = 0.0;
+  for (std::size_t i = 500; i + 1 < samples.size(); ++i) {
+    const auto& mn = samples[i].force_mn;
+    const Vec3 scaled_newton = 0.24 * Vec3(mn[0] / 1000.0, mn[1] / 1000.0, mn[2] / 1000.0);
+    const Vec3 given_newton = attempt.device.given_newton[i + 1];
+    most_newton = std::max(most_newton, length(given_newton));
+    if (length(scaled_newton) < 0.1) continue;
+    ++pushed;
+    if (length(given_newton - scaled_newton) < 0.05) ++equal;
+  }
+  EXPECT_GT(pushed, 300U);
+  EXPECT_LT(equal, pushed / 2) << "it is another force";
+  EXPECT_GT(most_newton, 0.5);
+  EXPECT_LE(most_newton, 8.0 + 1.0e-9);
+  EXPECT_TRUE(replay(attempt.run.recording, {attempt.bone, {}, {}, {}}).is_identical);
 }
 
 TEST(ArmAttempt, HasNoForceBeforeItBeginsWhileItPausesAndAfterItsEnd) {
