@@ -1,9 +1,10 @@
-// Writes the pictures of docs/cutting.md into a folder: the program behind the target `screenshots`.
+// Writes the pictures of docs/cutting.md and docs/haptics.md into a folder: the program behind the target `screenshots`.
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "tests/screenshots/haptics/haptic_pictures.h"
 #include "tests/screenshots/kernel_pictures.h"
 
 namespace {
@@ -15,6 +16,16 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
+void write_all(const std::filesystem::path& folder,
+               const std::vector<hallux::tests::Picture>& pictures) {
+  std::filesystem::create_directories(folder);
+  for (const hallux::tests::Picture& picture : pictures) {
+    const std::filesystem::path file = folder / (picture.name + ".svg");
+    write(file, picture.svg);
+    std::cout << file.string() << ": " << picture.svg.size() / 1024 << " KiB\n";
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -24,12 +35,8 @@ int main(int count, char** words) {
   }
   try {
     const std::filesystem::path folder = words[1];
-    std::filesystem::create_directories(folder);
-    for (const hallux::tests::Picture& picture : hallux::tests::kernel_pictures()) {
-      const std::filesystem::path file = folder / (picture.name + ".svg");
-      write(file, picture.svg);
-      std::cout << file.string() << ": " << picture.svg.size() / 1024 << " KiB\n";
-    }
+    write_all(folder, hallux::tests::kernel_pictures());
+    write_all(folder / "haptics", hallux::tests::haptic_pictures());
   } catch (const std::exception& error) {
     std::cerr << "hallux_screenshots: " << error.what() << '\n';
     return 1;
