@@ -39,8 +39,8 @@ class HapticDevice {
   virtual ~HapticDevice() = default;
 
   virtual DeviceDescription description() const = 0;
-  /// Sends the force [N, world frame] and takes the newest state for simulated tick `tick`.
-  /// False where the device is gone. Never waits longer than one period.
+  /// Sends the force [N, world frame; the device's own newtons where it has limits] and takes the newest state for simulated
+  /// tick `tick`. False where the device is gone. Never waits longer than one period.
   /// thread  haptic; allocates nothing
   virtual bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                         RawDeviceState& state) noexcept = 0;
