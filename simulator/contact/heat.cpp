@@ -1,0 +1,251 @@
+#include "simulator/contact/heat.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/base/units.h"
+#include "simulator/contact/blade_probe.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+constexpr std::int32_t cells_per_kerf = heat_cells * heat_cells;
+constexpr double reach_mm = 0.5 * heat_cell_mm * heat_cells;
+constexpr double cell_capacity_joule_per_kelvin =
+    bone_heat_joule_per_mm3_kelvin * heat_cell_volume_mm3;
+/// Places behind each tooth at which its share of the heat is put.
+constexpr int rubbing_parts = 4;
+/// As far in front of the recorded teeth bone is asked for: they stand on bone, not in it.
+constexpr double probe_ahead_mm = 0.02;
+/// No line of the tape covers more.
+constexpr std::int64_t ticks_at_most = 3;
+
+/// Which tissue each tooth is about to cut.
+struct Teeth {
+  std::array<Tissue, tooth_count> tissue{};
+  int engaged = 0;
+};
+
+RigidTransform blade_in_plane(const KerfPlane& plane, const PlanarPose& pose) noexcept {
+  const Vec3 ahead{pose.direction, 0.0}, along{-pose.direction.y, pose.direction.x, 0.0};
+  return plane.bone_from_kerf *
+         RigidTransform{rotation_from_axes(ahead, along), Vec3{pose.tip_mm, 0.0}};
+}
+
+Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const StandingBone& bone,
+                    std::array<TissueMemory, tooth_count>& memory) noexcept {
+  Teeth teeth;
+  const auto points = tooth_points(bone_from_blade, bone.kerfs.blade(), probe_ahead_mm);
+  for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+    teeth.tissue[tooth] = bone.at(points[tooth], memory[tooth]);
+    if (is_bone(teeth.tissue[tooth])) ++teeth.engaged;
+  }
+  return teeth;
+}
+
+/// The hand's push along the feed direction, as the record has it [N].
+double push_newton(const ToolSample& sample) noexcept {
+  const Vec3 ahead =
+      transform_direction(transform_from(sample.world_from_tool), Vec3{1.0, 0.0, 0.0});
+  const Vec3 on_hand_newton{newton_from_millinewton(sample.force_mn[0]),
+                            newton_from_millinewton(sample.force_mn[1]),
+                            newton_from_millinewton(sample.force_mn[2])};
+  return std::max(0.0, -glm::dot(on_hand_newton, ahead));
+}
+
+Vec2 middle_of(std::int32_t number) noexcept {
+  const double u = static_cast<double>(number / heat_cells);
+  const double v = static_cast<double>(number % heat_cells);
+  return {(u + 0.5) * heat_cell_mm - reach_mm, (v + 0.5) * heat_cell_mm - reach_mm};
+}
+
+bool is_within(std::int32_t index) noexcept { return index >= 0 && index < heat_cells; }
+
+/// floor as an index; what is far outside, or nowhere, stays outside.
+std::int32_t index_of(double cells) noexcept {
+  if (!(cells > -1.0)) return -1;
+  return static_cast<std::int32_t>(std::floor(std::min(cells, heat_cells + 1.0)));
+}
+
+}  // namespace
+
+HeatField::HeatField(const BladeSize& blade, const RigidTransform& world_from_bone,
+                     double cycles_per_minute)
+    : blade_(blade),
+      bone_from_world_(inverse(world_from_bone)),
+      tooth_speed_mm_s_(mean_tooth_speed_mm_s(blade.depth_mm, cycles_per_minute)),
+      cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
+      patches_(static_cast<std::size_t>(2 * kerf_limit * patches_over * patches_over)) {}
+
+HeatField::Cell& HeatField::cell(std::int32_t kerf, std::int32_t number) noexcept {
+  return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)];
+}
+
+std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
+  const std::int32_t u = index_of((place_mm.x + reach_mm) / heat_cell_mm);
+  const std::int32_t v = index_of((place_mm.y + reach_mm) / heat_cell_mm);
+  return is_within(u) && is_within(v) ? u * heat_cells + v : -1;
+}
+
+double HeatField::celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
+  const std::int32_t number = cell_at(place_mm);
+  if (number < 0) return body_celsius;
+  return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)].celsius;
+}
+
+double HeatField::dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
+  const std::int32_t number = cell_at(place_mm);
+  if (number < 0) return 0.0;
+  return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)].dose_min;
+}
+
+void HeatField::follow(const ToolSample& sample, const StandingBone& bone) noexcept {
+  const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
+  last_tick_ = sample.tick;
+  if (!has(sample.status, ToolStatus::Running)) {
+    last_kerf_ = -1;
+    return;
+  }
+  const double span_s = static_cast<double>(ticks) * step_s;
+  heat(sample, bone, span_s);
+  if (hot_cells_ > 0) summary_.hot_s += span_s;
+  for (double& since_s : since_s_) since_s += span_s;
+  cool(has(sample.status, ToolStatus::Irrigated) ? sample.kerf : -1);
+}
+
+void HeatField::heat(const ToolSample& sample, const StandingBone& bone, double span_s) noexcept {
+  const bool is_same_kerf = sample.kerf >= 0 && sample.kerf == last_kerf_;
+  last_kerf_ = sample.kerf;
+  if (sample.kerf < 0) return;
+  const KerfPlane& plane = bone.kerfs.plane(sample.kerf);
+  const PlanarPose pose =
+      planar_pose(plane, bone_from_world_ * transform_from(sample.world_from_tool));
+  const Vec2 way_mm = is_same_kerf ? pose.tip_mm - last_pose_.tip_mm : Vec2{0.0, 0.0};
+  last_pose_ = pose;
+  const bool rubs =
+      has(sample.status, ToolStatus::SawOn) && has(sample.status, ToolStatus::InContact);
+  if (!rubs) return;
+  // Newton times millimetre are thousandths of a joule.
+  const double friction_joule =
+      0.001 * saw_friction * push_newton(sample) * tooth_speed_mm_s_ * span_s;
+  const double advance_mm = std::max(0.0, glm::dot(way_mm, pose.direction));
+  rub({sample.kerf, pose, friction_joule, advance_mm}, bone);
+}
+
+/// The heat of each engaged tooth goes to the walls behind it.
+void HeatField::rub(const Stroke& stroke, const StandingBone& bone) noexcept {
+  const PlanarPose& pose = stroke.pose;
+  const RigidTransform bone_from_blade = blade_in_plane(bone.kerfs.plane(stroke.kerf), pose);
+  const Teeth teeth = teeth_in_bone(bone_from_blade, bone, teeth_);
+  if (teeth.engaged == 0) return;
+  const Vec2 along{-pose.direction.y, pose.direction.x};
+  const double share_mm = blade_.width_mm / static_cast<double>(tooth_count);
+  for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+    if (!is_bone(teeth.tissue[tooth])) continue;
+    const double cutting_joule = cutting_work_joule_per_mm3(teeth.tissue[tooth]) * blade_.kerf_mm *
+                                 share_mm * stroke.advance_mm;
+    const double joule =
+        wall_share * (stroke.friction_joule / teeth.engaged + cutting_joule) / rubbing_parts;
+    const double aside_mm = (static_cast<double>(tooth) + 0.5) * share_mm - 0.5 * blade_.width_mm;
+    for (int part = 0; part < rubbing_parts; ++part) {
+      const double back_mm = (part + 0.5) * rubbing_length_mm / rubbing_parts;
+      add_heat(stroke.kerf, pose.tip_mm + aside_mm * along - back_mm * pose.direction, joule);
+    }
+  }
+}
+
+/// Along the tooth line the heat is shared by the two nearest cells, else teeth that stand closer than cells would warm
+/// some of them twice as much as others.
+void HeatField::add_heat(std::int32_t kerf, const Vec2& place_mm, double joule) noexcept {
+  const std::int32_t u = index_of((place_mm.x + reach_mm) / heat_cell_mm);
+  const double v_cells = (place_mm.y + reach_mm) / heat_cell_mm - 0.5;
+  const std::int32_t v = index_of(v_cells);
+  const double upper = std::clamp(v_cells - static_cast<double>(v), 0.0, 1.0);
+  add_to_cell(kerf, u, v, (1.0 - upper) * joule);
+  add_to_cell(kerf, u, v + 1, upper * joule);
+}
+
+void HeatField::add_to_cell(std::int32_t kerf, std::int32_t u, std::int32_t v,
+                            double joule) noexcept {
+  if (!is_within(u) || !is_within(v)) return;
+  cell(kerf, u * heat_cells + v).heat_joule += joule;
+  Warmed& warmed = warmed_[static_cast<std::size_t>(kerf)];
+  warmed.u_first = std::min(warmed.u_first, u);
+  warmed.u_last = std::max(warmed.u_last, u);
+  warmed.v_first = std::min(warmed.v_first, v);
+  warmed.v_last = std::max(warmed.v_last, v);
+}
+
+/// Every sixteenth row, in turn.
+void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
+  const std::size_t group = next_group_;
+  next_group_ = (next_group_ + 1) % group_count;
+  const double span_s = since_s_[group];
+  if (!(span_s > 0.0)) return;
+  since_s_[group] = 0.0;
+  const Cooling dry = cooling_over(span_s, false), rinsed = cooling_over(span_s, true);
+  constexpr auto stride = static_cast<std::int32_t>(group_count);
+  for (std::int32_t kerf = 0; kerf < kerf_limit; ++kerf) {
+    const Warmed& warmed = warmed_[static_cast<std::size_t>(kerf)];
+    for (auto u = static_cast<std::int32_t>(group); u <= warmed.u_last; u += stride) {
+      if (u < warmed.u_first) continue;
+      for (std::int32_t v = warmed.v_first; v <= warmed.v_last; ++v) {
+        follow_cell(kerf, u * heat_cells + v, kerf == rinsed_kerf ? rinsed : dry, span_s);
+      }
+    }
+  }
+}
+
+void HeatField::follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
+                            double span_s) noexcept {
+  Cell& cell = this->cell(kerf, number);
+  const double before_celsius = cell.celsius, before_min = cell.dose_min;
+  const double heating_celsius_per_s = cell.heat_joule / (cell_capacity_joule_per_kelvin * span_s);
+  cell.heat_joule = 0.0;
+  cell.celsius = warmed_celsius(before_celsius, heating_celsius_per_s, cooling);
+  cell.dose_min += dose_rate(0.5 * (before_celsius + cell.celsius)) * span_s / 60.0;
+
+  if (cell.celsius > summary_.hottest_celsius) {
+    summary_.hottest_celsius = cell.celsius;
+    summary_.hottest_kerf = kerf;
+    summary_.hottest_place_mm = middle_of(number);
+  }
+  summary_.greatest_dose_min = std::max(summary_.greatest_dose_min, cell.dose_min);
+  const bool was_hot = before_celsius > hot_celsius, is_hot = cell.celsius > hot_celsius;
+  if (is_hot != was_hot) hot_cells_ += is_hot ? 1 : -1;
+  if (is_hot && !was_hot) mark(HeatMarkKind::Hot, kerf, number);
+  if (before_min < necrosis_dose_min && cell.dose_min >= necrosis_dose_min) {
+    summary_.necrotic_mm3 += heat_cell_volume_mm3;
+    mark(HeatMarkKind::Necrosis, kerf, number);
+  }
+}
+
+void HeatField::mark(HeatMarkKind kind, std::int32_t kerf, std::int32_t number) noexcept {
+  const std::int32_t u = number / heat_cells / heat_patch_cells;
+  const std::int32_t v = number % heat_cells / heat_patch_cells;
+  const std::int32_t which =
+      ((static_cast<std::int32_t>(kind) * kerf_limit + kerf) * patches_over + u) * patches_over + v;
+  Patch& patch = patches_[static_cast<std::size_t>(which)];
+  if (patch.state != PatchState::Quiet) return;
+  patch = {PatchState::Waiting, number};
+  ++waiting_;
+}
+
+bool HeatField::take_mark(HeatMark& mark) noexcept {
+  if (waiting_ == 0 || last_tick_ < mark_tick_) return false;
+  const auto found = std::find_if(patches_.begin(), patches_.end(), [](const Patch& patch) {
+    return patch.state == PatchState::Waiting;
+  });
+  const auto which = static_cast<std::int32_t>(found - patches_.begin());
+  constexpr std::int32_t patches_per_kerf = patches_over * patches_over;
+  mark.kind = static_cast<HeatMarkKind>(which / (kerf_limit * patches_per_kerf));
+  mark.kerf = which / patches_per_kerf % kerf_limit;
+  mark.place_mm = middle_of(found->cell);
+  found->state = PatchState::Said;
+  --waiting_;
+  mark_tick_ = last_tick_ + ticks_per_heat_mark;
+  return true;
+}
+
+}  // namespace hallux::simulator

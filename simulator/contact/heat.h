@@ -1,0 +1,122 @@
+/// Heat in the walls of the kerfs: a temperature and a thermal dose for each square millimetre, followed by what is recorded.
+///
+///     sample: pose, push, saw on, irrigated --> teeth in bone --> heat into the cells behind them
+///                                                                         |
+///     each cell every 16th step: exact cooling over the time since <------'
+///
+/// A cell is a square millimetre of a kerf's plane with both its walls, `wall_depth_mm` deep. All memory is taken at the
+/// beginning; a step costs the engaged teeth and a sixteenth of the cells that were ever warmed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "simulator/contact/heat_law.h"
+#include "simulator/contact/tissue.h"
+#include "simulator/contact/tool_motion.h"
+
+namespace hallux::simulator {
+
+/// The cells of one kerf reach as far as its field: 40 mm to all sides of where the tool was frozen.
+inline constexpr std::int32_t heat_cells = 80;
+inline constexpr double heat_cell_mm = 1.0;
+inline constexpr double heat_cell_volume_mm3 = 2.0 * wall_depth_mm * heat_cell_mm * heat_cell_mm;
+/// Marks are set once a patch of so many cells on a side, and taken at most one in `ticks_per_heat_mark`.
+inline constexpr std::int32_t heat_patch_cells = 5;
+inline constexpr std::int64_t ticks_per_heat_mark = 100;
+
+enum class HeatMarkKind : std::int32_t { Hot, Necrosis };
+
+/// A patch of bone went above 47 degrees, or reached the dose of necrosis, for the first time.
+struct HeatMark {
+  HeatMarkKind kind = HeatMarkKind::Hot;
+  std::int32_t kerf = 0;
+  Vec2 place_mm{0.0, 0.0};  ///< the first cell of the patch, in the kerf's plane
+};
+
+/// All of an attempt so far.
+struct HeatSummary {
+  double hottest_celsius = body_celsius;
+  std::int32_t hottest_kerf = -1;  ///< -1: no bone above body temperature
+  Vec2 hottest_place_mm{0.0, 0.0};
+  double hot_s = 0.0;  ///< time in which any bone was above 47 degrees
+  double greatest_dose_min = 0.0;
+  double necrotic_mm3 = 0.0;
+};
+
+class HeatField {
+ public:
+  /// Takes all its memory here.
+  HeatField(const BladeSize& blade, const RigidTransform& world_from_bone,
+            double cycles_per_minute);
+
+  /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the sample before. While
+  /// the attempt does not run, time stands still here too.
+  /// needs   samples in their order; `bone` as it stands after the sample
+  /// errors  none: total, allocates nothing
+  /// thread  haptic (and, on its own copy, assessment)
+  void follow(const ToolSample& sample, const StandingBone& bone) noexcept;
+
+  /// The next mark that waits, no sooner than `ticks_per_heat_mark` after the one before.
+  bool take_mark(HeatMark& mark) noexcept;
+  const HeatSummary& summary() const noexcept { return summary_; }
+  /// Body temperature and 0 outside the cells.
+  double celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
+  double dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
+
+ private:
+  static constexpr std::size_t group_count = 16;
+  static constexpr std::int32_t patches_over = heat_cells / heat_patch_cells;
+
+  struct Cell {
+    double celsius = body_celsius;
+    double dose_min = 0.0;
+    double heat_joule = 0.0;  ///< since the cell was followed last
+  };
+  /// The cells of one kerf that were ever warmed: all that need to be followed.
+  struct Warmed {
+    std::int32_t u_first = heat_cells, u_last = -1, v_first = heat_cells, v_last = -1;
+  };
+  enum class PatchState : std::uint8_t { Quiet, Waiting, Said };
+  struct Patch {
+    PatchState state = PatchState::Quiet;
+    std::int32_t cell = 0;
+  };
+
+  /// What the saw gives in one sample: the blade in the kerf's plane, friction of all teeth, way cut.
+  struct Stroke {
+    std::int32_t kerf = -1;
+    PlanarPose pose;
+    double friction_joule = 0.0;
+    double advance_mm = 0.0;
+  };
+
+  void heat(const ToolSample& sample, const StandingBone& bone, double span_s) noexcept;
+  void rub(const Stroke& stroke, const StandingBone& bone) noexcept;
+  void add_heat(std::int32_t kerf, const Vec2& place_mm, double joule) noexcept;
+  void add_to_cell(std::int32_t kerf, std::int32_t u, std::int32_t v, double joule) noexcept;
+  void cool(std::int32_t rinsed_kerf) noexcept;
+  void follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
+                   double span_s) noexcept;
+  void mark(HeatMarkKind kind, std::int32_t kerf, std::int32_t number) noexcept;
+  std::int32_t cell_at(const Vec2& place_mm) const noexcept;
+  Cell& cell(std::int32_t kerf, std::int32_t number) noexcept;
+
+  BladeSize blade_;
+  RigidTransform bone_from_world_;
+  double tooth_speed_mm_s_;
+  std::vector<Cell> cells_;     ///< kerf by kerf, v running fastest
+  std::vector<Patch> patches_;  ///< kind by kind, kerf by kerf
+  std::array<Warmed, static_cast<std::size_t>(kerf_limit)> warmed_{};
+  std::array<double, group_count> since_s_{};  ///< per group of rows: time to be followed
+  std::array<TissueMemory, tooth_count> teeth_{};
+  HeatSummary summary_;
+  std::size_t next_group_ = 0;
+  std::int64_t last_tick_ = -1, mark_tick_ = 0;
+  std::int32_t waiting_ = 0, hot_cells_ = 0;
+  std::int32_t last_kerf_ = -1;
+  PlanarPose last_pose_;
+};
+
+}  // namespace hallux::simulator
