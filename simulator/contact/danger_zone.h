@@ -1,0 +1,88 @@
+/// Structures that must not be touched, as capsules; and how near a running blade comes to them.
+///
+///     Far <--- 3 mm, 3.5 mm back ---> Near <--- 0 mm, 0.5 mm back for 0.2 s ---> Contact
+///
+/// A blade at rest touches nothing: without the saw running each zone is Far. Margins and the wait keep a trembling hand
+/// from telling the same contact many times.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "simulator/cutting/kerf.h"
+#include "simulator/record/record.h"
+
+namespace hallux::simulator {
+
+/// All points within `radius_mm` of the line between two points.
+struct DangerCapsule {
+  Vec3 from_in_bone_mm{0.0, 0.0, 0.0}, to_in_bone_mm{0.0, 0.0, 0.0};
+  double radius_mm = 1.0;
+};
+
+/// From the blade (tooth line, faces, edges; half a kerf thick to all sides) to the capsule; negative: how deep it is in,
+/// at most radius and half kerf [mm].
+double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const BladeSize& blade,
+                              const DangerCapsule& capsule) noexcept;
+
+inline constexpr std::size_t danger_zone_limit = 64;
+inline constexpr double danger_near_mm = 3.0;
+inline constexpr double danger_margin_mm = 0.5;
+inline constexpr std::int64_t danger_leave_ticks = 200;
+
+enum class DangerState : std::uint8_t { Far, Near, Contact };
+
+/// One zone in an attempt so far; all of it with the saw running.
+struct DangerTrack {
+  DangerState state = DangerState::Far;
+  double least_mm = std::numeric_limits<double>::infinity();
+  double contact_least_mm = 0.0;  ///< of the contact now, or the last one
+  double contact_s = 0.0;         ///< time at or below 0 mm
+  std::int32_t contacts = 0;
+};
+
+/// A contact began (with the distance then), or is over (with the least distance in it).
+struct DangerNews {
+  std::int32_t zone = 0;
+  bool has_begun = true;
+  double distance_mm = 0.0;
+};
+
+class DangerWatch {
+ public:
+  /// Takes all its memory here.
+  /// needs   at most danger_zone_limit zones
+  DangerWatch(const RigidTransform& world_from_bone, const BladeSize& blade,
+              std::span<const DangerCapsule> zones);
+
+  /// Follows the record by one sample.
+  /// errors  none: total, allocates nothing
+  /// thread  haptic (and, on its own copy, assessment)
+  void follow(const ToolSample& sample) noexcept;
+
+  /// What happened and was not taken yet; of one zone its beginning before its end.
+  bool take_news(DangerNews& news) noexcept;
+  std::span<const DangerTrack> tracks() const noexcept { return tracks_; }
+
+ private:
+  struct Pending {
+    std::int64_t away_ticks = 0;
+    double began_mm = 0.0;
+    bool has_begun = false, has_ended = false;
+  };
+
+  void approach(std::size_t zone, double distance_mm, std::int64_t ticks) noexcept;
+  void move_away(std::size_t zone, std::int64_t ticks) noexcept;
+
+  RigidTransform bone_from_world_;
+  BladeSize blade_;
+  std::vector<DangerCapsule> zones_;
+  std::vector<DangerTrack> tracks_;
+  std::vector<Pending> pending_;
+  std::int64_t last_tick_ = -1;
+  std::int32_t waiting_ = 0;
+};
+
+}  // namespace hallux::simulator
