@@ -6,6 +6,7 @@
 
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/foot/first_proximal_phalanx.h"
+#include "scenarios/landmark_of.h"
 #include "simulator/base/elementary.h"
 
 namespace hallux::scenarios {
@@ -15,16 +16,6 @@ using simulator::Bone;
 
 /// Shorter than this a direction between two landmarks says nothing [mm, or the sine of an angle].
 constexpr double direction_length_min = 1.0e-3;
-
-Vec3 landmark_of(const Bone& bone, const std::string& name, const std::string& cut_path) {
-  if (const std::optional<Vec3> point = simulator::find_landmark(bone, name)) return *point;
-  std::string known;
-  for (const simulator::Landmark& landmark : bone.landmarks) {
-    known += (known.empty() ? "" : ", ") + landmark.name;
-  }
-  throw ScenarioError(cut_path + ": the bone \"" + bone.name + "\" has no landmark \"" + name +
-                      "\"; use one of: " + known);
-}
 
 Vec3 unit_or_refuse(const Vec3& direction, const std::string& cut_path, std::string_view what) {
   const double length = std::sqrt(glm::dot(direction, direction));
@@ -231,6 +222,7 @@ Plan plan_on(const Scenario& scenario, const Bone& bone) {
       cut.exit_point_in_bone_mm = hinge.point_in_bone_mm;
     }
   }
+  plan.danger_zones = plan_zones(scenario, bone);
   return plan;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/planned_zones.h"
 #include "scenarios/scenario.h"
 #include "simulator/mesh/bone.h"
 
@@ -54,6 +55,7 @@ struct PlannedHinge {
 struct Plan {
   std::vector<PlannedCut> cuts;
   std::vector<PlannedHinge> hinges;
+  std::vector<PlannedZone> danger_zones;
 };
 
 /// Nothing (null) where the plan has none of that name; what is returned lives as long as the plan.
@@ -61,8 +63,8 @@ const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept;
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept;
 
 /// The face of the plane on this bone.
-/// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the bone, or the hinge that
-///         has no room in it
+/// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the bone, the hinge that
+///         has no room in it, or the danger zone that lies nowhere near it
 Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
 
 /// The patient that the scenario asks for; `progress` is told the fraction done and may return false to cancel.

@@ -62,15 +62,22 @@ SawBlade read_blade(const JsonNode& node) {
 
 DangerZone read_danger_zone(const JsonNode& node) {
   node.expect_keys({"name", "title", "severity", "from_in_bone_mm", "to_in_bone_mm", "radius_mm",
-                    "checked", "origin"});
-  return {.name = node.at("name").name(),
-          .severity = node.at("severity").one_of({"critical", "major", "minor"}),
-          .from_in_bone_mm = node.at("from_in_bone_mm").vector(-200.0, 200.0),
-          .to_in_bone_mm = node.at("to_in_bone_mm").vector(-200.0, 200.0),
-          .radius_mm = node.at("radius_mm").number(0.1, 20.0),
-          .title = read_title(node),
-          .is_checked = node.at("checked").boolean(),
-          .origin = read_origin(node)};
+                    "checked", "origin"},
+                   {"from_landmark", "to_landmark"});
+  DangerZone zone{.name = node.at("name").name(),
+                  .severity = node.at("severity").one_of({"critical", "major", "minor"}),
+                  .from_in_bone_mm = node.at("from_in_bone_mm").vector(-200.0, 200.0),
+                  .to_in_bone_mm = node.at("to_in_bone_mm").vector(-200.0, 200.0),
+                  .radius_mm = node.at("radius_mm").number(0.1, 20.0),
+                  .title = read_title(node),
+                  .is_checked = node.at("checked").boolean(),
+                  .origin = read_origin(node)};
+  if (node.has("from_landmark")) zone.from_landmark = node.at("from_landmark").name();
+  if (node.has("to_landmark")) zone.to_landmark = node.at("to_landmark").name();
+  if (zone.from_in_bone_mm == zone.to_in_bone_mm && zone.from_landmark == zone.to_landmark) {
+    node.at("to_in_bone_mm").refuse_value("give the other end of the structure");
+  }
+  return zone;
 }
 
 void read_head(const JsonNode& node, Scenario& scenario) {

@@ -133,7 +133,8 @@ struct Rubric {
   std::vector<Gate> gates;
 };
 
-/// A structure that must not be touched: a capsule in the bone frame between two points.
+/// A structure that must not be touched: a capsule between two points. Each is counted along the axes of the bone frame,
+/// from its landmark, or from the bone's origin where it names none.
 struct DangerZone {
   std::string name, severity;  ///< severity: "critical", "major" or "minor"
   Vec3 from_in_bone_mm{0.0, 0.0, 0.0}, to_in_bone_mm{0.0, 0.0, 0.0};
@@ -141,6 +142,7 @@ struct DangerZone {
   std::string title;
   bool is_checked = false;  ///< true once an anatomist or surgeon has confirmed where it lies
   std::string origin;
+  std::string from_landmark = {}, to_landmark = {};
 };
 
 /// A source that the origins of the numbers name by its key.

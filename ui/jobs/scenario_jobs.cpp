@@ -135,13 +135,17 @@ void write_steps(std::ostream& out, const Scenario& scenario) {
   }
 }
 
+std::string landmark_text(const std::string& landmark) {
+  return landmark.empty() ? "" : " from " + landmark;
+}
+
 void write_danger_zones(std::ostream& out, const Scenario& scenario) {
   out << "\nDanger zones (capsules in the bone frame, mm)\n";
   for (const DangerZone& zone : scenario.danger_zones) {
     out << "  " << zone.name << ": " << zone.title << ", " << zone.severity << ", from "
-        << point_text(zone.from_in_bone_mm) << " to " << point_text(zone.to_in_bone_mm)
-        << ", radius " << number_text(zone.radius_mm)
-        << (zone.is_checked ? "" : "; position unchecked") << "\n";
+        << point_text(zone.from_in_bone_mm) << landmark_text(zone.from_landmark) << " to "
+        << point_text(zone.to_in_bone_mm) << landmark_text(zone.to_landmark) << ", radius "
+        << number_text(zone.radius_mm) << (zone.is_checked ? "" : "; position unchecked") << "\n";
     write_origin(out, zone.origin);
   }
 }

@@ -1,0 +1,67 @@
+#include "scenarios/planned_zones.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/landmark_of.h"
+
+namespace hallux::scenarios {
+namespace {
+
+using simulator::Bone;
+using simulator::DangerCapsule;
+
+/// The deepest blades of the forefoot reach half of this.
+constexpr double far_mm = 60.0;
+
+/// Counted along the bone's axes from a landmark, or from the bone's origin.
+Vec3 end_of(const Bone& bone, const std::string& landmark, const Vec3& offset_mm,
+            const std::string& path) {
+  if (landmark.empty()) return offset_mm;
+  return landmark_of(bone, landmark, path) + offset_mm;
+}
+
+double distance_to_line_mm(const Vec3& point_mm, const DangerCapsule& capsule) {
+  const Vec3 along = capsule.to_in_bone_mm - capsule.from_in_bone_mm;
+  const double length_mm2 = glm::dot(along, along);
+  const Vec3 way = point_mm - capsule.from_in_bone_mm;
+  const double share =
+      length_mm2 > 0.0 ? std::clamp(glm::dot(way, along) / length_mm2, 0.0, 1.0) : 0.0;
+  const Vec3 gap = way - share * along;
+  return std::sqrt(glm::dot(gap, gap));
+}
+
+bool is_near(const Bone& bone, const DangerCapsule& capsule) {
+  return std::any_of(bone.outer.points_mm.begin(), bone.outer.points_mm.end(),
+                     [&](const Vec3& point) {
+                       return distance_to_line_mm(point, capsule) <= far_mm + capsule.radius_mm;
+                     });
+}
+
+}  // namespace
+
+std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Bone& bone) {
+  std::vector<PlannedZone> zones;
+  for (const DangerZone& zone : scenario.danger_zones) {
+    const std::string path = scenario.name + ": danger_zones[" + std::to_string(zones.size()) +
+                             "] \"" + zone.name + "\"";
+    const DangerCapsule capsule{end_of(bone, zone.from_landmark, zone.from_in_bone_mm, path),
+                                end_of(bone, zone.to_landmark, zone.to_in_bone_mm, path),
+                                zone.radius_mm};
+    if (!is_near(bone, capsule)) {
+      throw ScenarioError(path + ": it lies more than 60 mm from the bone \"" + bone.name +
+                          "\", where no blade comes; mend from_in_bone_mm and to_in_bone_mm");
+    }
+    zones.push_back({zone.name, capsule});
+  }
+  return zones;
+}
+
+std::vector<DangerCapsule> capsules_of(const std::vector<PlannedZone>& zones) {
+  std::vector<DangerCapsule> capsules;
+  capsules.reserve(zones.size());
+  for (const PlannedZone& zone : zones) capsules.push_back(zone.capsule);
+  return capsules;
+}
+
+}  // namespace hallux::scenarios

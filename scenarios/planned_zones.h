@@ -1,0 +1,26 @@
+/// The danger zones of a scenario on one patient.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/scenario.h"
+#include "simulator/contact/danger_zone.h"
+#include "simulator/mesh/bone.h"
+
+namespace hallux::scenarios {
+
+struct PlannedZone {
+  std::string name;
+  simulator::DangerCapsule capsule;
+};
+
+/// In the order of the scenario.
+/// errors  ScenarioError naming the landmark that this bone lacks, or the zone that lies so far from the bone that no
+///         blade comes there
+std::vector<PlannedZone> plan_zones(const Scenario& scenario, const simulator::Bone& bone);
+
+/// The capsules alone, as the simulator watches them.
+std::vector<simulator::DangerCapsule> capsules_of(const std::vector<PlannedZone>& zones);
+
+}  // namespace hallux::scenarios
