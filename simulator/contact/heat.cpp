@@ -148,28 +148,47 @@ void HeatField::rub(const Stroke& stroke, const StandingBone& bone) noexcept {
     const double joule =
         wall_share * (stroke.friction_joule / teeth.engaged + cutting_joule) / rubbing_parts;
     const double aside_mm = (static_cast<double>(tooth) + 0.5) * share_mm - 0.5 * blade_.width_mm;
+    const Vec2 tooth_mm = pose.tip_mm + aside_mm * along;
     for (int part = 0; part < rubbing_parts; ++part) {
       const double back_mm = (part + 0.5) * rubbing_length_mm / rubbing_parts;
-      add_heat(stroke.kerf, pose.tip_mm + aside_mm * along - back_mm * pose.direction, joule);
+      add_heat(stroke.kerf, bone, tooth_mm - back_mm * pose.direction, joule);
     }
   }
 }
 
 /// Along the tooth line the heat is shared by the two nearest cells, else teeth that stand closer than cells would warm
-/// some of them twice as much as others.
-void HeatField::add_heat(std::int32_t kerf, const Vec2& place_mm, double joule) noexcept {
-  const std::int32_t u = index_of((place_mm.x + reach_mm) / heat_cell_mm);
+/// some of them twice as much as others. What rubs in air warms nothing.
+void HeatField::add_heat(std::int32_t kerf, const StandingBone& bone, const Vec2& place_mm,
+                         double joule) noexcept {
   const double v_cells = (place_mm.y + reach_mm) / heat_cell_mm - 0.5;
-  const std::int32_t v = index_of(v_cells);
-  const double upper = std::clamp(v_cells - static_cast<double>(v), 0.0, 1.0);
-  add_to_cell(kerf, u, v, (1.0 - upper) * joule);
-  add_to_cell(kerf, u, v + 1, upper * joule);
+  const double upper_share = v_cells - std::floor(v_cells);
+  const Vec2 down_mm{0.0, upper_share * heat_cell_mm};
+  const std::int32_t lower = cell_at(place_mm - down_mm);
+  const std::int32_t upper = cell_at(place_mm - down_mm + Vec2{0.0, heat_cell_mm});
+  const bool has_lower = is_bone_cell(kerf, lower, bone);
+  const bool has_upper = is_bone_cell(kerf, upper, bone);
+  if (!has_lower && !has_upper) return;
+  const double share = !has_lower ? 1.0 : (has_upper ? upper_share : 0.0);
+  add_to_cell(kerf, lower, (1.0 - share) * joule);
+  add_to_cell(kerf, upper, share * joule);
 }
 
-void HeatField::add_to_cell(std::int32_t kerf, std::int32_t u, std::int32_t v,
-                            double joule) noexcept {
-  if (!is_within(u) || !is_within(v)) return;
-  cell(kerf, u * heat_cells + v).heat_joule += joule;
+bool HeatField::is_bone_cell(std::int32_t kerf, std::int32_t number,
+                             const StandingBone& bone) noexcept {
+  if (number < 0) return false;
+  Place& place = cell(kerf, number).place;
+  if (place == Place::Unknown) {
+    const Vec3 middle_mm =
+        transform_point(bone.kerfs.plane(kerf).bone_from_kerf, Vec3{middle_of(number), 0.0});
+    place = bone.original.clearance_mm(middle_mm) < 0.0 ? Place::Bone : Place::Air;
+  }
+  return place == Place::Bone;
+}
+
+void HeatField::add_to_cell(std::int32_t kerf, std::int32_t number, double joule) noexcept {
+  if (number < 0 || !(joule > 0.0)) return;
+  cell(kerf, number).heat_joule += joule;
+  const std::int32_t u = number / heat_cells, v = number % heat_cells;
   Warmed& warmed = warmed_[static_cast<std::size_t>(kerf)];
   warmed.u_first = std::min(warmed.u_first, u);
   warmed.u_last = std::max(warmed.u_last, u);

@@ -69,10 +69,13 @@ class HeatField {
   static constexpr std::size_t group_count = 16;
   static constexpr std::int32_t patches_over = heat_cells / heat_patch_cells;
 
+  /// Whether a cell's middle lies in the bone as it was, asked when heat first comes there.
+  enum class Place : std::uint8_t { Unknown, Bone, Air };
   struct Cell {
     double celsius = body_celsius;
     double dose_min = 0.0;
     double heat_joule = 0.0;  ///< since the cell was followed last
+    Place place = Place::Unknown;
   };
   /// The cells of one kerf that were ever warmed: all that need to be followed.
   struct Warmed {
@@ -94,8 +97,10 @@ class HeatField {
 
   void heat(const ToolSample& sample, const StandingBone& bone, double span_s) noexcept;
   void rub(const Stroke& stroke, const StandingBone& bone) noexcept;
-  void add_heat(std::int32_t kerf, const Vec2& place_mm, double joule) noexcept;
-  void add_to_cell(std::int32_t kerf, std::int32_t u, std::int32_t v, double joule) noexcept;
+  void add_heat(std::int32_t kerf, const StandingBone& bone, const Vec2& place_mm,
+                double joule) noexcept;
+  void add_to_cell(std::int32_t kerf, std::int32_t number, double joule) noexcept;
+  bool is_bone_cell(std::int32_t kerf, std::int32_t number, const StandingBone& bone) noexcept;
   void cool(std::int32_t rinsed_kerf) noexcept;
   void follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                    double span_s) noexcept;

@@ -133,7 +133,14 @@ enum class CutEventKind : std::int32_t {
   KerfRefused = 16,  ///< the touch asked for more kerfs than an attempt may have
   HingeClosed = 17,  ///< value: angle [urad]; pose: bone_from_moved, of the half that turned
   HingeRefused =
-      18  ///< subject: why (HingeOutcome: 1 broken, 2 stiff, 3 nothing to close); value: bridge [um]
+      18,  ///< subject: why (HingeOutcome: 1 broken, 2 stiff, 3 nothing to close); value: bridge [um]
+  BoneHot =
+      19,  ///< subject: kerf; a patch of its walls went above 47 degrees; value: there, now [0.001 degree Celsius]
+  BoneNecrosis =
+      20,  ///< subject: kerf; a patch of its walls reached the dose of necrosis; value: so far in all [mm3 / 1000]
+  DangerContact =
+      21,  ///< subject: zone; the running saw touches it; value: distance [um], negative inside
+  DangerLeft = 22  ///< subject: zone; the contact is over; value: the least distance in it [um]
 };
 
 /// Something that happened once, at the end of one tick.
@@ -142,8 +149,9 @@ struct CutEvent {
   CutEventKind kind = CutEventKind::Started;
   std::int32_t subject = -1;
   std::int64_t value = 0;
-  QuantisedPose
-      pose;  ///< bone_from_tool for cutting events, bone_from_moved for HingeClosed, identity otherwise
+  /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed, bone_from_place (in the kerf's axes)
+  /// for heat, identity otherwise.
+  QuantisedPose pose;
 
   friend bool operator==(const CutEvent&, const CutEvent&) = default;
 };

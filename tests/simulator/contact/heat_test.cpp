@@ -184,6 +184,14 @@ TEST(Heat, MarksEachPatchOnceAndNeverTwoWithinATenthOfASecond) {
   EXPECT_EQ(static_cast<std::size_t>(hot) * 2, block.marks.size());
 }
 
+TEST(Heat, WarmsNoCellInTheAirAboveTheBone) {
+  SawnBlock block({});
+  block.saw(3.0);
+  EXPECT_EQ(block.field().celsius_at(0, {-0.5, 0.5}), body_celsius);
+  EXPECT_EQ(block.field().celsius_at(0, {-1.5, 0.5}), body_celsius);
+  EXPECT_GT(block.field().celsius_at(0, {0.5, 0.5}), hot_celsius);
+}
+
 TEST(Heat, StandsStillWhileTheAttemptDoesNotRun) {
   SawnBlock block({});
   block.saw(8.0);

@@ -47,6 +47,10 @@ constexpr EventWords event_words[] = {
     {CutEventKind::KerfRefused, Meaning::Warn, "replay.event.kerf_refused"},
     {CutEventKind::HingeClosed, Meaning::Good, "replay.event.hinge_closed"},
     {CutEventKind::HingeRefused, Meaning::Bad, "replay.event.hinge_refused"},
+    {CutEventKind::BoneHot, Meaning::Warn, "replay.event.bone_hot"},
+    {CutEventKind::BoneNecrosis, Meaning::Bad, "replay.event.bone_necrosis"},
+    {CutEventKind::DangerContact, Meaning::Bad, "replay.event.danger_contact"},
+    {CutEventKind::DangerLeft, Meaning::Neutral, "replay.event.danger_left"},
 };
 
 std::vector<ReplayEvent> events_of(const Recording& recording) {
