@@ -58,7 +58,7 @@ class AttemptRun {
         device_(device, setup.contact.coupling_newton_per_mm, setup.force_law),
         channels_(channels),
         tissue_(setup.bone),
-        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact),
+        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
         step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
         late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
     if (setup.pacing == Pacing::RealTime) {

@@ -13,7 +13,7 @@ class ReplayRun {
   ReplayRun(const Recording& recording, const ReplaySetup& setup)
       : recording_(recording),
         tissue_(setup.bone),
-        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact),
+        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
         jobs_(setup.bone, setup.blade, setup.bridge) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());

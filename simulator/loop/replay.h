@@ -10,6 +10,7 @@
 #include "simulator/mesh/bone.h"
 #include "simulator/operation/job.h"
 #include "simulator/record/record.h"
+#include "simulator/step/wound.h"
 
 namespace hallux::simulator {
 
@@ -28,6 +29,7 @@ struct ReplaySetup {
   BladeSize blade;
   ContactSettings contact;
   std::optional<PlannedBridge> bridge = std::nullopt;
+  WoundSettings wound = {};
 };
 
 /// Called with the fraction done [0, 1]; returning false cancels.

@@ -20,12 +20,14 @@ std::int64_t thousandths(double value) noexcept {
 }  // namespace
 
 Operation::Operation(const TissueMap& tissue, const RigidTransform& world_from_bone,
-                     const BladeSize& blade, const ContactSettings& settings)
+                     const BladeSize& blade, const ContactSettings& settings,
+                     const WoundSettings& wound)
     : tissue_(tissue),
       world_from_bone_(world_from_bone),
       bone_from_world_(inverse(world_from_bone)),
       settings_(settings),
-      kerfs_(blade, world_from_bone) {}
+      kerfs_(blade, world_from_bone),
+      wound_(world_from_bone, blade, settings.cycles_per_minute, wound) {}
 
 StepOutput Operation::step(const StepInput& input) noexcept {
   StepOutput output;
@@ -47,6 +49,7 @@ StepOutput Operation::step(const StepInput& input) noexcept {
   }
   if (is_running()) output.sample.status |= bit(ToolStatus::Running);
   if (faults_ != 0) output.sample.status |= bit(ToolStatus::Faulted);
+  follow_wound(output);
   return output;
 }
 
@@ -166,6 +169,14 @@ void Operation::announce_pieces(StepOutput& output) noexcept {
     freed_last_ = piece.id;
     ++said;
   }
+}
+
+/// Follows what is recorded; events for which this step has no room wait for the next.
+void Operation::follow_wound(StepOutput& output) noexcept {
+  wound_.follow(output.sample, standing());
+  CutEvent event;
+  while (!output.events.is_full() && wound_.take_event(kerfs_, event)) output.events.push(event);
+  output.flex = wound_.flex();
 }
 
 void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {

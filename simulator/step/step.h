@@ -12,6 +12,7 @@
 #include "simulator/contact/tool_motion.h"
 #include "simulator/operation/job.h"
 #include "simulator/record/record.h"
+#include "simulator/step/wound.h"
 
 namespace hallux::simulator {
 
@@ -44,6 +45,7 @@ struct StepOutput {
   FixedList<CutEvent, 16> events;     ///< before the sample, in order
   FixedList<JobRequest, 2> requests;  ///< to be run on the state after this step
   Engagement engaged;                 ///< for displays; not recorded
+  BladeFlex flex;                     ///< likewise
 };
 
 inline constexpr std::size_t removed_piece_limit = 8;
@@ -52,9 +54,10 @@ class Operation {
  public:
   /// Takes all its memory here. Borrows `tissue` for its lifetime.
   Operation(const TissueMap& tissue, const RigidTransform& world_from_bone, const BladeSize& blade,
-            const ContactSettings& settings);
+            const ContactSettings& settings, const WoundSettings& wound = {});
 
   const KerfSet& kerfs() const noexcept { return kerfs_; }
+  const Wound& wound() const noexcept { return wound_; }
   bool is_over() const noexcept { return is_over_; }
   /// Started, and neither the operator nor the loop has paused it.
   bool is_running() const noexcept {
@@ -82,6 +85,7 @@ class Operation {
   void apply_pieces(const JobResult& result, StepOutput& output) noexcept;
   void apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept;
   void announce_pieces(StepOutput& output) noexcept;
+  void follow_wound(StepOutput& output) noexcept;
   void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
             std::int64_t value = 0) const noexcept;
   /// The kerf that holds the blade, or -1.
@@ -96,6 +100,7 @@ class Operation {
   RigidTransform world_from_bone_, bone_from_world_;
   ContactSettings settings_;
   KerfSet kerfs_;
+  Wound wound_;
   ToolState tool_;
   std::array<bool, static_cast<std::size_t>(kerf_limit)> is_completed_{};  ///< per kerf
   std::array<const Bvh*, removed_piece_limit> removed_pieces_{};

@@ -48,8 +48,10 @@ struct Costs {
 /// Steps through the tape again, with a clock around each step and each job.
 Costs retrace(const RecordedSilver& recorded) {
   const simulator::TissueMap tissue(recorded.bone);
-  simulator::Operation operation(tissue, recorded.bone.world_from_bone, recorded.silver.blade.size,
-                                 contact_of(recorded.silver));
+  simulator::Operation operation(
+      tissue, recorded.bone.world_from_bone, recorded.silver.blade.size,
+      contact_of(recorded.silver),
+      wound_of(recorded.silver, plan_on(recorded.silver, recorded.bone)));
   simulator::ImmediateJobs jobs(recorded.bone, recorded.silver.blade.size);
   Costs costs;
   costs.step_us.reserve(recorded.recording.tape.size());
@@ -96,9 +98,12 @@ BENCHMARK(steps_and_jobs_of_an_attempt)->Iterations(1)->Unit(benchmark::kMillise
 void replay_of_an_attempt(benchmark::State& state) {
   const RecordedSilver recorded;
   for (auto _ : state) {
-    const simulator::ReplayResult result =
-        replay(recorded.recording,
-               {recorded.bone, recorded.silver.blade.size, contact_of(recorded.silver), {}});
+    const simulator::ReplayResult result = replay(
+        recorded.recording, {recorded.bone,
+                             recorded.silver.blade.size,
+                             contact_of(recorded.silver),
+                             {},
+                             wound_of(recorded.silver, plan_on(recorded.silver, recorded.bone))});
     if (!result.is_identical) state.SkipWithError("the replay differs");
   }
   state.counters["times_real_time"] = benchmark::Counter(

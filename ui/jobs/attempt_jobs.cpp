@@ -74,10 +74,16 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario)
   return settings;
 }
 
+simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
+                                        const scenarios::Plan& plan) {
+  return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
+}
+
 simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
                                       const simulator::Bone& bone, const scenarios::Plan& plan) {
   simulator::AttemptSetup setup{bone, scenario.blade.size, contact_settings(scenario)};
   setup.bridge = planned_bridge(plan);
+  setup.wound = wound_settings(scenario, plan);
   return setup;
 }
 
@@ -137,10 +143,11 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   if (material.header.begun.engine != simulator::engine_version) return std::nullopt;
   bool is_cancelled = false;
   const auto report = progress("Replaying");
+  const scenarios::Plan plan = plan_on(material.scenario, material.bone);
   const simulator::ReplayResult result =
       replay(material.recording,
              {material.bone, material.scenario.blade.size, contact_settings(material.scenario),
-              planned_bridge(plan_on(material.scenario, material.bone))},
+              planned_bridge(plan), wound_settings(material.scenario, plan)},
              [&](double fraction) {
                is_cancelled = report && !report(fraction);
                return !is_cancelled;

@@ -82,6 +82,10 @@ AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk
 /// The contact of a scenario's saw; the same for the attempt and its replay.
 simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario);
 
+/// What is watched beside the cut; the same for the attempt and its replay.
+simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
+                                        const scenarios::Plan& plan);
+
 /// How a scenario's operation runs; borrows the bone. What paces it and commands it is the caller's to add.
 simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
                                       const simulator::Bone& bone, const scenarios::Plan& plan);

@@ -64,7 +64,9 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
                                       simulator::Pacing::Virtual,
                                       motion.commands,
                                       last_tick,
-                                      {}};
+                                      {},
+                                      nullptr,
+                                      wound_settings(operation.scenario, operation.plan)};
   simulator::ScriptedDevice device(std::move(motion));
   simulator::AttemptChannels channels{static_cast<std::size_t>(last_tick) + spare_rows};
   operated.loop = run_attempt(setup, device, channels,

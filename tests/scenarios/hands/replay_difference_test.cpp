@@ -25,7 +25,9 @@ class ReplayDifference : public testing::Test {
 
   simulator::ReplayResult replayed(const Recording& recording,
                                    const simulator::ContactSettings& settings) const {
-    return replay(recording, {bone_, silver_.blade.size, settings, {}});
+    return replay(
+        recording,
+        {bone_, silver_.blade.size, settings, {}, wound_of(silver_, plan_on(silver_, bone_))});
   }
   /// The first tick of which the tool has this status.
   std::int64_t first_tick(ToolStatus status) const {

@@ -25,17 +25,25 @@ simulator::ContactSettings contact_of(const scenarios::Scenario& scenario) {
   return settings;
 }
 
+simulator::WoundSettings wound_of(const scenarios::Scenario& scenario,
+                                  const scenarios::Plan& plan) {
+  return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
+}
+
 ScriptedAttempt run_motion(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                            const simulator::HandMotion& motion) {
   const std::int64_t last_tick = motion.last_tick() + 1;
+  const scenarios::Plan plan = plan_on(scenario, bone);
   const simulator::AttemptSetup setup{bone,
                                       scenario.blade.size,
                                       contact_of(scenario),
-                                      planned_bridge(plan_on(scenario, bone)),
+                                      planned_bridge(plan),
                                       simulator::Pacing::Virtual,
                                       motion.commands,
                                       last_tick,
-                                      {}};
+                                      {},
+                                      nullptr,
+                                      wound_of(scenario, plan)};
   simulator::ScriptedDevice device(motion);
   // Room for every line, so that nobody has to drain meanwhile.
   simulator::AttemptChannels channels(static_cast<std::size_t>(last_tick) + 1);

@@ -13,16 +13,16 @@ struct GoldenHashes {
   std::string_view bone, tape, outputs;
 };
 
-inline constexpr std::int32_t golden_engine_version = 2;
+inline constexpr std::int32_t golden_engine_version = 3;
 
 inline constexpr GoldenHashes golden_tube{
     .bone = "e896492ae9dc6392ccf56bf4f9855c3c0391eae03bae8c511038e15487812285",
     .tape = "8fb15a6c049c65fed5d61e4f58524b369d5b9fd62a864a95417a13432a1380f9",
-    .outputs = "43a9e0d106c5549b6f7c31ea26fffa0e43c62b1fac7bea1b3071f55b3f073551"};
+    .outputs = "ca94fad16356f6843f1d3e161db2ba703d5378b5afe3fe90268cc86a80a1a0ee"};
 
 inline constexpr GoldenHashes golden_silver_expert_1{
     .bone = "8875a39afe43c63726079111fe9504ea0804358329d1d3df6a4594bf10fd622a",
     .tape = "f179696853d79a15d6adb5cd08b9eba16ce7fb7924cae18ebdbe4e09e244cef0",
-    .outputs = "a30b0b281cb64f3f2c657030f4a0497b52a47439ca1d1807278a7081dffcbc82"};
+    .outputs = "52c49fa8660fc7988b90f6d0ac1d2d22991c8c98879f2c3435baece3ac0225b3"};
 
 }  // namespace hallux::tests

@@ -12,19 +12,22 @@ namespace {
 TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
   const scenarios::Scenario scenario = scenarios::load_shipped_scenario("silver");
   const Bone bone = scenarios::make_patient(scenario);
+  const scenarios::Plan plan = plan_on(scenario, bone);
   const HandMotion motion =
-      make_hand(scenario, bone, plan_on(scenario, bone), scenarios::hand_skill("expert"), 1).motion;
+      make_hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1).motion;
+  const WoundSettings wound{capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
   const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute};
   const AttemptSetup setup{.bone = bone,
                            .blade = scenario.blade.size,
                            .contact = contact,
                            .commands = motion.commands,
                            .last_tick = motion.last_tick() + 1,
-                           .job_delay = {}};
+                           .job_delay = {},
+                           .wound = wound};
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
-  const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}});
+  const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}, wound});
   EXPECT_TRUE(result.is_identical) << result.difference;
 }
 

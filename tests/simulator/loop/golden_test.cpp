@@ -22,6 +22,11 @@ Bone tube() {
   return bone;
 }
 
+/// Where the blade comes out: it is touched.
+constexpr DangerCapsule below_the_tube{.from_in_bone_mm = Vec3{-9.0, -7.0, 0.5},
+                                       .to_in_bone_mm = Vec3{9.0, -6.5, 2.0},
+                                       .radius_mm = 1.1};
+
 /// A leaning stroke that wavers, a second one that finds its slot again, and the piece picked up.
 HandMotion wavering_motion(const Bone& bone) {
   const auto key = [&](std::int64_t tick, const Vec3& tip_mm, double lean_rad) {
@@ -48,12 +53,15 @@ TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
                            .contact = {},
                            .commands = motion.commands,
                            .last_tick = motion.last_tick(),
-                           .job_delay = {}};
+                           .job_delay = {},
+                           .wound = {.danger_zones = {below_the_tube}}};
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   const auto kinds = tests::kinds_of(recording);
-  for (const CutEventKind kind : {CutEventKind::PlaneFrozen, CutEventKind::SectionCovered,
-                                  CutEventKind::Breakthrough, CutEventKind::PieceRemoved}) {
+  for (const CutEventKind kind :
+       {CutEventKind::PlaneFrozen, CutEventKind::SectionCovered, CutEventKind::Breakthrough,
+        CutEventKind::PieceRemoved, CutEventKind::BoneHot, CutEventKind::BoneNecrosis,
+        CutEventKind::DangerContact, CutEventKind::DangerLeft}) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << static_cast<int>(kind);
   }
   tests::expect_golden(bone, recording, tests::golden_tube);

@@ -39,10 +39,11 @@ RigidTransform blade_down(const Vec3& tip_in_bone_mm, double lean_rad) {
 
 OperationRun::OperationRun(const Bone& bone, const RigidTransform& bone_from_handle,
                            const simulator::BladeSize& blade,
-                           const simulator::ContactSettings& settings)
+                           const simulator::ContactSettings& settings,
+                           const simulator::WoundSettings& wound)
     : bone_(bone),
       tissue_(bone),
-      operation_(tissue_, bone.world_from_bone, blade, settings),
+      operation_(tissue_, bone.world_from_bone, blade, settings, wound),
       jobs_(bone, blade),
       bone_from_handle_(bone_from_handle) {
   step({{CommandKind::Start, 0, 0}});

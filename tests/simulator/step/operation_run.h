@@ -32,7 +32,8 @@ class OperationRun {
   /// Starts with the blade at `bone_from_handle`. Borrows `bone`.
   OperationRun(const simulator::Bone& bone, const RigidTransform& bone_from_handle,
                const simulator::BladeSize& blade = {},
-               const simulator::ContactSettings& settings = {});
+               const simulator::ContactSettings& settings = {},
+               const simulator::WoundSettings& wound = {});
 
   /// One line of the tape with the handle where it was last.
   simulator::StepOutput step(std::initializer_list<simulator::Command> commands = {});

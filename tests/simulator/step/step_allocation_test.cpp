@@ -13,9 +13,14 @@ namespace {
 using tests::blade_down;
 using tests::kinds_of;
 
+WoundSettings zones_below() {
+  return {.danger_zones = std::vector<DangerCapsule>(danger_zone_limit,
+                                                     {{-9.0, -5.0, 0.0}, {9.0, -5.0, 0.0}, 1.0})};
+}
+
 /// Ten thousand lines: a scratch, two cuts through the block, a piece picked up, a pause and a fault.
 Recording eventful_attempt(const Bone& bone) {
-  tests::OperationRun run(bone, blade_down({6.0, 3.0, 0.0}));
+  tests::OperationRun run(bone, blade_down({6.0, 3.0, 0.0}), {}, {}, zones_below());
   run.glide(blade_down({6.0, 0.5, 0.0}), 70);
   run.glide(blade_down({6.0, 4.0, 0.0}), 60);
   for (const double x_mm : {6.0, -6.0}) {
@@ -37,7 +42,7 @@ Recording eventful_attempt(const Bone& bone) {
 /// The tape once more through a step of its own; the heap calls of Operation::step alone.
 std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording) {
   const TissueMap tissue{bone};
-  Operation operation(tissue, bone.world_from_bone, {}, {});
+  Operation operation(tissue, bone.world_from_bone, {}, {}, zones_below());
   ImmediateJobs jobs(bone, {});
   std::uint64_t allocations = 0;
   for (const TapeLine& line : recording.tape) {
@@ -64,7 +69,8 @@ TEST(StepAllocation, TenThousandEventfulStepsTakeNothingFromTheHeap) {
        {CutEventKind::Scratch, CutEventKind::Contact, CutEventKind::PlaneFrozen,
         CutEventKind::SectionKnown, CutEventKind::Breakthrough, CutEventKind::SectionCovered,
         CutEventKind::PieceFreed, CutEventKind::PieceRemoved, CutEventKind::StepDone,
-        CutEventKind::Paused, CutEventKind::Fault}) {
+        CutEventKind::Paused, CutEventKind::Fault, CutEventKind::BoneHot,
+        CutEventKind::DangerContact, CutEventKind::DangerLeft}) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << static_cast<int>(kind);
   }
   EXPECT_EQ(allocations_of_steps(bone, recording), 0U);

@@ -87,6 +87,11 @@ WoundSettings tendon_below() {
                            {{-20.0, -top_mm - 4.0, 0.0}, {20.0, -top_mm - 4.0, 0.0}, 1.0}}};
 }
 
+/// Beside the block, where the edge of the blade stands out of it.
+WoundSettings tendon_beside() {
+  return {.danger_zones = {{{-20.0, top_mm, 5.0}, {20.0, top_mm, 5.0}, 1.0}}};
+}
+
 TEST(Wound, ABladeThatPlungesBeyondTheBoneTouchesWhatLiesThere) {
   const Bone bone = soft_block();
   OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
@@ -124,6 +129,22 @@ TEST(Wound, AHandThatLeansBendsTheBladeThatStandsOut) {
   const BladeBeam beam{flex.free_length_mm, 10.0, 0.4};
   EXPECT_NEAR(std::abs(flex.deflection_mm), deflection_mm(beam, std::abs(force_newton.x)), 0.005);
   EXPECT_GT(std::abs(flex.deflection_mm), 0.1);
+}
+
+TEST(Wound, OfTheStepIsWhatItsRecordTells) {
+  const Bone bone = hard_block();
+  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, {}, tendon_beside());
+  push_down(run);
+  run.glide(blade_down({0.0, top_mm + 3.0, 0.0}), 300);
+  run.hold(500);
+  const WoundFollower follower(bone, run.recording(), tendon_beside());
+  for (const CutEventKind kind : {CutEventKind::BoneHot, CutEventKind::BoneNecrosis,
+                                  CutEventKind::DangerContact, CutEventKind::DangerLeft}) {
+    EXPECT_FALSE(run.events(kind).empty()) << static_cast<int>(kind);
+    EXPECT_EQ(run.events(kind), follower.events(kind)) << static_cast<int>(kind);
+  }
+  EXPECT_EQ(run.operation().wound().heat().summary().hottest_celsius,
+            follower.wound().heat().summary().hottest_celsius);
 }
 
 TEST(Wound, MoreZonesThanTheLimitAreNotWatched) {
