@@ -81,7 +81,7 @@ DangerWatch::DangerWatch(const RigidTransform& world_from_bone, const BladeSize&
                          std::span<const DangerCapsule> zones)
     : bone_from_world_(inverse(world_from_bone)),
       blade_(blade),
-      zones_(zones.begin(), zones.end()),
+      zones_(zones),
       tracks_(zones.size()),
       pending_(zones.size()) {
   CHECK(zones.size() <= danger_zone_limit);

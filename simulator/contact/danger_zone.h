@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
+#include "simulator/base/fixed_array.h"
 #include "simulator/cutting/kerf.h"
 #include "simulator/record/record.h"
 
@@ -78,9 +78,9 @@ class DangerWatch {
 
   RigidTransform bone_from_world_;
   BladeSize blade_;
-  std::vector<DangerCapsule> zones_;
-  std::vector<DangerTrack> tracks_;
-  std::vector<Pending> pending_;
+  FixedArray<DangerCapsule> zones_;
+  FixedArray<DangerTrack> tracks_;
+  FixedArray<Pending> pending_;
   std::int64_t last_tick_ = -1;
   std::int32_t waiting_ = 0;
 };

@@ -10,8 +10,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "simulator/base/fixed_array.h"
 #include "simulator/contact/heat_law.h"
 #include "simulator/contact/tissue.h"
 #include "simulator/contact/tool_motion.h"
@@ -111,8 +111,8 @@ class HeatField {
   BladeSize blade_;
   RigidTransform bone_from_world_;
   double tooth_speed_mm_s_;
-  std::vector<Cell> cells_;     ///< kerf by kerf, v running fastest
-  std::vector<Patch> patches_;  ///< kind by kind, kerf by kerf
+  FixedArray<Cell> cells_;     ///< kerf by kerf, v running fastest
+  FixedArray<Patch> patches_;  ///< kind by kind, kerf by kerf
   std::array<Warmed, static_cast<std::size_t>(kerf_limit)> warmed_{};
   std::array<double, group_count> since_s_{};  ///< per group of rows: time to be followed
   std::array<TissueMemory, tooth_count> teeth_{};

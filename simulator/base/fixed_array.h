@@ -1,0 +1,49 @@
+/// A fixed number of plain values on the heap, taken once: for state that is too large to lie inside its owner.
+///
+/// The memory is taken in simulator/base, so that the rooms which must never take any during a step can be checked by their
+/// symbols: what is constructed there before the first step comes from here.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+
+namespace hallux {
+
+/// errors  std::bad_alloc
+void* take_memory(std::size_t bytes);
+void give_memory_back(void* memory) noexcept;
+
+template <typename Value>
+class FixedArray {
+  static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);
+
+ public:
+  explicit FixedArray(std::size_t count, const Value& value = {})
+      : values_(static_cast<Value*>(take_memory(count * sizeof(Value)))), count_(count) {
+    std::uninitialized_fill_n(values_, count_, value);
+  }
+  explicit FixedArray(std::span<const Value> values)
+      : values_(static_cast<Value*>(take_memory(values.size_bytes()))), count_(values.size()) {
+    std::uninitialized_copy(values.begin(), values.end(), values_);
+  }
+  FixedArray(const FixedArray& other) : FixedArray(std::span<const Value>(other)) {}
+  FixedArray& operator=(const FixedArray&) = delete;
+  ~FixedArray() { give_memory_back(values_); }
+
+  std::size_t size() const noexcept { return count_; }
+  Value& operator[](std::size_t index) noexcept { return values_[index]; }
+  const Value& operator[](std::size_t index) const noexcept { return values_[index]; }
+  Value* begin() noexcept { return values_; }
+  Value* end() noexcept { return values_ + count_; }
+  const Value* begin() const noexcept { return values_; }
+  const Value* end() const noexcept { return values_ + count_; }
+
+ private:
+  Value* values_;
+  std::size_t count_;
+};
+
+}  // namespace hallux
