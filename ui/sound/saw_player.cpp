@@ -97,7 +97,13 @@ class Queue {
 
 }  // namespace
 
-SawPlayer::SawPlayer() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
+SawPlayer::SawPlayer() {
+  try {
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  } catch (const std::system_error&) {
+    state_.store(State::NoDevice, std::memory_order_release);
+  }
+}
 
 SawPlayer::~SawPlayer() = default;
 

@@ -17,7 +17,7 @@ namespace hallux::ui {
 class SawPlayer {
  public:
   /// Opens the device on its own thread: sound servers may let one wait.
-  /// ensures where there is no device the thread ends at once, and nothing else happens
+  /// ensures where there is no device, or no thread to be had, nothing else happens
   SawPlayer();
   ~SawPlayer();
   SawPlayer(const SawPlayer&) = delete;

@@ -11,6 +11,7 @@ CourseWindow::CourseWindow(const std::filesystem::path& data_directory, database
       driver_(
           texts_, [this, draw_frame](Ui& ui) { draw_frame(shell_, ui); }, setting) {
   shell_.preferences().is_motion_reduced = true;
+  shell_.preferences().is_saw_heard = false;
   shell_.set_display_scale(setting.scale);
   finish_work();
 }

@@ -177,7 +177,7 @@ void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
       paused_by_ = why;
     }
   }
-  if (is_open && phase_ == Phase::Operating) hear_keys(ui);
+  if (is_open && phase_ == Phase::Operating) hear_keys(ui, shell);
   if (is_open && phase_ == Phase::Operating && !is_paused_) {
     steer(ui, area);
   } else {
@@ -220,7 +220,7 @@ void OperatingScreen::hear_views(Ui& ui) {
   }
 }
 
-void OperatingScreen::hear_keys(Ui& ui) {
+void OperatingScreen::hear_keys(Ui& ui, Shell& shell) {
   // All of it turns on and off: once, however long the key is held.
   const auto pressed = [&](Chord chord, const char* id) {
     return ui.shortcut(chord, ui.text(id)) && !ui.is_key_held_on();
@@ -232,6 +232,8 @@ void OperatingScreen::hear_keys(Ui& ui) {
   if (heard(Key::I, "operate.key.irrigation")) is_irrigated_ = !is_irrigated_;
   if (is_practice() && heard(Key::G, "operate.key.plane")) is_plane_shown_ = !is_plane_shown_;
   if (heard(Key::H, "operate.key.hud")) is_hud_shown_ = !is_hud_shown_;
+  bool& is_saw_heard = shell.preferences().is_saw_heard;
+  if (heard(Key::M, "operate.key.sound")) is_saw_heard = !is_saw_heard;
   if (heard(Key::P, "operate.key.pause")) set_paused(!is_paused_);
   if (heard(Key::End, "operate.key.finish")) ask(Asking::Finish);
 }
@@ -263,6 +265,7 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
     has_sample_ = true;
   }
   if (!is_paused_) let_chips_fly(step_ms / 1000.0);
+  sound_the_saw(shell);
   shell.scenes().draw_behind(scene(ui), sight_.camera, stereo_);
   if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
   triangles_ = shell.scenes().triangles();
@@ -290,6 +293,19 @@ void OperatingScreen::let_chips_fly(double step_s) {
     source->is_irrigated = is_irrigated_;
   }
   swarf_.advance(step_s, source);
+}
+
+/// Off by its key, while paused, and after the operation: then the player is told silence.
+void OperatingScreen::sound_the_saw(Shell& shell) {
+  if (!begun_) return;
+  const bool is_heard = shell.preferences().is_saw_heard && phase_ == Phase::Operating;
+  if (is_heard && player_ == nullptr) player_ = std::make_unique<SawPlayer>();
+  if (player_ == nullptr) return;
+  const simulator::LoopView& view = begun_->live->view();
+  SawTone tone = saw_tone(view.sample, view.engaged,
+                          prepared_.value().table->scenario.blade.cycles_per_minute);
+  tone.runs = tone.runs && is_heard && !is_paused_;
+  player_->play(tone);
 }
 
 Scene OperatingScreen::scene(Ui& ui) {

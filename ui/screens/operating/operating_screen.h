@@ -15,6 +15,7 @@
 #include "ui/screens/places.h"
 #include "ui/screens/reading.h"
 #include "ui/screens/visit.h"
+#include "ui/sound/saw_player.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -53,12 +54,13 @@ class OperatingScreen : public Screen {
 
   void draw_operation(Ui& ui, Shell& shell);
   void look(Ui& ui, const AreaResponse& area);
-  void hear_keys(Ui& ui);
+  void hear_keys(Ui& ui, Shell& shell);
   void hear_views(Ui& ui);
   void steer(Ui& ui, const AreaResponse& area);
   void show_scene(Ui& ui, Shell& shell);
   Scene scene(Ui& ui);
   void let_chips_fly(double now_s);
+  void sound_the_saw(Shell& shell);
   void draw_hud(Ui& ui, Shell& shell);
   OperatingHud hud(Ui& ui, Shell& shell);
   OperatingHealth health(Ui& ui, Shell& shell) const;
@@ -100,6 +102,7 @@ class OperatingScreen : public Screen {
   RigidTransform world_from_target_;
   StereoSetting stereo_;
   Swarf swarf_{1};
+  std::unique_ptr<SawPlayer> player_;  ///< once the saw is to be heard
   simulator::ToolSample last_sample_;
   bool has_sample_ = false;  ///< the loop has taken its first step
   double last_s_ = 0.0, frame_ms_ = 0.0, steered_s_ = 0.0, sealing_since_s_ = 0.0;

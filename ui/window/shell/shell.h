@@ -39,6 +39,7 @@ struct Preferences {
   float scale = 1.0F;  ///< 0.8-2.0, of the person; the screen's own scale multiplies it
   bool is_full_screen = false;
   bool is_motion_reduced = false;
+  bool is_saw_heard = true;
 };
 
 class Shell {

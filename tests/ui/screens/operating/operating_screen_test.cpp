@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 
 #include "database/recordings.h"
 #include "tests/ui/screens/operating/some_operation.h"
@@ -309,6 +310,23 @@ TEST(Operating, HHidesThePanels) {
   EXPECT_FALSE(person.driver().sees("Push force"));
   person.press(Key::H);
   EXPECT_TRUE(person.driver().sees("Push force"));
+}
+
+TEST(Operating, MTurnsTheSoundOfTheSawOnAndOffForAllOperationsOfTheWindow) {
+  ::setenv("ALSOFT_DRIVERS", "null", 1);
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  ASSERT_FALSE(person.shell().preferences().is_saw_heard);
+  person.press(Key::M);
+  EXPECT_TRUE(person.shell().preferences().is_saw_heard);
+  person.press(Key::Space);
+  EXPECT_TRUE(person.until([&] { return person.scenes.saw->is_running; }, 5.0));
+  person.make_frames(5);
+  person.press(Key::M);
+  EXPECT_FALSE(person.shell().preferences().is_saw_heard);
+  person.press(Key::F1);
+  EXPECT_TRUE(person.driver().sees("Sound of the saw"));
 }
 
 TEST(Operating, StepsAreDeclaredByEnterAndAPieceThatIsNotFreeIsNotTaken) {

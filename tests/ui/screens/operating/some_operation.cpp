@@ -91,6 +91,8 @@ Operator::Operator(OperableCourse& course, database::AttemptKind kind, float sca
   setting.scale = scale;
   shell_->set_display_scale(scale);
   shell_->preferences().is_motion_reduced = true;
+  // Whoever runs the tests has not asked to hear them.
+  shell_->preferences().is_saw_heard = false;
   shell_->push(std::make_unique<ScreenBelow>());
   shell_->push(
       std::make_unique<OperatingScreen>(course.visit_of_ada(), places, course.version(), kind));
