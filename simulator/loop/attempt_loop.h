@@ -33,7 +33,7 @@ struct AttemptSetup {
   JobDelay job_delay = {};                 ///< RealTime only
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
-  WoundSettings wound = {};                ///< danger zones and the blade's steel
+  WoundSettings wound = {};                  ///< danger zones and the blade's steel
 };
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
