@@ -32,8 +32,8 @@ struct AttemptSetup {
   std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
   JobDelay job_delay = {};                 ///< RealTime only
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
+  WoundSettings wound = {};                ///< danger zones and the blade's steel
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
-  WoundSettings wound = {};                  ///< danger zones and the blade's steel
 };
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
