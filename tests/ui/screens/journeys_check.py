@@ -35,7 +35,10 @@ class Hand:
             before = self.person.widgets().get(name, {})
             time.sleep(STILL_S)
             return before.get("enabled") and before == self.person.widgets().get(name)
-        wait_until(name, stands, PATIENCE_S)
+        try:
+            wait_until(name, stands, PATIENCE_S)
+        except SystemExit as missing:
+            sys.exit(f"{missing}; the focus is at '{self.person.focus()}' of {sorted(self.person.widgets())}")
 
     def wait_for_rows(self, what, words, count):
         wait_until(what, lambda: rows_of(self.place, words)[0][0] >= count, PATIENCE_S)
