@@ -113,18 +113,19 @@ void hear_character(GLFWwindow* window, unsigned character) {
 }
 
 InputEvent pointer_event(GLFWwindow* window, EventKind kind) {
-  double x = 0.0, y = 0.0;
-  glfwGetCursorPos(window, &x, &y);
+  const WindowEvents& events = events_of(window);
   InputEvent event;
   event.kind = kind;
-  const float unit = events_of(window).pixels_per_unit;
-  event.position = {static_cast<float>(x) * unit, static_cast<float>(y) * unit};
+  event.position = {static_cast<float>(events.pointer_x) * events.pixels_per_unit,
+                    static_cast<float>(events.pointer_y) * events.pixels_per_unit};
   event.modifiers = held_modifiers(window);
   return event;
 }
 
-void hear_pointer(GLFWwindow* window, double, double) {
-  events_of(window).queue.push(pointer_event(window, EventKind::PointerMoved));
+void hear_pointer(GLFWwindow* window, double x, double y) {
+  WindowEvents& events = events_of(window);
+  events.pointer_x = x, events.pointer_y = y;
+  events.queue.push(pointer_event(window, EventKind::PointerMoved));
 }
 
 void hear_button(GLFWwindow* window, int button, int action, int bits) {
@@ -158,6 +159,7 @@ void hear_focus(GLFWwindow* window, int has_focus) {
 
 void listen(GLFWwindow* window, WindowEvents& events) {
   glfwSetWindowUserPointer(window, &events);
+  glfwGetCursorPos(window, &events.pointer_x, &events.pointer_y);
   glfwSetKeyCallback(window, hear_key);
   glfwSetCharCallback(window, hear_character);
   glfwSetCursorPosCallback(window, hear_pointer);

@@ -14,6 +14,9 @@ struct WindowEvents {
       true;  ///< the window must be drawn although nobody did anything: uncovered, resized
   float content_scale = 1.0F;    ///< of the display it is on
   float pixels_per_unit = 1.0F;  ///< framebuffer pixels per unit of the pointer's position
+  /// Where the last event put the pointer, in GLFW's units. What the display says now may be ahead of the events: a
+  /// press that waited while a frame was made must meet what it was aimed at.
+  double pointer_x = 0.0, pointer_y = 0.0;
 };
 
 /// Sets every callback; `events` outlives the window.

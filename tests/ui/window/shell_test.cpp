@@ -169,6 +169,14 @@ TEST_F(ShellJourney, AMessageCanBeTakenBack) {
   EXPECT_FALSE(driver.sees("Note saved"));
 }
 
+TEST_F(ShellJourney, WhatWasSaidToOnePersonIsNotSaidToTheNext) {
+  driver.click("first.note");
+  EXPECT_TRUE(driver.sees("Note saved"));
+  shell.set_visitor(std::nullopt);
+  driver.frame();
+  EXPECT_FALSE(driver.sees("Note saved"));
+}
+
 TEST_F(ShellJourney, HelpListsTheKeysAndCloses) {
   driver.press(Key::F1);
   EXPECT_TRUE(driver.sees("Full screen"));

@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import pathlib
+import signal
 import sqlite3
 import subprocess
 import sys
@@ -80,8 +81,8 @@ class Person:
         """As fast as fingers are: of two presses of a key in one millisecond GLFW hears the first."""
         self.xdotool("key", "--delay", "25", *keys)
 
-    def type(self, letters):
-        self.xdotool("type", "--delay", "0", letters)
+    def type(self, letters, between_ms=2):
+        self.xdotool("type", "--delay", str(between_ms), letters)
 
 
 def rows_of(place, words):
@@ -126,11 +127,23 @@ def use_course_window(program, pictures, use, prepare=None):
             sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")
 
 
-def use_window(person):
-    """Presses, types as fast as the X server takes it, answers a question by keyboard."""
-    person.click("gallery.search")
-    person.type("Chevron 12.3, 0 ms between keys")
-    person.click("gallery.segment.2")
+@contextlib.contextmanager
+def held_up(process):
+    """The process makes no step meanwhile; what is done at its window waits for it."""
+    process.send_signal(signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        process.send_signal(signal.SIGCONT)
+
+
+def use_window(person, window):
+    """Presses, types as fast as the X server takes it, answers a question by keyboard. Each press meets what it was
+    aimed at, also where the pointer has gone on before the window hears of it."""
+    with held_up(window):
+        person.click("gallery.search")
+        person.type("Chevron 12.3, 0 ms between keys", between_ms=0)
+        person.click("gallery.segment.2")
     person.click("gallery.failed.action")  # asks
     wait_until("the question", lambda: "gallery.question.keep" in person.widgets())
     if "gallery.search" in person.widgets():
@@ -161,7 +174,7 @@ def run(program, folder, display, picture):
         person = Person(map_file, environment)
         wait_until("the window", lambda: "gallery.search" in person.widgets())
         check_idle(window)
-        use_window(person)
+        use_window(person, window)
         person.press("F11")
         time.sleep(0.5)
         person.press("F11")

@@ -33,6 +33,11 @@ void Shell::replace_all(std::unique_ptr<Screen> screen) {
   requests_.push_back({Change::ReplaceAll, std::move(screen)});
 }
 
+void Shell::set_visitor(std::optional<Visitor> visitor) {
+  visitor_ = std::move(visitor);
+  messages_.clear();
+}
+
 // What is said again takes the place of what it repeats.
 void Shell::say(Message message) {
   std::erase_if(messages_, [&](const ShownMessage& shown) {

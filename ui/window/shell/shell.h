@@ -59,7 +59,8 @@ class Shell {
   Screen* top() const noexcept { return screens_.empty() ? nullptr : screens_.back().get(); }
 
   // -- who is there
-  void set_visitor(std::optional<Visitor> visitor) { visitor_ = std::move(visitor); }
+  /// What was said to somebody else goes.
+  void set_visitor(std::optional<Visitor> visitor);
   const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
   /// Called when a place of the navigation was chosen, with its id.
   void on_navigate(std::function<void(const std::string&)> action) {

@@ -36,6 +36,7 @@ std::string words_of(const Operator& person) {
 }
 
 struct Failure {
+  const char* name;
   int code;
   const char* words;
 };
@@ -79,9 +80,10 @@ TEST_P(StorageFailsWhileOperating, TheAttemptEndsInterruptedAndNothingBeforeIsLo
 }
 
 INSTANTIATE_TEST_SUITE_P(Operating, StorageFailsWhileOperating,
-                         testing::Values(Failure{SQLITE_FULL, "The disk is full"},
-                                         Failure{SQLITE_READONLY, "read-only"},
-                                         Failure{SQLITE_IOERR_WRITE, "check the disk"}));
+                         testing::Values(Failure{"Full", SQLITE_FULL, "The disk is full"},
+                                         Failure{"ReadOnly", SQLITE_READONLY, "read-only"},
+                                         Failure{"Broken", SQLITE_IOERR_WRITE, "check the disk"}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(OperatingFailures, ADiskThatIsFullBeforeItBeginsIsSaidAndAnAttemptCanBeBegunLater) {
   tests::FaultyVfs vfs{"before_it_begins"};

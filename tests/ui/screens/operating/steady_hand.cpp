@@ -61,10 +61,6 @@ bool SteadyHand::lead_to(const RigidTransform& world_from_wanted) {
     const RigidTransform now = world_from_tool();
     const Vec3 way_mm = world_from_wanted.translation_mm - now.translation_mm;
     const Vec3 turn_rad = turn_between(now.rotation, world_from_wanted.rotation);
-    std::fprintf(stderr,
-                 "DBG round %d way %.3f %.3f %.3f turn %.4f %.4f %.4f sees %d pointer %.0f %.0f\n",
-                 round, way_mm.x, way_mm.y, way_mm.z, turn_rad.x, turn_rad.y, turn_rad.z,
-                 person_.driver().sees("Paused"), pointer_.x, pointer_.y);
     if (glm::length(way_mm) < good_mm && glm::length(turn_rad) < good_rad) return true;
     modifiers_.shift = glm::length(way_mm) < near_mm && glm::length(turn_rad) < near_rad;
     owed_in_view_mm_ = {0.0, 0.0, 0.0};
