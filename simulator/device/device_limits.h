@@ -17,9 +17,14 @@ struct DeviceLimits {
   double damping_newton_s_per_mm = 0.0;  ///< the greatest that it renders
   double slew_newton_per_s = 500.0;
   std::int32_t transport_ticks = 0;  ///< from sending a force until it acts; at most 3
+  bool renders_vibration = false;    ///< its motors follow 90 to 150 Hz
   std::optional<double> force_scale =
       std::nullopt;  ///< device newtons per simulated newton, where it says one
 };
+
+/// Of the greatest force, for the tremble of a running saw; the contact takes six tenths, guidance the rest.
+/// source  docs/haptics.md, What an arm is given
+inline constexpr double vibration_share_of_force = 0.15;
 
 /// A push of 20 N, the upper end of what is usual, takes six tenths of what the device gives: min(1, 0.6 F / 20 N).
 /// source  docs/haptics.md, What an arm is given

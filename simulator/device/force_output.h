@@ -1,6 +1,6 @@
 /// From the simulated force to what the device is given, one tick at a time.
 ///
-///     simulated force -> x scale -> x soft start -> kept passive -> at most force and heat allow -> slew -> device
+///     simulated force -> x scale -> x soft start -> kept passive -> + tremble -> at most force and heat allow -> slew -> device
 ///                     '- fault, pause, faster than a hand: zero at once, and a soft start afterwards
 ///
 /// Total and deterministic, of its state and input alone. What is recorded and scored is the simulated force; this is what an
@@ -50,8 +50,10 @@ ForceOutputSettings force_output_settings(const DeviceLimits& limits,
 struct ForceInput {
   Vec3 simulated_in_world_newton{0.0, 0.0, 0.0};  ///< on the hand
   Vec3 handle_in_world_mm{0.0, 0.0, 0.0};         ///< at this tick, as the device said it
-  double duration_s = 0.001;                      ///< since the tick before
-  bool is_live = true;                            ///< neither fault nor pause
+  /// Open loop, in newtons of the device: softly started and limited like the rest, but no matter of passivity.
+  Vec3 tremble_in_world_newton{0.0, 0.0, 0.0};
+  double duration_s = 0.001;  ///< since the tick before
+  bool is_live = true;        ///< neither fault nor pause
 };
 
 struct ForceOutputState {

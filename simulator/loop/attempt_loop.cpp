@@ -55,7 +55,10 @@ class AttemptRun {
  public:
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels)
       : setup_(setup),
-        device_(device, setup.contact.coupling_newton_per_mm, setup.force_law),
+        device_(device,
+                {setup.contact.coupling_newton_per_mm, setup.blade.kerf_mm,
+                 setup.contact.cycles_per_minute},
+                setup.force_law),
         channels_(channels),
         tissue_(setup.bone),
         operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
@@ -194,7 +197,7 @@ class AttemptRun {
     const StepOutput output = operation_.step({line, results});
     step_times_.add(Clock::now() - before);
 
-    device_.give(output.sample, ticks);
+    device_.give(output, ticks);
     statistics_.force_limits |= device_.limits();
     push(channels_.tape, line);
     for (const CutEvent& event : output.events) push(channels_.events, event);

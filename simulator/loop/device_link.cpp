@@ -1,5 +1,6 @@
 #include "simulator/loop/device_link.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/base/units.h"
@@ -13,6 +14,16 @@ constexpr std::int32_t ticks_until_sent = 1;
 /// A weaker simulated force has no direction that a surface could be told from.
 constexpr double least_touch_newton = 0.05;
 
+/// Nobody's attempt depends on it: it is never recorded.
+constexpr std::uint64_t vibration_seed = 1;
+
+/// 1 where the device has room for the strongest cycle, 0 where it renders none.
+double vibration_scale_on(const DeviceDescription& device) {
+  if (!device.limits || !device.limits->renders_vibration) return 0.0;
+  const double strongest_newton = vibration_full_newton * (1.0 + vibration_noise);
+  return std::min(1.0, vibration_share_of_force * device.limits->force_newton / strongest_newton);
+}
+
 std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
                                                 double contact_newton_per_mm) {
   if (!device.limits) return std::nullopt;
@@ -21,10 +32,13 @@ std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
 
 }  // namespace
 
-DeviceLink::DeviceLink(HapticDevice& device, double contact_newton_per_mm, ForceLaw law)
+DeviceLink::DeviceLink(HapticDevice& device, const HandledSaw& saw, ForceLaw law)
     : device_(device),
+      saw_(saw),
       law_(law),
-      settings_(settings_for(device.description(), contact_newton_per_mm)),
+      vibration_scale_(vibration_scale_on(device.description())),
+      vibration_(vibration_seed),
+      settings_(settings_for(device.description(), saw.contact_newton_per_mm)),
       watchdog_(device.description().pulse) {}
 
 DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcept {
@@ -34,7 +48,8 @@ DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcep
   return watchdog_.judge(came, raw, ticks);
 }
 
-void DeviceLink::give(const ToolSample& sample, std::int64_t ticks) noexcept {
+void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
+  const ToolSample& sample = output.sample;
   const Vec3 simulated_newton{newton_from_millinewton(sample.force_mn[0]),
                               newton_from_millinewton(sample.force_mn[1]),
                               newton_from_millinewton(sample.force_mn[2])};
@@ -47,9 +62,30 @@ void DeviceLink::give(const ToolSample& sample, std::int64_t ticks) noexcept {
   if (!is_live) historic_ = {};
   const Vec3 felt_newton =
       law_ == ForceLaw::Historic ? historic_newton(simulated_newton, ticks) : simulated_newton;
-  force_ = output_force(output_, *settings_,
-                        {felt_newton, watchdog_.last_good().translation_mm,
-                         static_cast<double>(ticks) * step_s, is_live});
+  const double duration_s = static_cast<double>(ticks) * step_s;
+  const double push_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
+  force_ =
+      output_force(output_, *settings_,
+                   {felt_newton, watchdog_.last_good().translation_mm,
+                    tremble_newton(output, push_newton, duration_s, is_live), duration_s, is_live});
+}
+
+Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, double duration_s,
+                                bool is_live) noexcept {
+  if (!(vibration_scale_ > 0.0)) return {0.0, 0.0, 0.0};
+  const ToolSample& sample = output.sample;
+  VibrationInput input;
+  input.saw_runs = is_live && has(sample.status, ToolStatus::SawOn);
+  input.cycles_per_minute = saw_.cycles_per_minute;
+  input.duration_s = duration_s;
+  if (has(sample.status, ToolStatus::Cutting)) {
+    input.cutting_watt =
+        cutting_watt(output.engaged, saw_.kerf_mm,
+                     feed_rate_mm_s(output.engaged, push_newton, saw_.cycles_per_minute));
+  }
+  const Vec3 along_teeth =
+      transform_direction(transform_from(sample.world_from_tool), Vec3(0.0, 1.0, 0.0));
+  return vibration_scale_ * vibrate(vibration_, input) * along_teeth;
 }
 
 Vec3 DeviceLink::historic_newton(const Vec3& simulated_newton, std::int64_t ticks) noexcept {

@@ -9,11 +9,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "simulator/contact/vibration.h"
 #include "simulator/device/force_output.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/historic_law.h"
 #include "simulator/loop/watchdog.h"
 #include "simulator/record/record.h"
+#include "simulator/step/step.h"
 
 namespace hallux::simulator {
 
@@ -23,11 +25,18 @@ enum class ForceLaw {
   Historic    ///< the thesis's law where the simulation feels bone: for the lesson
 };
 
+/// What the device's force follows besides the steps.
+struct HandledSaw {
+  double contact_newton_per_mm =
+      0.0;  ///< the contact's force is a spring of at most that, simulated
+  double kerf_mm = 0.0;
+  double cycles_per_minute = 0.0;
+};
+
 class DeviceLink {
  public:
-  /// Borrows the device for its lifetime. The contact's force is a spring of at most that stiffness, simulated.
-  DeviceLink(HapticDevice& device, double contact_newton_per_mm,
-             ForceLaw law = ForceLaw::Simulated);
+  /// Borrows the device for its lifetime.
+  DeviceLink(HapticDevice& device, const HandledSaw& saw, ForceLaw law = ForceLaw::Simulated);
   ~DeviceLink() { let_go(); }
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
@@ -36,7 +45,7 @@ class DeviceLink {
   /// thread  haptic; allocates nothing
   DeviceState read(std::int64_t last_tick, std::int64_t ticks) noexcept;
   /// Makes the force for the next exchange of what the step has computed of that state.
-  void give(const ToolSample& sample, std::int64_t ticks) noexcept;
+  void give(const StepOutput& output, std::int64_t ticks) noexcept;
   /// No force from now on, said to the device at once where it has motors; what is given later begins softly.
   void let_go() noexcept;
 
@@ -50,8 +59,15 @@ class DeviceLink {
   /// the simulation: the output scales them.
   Vec3 historic_newton(const Vec3& simulated_newton, std::int64_t ticks) noexcept;
 
+  /// How the running saw trembles along its teeth, for an arm that can render it; newtons of the device.
+  Vec3 tremble_newton(const StepOutput& output, double push_newton, double duration_s,
+                      bool is_live) noexcept;
+
   HapticDevice& device_;
+  HandledSaw saw_;
   ForceLaw law_;
+  double vibration_scale_;  ///< 0: the device renders none
+  VibrationState vibration_;
   HistoricState historic_;
   std::optional<ForceOutputSettings> settings_;
   DeviceWatchdog watchdog_;

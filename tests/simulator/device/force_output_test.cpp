@@ -35,6 +35,7 @@ rc::Gen<ForceInput> any_input() {
     input.simulated_in_world_newton = {part(30, 1.0), part(30, 1.0), part(30, 1.0)};
     input.handle_in_world_mm = {part(5, 0.1), part(5, 0.1),
                                 part(5, 0.1)};  // the way, summed up below
+    input.tremble_in_world_newton = {part(5, 0.1), part(5, 0.1), part(5, 0.1)};
     input.duration_s = 0.001 * *rc::gen::inRange(1, 4);
     const int mishap = *rc::gen::inRange(0, 60);
     input.is_live = mishap != 0;
@@ -42,6 +43,7 @@ rc::Gen<ForceInput> any_input() {
     if (mishap == 2) input.simulated_in_world_newton *= 1.0e300;
     if (mishap == 3) input.handle_in_world_mm.z = infinity;
     if (mishap == 4) input.duration_s = nan;
+    if (mishap == 5) input.tremble_in_world_newton.x = nan;
     return input;
   });
 }
@@ -96,7 +98,8 @@ TEST(ForceOutput, AFaultOrNoNumberIsNoForceAtOnce) {
     run(inputs, [&](const ForceInput& input, const DeviceForce& given, const ForceOutputState&) {
       const Vec3& force = input.simulated_in_world_newton;
       const bool is_number = std::isfinite(force.x) && std::isfinite(force.y) &&
-                             std::isfinite(force.z) && std::isfinite(input.handle_in_world_mm.z);
+                             std::isfinite(force.z) && std::isfinite(input.handle_in_world_mm.z) &&
+                             std::isfinite(input.tremble_in_world_newton.x);
       if (input.is_live && is_number) return;
       RC_ASSERT(given.force_in_world_newton == Vec3(0.0, 0.0, 0.0));
       RC_ASSERT(has(given.limits, ForceLimit::Stopped));
@@ -109,20 +112,21 @@ TEST(ForceOutput, GrowsFromNothingWithinHalfASecondOfEveryStop) {
     const auto inputs = *rc::gen::container<std::vector<ForceInput>>(any_input());
     double since_stop_s = 0.0;
     Vec3 handle_mm(0.0, 0.0, 0.0);
-    run(inputs, [&](const ForceInput& input, const DeviceForce& given,
-                    const ForceOutputState& state) {
-      since_stop_s =
-          has(given.limits, ForceLimit::Stopped) || has(given.limits, ForceLimit::TooFast)
-              ? 0.0
-              : since_stop_s + duration_s(input);
-      const double share = std::min(1.0, since_stop_s / 0.5);
-      RC_ASSERT(state.started_share <= share + 1.0e-9);
-      RC_ASSERT(has(given.limits, ForceLimit::SoftStart) ==
-                (since_stop_s > 0.0 && share < 1.0 - 1e-9));
-      // Besides what has grown only the damper acts, at most 0.005 N s/mm at less than a metre a second.
-      const double most_newton = share * settings.scale * 30.0 * std::sqrt(3.0) + 0.005 * 1000.0;
-      RC_ASSERT(length(given.force_in_world_newton) <= most_newton);
-    });
+    run(inputs,
+        [&](const ForceInput& input, const DeviceForce& given, const ForceOutputState& state) {
+          since_stop_s =
+              has(given.limits, ForceLimit::Stopped) || has(given.limits, ForceLimit::TooFast)
+                  ? 0.0
+                  : since_stop_s + duration_s(input);
+          const double share = std::min(1.0, since_stop_s / 0.5);
+          RC_ASSERT(state.started_share <= share + 1.0e-9);
+          RC_ASSERT(has(given.limits, ForceLimit::SoftStart) ==
+                    (since_stop_s > 0.0 && share < 1.0 - 1e-9));
+          // Besides what has grown only the damper acts, at most 0.005 N s/mm at less than a metre a second.
+          const double most_newton =
+              share * (settings.scale * 30.0 + 0.5) * std::sqrt(3.0) + 0.005 * 1000.0;
+          RC_ASSERT(length(given.force_in_world_newton) <= most_newton);
+        });
   }));
 }
 
