@@ -1,6 +1,7 @@
 #include "ui/app/open_window.h"
 
 #include "ui/app/course.h"
+#include "ui/app/kept_preferences.h"
 #include "ui/app/verb_error.h"
 #include "ui/window/lost_display.h"
 #include "ui/window/window.h"
@@ -17,6 +18,7 @@ ExitCode open_window(const VerbContext& context,
     end_where_display_is_lost(static_cast<int>(ExitCode::NoDisplay));
     Shell shell(Window::wake);
     const Course course(texts, context.data_directory, shell);
+    const PreferenceKeeper keeper(texts, context.data_directory, shell);
     window.run(shell);
   } catch (const WindowError& error) {
     throw VerbError(ExitCode::NoDisplay, error.what());

@@ -39,6 +39,9 @@ struct Quality {
   std::int64_t expected_samples = 0, received_samples = 0;
   std::int64_t missed_ticks = 0, pauses = 0;
   double late_p99_us = 0.0;
+  bool has_priority = false, has_locked_memory = false;  ///< what the system granted the loop
+  double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
+  std::uint32_t force_limits = 0;  ///< bits of simulator::ForceLimit that occurred
 
   bool is_complete() const noexcept { return expected_samples == received_samples; }
 };

@@ -125,7 +125,8 @@ float draw_step(Hud& in, Point at, std::size_t step, bool has_title) {
 /// The steps between mode and state, or below them where there is no room; with the button of the step at hand.
 void draw_steps(Hud& in, float left_used, float right_used) {
   if (in.hud.steps.empty()) return;
-  const ButtonSpec done{in.hud.step_action, ButtonLook::Primary, Icon::None, in.hud.is_step_ready};
+  ButtonSpec done{in.hud.step_action, ButtonLook::Primary, Icon::None, in.hud.is_step_ready};
+  done.is_busy = in.hud.is_step_busy;
   const std::string_view chip = in.ui.text("key.enter");
   const float button_w = done.label.empty() ? 0.0F : button_width(in.ui, done) + 12.0F;
   const float chip_w = done.label.empty() ? 0.0F : key_chip_width(in.ui, chip) + 12.0F;
@@ -295,16 +296,20 @@ void draw_force_at_blade(Hud& in) {
 void draw_health(Hud& in, float y) {
   if (!in.hud.is_health_open) return;
   const OperatingHealth& health = in.hud.health;
-  const std::array<std::pair<const char*, std::string>, 7> rows{
+  const auto granted = [&](bool is_granted) {
+    return std::string(in.ui.text(is_granted ? "operate.yes" : "operate.no"));
+  };
+  const std::array<std::pair<const char*, std::string>, 8> rows{
       {{"operate.health.frame", decimal_text(health.frame_ms) + " ms"},
        {"operate.health.late", grouped(std::lround(health.late_us)) + " µs"},
        {"operate.health.missed", grouped(health.missed_ticks)},
        {"operate.health.pauses", grouped(health.pauses)},
        {"operate.health.rings", grouped(std::lround(100.0 * health.ring_share)) + " %"},
        {"operate.health.triangles", grouped(health.triangles)},
-       {"operate.health.priority",
-        std::string(in.ui.text(health.has_priority ? "operate.yes" : "operate.no"))}}};
-  const Rect rect{in.room.right() - 280.0F, y, 280.0F, 24.0F * 7.0F + 24.0F};
+       {"operate.health.priority", granted(health.has_priority)},
+       {"operate.health.memory", granted(health.has_locked_memory)}}};
+  const Rect rect{in.room.right() - 280.0F, y, 280.0F,
+                  24.0F * static_cast<float>(rows.size()) + 24.0F};
   in.panel("operate.panel.health", rect);
   float line = rect.y + 12.0F;
   for (const auto& [name, value] : rows) {

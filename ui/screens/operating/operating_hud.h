@@ -23,7 +23,7 @@ struct OperatingHealth {
   long missed_ticks = 0, pauses = 0;
   double ring_share = 0.0;
   long triangles = 0;
-  bool has_priority = true;
+  bool has_priority = true, has_locked_memory = true;
   std::string trouble;  ///< a sentence of the catalogue; empty: all is well
 };
 
@@ -33,6 +33,7 @@ struct OperatingHud {
   std::vector<std::string> steps;
   std::size_t step = 0;          ///< at which one is
   std::string_view step_action;  ///< what its button says; "" for none
+  bool is_step_busy = false;     ///< it was pressed, and its work is under way
   bool is_step_ready = true;
   std::string_view saw;  ///< name of the blade
   double blade_width_mm = 0.0, blade_thickness_mm = 0.0;

@@ -374,6 +374,7 @@ OperatingHealth OperatingScreen::health(Ui& ui, Shell& /*shell*/) const {
   health.ring_share = view.ring_share;
   health.triangles = static_cast<long>(triangles_);
   health.has_priority = view.has_priority;
+  health.has_locked_memory = view.has_locked_memory;
   const char* trouble = nullptr;
   if (has(view.sample.status, ToolStatus::Faulted)) {
     trouble = "operate.trouble.device";
@@ -406,6 +407,7 @@ OperatingHud OperatingScreen::hud(Ui& ui, Shell& shell) {
                        : kind == StepKind::Finish ? "operate.step.finish"
                                                   : "operate.step.done";
     hud.step_action = ui.text(verb);
+    hud.is_step_busy = waiting_ != Waiting::Nothing;
     hud.is_step_ready = !is_paused_ && waiting_ == Waiting::Nothing &&
                         (kind != StepKind::Remove || freed_ > removed_);
   }

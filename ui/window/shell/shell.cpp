@@ -15,7 +15,7 @@ namespace {
 
 constexpr double message_s = 6.0, work_shown_after_s = 0.3, work_frame_s = 0.1;
 constexpr float corner = 24.0F, message_gap = 12.0F, badge_inset = 0.06F;
-constexpr float smallest_scale = 0.8F, largest_scale = 2.0F, scale_step = 0.1F;
+constexpr float scale_step = 0.1F;
 constexpr float largest_display_scale =
     3.0F;  // beyond, the fonts' picture outgrows common textures
 
@@ -86,6 +86,12 @@ void Shell::apply_preferences(Ui& ui) {
   ui.want_frame_in_s(0.0);
 }
 
+void Shell::tell_preferences() {
+  if (preferences_ == told_preferences_) return;
+  told_preferences_ = preferences_;
+  if (on_preferences_) on_preferences_(preferences_);
+}
+
 void Shell::draw(Ui& ui, ScenePainter& scenes) {
   scenes_ = &scenes;
   apply_preferences(ui);
@@ -102,6 +108,7 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
   if (is_help_shown_) draw_help(ui);
   draw_messages(ui);
   hear_shortcuts(ui);
+  tell_preferences();
   carry_out(ui);
   scenes_ = &no_scenes_;
 }

@@ -36,11 +36,15 @@ struct Visitor {
 /// What a person prefers; the window keeps it.
 struct Preferences {
   ThemeName theme = ThemeName::Dark;
-  float scale = 1.0F;  ///< 0.8-2.0, of the person; the screen's own scale multiplies it
+  float scale =
+      1.0F;  ///< from smallest_scale to largest_scale, of the person; the screen's own multiplies it
   bool is_full_screen = false;
   bool is_motion_reduced = false;
   bool is_saw_heard = true;
+
+  friend bool operator==(const Preferences&, const Preferences&) = default;
 };
+inline constexpr float smallest_scale = 0.8F, largest_scale = 2.0F;
 
 class Shell {
  public:
@@ -76,6 +80,14 @@ class Shell {
   Background& background() noexcept { return background_; }
 
   Preferences& preferences() noexcept { return preferences_; }
+  /// What was chosen before: no change to be told of.
+  void set_preferences(const Preferences& preferences) noexcept {
+    preferences_ = told_preferences_ = preferences;
+  }
+  /// Called after the frame in which somebody chose otherwise.
+  void on_preferences(std::function<void(const Preferences&)> action) {
+    on_preferences_ = std::move(action);
+  }
   /// The content scale that the desktop asks for on this display; the person's multiplies it.
   void set_display_scale(float scale) noexcept { display_scale_ = scale; }
 
@@ -110,6 +122,7 @@ class Shell {
   void navigate(Ui& ui, const std::string& id);
   void sign_out(Ui& ui);
   void apply_preferences(Ui& ui);
+  void tell_preferences();
   void carry_out(Ui& ui);
 
   std::vector<std::unique_ptr<Screen>> screens_;
@@ -119,7 +132,8 @@ class Shell {
   std::function<void()> on_sign_out_, on_account_;
   std::vector<ShownMessage> messages_;
   int next_message_ = 0;
-  Preferences preferences_;
+  Preferences preferences_, told_preferences_;
+  std::function<void(const Preferences&)> on_preferences_;
   float display_scale_ = 1.0F;
   std::optional<Rect> person_menu_;
   bool is_help_shown_ = false;

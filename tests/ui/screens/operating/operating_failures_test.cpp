@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <ostream>
+
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "tests/support/faulty_vfs.h"
@@ -39,6 +41,8 @@ struct Failure {
   const char* name;
   int code;
   const char* words;
+
+  friend void PrintTo(const Failure& failure, std::ostream* stream) { *stream << failure.words; }
 };
 
 class StorageFailsWhileOperating : public testing::TestWithParam<Failure> {};
