@@ -1,6 +1,7 @@
 #include "simulator/step/step.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "simulator/base/units.h"
 
@@ -39,6 +40,7 @@ StepOutput Operation::step(const StepInput& input) noexcept {
     if (faults_ != 0) note(output, CutEventKind::Fault, -1, faults_);
   }
   announce_pieces(output);
+  carry_out_waiting(output);
   if (is_running() && faults_ == 0) {
     move(input.line, output);
     ask_for_pieces(output);
@@ -99,7 +101,7 @@ void Operation::apply(const Command& command, const JobResult* result,
       pick_up(command.argument, output);
       break;
     case CommandKind::CloseHinge:
-      ask_for_hinge(output);
+      wants_hinge_ = true;
       break;
     case CommandKind::Finish:
     case CommandKind::Abandon:
@@ -116,8 +118,14 @@ void Operation::apply(const Command& command, const JobResult* result,
 void Operation::pause(bool is_now_paused, const Command& command, StepOutput& output) noexcept {
   const bool was_running = is_running();
   (command.argument == paused_by_loop ? is_in_gap_ : is_paused_) = is_now_paused;
-  if (was_running && is_now_paused) note(output, CutEventKind::Paused, command.argument);
-  if (!was_running && is_running()) note(output, CutEventKind::Resumed, command.argument);
+  if (was_running && is_now_paused) {
+    note(output, CutEventKind::Paused, command.argument);
+    is_pause_noted_ = true;
+  }
+  // A gap that began before the start was no pause of the operation.
+  if (!was_running && is_running() && std::exchange(is_pause_noted_, false)) {
+    note(output, CutEventKind::Resumed, command.argument);
+  }
 }
 
 void Operation::apply_job(const JobResult& result, StepOutput& output) noexcept {
@@ -179,11 +187,24 @@ void Operation::follow_wound(StepOutput& output) noexcept {
   output.flex = wound_.flex();
 }
 
+/// What was asked for while the pieces are worked out waits for them: which one is meant is known only then, and one that
+/// is not known yet could be the wedge itself.
+void Operation::carry_out_waiting(StepOutput& output) noexcept {
+  if (is_pieces_waiting_ || is_over_) return;
+  const bool is_all_announced = pieces_ == nullptr || announced_ == pieces_->pieces.size();
+  if (wanted_piece_ != 0 && is_all_announced) pick_up(std::exchange(wanted_piece_, 0), output);
+  if (!wants_hinge_ || wants_pieces_ || output.requests.is_full()) return;
+  wants_hinge_ = false;
+  ask_for_hinge(output);
+}
+
 void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
+  if (is_pieces_waiting_) {
+    wanted_piece_ = piece;
+    return;
+  }
   if (piece == piece_freed_last) piece = freed_last_;
   if (pieces_ == nullptr || piece <= 0 || removed_count_ == removed_piece_limit) return;
-  // The pieces are being numbered anew: which one is meant cannot be known before the job is applied.
-  if (is_pieces_waiting_) return;
   for (const PieceBody& body : pieces_->pieces) {
     if (body.id != piece) continue;
     const Bvh* const bvh = body.bvh.get();
@@ -266,10 +287,9 @@ void Operation::ask_for_pieces(StepOutput& output) noexcept {
   is_pieces_waiting_ = true;
 }
 
-/// Pieces that are not known yet could be the wedge itself: first they, then the hinge.
+/// Not while the blade stands in a kerf that it opened since the pieces were last asked for.
 void Operation::ask_for_hinge(StepOutput& output) noexcept {
-  const bool knows_all = !is_pieces_waiting_ && !wants_pieces_ && !has_opened_;
-  if (!knows_all || is_hinge_waiting_ || is_hinge_closed_ || output.requests.is_full()) return;
+  if (has_opened_ || is_hinge_waiting_ || is_hinge_closed_) return;
   output.requests.push({next_job_++, JobKind::Hinge, -1, tick_});
   is_hinge_waiting_ = true;
 }

@@ -74,6 +74,7 @@ class Operation {
   void apply(const Command& command, const JobResult* result, StepOutput& output) noexcept;
   void apply_job(const JobResult& result, StepOutput& output) noexcept;
   void pause(bool is_now_paused, const Command& command, StepOutput& output) noexcept;
+  void carry_out_waiting(StepOutput& output) noexcept;
   void pick_up(std::int32_t piece, StepOutput& output) noexcept;
   void move(const TapeLine& line, StepOutput& output) noexcept;
   void freeze(StepOutput& output) noexcept;
@@ -115,11 +116,14 @@ class Operation {
   bool has_opened_ = false;         ///< since the pieces were asked for
   bool wants_pieces_ = false;       ///< the blade left a kerf or the bone behind it
   bool is_pieces_waiting_ = false;  ///< asked for, not applied yet
+  std::int32_t wanted_piece_ = 0;   ///< to be picked up once the pieces are known; 0: none
+  bool wants_hinge_ = false;        ///< likewise
   bool is_hinge_waiting_ = false;
   bool is_hinge_closed_ = false;
   bool is_started_ = false;
   bool is_paused_ = false;  ///< by the operator
   bool is_in_gap_ = false;  ///< by the loop
+  bool is_pause_noted_ = false;
   bool is_over_ = false;
 };
 

@@ -169,6 +169,46 @@ TEST(StepJobs, ThePieceThatCameFreeLastCanBePickedUpWithoutItsNumber) {
   EXPECT_EQ(removed[0].subject, run.events(CutEventKind::PieceFreed).at(1).subject);
 }
 
+/// The blade is withdrawn while the pieces of the last stroke are worked out: asked for once more, not applied yet.
+void saw_off_with_pieces_waiting(OperationRun& run, double x_mm) {
+  saw_off(run, x_mm);
+  run.glide(blade_down({-x_mm, above_mm, 0.0}), 50);
+  run.glide(blade_down({-x_mm, top_mm - 10.0, 0.0}), 200);
+  run.hold(900);
+  run.applies_jobs = false;
+  run.glide(blade_down({-x_mm, above_mm + 2.0, 0.0}), 50);
+}
+
+TEST(StepJobs, APieceAskedForWhileThePiecesAreWorkedOutComesAfterThem) {
+  const Bone bone = block();
+  OperationRun run(bone, blade_down({6.0, above_mm, 0.0}));
+  saw_off_with_pieces_waiting(run, 6.0);
+  ASSERT_EQ(run.events(CutEventKind::PieceFreed).size(), 2U);
+  run.step({{CommandKind::PickUp, piece_freed_last, 0}});
+  run.hold(100);
+  EXPECT_TRUE(run.events(CutEventKind::PieceRemoved).empty());
+  run.applies_jobs = true;
+  run.hold(3);
+  const auto removed = run.events(CutEventKind::PieceRemoved);
+  ASSERT_EQ(removed.size(), 1U);
+  EXPECT_EQ(removed[0].subject, run.events(CutEventKind::PieceFreed).at(1).subject);
+  run.hold(100);
+  EXPECT_EQ(run.events(CutEventKind::PieceRemoved).size(), 1U);
+}
+
+TEST(StepJobs, AHingeAskedForWhileThePiecesAreWorkedOutComesAfterThem) {
+  const Bone bone = block();
+  OperationRun run(bone, blade_down({6.0, above_mm, 0.0}));
+  saw_off_with_pieces_waiting(run, 6.0);
+  run.step({{CommandKind::CloseHinge, 0, 0}});
+  run.hold(100);
+  EXPECT_TRUE(run.events(CutEventKind::HingeRefused).empty());
+  run.applies_jobs = true;
+  run.hold(4);
+  EXPECT_EQ(run.events(CutEventKind::HingeRefused).size(), 1U);
+  EXPECT_EQ(run.requests().back().kind, JobKind::Hinge);
+}
+
 TEST(StepJobs, TheLargestPieceIsTheBoneAndStays) {
   const Bone bone = block();
   OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));

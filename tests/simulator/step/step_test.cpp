@@ -68,6 +68,29 @@ TEST(Step, PauseHoldsTheToolAndItsForceUntilResume) {
   EXPECT_EQ(run.events(CutEventKind::Resumed).size(), 1U);
 }
 
+TEST(Step, AGapThatBeganBeforeTheStartIsNoPauseOfTheOperation) {
+  const Bone bone = block();
+  const TissueMap tissue(bone);
+  Operation operation(tissue, bone.world_from_bone, {}, {});
+  TapeLine line;
+  const auto kinds_after = [&](const Command& said) {
+    line.commands[0] = said;
+    line.command_count = 1;
+    std::vector<CutEventKind> kinds;
+    for (const CutEvent& event : operation.step({line, {}}).events) kinds.push_back(event.kind);
+    line.tick += line.ticks;
+    return kinds;
+  };
+  EXPECT_TRUE(kinds_after(command(CommandKind::Pause, paused_by_loop)).empty());
+  EXPECT_EQ(kinds_after(command(CommandKind::Start)), std::vector{CutEventKind::Started});
+  EXPECT_TRUE(kinds_after(command(CommandKind::Resume, paused_by_loop)).empty());
+  EXPECT_TRUE(operation.is_running());
+  EXPECT_EQ(kinds_after(command(CommandKind::Pause, paused_by_loop)),
+            std::vector{CutEventKind::Paused});
+  EXPECT_EQ(kinds_after(command(CommandKind::Resume, paused_by_loop)),
+            std::vector{CutEventKind::Resumed});
+}
+
 TEST(Step, AStepDeclaredDoneIsAnEventThatNamesIt) {
   const Bone bone = block();
   OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));

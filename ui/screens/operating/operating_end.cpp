@@ -15,7 +15,8 @@ namespace {
 using scenarios::StepKind;
 using simulator::CutEventKind;
 
-constexpr double piece_wait_s = 1.0, hinge_wait_s = 20.0;
+/// What was asked for waits for the pieces; they take a slow machine seconds.
+constexpr double longest_wait_s = 20.0;
 constexpr double soon_s = 0.05, shown_after_s = 0.3;
 constexpr float sealing_height = 44.0F;
 constexpr double silence_s = static_cast<double>(simulator::MouseDevice::silence_ticks) * step_s;
@@ -95,12 +96,12 @@ void OperatingScreen::carry_out_step(Ui& ui) {
       break;
     case StepKind::Remove:
       waiting_ = Waiting::Piece;
-      waiting_until_s_ = ui.time_s() + piece_wait_s;
+      waiting_until_s_ = ui.time_s() + longest_wait_s;
       begun_->live->pick_up_freed();
       break;
     case StepKind::Close:
       waiting_ = Waiting::Hinge;
-      waiting_until_s_ = ui.time_s() + hinge_wait_s;
+      waiting_until_s_ = ui.time_s() + longest_wait_s;
       begun_->live->close_hinge();
       break;
     case StepKind::Finish:
