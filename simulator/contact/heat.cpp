@@ -76,7 +76,9 @@ HeatField::HeatField(const BladeSize& blade, const RigidTransform& world_from_bo
       bone_from_world_(inverse(world_from_bone)),
       tooth_speed_mm_s_(mean_tooth_speed_mm_s(blade.depth_mm, cycles_per_minute)),
       cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
-      patches_(static_cast<std::size_t>(2 * kerf_limit * patches_over * patches_over)) {}
+      patches_(static_cast<std::size_t>(2 * kerf_limit * patches_over * patches_over)) {
+  hottest_celsius_.fill(body_celsius);
+}
 
 HeatField::Cell& HeatField::cell(std::int32_t kerf, std::int32_t number) noexcept {
   return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)];
@@ -92,6 +94,10 @@ double HeatField::celsius_at(std::int32_t kerf, const Vec2& place_mm) const noex
   const std::int32_t number = cell_at(place_mm);
   if (number < 0) return body_celsius;
   return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)].celsius;
+}
+
+double HeatField::hottest_now_celsius() const noexcept {
+  return *std::max_element(hottest_celsius_.begin(), hottest_celsius_.end());
 }
 
 double HeatField::dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
@@ -203,6 +209,7 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
   const double span_s = since_s_[group];
   if (!(span_s > 0.0)) return;
   since_s_[group] = 0.0;
+  hottest_celsius_[group] = body_celsius;
   const Cooling dry = cooling_over(span_s, false), rinsed = cooling_over(span_s, true);
   constexpr auto stride = static_cast<std::int32_t>(group_count);
   for (std::int32_t kerf = 0; kerf < kerf_limit; ++kerf) {
@@ -210,7 +217,9 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
     for (auto u = static_cast<std::int32_t>(group); u <= warmed.u_last; u += stride) {
       if (u < warmed.u_first) continue;
       for (std::int32_t v = warmed.v_first; v <= warmed.v_last; ++v) {
-        follow_cell(kerf, u * heat_cells + v, kerf == rinsed_kerf ? rinsed : dry, span_s);
+        const std::int32_t number = u * heat_cells + v;
+        follow_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
+        hottest_celsius_[group] = std::max(hottest_celsius_[group], cell(kerf, number).celsius);
       }
     }
   }

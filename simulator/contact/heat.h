@@ -61,6 +61,8 @@ class HeatField {
   /// The next mark that waits, no sooner than `ticks_per_heat_mark` after the one before.
   bool take_mark(HeatMark& mark) noexcept;
   const HeatSummary& summary() const noexcept { return summary_; }
+  /// Of the hottest cell, as each was followed last: within the last `group_count` samples.
+  double hottest_now_celsius() const noexcept;
   /// Body temperature and 0 outside the cells.
   double celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
   double dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
@@ -114,7 +116,8 @@ class HeatField {
   FixedArray<Cell> cells_;     ///< kerf by kerf, v running fastest
   FixedArray<Patch> patches_;  ///< kind by kind, kerf by kerf
   std::array<Warmed, static_cast<std::size_t>(kerf_limit)> warmed_{};
-  std::array<double, group_count> since_s_{};  ///< per group of rows: time to be followed
+  std::array<double, group_count> since_s_{};        ///< per group of rows: time to be followed
+  std::array<double, group_count> hottest_celsius_;  ///< per group, when it was followed last
   std::array<TissueMemory, tooth_count> teeth_{};
   HeatSummary summary_;
   std::size_t next_group_ = 0;

@@ -60,7 +60,10 @@ ReportMaterial made_up() {
                                     {Vec2{-5.0, -12.0}, Vec2{-5.0, 12.0}},
                                     PictureLine{Vec2{-4.0, -12.0}, Vec2{-6.0, 12.0}},
                                     {"depth landmark", Vec2{-7.0, 4.0}}};
-  material.traces.points = {{0.0, 0.0, {}}, {1.0, 9.5, 3.0}, {2.0, 4.0, {}}};
+  material.traces.points = {
+      {0.0, 0.0, {}, 0.0, 37.0}, {1.0, 9.5, 3.0, 0.5, 62.0}, {2.0, 4.0, {}, 0.0, 51.0}};
+  material.traces.heat.hottest_celsius = 62.4;
+  material.traces.heat.hot_s = 3.26;
   material.traces.marks = {{0.5, "plane frozen"}};
   return material;
 }
@@ -128,6 +131,23 @@ TEST(Report, WhatPeopleTypedIsTextOnly) {
   EXPECT_EQ(html.find('\x01'), std::string::npos);
   const std::string sheet = score_sheet(material);
   EXPECT_EQ(sheet.find('\x01'), std::string::npos);
+}
+
+TEST(Report, SaysHowHotTheBoneBecame) {
+  ReportMaterial material = made_up();
+  EXPECT_NE(html_report(material).find("above 47 °C for 3.3 s, 62 °C at most; none took the dose"),
+            std::string::npos);
+  material.traces.heat.necrotic_mm3 = 6.0;
+  EXPECT_NE(html_report(material).find("6 mm³ took the dose"), std::string::npos);
+  material.traces.heat = {};
+  EXPECT_NE(html_report(material).find("stayed below 47 °C: 37 °C at most"), std::string::npos);
+}
+
+TEST(Report, DrawsForceFeedAdvanceAndHeatOverOneTime) {
+  const std::string html = html_report(made_up());
+  for (const char* curve : {"trace force", "trace feed", "trace advance", "trace heat"}) {
+    EXPECT_EQ(count_of(html, std::string("class=\"") + curve + "\""), 1U) << curve;
+  }
 }
 
 TEST(Report, EveryTagThatOpensCloses) {

@@ -94,10 +94,27 @@ std::string pictures_html(const ReportMaterial& material) {
   return html + "</div></section>";
 }
 
+std::string heat_sentence(const simulator::HeatSummary& heat) {
+  const std::string source =
+      " By the heat model, which no surgeon has reviewed; nothing is scored by it.";
+  if (heat.hottest_celsius <= simulator::hot_celsius) {
+    return "The bone stayed below 47 °C: " + assessment::number_text(heat.hottest_celsius, 0) +
+           " °C at most." + source;
+  }
+  std::string words = "Some bone was above 47 °C for " + assessment::number_text(heat.hot_s, 1) +
+                      " s, " + assessment::number_text(heat.hottest_celsius, 0) + " °C at most; ";
+  words += heat.necrotic_mm3 > 0.0
+               ? assessment::number_text(heat.necrotic_mm3, 0) +
+                     " mm³ took the dose from which bone dies (16 minutes at 43 °C)."
+               : "none took the dose from which bone dies (16 minutes at 43 °C).";
+  return words + source;
+}
+
 std::string traces_html(const ReportMaterial& material) {
   if (material.traces.points.empty()) return "";
-  return "<section><h2>Force and advance</h2><figure class=\"wide\">" + trace_svg(material.traces) +
-         "</figure></section>";
+  return "<section><h2>Force, feed and heat</h2><figure class=\"wide\">" +
+         trace_svg(material.traces) + "<figcaption>" +
+         escaped(heat_sentence(material.traces.heat)) + "</figcaption></figure></section>";
 }
 
 std::string footer_html(const ReportMaterial& material) {

@@ -9,6 +9,7 @@
 
 #include "database/records/score.h"
 #include "simulator/base/vector.h"
+#include "simulator/contact/heat.h"
 
 namespace hallux::ui {
 
@@ -55,6 +56,8 @@ struct TracePoint {
   double time_s = 0.0;
   double force_newton = 0.0;         ///< greatest in this stretch of time
   std::optional<double> advance_mm;  ///< of the teeth in their kerf; nothing outside one
+  double fed_mm = 0.0;               ///< way of the teeth through bone in this stretch
+  double hottest_celsius = simulator::body_celsius;  ///< of all bone, at its end
 };
 
 struct TraceMark {
@@ -65,6 +68,7 @@ struct TraceMark {
 struct Traces {
   std::vector<TracePoint> points;
   std::vector<TraceMark> marks;
+  simulator::HeatSummary heat;  ///< of the whole attempt
 };
 
 struct ReportMaterial {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "assessment/heat_track.h"
 #include "assessment/metrics/face_plane.h"
 #include "simulator/base/units.h"
 #include "ui/report/report_facts.h"
@@ -168,6 +169,8 @@ std::string mark_text(CutEventKind kind) {
       return "piece free";
     case CutEventKind::HingeClosed:
       return "closed";
+    case CutEventKind::DangerContact:
+      return "danger zone";
     default:
       return "";
   }
@@ -182,23 +185,36 @@ double force_newton_of(const ToolSample& sample) {
 
 }  // namespace
 
-Traces traces_of(const Recording& recording, const Bone& bone, const simulator::KerfSet& kerfs,
-                 std::size_t points_max) {
+Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::SawBlade& blade,
+                 const simulator::KerfSet& kerfs, std::size_t points_max) {
   Traces traces;
   const RigidTransform bone_from_world = inverse(bone.world_from_bone);
   const std::size_t count = recording.samples.size();
   const std::size_t stretch = std::max<std::size_t>(1, (count + points_max - 1) / points_max);
+  std::optional<double> before_mm;  // the advance at the sample before, where that cut too
   for (std::size_t index = 0; index < count; ++index) {
     const ToolSample& sample = recording.samples[index];
     if (index % stretch == 0) {
-      traces.points.push_back({second_from_tick(sample.tick), 0.0, std::nullopt});
+      TracePoint point;
+      point.time_s = second_from_tick(sample.tick);
+      traces.points.push_back(point);
     }
     TracePoint& point = traces.points.back();
     point.force_newton = std::max(point.force_newton, force_newton_of(sample));
+    const std::optional<double> last_mm = std::exchange(before_mm, std::nullopt);
     if (sample.kerf < 0 || sample.kerf >= kerfs.count()) continue;
     const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);
     point.advance_mm = planar_pose(kerfs.plane(sample.kerf), bone_from_tool).tip_mm.x;
+    if (!has(sample.status, simulator::ToolStatus::Cutting)) continue;
+    before_mm = point.advance_mm;
+    if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
+  const assessment::HeatTrack heat =
+      assessment::follow_heat(bone, blade.size, blade.cycles_per_minute, recording, stretch);
+  for (std::size_t point = 0; point < traces.points.size(); ++point) {
+    traces.points[point].hottest_celsius = heat.hottest_celsius[point];
+  }
+  traces.heat = heat.summary;
   for (const CutEvent& event : recording.events) {
     const std::string text = mark_text(event.kind);
     if (!text.empty()) traces.marks.push_back({second_from_tick(event.tick), text});
@@ -218,7 +234,7 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
       {"Engine", "version " + std::to_string(card.engine)}};
   if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
   add_pictures(material, scenario, bone, examination);
-  material.traces = traces_of(recording, bone, examination.rebuilt.fields);
+  material.traces = traces_of(recording, bone, scenario.blade, examination.rebuilt.fields);
   return material;
 }
 

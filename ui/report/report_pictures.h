@@ -13,8 +13,9 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const simula
                                const simulator::Recording& recording,
                                const assessment::Examination& examination);
 
-/// Force and advance in at most `points_max` stretches of equal time.
+/// Force, feed, advance and heat in at most `points_max` stretches of equal time.
 Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
-                 const simulator::KerfSet& kerfs, std::size_t points_max = 480);
+                 const scenarios::SawBlade& blade, const simulator::KerfSet& kerfs,
+                 std::size_t points_max = 480);
 
 }  // namespace hallux::ui

@@ -1,0 +1,82 @@
+#include "assessment/heat_track.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/simulator/step/operation_run.h"
+#include "tests/support/worlds.h"
+
+namespace hallux::assessment {
+namespace {
+
+using simulator::body_celsius;
+using simulator::Bone;
+using simulator::HeatSummary;
+using tests::blade_down;
+using tests::OperationRun;
+
+constexpr double top_mm = 4.0;
+constexpr std::size_t stretch = 50;
+
+Bone block() { return tests::cortical_bone(tests::solid_block({30.0, 8.0, 12.0})); }
+
+/// A dry saw is pushed into cortex and leans on it for two seconds, then rests in the air for one.
+void saw_and_rest(OperationRun& run) {
+  run.glide(blade_down({0.0, top_mm + 1.0, 0.0}), 10);
+  run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 200);
+  run.hold(2000);
+  run.switches = 0;
+  run.glide(blade_down({0.0, top_mm + 3.0, 0.0}), 100);
+  run.hold(1000);
+}
+
+HeatTrack track_of(const Bone& bone, const OperationRun& run, const Progress& progress = {}) {
+  return follow_heat(bone, {}, simulator::ContactSettings{}.cycles_per_minute, run.recording(),
+                     stretch, progress);
+}
+
+TEST(HeatTrack, ComesToTheBitToWhatTheStepFollowed) {
+  const Bone bone = block();
+  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
+  saw_and_rest(run);
+  const HeatSummary followed = track_of(bone, run).summary;
+  const HeatSummary& live = run.operation().wound().heat().summary();
+  EXPECT_GT(live.hottest_celsius, body_celsius + 5.0);
+  EXPECT_EQ(followed.hottest_celsius, live.hottest_celsius);
+  EXPECT_EQ(followed.hottest_kerf, live.hottest_kerf);
+  EXPECT_EQ(followed.hottest_place_mm, live.hottest_place_mm);
+  EXPECT_EQ(followed.hot_s, live.hot_s);
+  EXPECT_EQ(followed.greatest_dose_min, live.greatest_dose_min);
+  EXPECT_EQ(followed.necrotic_mm3, live.necrotic_mm3);
+}
+
+TEST(HeatTrack, RisesWhileTheSawRubsAndFallsWhileItRests) {
+  const Bone bone = block();
+  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
+  saw_and_rest(run);
+  const HeatTrack track = track_of(bone, run);
+  ASSERT_EQ(track.hottest_celsius.size(), (run.recording().samples.size() + stretch - 1) / stretch);
+  EXPECT_EQ(track.hottest_celsius.front(), body_celsius);
+  const auto hottest = std::max_element(track.hottest_celsius.begin(), track.hottest_celsius.end());
+  EXPECT_NEAR(*hottest, track.summary.hottest_celsius, 1.0);
+  EXPECT_LE(*hottest, track.summary.hottest_celsius);
+  EXPECT_TRUE(std::is_sorted(hottest, track.hottest_celsius.end(), std::greater<>()));
+  EXPECT_LT(track.hottest_celsius.back() - body_celsius, 0.9 * (*hottest - body_celsius));
+}
+
+TEST(HeatTrack, OfNothingIsEmpty) {
+  const Bone bone = block();
+  const HeatTrack track = follow_heat(bone, {}, 12000.0, {}, stretch);
+  EXPECT_TRUE(track.hottest_celsius.empty());
+  EXPECT_EQ(track.summary.hottest_celsius, body_celsius);
+}
+
+TEST(HeatTrack, CanBeCancelled) {
+  const Bone bone = block();
+  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
+  EXPECT_THROW(track_of(bone, run, [](double) { return false; }), Cancelled);
+}
+
+}  // namespace
+}  // namespace hallux::assessment
