@@ -7,7 +7,6 @@ namespace hallux::assessment {
 
 namespace {
 
-using simulator::CutEvent;
 using simulator::CutEventKind;
 
 constexpr std::size_t samples_per_report = 4096;

@@ -14,9 +14,7 @@ namespace {
 using database::LedgerKind;
 using database::LedgerLine;
 using database::ScoreCard;
-using scenarios::Gate;
 using scenarios::Rubric;
-using scenarios::RubricItem;
 
 /// Accuracy 60, efficiency 40; a value of v loses the share v of its item.
 Rubric two_groups() {

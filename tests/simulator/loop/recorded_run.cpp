@@ -11,11 +11,9 @@ namespace hallux::tests {
 using simulator::AttemptChannels;
 using simulator::Bone;
 using simulator::CommandKind;
-using simulator::CutEvent;
 using simulator::HandMotion;
 using simulator::Recording;
 using simulator::TapeLine;
-using simulator::ToolSample;
 
 namespace {
 

@@ -14,7 +14,6 @@ namespace hallux::ui {
 namespace {
 
 using database::cheap;
-using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;

@@ -13,7 +13,6 @@
 namespace hallux::ui {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 const Texts& no_texts() {

@@ -18,7 +18,6 @@ using scenarios::Stroke;
 using simulator::CutEvent;
 using simulator::CutEventKind;
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 constexpr double overlap_mm = 3.0, hover_mm = 10.0;
 /// How far the pointer runs ahead of the saw: 2/3 N for each millimetre, 16 N.
