@@ -157,6 +157,7 @@ class AttemptRun {
     }
     view_.sample = output.sample;
     view_.engaged = output.engaged;
+    view_.hottest_celsius = output.hottest_celsius;
     view_.lines = statistics_.lines;
     view_.missed_ticks = statistics_.missed_ticks;
     view_.pauses = statistics_.pauses;

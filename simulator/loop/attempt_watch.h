@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "simulator/contact/feed.h"
+#include "simulator/contact/heat_law.h"
 #include "simulator/operation/job.h"
 #include "simulator/record/latest.h"
 #include "simulator/record/record.h"
@@ -21,11 +22,12 @@ namespace hallux::simulator {
 struct LoopView {
   ToolSample sample;
   Engagement engaged;
-  std::int64_t lines = 0;         ///< steps taken; 0: none yet
-  std::int64_t missed_ticks = 0;  ///< that came in one line with the next
-  std::int64_t pauses = 0;        ///< by the loop: gaps beyond three ticks, or a full ring
-  double late_us = 0.0;           ///< the most of the last whole second
-  double ring_share = 0.0;        ///< of the fullest ring towards recorder and geometry
+  double hottest_celsius = body_celsius;  ///< of all bone, by the model
+  std::int64_t lines = 0;                 ///< steps taken; 0: none yet
+  std::int64_t missed_ticks = 0;          ///< that came in one line with the next
+  std::int64_t pauses = 0;                ///< by the loop: gaps beyond three ticks, or a full ring
+  double late_us = 0.0;                   ///< the most of the last whole second
+  double ring_share = 0.0;                ///< of the fullest ring towards recorder and geometry
   Vec3 device_force_newton{0.0, 0.0, 0.0};  ///< that the device is given next, in the world
   std::uint32_t force_limits = 0;  ///< bits of ForceLimit: what made it another than simulated
   bool has_priority = false;       ///< the system runs the loop before all else

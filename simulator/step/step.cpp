@@ -185,6 +185,7 @@ void Operation::follow_wound(StepOutput& output) noexcept {
   CutEvent event;
   while (!output.events.is_full() && wound_.take_event(kerfs_, event)) output.events.push(event);
   output.flex = wound_.flex();
+  output.hottest_celsius = wound_.heat().hottest_now_celsius();
 }
 
 /// What was asked for while the pieces are worked out waits for them: which one is meant is known only then, and one that

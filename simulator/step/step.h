@@ -42,10 +42,11 @@ struct StepInput {
 
 struct StepOutput {
   ToolSample sample;
-  FixedList<CutEvent, 16> events;     ///< before the sample, in order
-  FixedList<JobRequest, 2> requests;  ///< to be run on the state after this step
-  Engagement engaged;                 ///< for displays; not recorded
-  BladeFlex flex;                     ///< likewise
+  FixedList<CutEvent, 16> events;         ///< before the sample, in order
+  FixedList<JobRequest, 2> requests;      ///< to be run on the state after this step
+  Engagement engaged;                     ///< for displays; not recorded
+  BladeFlex flex;                         ///< likewise
+  double hottest_celsius = body_celsius;  ///< of all bone now; likewise
 };
 
 inline constexpr std::size_t removed_piece_limit = 8;

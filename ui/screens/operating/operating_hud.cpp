@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "simulator/base/units.h"
+#include "simulator/contact/heat_law.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/marks.h"
@@ -162,6 +163,21 @@ void draw_steps(Hud& in, float left_used, float right_used) {
   in.answer.step = button(in.ui, "operate.step", place, done);
 }
 
+/// The hottest bone at the right of the line, with a sign from where bone suffers. Returns the width that it takes.
+float draw_heat(Hud& in, const Rect& line) {
+  if (!in.hud.bone_celsius) return 0.0F;
+  const bool is_hot = *in.hud.bone_celsius > simulator::hot_celsius;
+  const std::string words =
+      in.ui.texts().say("operate.bone_heat", {{"celsius", text_of("%.0f", *in.hud.bone_celsius)}});
+  const float words_w = in.ui.width_of(Type::Small, words);
+  in.canvas().text({line.right() - words_w, line.mid_y()},
+                   {Type::Small, is_hot ? in.theme().warn_text : in.theme().text_secondary}, words);
+  if (!is_hot) return words_w + 12.0F;
+  draw_meaning(in.canvas(), in.theme(), Meaning::Warn,
+               {line.right() - words_w - 12.0F, line.mid_y()}, 5.5F);
+  return words_w + 30.0F;
+}
+
 void draw_tool(Hud& in, const Rect& rect) {
   in.panel("operate.panel.tool", rect);
   Canvas& canvas = in.canvas();
@@ -178,8 +194,9 @@ void draw_tool(Hud& in, const Rect& rect) {
   const std::string blade = in.ui.texts().say(
       "operate.blade", {{"width", text_of("%.4g", in.hud.blade_width_mm)},
                         {"thickness", text_of("%.2f", in.hud.blade_thickness_mm)}});
-  canvas.text_in({inner.x, rect.y + 35.0F, inner.w, 20.0F},
-                 {Type::Small, in.theme().text_secondary}, blade);
+  const float heat_w = draw_heat(in, {inner.x, rect.y + 35.0F, inner.w, 20.0F});
+  canvas.text_in({inner.x, rect.y + 35.0F, inner.w - heat_w, 20.0F},
+                 {Type::Small, in.theme().text_secondary}, blade, true);
   const float y = rect.bottom() - 20.0F;
   canvas.disc({inner.x + 5.0F, y}, 5.0F,
               in.hud.is_saw_on ? in.theme().good : in.theme().text_caption);

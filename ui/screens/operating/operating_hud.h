@@ -40,7 +40,8 @@ struct OperatingHud {
   long cycles_per_minute = 0;
   bool is_saw_on = false, is_irrigated = false, is_cutting = false;
   double force_newton = 0.0;
-  std::optional<Point> tip;  ///< of the blade, on the window
+  std::optional<double> bone_celsius;  ///< of the hottest bone, where it is told while operating
+  std::optional<Point> tip;            ///< of the blade, on the window
   std::optional<PlanReading> reading;
   OperatingHealth health;
   bool is_health_open = false;

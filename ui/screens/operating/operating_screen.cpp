@@ -421,6 +421,8 @@ OperatingHud OperatingScreen::hud(Ui& ui, Shell& shell) {
   hud.force_newton = glm::length(force_newton(last_sample_));
   hud.tip = place_on(sight_, transform_from(last_sample_.world_from_tool).translation_mm);
   hud.reading = plan_reading();
+  // Like the read-outs of the plan: help while one learns, none in an assessment.
+  if (is_practice()) hud.bone_celsius = begun_->live->view().hottest_celsius;
   hud.health = health(ui, shell);
   hud.is_health_open = is_health_open_;
   return hud;

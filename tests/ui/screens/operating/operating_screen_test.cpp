@@ -100,9 +100,20 @@ TEST(Operating, AnAssessmentShowsNothingOfThePlan) {
   EXPECT_EQ(person.scenes.planes, 0U);
   EXPECT_EQ(person.scenes.lines, 1U);
   EXPECT_FALSE(person.driver().sees("Tilt across"));
+  EXPECT_FALSE(person.driver().sees("Bone "));
   EXPECT_TRUE(person.driver().sees("Assessment"));
   EXPECT_TRUE(person.driver().sees("Push force"));
   EXPECT_EQ(course.attempt().begun.kind, AttemptKind::Assessment);
+}
+
+TEST(Operating, PracticeTellsHowHotTheBoneIs) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  EXPECT_TRUE(person.driver().sees("Bone 37 °C"));
+  saw_into_the_bone(person);
+  EXPECT_TRUE(person.until([&] { return !person.driver().sees("Bone 37 °C"); }));
+  EXPECT_TRUE(person.driver().sees("Bone ")) << "a dry saw warms it";
 }
 
 TEST(Operating, ItCannotBeLeftWhileItIsRecorded) {
