@@ -7,6 +7,7 @@
 
 #include "ui/report/html_text.h"
 #include "ui/report/report_facts.h"
+#include "ui/report/report_pictures.h"
 #include "ui/report/score_sheet.h"
 
 namespace hallux::ui {
@@ -141,6 +142,41 @@ TEST(Report, SaysHowHotTheBoneBecame) {
   EXPECT_NE(html_report(material).find("6 mm³ took the dose"), std::string::npos);
   material.traces.heat = {};
   EXPECT_NE(html_report(material).find("stayed below 47 °C: 37 °C at most"), std::string::npos);
+}
+
+TEST(Report, SaysWhichDangerZonesTheRunningSawTouched) {
+  ReportMaterial material = made_up();
+  EXPECT_EQ(html_report(material).find("danger zone."), std::string::npos) << "none was watched";
+  material.zones = {{"Flexor tendon", 0, 0.0}, {"Digital nerve", 0, 0.0}};
+  EXPECT_NE(html_report(material).find("touched no danger zone."), std::string::npos);
+  material.zones[1] = {"Digital nerve", 2, 1.26};
+  EXPECT_NE(html_report(material).find("touched: Digital nerve (2 contacts, 1.3 s)."),
+            std::string::npos);
+}
+
+TEST(ZoneContacts, AreCountedAndTimedAndEndWithTheRecording) {
+  scenarios::Scenario scenario;
+  scenario.danger_zones.resize(2);
+  scenario.danger_zones[0].title = "Tendon";
+  scenario.danger_zones[1].title = "Nerve";
+  simulator::Recording recording;
+  recording.samples.resize(1);
+  recording.samples.back().tick = 5000;
+  const auto note = [&](std::int64_t tick, simulator::CutEventKind kind, std::int32_t zone) {
+    recording.events.push_back({tick, kind, zone, 0, {}});
+  };
+  using enum simulator::CutEventKind;
+  note(1000, DangerContact, 1);
+  note(1500, DangerLeft, 1);
+  note(2000, BoneHot, 0);
+  note(3000, DangerContact, 1);
+  note(4000, DangerContact, 7);
+  const std::vector<ZoneContact> contacts = zone_contacts(scenario, recording);
+  ASSERT_EQ(contacts.size(), 2U);
+  EXPECT_EQ(contacts[0].count, 0);
+  EXPECT_EQ(contacts[1].title, "Nerve");
+  EXPECT_EQ(contacts[1].count, 2);
+  EXPECT_DOUBLE_EQ(contacts[1].duration_s, 2.5);
 }
 
 TEST(Report, DrawsForceFeedAdvanceAndHeatOverOneTime) {

@@ -95,26 +95,48 @@ std::string pictures_html(const ReportMaterial& material) {
 }
 
 std::string heat_sentence(const simulator::HeatSummary& heat) {
-  const std::string source =
-      " By the heat model, which no surgeon has reviewed; nothing is scored by it.";
   if (heat.hottest_celsius <= simulator::hot_celsius) {
     return "The bone stayed below 47 °C: " + assessment::number_text(heat.hottest_celsius, 0) +
-           " °C at most." + source;
+           " °C at most.";
   }
   std::string words = "Some bone was above 47 °C for " + assessment::number_text(heat.hot_s, 1) +
                       " s, " + assessment::number_text(heat.hottest_celsius, 0) + " °C at most; ";
-  words += heat.necrotic_mm3 > 0.0
-               ? assessment::number_text(heat.necrotic_mm3, 0) +
-                     " mm³ took the dose from which bone dies (16 minutes at 43 °C)."
-               : "none took the dose from which bone dies (16 minutes at 43 °C).";
-  return words + source;
+  words +=
+      heat.necrotic_mm3 > 0.0 ? assessment::number_text(heat.necrotic_mm3, 0) + " mm³" : "none";
+  return words + " took the dose from which bone dies (16 minutes at 43 °C).";
+}
+
+std::string bend_sentence(double deflection_mm) {
+  return "The blade bent by up to " + assessment::number_text(deflection_mm, 2) + " mm.";
+}
+
+/// Nothing where nothing was watched.
+std::string zones_sentence(const std::vector<ZoneContact>& zones) {
+  if (zones.empty()) return "";
+  std::string touched;
+  for (const ZoneContact& zone : zones) {
+    if (zone.count == 0) continue;
+    touched += (touched.empty() ? "" : "; ") + zone.title + " (" + std::to_string(zone.count) +
+               (zone.count == 1 ? " contact, " : " contacts, ") +
+               assessment::number_text(zone.duration_s, 1) + " s)";
+  }
+  return touched.empty() ? "The running saw touched no danger zone."
+                         : "The running saw touched: " + touched + ".";
+}
+
+std::string wound_words(const ReportMaterial& material) {
+  std::string words = heat_sentence(material.traces.heat) + " " +
+                      bend_sentence(material.traces.greatest_deflection_mm) + " ";
+  const std::string zones = zones_sentence(material.zones);
+  if (!zones.empty()) words += zones + " ";
+  return words + "All of this is by models that no surgeon has reviewed; nothing is scored by it.";
 }
 
 std::string traces_html(const ReportMaterial& material) {
   if (material.traces.points.empty()) return "";
   return "<section><h2>Force, feed and heat</h2><figure class=\"wide\">" +
-         trace_svg(material.traces) + "<figcaption>" +
-         escaped(heat_sentence(material.traces.heat)) + "</figcaption></figure></section>";
+         trace_svg(material.traces) + "<figcaption>" + escaped(wound_words(material)) +
+         "</figcaption></figure></section>";
 }
 
 std::string footer_html(const ReportMaterial& material) {

@@ -68,7 +68,15 @@ struct TraceMark {
 struct Traces {
   std::vector<TracePoint> points;
   std::vector<TraceMark> marks;
-  simulator::HeatSummary heat;  ///< of the whole attempt
+  simulator::HeatSummary heat;          ///< of the whole attempt
+  double greatest_deflection_mm = 0.0;  ///< of the blade, by its bending
+};
+
+/// What a danger zone had of the running saw.
+struct ZoneContact {
+  std::string title;
+  int count = 0;
+  double duration_s = 0.0;
 };
 
 struct ReportMaterial {
@@ -82,6 +90,7 @@ struct ReportMaterial {
   std::vector<FacePicture> faces;         ///< one per planned cut
   std::optional<FrontalPicture> frontal;
   Traces traces;
+  std::vector<ZoneContact> zones;
 };
 
 }  // namespace hallux::ui

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "assessment/heat_track.h"
 #include "assessment/metrics/face_plane.h"
+#include "assessment/wound_track.h"
 #include "simulator/base/units.h"
 #include "ui/report/report_facts.h"
 
@@ -27,6 +27,9 @@ using simulator::ToolSample;
 constexpr double slice_mm = 0.01;
 /// Lines of planes reach this far beyond the bone.
 constexpr double line_overhang_mm = 3.0;
+
+/// Recordings of earlier ones say nothing of danger zones.
+constexpr std::int32_t first_engine_that_watched_zones = 3;
 
 const Vec3 distal{1.0, 0.0, 0.0}, dorsal{0.0, 1.0, 0.0}, lateral{0.0, 0.0, 1.0};
 
@@ -185,6 +188,34 @@ double force_newton_of(const ToolSample& sample) {
 
 }  // namespace
 
+std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,
+                                       const Recording& recording) {
+  std::vector<ZoneContact> contacts;
+  for (const scenarios::DangerZone& zone : scenario.danger_zones) {
+    contacts.push_back({zone.title, 0, 0.0});
+  }
+  std::vector<std::optional<std::int64_t>> begun(contacts.size());
+  const auto end_contact = [&](std::size_t zone, std::int64_t tick) {
+    if (const auto from = std::exchange(begun[zone], std::nullopt)) {
+      contacts[zone].duration_s += second_from_tick(tick - *from);
+    }
+  };
+  for (const CutEvent& event : recording.events) {
+    const auto zone = static_cast<std::size_t>(event.subject);
+    const bool is_contact = event.kind == CutEventKind::DangerContact;
+    if ((!is_contact && event.kind != CutEventKind::DangerLeft) || zone >= contacts.size())
+      continue;
+    end_contact(zone, event.tick);
+    if (!is_contact) continue;
+    ++contacts[zone].count;
+    begun[zone] = event.tick;
+  }
+  for (std::size_t zone = 0; zone < contacts.size() && !recording.samples.empty(); ++zone) {
+    end_contact(zone, recording.samples.back().tick);
+  }
+  return contacts;
+}
+
 Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::SawBlade& blade,
                  const simulator::KerfSet& kerfs, std::size_t points_max) {
   Traces traces;
@@ -209,12 +240,13 @@ Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::
     before_mm = point.advance_mm;
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
-  const assessment::HeatTrack heat =
-      assessment::follow_heat(bone, blade.size, blade.cycles_per_minute, recording, stretch);
+  const assessment::WoundTrack wound = assessment::follow_wound(
+      bone, {blade.size, blade.cycles_per_minute, blade.thickness_mm}, recording, stretch);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
-    traces.points[point].hottest_celsius = heat.hottest_celsius[point];
+    traces.points[point].hottest_celsius = wound.hottest_celsius[point];
   }
-  traces.heat = heat.summary;
+  traces.heat = wound.heat;
+  traces.greatest_deflection_mm = wound.greatest_deflection_mm;
   for (const CutEvent& event : recording.events) {
     const std::string text = mark_text(event.kind);
     if (!text.empty()) traces.marks.push_back({second_from_tick(event.tick), text});
@@ -234,6 +266,9 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
       {"Engine", "version " + std::to_string(card.engine)}};
   if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
   add_pictures(material, scenario, bone, examination);
+  if (recording.engine >= first_engine_that_watched_zones) {
+    material.zones = zone_contacts(scenario, recording);
+  }
   material.traces = traces_of(recording, bone, scenario.blade, examination.rebuilt.fields);
   return material;
 }

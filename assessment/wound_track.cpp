@@ -1,4 +1,7 @@
-#include "assessment/heat_track.h"
+#include "assessment/wound_track.h"
+
+#include <algorithm>
+#include <cmath>
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/kerf_set.h"
@@ -13,14 +16,15 @@ constexpr std::size_t samples_per_report = 4096;
 
 }  // namespace
 
-HeatTrack follow_heat(const simulator::Bone& bone, const simulator::BladeSize& blade,
-                      double cycles_per_minute, const simulator::Recording& recording,
-                      std::size_t stretch, const Progress& progress) {
+WoundTrack follow_wound(const simulator::Bone& bone, const SawOfRecord& saw,
+                        const simulator::Recording& recording, std::size_t stretch,
+                        const Progress& progress) {
   CHECK(stretch > 0);
   const simulator::TissueMap tissue(bone);
-  simulator::KerfSet kerfs(blade, bone.world_from_bone);
-  simulator::HeatField heat(blade, bone.world_from_bone, cycles_per_minute);
-  HeatTrack track;
+  simulator::KerfSet kerfs(saw.blade, bone.world_from_bone);
+  simulator::Wound wound(bone.world_from_bone, saw.blade, saw.cycles_per_minute,
+                         {{}, saw.thickness_mm});
+  WoundTrack track;
   auto event = recording.events.begin();
   const std::size_t count = recording.samples.size();
   for (std::size_t index = 0; index < count; ++index) {
@@ -29,14 +33,16 @@ HeatTrack follow_heat(const simulator::Bone& bone, const simulator::BladeSize& b
       if (event->kind == CutEventKind::PlaneFrozen) kerfs.freeze(event->pose);
     }
     kerfs.follow(sample);
-    heat.follow(sample, {tissue, kerfs, {}});
+    wound.follow(sample, {tissue, kerfs, {}});
+    track.greatest_deflection_mm =
+        std::max(track.greatest_deflection_mm, std::abs(wound.flex().deflection_mm));
     const bool ends_stretch = (index + 1) % stretch == 0 || index + 1 == count;
-    if (ends_stretch) track.hottest_celsius.push_back(heat.hottest_now_celsius());
+    if (ends_stretch) track.hottest_celsius.push_back(wound.heat().hottest_now_celsius());
     if (index % samples_per_report == 0) {
       report(progress, static_cast<double>(index) / static_cast<double>(count));
     }
   }
-  track.summary = heat.summary();
+  track.heat = wound.heat().summary();
   report(progress, 1.0);
   return track;
 }

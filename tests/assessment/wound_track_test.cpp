@@ -1,8 +1,10 @@
-#include "assessment/heat_track.h"
+#include "assessment/wound_track.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "tests/simulator/step/operation_run.h"
 #include "tests/support/worlds.h"
@@ -31,16 +33,16 @@ void saw_and_rest(OperationRun& run) {
   run.hold(1000);
 }
 
-HeatTrack track_of(const Bone& bone, const OperationRun& run, const Progress& progress = {}) {
-  return follow_heat(bone, {}, simulator::ContactSettings{}.cycles_per_minute, run.recording(),
-                     stretch, progress);
+WoundTrack track_of(const Bone& bone, const OperationRun& run, const Progress& progress = {}) {
+  return follow_wound(bone, {{}, simulator::ContactSettings{}.cycles_per_minute, 0.4},
+                      run.recording(), stretch, progress);
 }
 
-TEST(HeatTrack, ComesToTheBitToWhatTheStepFollowed) {
+TEST(WoundTrack, ComesToTheBitToWhatTheStepFollowed) {
   const Bone bone = block();
   OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
   saw_and_rest(run);
-  const HeatSummary followed = track_of(bone, run).summary;
+  const HeatSummary followed = track_of(bone, run).heat;
   const HeatSummary& live = run.operation().wound().heat().summary();
   EXPECT_GT(live.hottest_celsius, body_celsius + 5.0);
   EXPECT_EQ(followed.hottest_celsius, live.hottest_celsius);
@@ -51,28 +53,45 @@ TEST(HeatTrack, ComesToTheBitToWhatTheStepFollowed) {
   EXPECT_EQ(followed.necrotic_mm3, live.necrotic_mm3);
 }
 
-TEST(HeatTrack, RisesWhileTheSawRubsAndFallsWhileItRests) {
+TEST(WoundTrack, RisesWhileTheSawRubsAndFallsWhileItRests) {
   const Bone bone = block();
   OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
   saw_and_rest(run);
-  const HeatTrack track = track_of(bone, run);
+  const WoundTrack track = track_of(bone, run);
   ASSERT_EQ(track.hottest_celsius.size(), (run.recording().samples.size() + stretch - 1) / stretch);
   EXPECT_EQ(track.hottest_celsius.front(), body_celsius);
   const auto hottest = std::max_element(track.hottest_celsius.begin(), track.hottest_celsius.end());
-  EXPECT_NEAR(*hottest, track.summary.hottest_celsius, 1.0);
-  EXPECT_LE(*hottest, track.summary.hottest_celsius);
+  EXPECT_NEAR(*hottest, track.heat.hottest_celsius, 1.0);
+  EXPECT_LE(*hottest, track.heat.hottest_celsius);
   EXPECT_TRUE(std::is_sorted(hottest, track.hottest_celsius.end(), std::greater<>()));
   EXPECT_LT(track.hottest_celsius.back() - body_celsius, 0.9 * (*hottest - body_celsius));
 }
 
-TEST(HeatTrack, OfNothingIsEmpty) {
+TEST(WoundTrack, KnowsHowFarTheBladeBent) {
   const Bone bone = block();
-  const HeatTrack track = follow_heat(bone, {}, 12000.0, {}, stretch);
-  EXPECT_TRUE(track.hottest_celsius.empty());
-  EXPECT_EQ(track.summary.hottest_celsius, body_celsius);
+  OperationRun straight(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
+  straight.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 1500);
+  OperationRun aside(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
+  aside.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 1500);
+  double greatest_mm = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const double aside_mm = 0.01 * i;
+    const simulator::StepOutput output = aside.glide(blade_down({aside_mm, top_mm - 8.0, 0.0}), 1);
+    greatest_mm = std::max(greatest_mm, std::abs(output.flex.deflection_mm));
+  }
+  EXPECT_GT(greatest_mm, 0.01);
+  EXPECT_GE(track_of(bone, aside).greatest_deflection_mm, greatest_mm);
+  EXPECT_LT(track_of(bone, straight).greatest_deflection_mm, 0.5 * greatest_mm);
 }
 
-TEST(HeatTrack, CanBeCancelled) {
+TEST(WoundTrack, OfNothingIsEmpty) {
+  const Bone bone = block();
+  const WoundTrack track = follow_wound(bone, {{}, 12000.0, 0.4}, {}, stretch);
+  EXPECT_TRUE(track.hottest_celsius.empty());
+  EXPECT_EQ(track.heat.hottest_celsius, body_celsius);
+}
+
+TEST(WoundTrack, CanBeCancelled) {
   const Bone bone = block();
   OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
   EXPECT_THROW(track_of(bone, run, [](double) { return false; }), Cancelled);

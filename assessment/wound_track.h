@@ -1,0 +1,38 @@
+/// What an attempt did to the bone beside the cut, followed again from its samples as the step followed it: heat, and how
+/// far the blade bent.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "assessment/progress.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/record.h"
+#include "simulator/step/wound.h"
+
+namespace hallux::assessment {
+
+struct WoundTrack {
+  /// Of the hottest bone at the end of each stretch [degrees Celsius].
+  std::vector<double> hottest_celsius;
+  simulator::HeatSummary heat;          ///< of the whole recording
+  double greatest_deflection_mm = 0.0;  ///< of the blade along its normal, without sign
+};
+
+/// The saw that made a recording.
+struct SawOfRecord {
+  simulator::BladeSize blade;
+  double cycles_per_minute = 0.0;
+  double thickness_mm = 0.0;  ///< of the steel
+};
+
+/// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still leads heat away here: a
+/// recording holds no bodies of pieces.
+/// needs   recording's samples and events are in the order of their ticks; stretch > 0
+/// errors  Cancelled
+/// thread  any
+WoundTrack follow_wound(const simulator::Bone& bone, const SawOfRecord& saw,
+                        const simulator::Recording& recording, std::size_t stretch,
+                        const Progress& progress = {});
+
+}  // namespace hallux::assessment
