@@ -108,6 +108,7 @@ class AttemptRun {
 
  private:
   double fraction_done() const {
+    if (setup_.attempt_operator != nullptr) return setup_.attempt_operator->fraction_done();
     return static_cast<double>(tick_) /
            static_cast<double>(std::max<std::int64_t>(1, setup_.last_tick));
   }
@@ -199,6 +200,7 @@ class AttemptRun {
     step_times_.add(Clock::now() - before);
 
     device_.give(output, ticks);
+    if (setup_.attempt_operator != nullptr) setup_.attempt_operator->see(output);
     statistics_.force_limits |= device_.limits();
     push(channels_.tape, line);
     for (const CutEvent& event : output.events) push(channels_.events, event);
@@ -224,6 +226,10 @@ class AttemptRun {
       add(setup_.commands[next_command_++].command, nullptr);
     }
     Command live;
+    while (setup_.attempt_operator != nullptr && line.command_count < commands_per_tick &&
+           setup_.attempt_operator->take_command(live)) {
+      add(live, nullptr);
+    }
     while (setup_.watch != nullptr && line.command_count < commands_per_tick &&
            setup_.watch->commands.pop(live)) {
       add(live, nullptr);

@@ -9,6 +9,7 @@
 #include "simulator/contact/tool_motion.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/scripted.h"
+#include "simulator/loop/attempt_operator.h"
 #include "simulator/loop/attempt_watch.h"
 #include "simulator/loop/device_link.h"
 #include "simulator/loop/jobs.h"
@@ -34,6 +35,8 @@ struct AttemptSetup {
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
   WoundSettings wound = {};                ///< danger zones and the blade's steel
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
+  AttemptOperator* attempt_operator =
+      nullptr;  ///< who answers to what comes out; outlives the attempt
 };
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };

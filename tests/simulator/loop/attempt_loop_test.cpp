@@ -42,6 +42,50 @@ TEST(VirtualLoop, PushesEveryLineAndEverySample) {
   }
 }
 
+/// Starts, sees a hundred steps, and finishes.
+class CountingOperator final : public AttemptOperator {
+ public:
+  void see(const StepOutput& output) noexcept override { seen_tick = output.sample.tick; }
+  bool take_command(Command& command) noexcept override {
+    const bool is_first = said == 0, is_last = said == 1 && seen_tick == 99;
+    if (!is_first && !is_last) return false;
+    command = {is_first ? CommandKind::Start : CommandKind::Finish, 0, 0};
+    ++said;
+    return true;
+  }
+  double fraction_done() const noexcept override { return 0.25; }
+
+  std::int64_t seen_tick = -1;
+  int said = 0;
+};
+
+TEST(VirtualLoop, AnOperatorSeesEachStepAndItsCommandsStandOnTheNextLine) {
+  VirtualAttempt attempt;
+  CountingOperator counting;
+  attempt.setup.commands.clear();
+  attempt.setup.attempt_operator = &counting;
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
+  EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
+  ASSERT_EQ(run.recording.tape.size(), 101U);
+  EXPECT_EQ(run.recording.tape.front().commands[0].kind, CommandKind::Start);
+  EXPECT_EQ(run.recording.tape.back().command_count, 1U);
+  EXPECT_EQ(run.recording.tape.back().commands[0].kind, CommandKind::Finish);
+  EXPECT_EQ(counting.seen_tick, 100);
+}
+
+TEST(VirtualLoop, TellsHowFarItsOperatorIs) {
+  VirtualAttempt attempt;
+  CountingOperator counting;
+  counting.said = 2;
+  attempt.setup.attempt_operator = &counting;
+  double told = 0.0;
+  tests::record(attempt.setup, attempt.device, 4096, [&](double fraction) {
+    told = fraction;
+    return true;
+  });
+  EXPECT_EQ(told, 0.25);
+}
+
 TEST(VirtualLoop, EventsComeInTheOrderOfTheirTicks) {
   VirtualAttempt attempt;
   const tests::RecordedRun run = tests::record(attempt.setup, attempt.device);
