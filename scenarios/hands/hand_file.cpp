@@ -1,7 +1,8 @@
+#include "scenarios/hands/hand_file.h"
+
 #include <cmath>
 #include <cstdint>
 
-#include "scenarios/hands/scripted_hand.h"
 #include "scenarios/json_node.h"
 #include "simulator/base/units.h"
 

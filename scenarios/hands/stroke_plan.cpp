@@ -48,21 +48,19 @@ Stroke stroke_at(const simulator::SectionRegion& region, double along_mm, double
 
 }  // namespace
 
-std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region, double blade_width_mm,
-                                 double overlap_mm) {
-  constexpr double margin_mm = 1.5;
-  const double low_mm = region.min_mm.y - margin_mm;
-  const double high_mm = region.max_mm.y + margin_mm;
-  const double span_mm = high_mm - low_mm;
-  const double step_mm = blade_width_mm - overlap_mm;
-  const int count =
-      1 + std::max(0, static_cast<int>(std::ceil((span_mm - blade_width_mm) / step_mm)));
+std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region,
+                                 const StrokeLayout& layout) {
+  const double low_mm = region.min_mm.y - layout.margin_mm;
+  const double high_mm = region.max_mm.y + layout.margin_mm;
+  const double spare_mm = high_mm - low_mm - layout.blade_width_mm;
+  const double step_mm = layout.blade_width_mm - layout.overlap_mm;
+  const int count = 1 + std::max(0, static_cast<int>(std::ceil(spare_mm / step_mm)));
   const double middle_mm = 0.5 * (low_mm + high_mm);
-  const double spread_mm = count > 1 ? (span_mm - blade_width_mm) / (count - 1) : 0.0;
+  const double spread_mm = count > 1 ? spare_mm / (count - 1) : 0.0;
   std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
     const double along_mm = middle_mm + spread_mm * (i - 0.5 * (count - 1));
-    strokes.push_back(stroke_at(region, along_mm, blade_width_mm));
+    strokes.push_back(stroke_at(region, along_mm, layout.blade_width_mm));
   }
   // From the middle outwards: each stroke after the first has an open slot beside it to drop into.
   std::stable_sort(strokes.begin(), strokes.end(), [middle_mm](const Stroke& a, const Stroke& b) {
@@ -71,18 +69,14 @@ std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region, double 
   return strokes;
 }
 
-std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm, int looks) {
+std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm) {
   std::vector<Stroke> shorter;
-  for (const Stroke& stroke : strokes) {
+  for (Stroke stroke : strokes) {
     if (stroke.first_mm >= stop_mm) continue;
-    for (int part = 1; part <= looks + 1; ++part) {
-      const double share = static_cast<double>(part) / (looks + 1);
-      Stroke broken_off = stroke;
-      broken_off.end_mm = stroke.first_mm + share * (stop_mm - stroke.first_mm);
-      broken_off.last_mm = std::min(stroke.last_mm, broken_off.end_mm);
-      broken_off.stops_in_bone = true;
-      shorter.push_back(broken_off);
-    }
+    stroke.end_mm = stop_mm;
+    stroke.last_mm = std::min(stroke.last_mm, stop_mm);
+    stroke.stops_in_bone = true;
+    shorter.push_back(stroke);
   }
   return shorter;
 }

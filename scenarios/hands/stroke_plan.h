@@ -17,12 +17,17 @@ struct Stroke {
   bool stops_in_bone = false;
 };
 
-/// needs   0 < overlap_mm < blade_width_mm
-std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region, double blade_width_mm,
-                                 double overlap_mm);
+struct StrokeLayout {
+  double blade_width_mm = 12.0;
+  double overlap_mm = 3.0;
+  double margin_mm = 1.5;  ///< by which the outermost strokes reach beyond the sides of the section
+};
 
-/// The strokes, ended at a line across the feed. Each is broken off `looks` times on its way, at even distances, and begun
-/// again. A stroke whose bone begins beyond the line is left out.
-std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm, int looks);
+/// needs   0 < overlap < blade width
+std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region,
+                                 const StrokeLayout& layout);
+
+/// The strokes, ended at a line across the feed. A stroke whose bone begins beyond the line is left out.
+std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm);
 
 }  // namespace hallux::scenarios

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <vector>
 
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/hand_file.h"
 #include "simulator/base/units.h"
 #include "ui/app/access.h"
 #include "ui/app/card_json.h"

@@ -8,7 +8,7 @@
 #include "database/assets.h"
 #include "database/recordings.h"
 #include "scenarios/foot/first_metatarsal.h"
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/feeling_hand.h"
 #include "scenarios/planned_bridge.h"
 #include "simulator/device/force_output.h"
 #include "simulator/device/scripted.h"
@@ -84,6 +84,23 @@ std::vector<std::string> names_of_limits(std::uint32_t bits) {
   return found;
 }
 
+/// The motion from the file, or the hand of that name and seed; `setup` is told how long it takes and who says commands.
+std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt,
+                                                  const simulator::Bone& bone,
+                                                  const scenarios::Plan& plan,
+                                                  simulator::AttemptSetup& setup) {
+  if (attempt.motion) {
+    setup.commands = attempt.motion->commands;
+    setup.last_tick = attempt.motion->last_tick() + 1;
+    return std::make_unique<simulator::ScriptedDevice>(*attempt.motion);
+  }
+  auto hand = std::make_unique<scenarios::FeelingHand>(
+      attempt.scenario, bone, plan, scenarios::hand_skill(attempt.hand), attempt.seed);
+  setup.last_tick = scenarios::FeelingHand::last_tick;
+  setup.attempt_operator = hand.get();
+  return hand;
+}
+
 }  // namespace
 
 std::string quality_json(const Quality& quality) {
@@ -124,16 +141,9 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   const simulator::Bone bone = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);
-  simulator::HandMotion motion = attempt.motion
-                                     ? *attempt.motion
-                                     : make_hand(attempt.scenario, bone, plan,
-                                                 scenarios::hand_skill(attempt.hand), attempt.seed)
-                                           .motion;
   simulator::AttemptSetup setup = attempt_setup(attempt.scenario, bone, plan);
   setup.pacing = attempt.pacing;
-  setup.commands = motion.commands;
-  setup.last_tick = motion.last_tick() + 1;
-  simulator::ScriptedDevice device(std::move(motion));
+  const std::unique_ptr<simulator::HapticDevice> device = hand_for(attempt, bone, plan, setup);
 
   AttemptOutcome outcome;
   simulator::AttemptChannels channels;
@@ -142,7 +152,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
                               channels);
   outcome.attempt = recorder.attempt();
   const auto operating = progress("Operating");
-  outcome.loop = run_attempt(setup, device, channels, operating);
+  outcome.loop = run_attempt(setup, *device, channels, operating);
   outcome.recorder = recorder.drain();
   if (outcome.loop.end == simulator::AttemptEnd::Cancelled) {
     throw Cancelled("stopped while operating; attempt " + outcome.attempt.text +

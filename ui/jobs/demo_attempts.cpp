@@ -4,10 +4,8 @@
 #include <chrono>
 #include <thread>
 
-#include "scenarios/hands/scripted_hand.h"
-#include "scenarios/planned_bridge.h"
+#include "scenarios/hands/feeling_hand.h"
 #include "scenarios/scenario_error.h"
-#include "simulator/device/scripted.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
@@ -18,15 +16,14 @@ constexpr int other_seeds_max = 20;
 constexpr std::uint64_t seed_stride = 10'000;
 /// Of an attempt's time, about so much goes into operating; the rest is scoring.
 constexpr double operating_part = 0.8;
-/// Nobody takes from the rings before the attempt has ended: they hold all of it.
-constexpr std::size_t spare_rows = 1024;
+/// Far more than come between two reports of progress, a few hundred lines.
+constexpr std::size_t ring_capacity = 32768;
 
-simulator::HandMotion aimed_motion(const DemoOperation& operation, DemoAttempt& planned) {
+scenarios::FeelingHand aimed_hand(const DemoOperation& operation, DemoAttempt& planned) {
   for (int i = 0;; ++i) {
     try {
-      return make_hand(operation.scenario, operation.bone, operation.plan,
-                       skill_between(planned.skill), planned.seed)
-          .motion;
+      return {operation.scenario, operation.bone, operation.plan, skill_between(planned.skill),
+              planned.seed};
     } catch (const scenarios::ScenarioError&) {
       if (i == other_seeds_max) throw;
       planned.seed += seed_stride;
@@ -40,13 +37,10 @@ void drain(simulator::Ring<Row>& ring, std::vector<Row>& rows) {
   while (ring.pop(row)) rows.push_back(row);
 }
 
-simulator::Recording drained(simulator::AttemptChannels& channels) {
-  simulator::Recording recording;
+void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recording) {
   drain(channels.tape, recording.tape);
   drain(channels.samples, recording.samples);
   drain(channels.events, recording.events);
-  recording.engine = simulator::engine_version;
-  return recording;
 }
 
 }  // namespace
@@ -55,26 +49,19 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
                                   const std::function<bool(double)>& progress) {
   OperatedAttempt operated;
   operated.planned = planned;
-  simulator::HandMotion motion = aimed_motion(operation, operated.planned);
-  const std::int64_t last_tick = motion.last_tick() + 1;
-  const simulator::AttemptSetup setup{operation.bone,
-                                      operation.scenario.blade.size,
-                                      contact_settings(operation.scenario),
-                                      planned_bridge(operation.plan),
-                                      simulator::Pacing::Virtual,
-                                      motion.commands,
-                                      last_tick,
-                                      {},
-                                      nullptr,
-                                      wound_settings(operation.scenario, operation.plan)};
-  simulator::ScriptedDevice device(std::move(motion));
-  simulator::AttemptChannels channels{static_cast<std::size_t>(last_tick) + spare_rows};
-  operated.loop = run_attempt(setup, device, channels,
-                              [&](double part) { return progress(operating_part * part); });
+  scenarios::FeelingHand hand = aimed_hand(operation, operated.planned);
+  simulator::AttemptSetup setup = attempt_setup(operation.scenario, operation.bone, operation.plan);
+  setup.last_tick = scenarios::FeelingHand::last_tick;
+  setup.attempt_operator = &hand;
+  simulator::AttemptChannels channels{ring_capacity};
+  operated.loop = run_attempt(setup, hand, channels, [&](double part) {
+    drain_all(channels, operated.recording);
+    return progress(operating_part * part);
+  });
   if (operated.loop.end == simulator::AttemptEnd::Cancelled) {
     throw Cancelled("stopped while operating; nothing was stored");
   }
-  operated.recording = drained(channels);
+  drain_all(channels, operated.recording);
   operated.card = assessment::assess(
       operation.scenario, operation.bone, operated.recording,
       [&](double part) { return progress(operating_part + (1.0 - operating_part) * part); });

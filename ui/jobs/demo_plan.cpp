@@ -59,20 +59,29 @@ scenarios::HandSkill skill_between(double skill) {
   const auto mixed = [&](double scenarios::HandSkill::*size) {
     return between(novice.*size, expert.*size, skill);
   };
+  const auto mixed_into = [&](auto& part, auto scenarios::HandSkill::*whole, auto... sizes) {
+    ((part.*sizes = between(novice.*whole.*sizes, expert.*whole.*sizes, skill)), ...);
+  };
+  using scenarios::Cooling, scenarios::Perception, scenarios::Push;
   scenarios::HandSkill hand;
   for (const auto size :
        {&scenarios::HandSkill::angle_mean_deg, &scenarios::HandSkill::angle_deviation_deg,
         &scenarios::HandSkill::location_mean_mm, &scenarios::HandSkill::location_deviation_mm,
         &scenarios::HandSkill::wander_mm, &scenarios::HandSkill::wander_rad,
         &scenarios::HandSkill::stroke_jitter_mm, &scenarios::HandSkill::stroke_jitter_rad,
-        &scenarios::HandSkill::approach_mm_s, &scenarios::HandSkill::stop_mean_mm,
-        &scenarios::HandSkill::stop_deviation_mm, &scenarios::HandSkill::meet_deviation_mm}) {
+        &scenarios::HandSkill::edge_margin_mm, &scenarios::HandSkill::approach_mm_s,
+        &scenarios::HandSkill::stop_mean_mm, &scenarios::HandSkill::stop_deviation_mm,
+        &scenarios::HandSkill::meet_deviation_mm}) {
     hand.*size = mixed(size);
   }
-  hand.push = {between(novice.push.steady_newton, expert.push.steady_newton, skill),
-               between(novice.push.exit_newton, expert.push.exit_newton, skill),
-               between(novice.push.exit_mm, expert.push.exit_mm, skill)};
-  hand.looks = static_cast<int>(std::lround(between(novice.looks, expert.looks, skill)));
+  mixed_into(hand.push, &scenarios::HandSkill::push, &Push::steady_newton, &Push::exit_newton,
+             &Push::exit_mm, &Push::most_newton_per_mm, &Push::unevenness,
+             &Push::impatience_newton_per_s, &Push::brace_newton_s_per_mm, &Push::lean_mm_s);
+  mixed_into(hand.perception, &scenarios::HandSkill::perception, &Perception::reaction_s,
+             &Perception::eye_mm, &Perception::doubt_mm_per_s, &Perception::look_s,
+             &Perception::steadying_per_s);
+  mixed_into(hand.cooling, &scenarios::HandSkill::cooling, &Cooling::forgets_water,
+             &Cooling::notices_dry_s, &Cooling::burst_s, &Cooling::clear_mm);
   return hand;
 }
 

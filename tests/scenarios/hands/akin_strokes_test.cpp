@@ -129,9 +129,9 @@ CutMade cut_made(const Patient& patient, const KerfSet& kerfs, const scenarios::
 }
 
 Row row_of(const Patient& patient, const char* name, std::uint64_t seed) {
-  const scenarios::ScriptedHand hand =
-      make_hand(patient.akin, patient.bone, patient.plan, scenarios::hand_skill(name), seed);
-  const Recording recording = run_motion(patient.akin, patient.bone, hand.motion).recording;
+  scenarios::FeelingHand hand(patient.akin, patient.bone, patient.plan, scenarios::hand_skill(name),
+                              seed);
+  const Recording recording = run_hand(patient.akin, patient.bone, patient.plan, hand).recording;
   const KerfSet kerfs = kerfs_of(patient, recording);
   const simulator::CutSolid solid = simulator::uncut_solid(solid_of(patient.bone));
   const simulator::Bvh bvh(solid.mesh);
@@ -139,7 +139,7 @@ Row row_of(const Patient& patient, const char* name, std::uint64_t seed) {
   row.kerfs = kerfs.count();
   row.duration_s = static_cast<double>(recording.samples.size()) / 1000.0;
   for (std::size_t i = 0; i < 2; ++i) {
-    row.cuts[i] = cut_made(patient, kerfs, hand.cuts.at(i), patient.plan.cuts.at(i), solid, bvh);
+    row.cuts[i] = cut_made(patient, kerfs, hand.cuts().at(i), patient.plan.cuts.at(i), solid, bvh);
   }
   return row;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <thread>
@@ -36,7 +37,13 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
     if (line.metric == "over_cut_mm") row.over_cut_mm = line.value;
     row.is_measured = row.is_measured && line.is_measured;
   }
+  for (const simulator::ToolSample& sample : recording.samples) {
+    const Vec3 force_mn(sample.force_mn[0], sample.force_mn[1], sample.force_mn[2]);
+    row.force_newton = std::max(row.force_newton, 0.001 * std::sqrt(glm::dot(force_mn, force_mn)));
+  }
   for (const simulator::CutEvent& event : recording.events) {
+    row.hot_patches += event.kind == simulator::CutEventKind::BoneHot ? 1.0 : 0.0;
+    row.zone_contacts += event.kind == simulator::CutEventKind::DangerContact ? 1.0 : 0.0;
     row.freed_a_piece = row.freed_a_piece || event.kind == simulator::CutEventKind::PieceFreed;
     row.closed_hinge = row.closed_hinge || event.kind == simulator::CutEventKind::HingeClosed;
   }
@@ -53,14 +60,16 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
 void print(const AttemptTable& table) {
   std::printf(
       "hand    seed  score  angle_deg  location_mm  hinge_mm  over_cut_mm  freed  closed  "
-      "identical  duration_s\n");
+      "identical  duration_s  force  hot  zones\n");
   for (std::size_t hand = 0; hand < table_hands.size(); ++hand) {
     for (std::size_t seed = 0; seed < table.rows[hand].size(); ++seed) {
       const AttemptRow& row = table.rows[hand][seed];
-      std::printf("%-7s %4zu %6.1f %10.2f %12.2f %9.2f %12.2f  %-5s  %-6s  %-9s %11.1f\n",
-                  table_hands[hand], seed + 1, row.score, row.angle_deg, row.location_mm,
-                  row.hinge_mm, row.over_cut_mm, row.freed_a_piece ? "yes" : "no",
-                  row.closed_hinge ? "yes" : "no", row.is_identical ? "yes" : "no", row.duration_s);
+      std::printf(
+          "%-7s %4zu %6.1f %10.2f %12.2f %9.2f %12.2f  %-5s  %-6s  %-9s %11.1f %6.1f %4.0f %6.0f\n",
+          table_hands[hand], seed + 1, row.score, row.angle_deg, row.location_mm, row.hinge_mm,
+          row.over_cut_mm, row.freed_a_piece ? "yes" : "no", row.closed_hinge ? "yes" : "no",
+          row.is_identical ? "yes" : "no", row.duration_s, row.force_newton, row.hot_patches,
+          row.zone_contacts);
     }
   }
 }
@@ -114,6 +123,9 @@ void expect_sound(const AttemptTable& table) {
       EXPECT_TRUE(rows[seed].is_identical) << table_hands[hand] << ' ' << seed + 1
                                            << ": first at tick " << rows[seed].difference_tick;
     }
+    for (std::size_t seed = 0; hand == 0 && seed < rows.size(); ++seed) {
+      EXPECT_EQ(rows[seed].zone_contacts, 0.0) << table_hands[hand] << ' ' << seed + 1;
+    }
     const auto lacking = std::count_if(rows.begin(), rows.end(),
                                        [](const AttemptRow& row) { return !row.is_measured; });
     EXPECT_LE(5 * lacking, hand == 0 ? 0 : static_cast<std::ptrdiff_t>(rows.size()))
@@ -132,6 +144,8 @@ void expect_told_apart(const AttemptTable& table) {
   const auto& [expert, novice] = table.rows;
   EXPECT_GT(median(expert, &AttemptRow::score), 75.0);
   EXPECT_LT(median(novice, &AttemptRow::score), 45.0);
+  EXPECT_EQ(median(expert, &AttemptRow::hot_patches), 0.0);
+  EXPECT_GT(median(novice, &AttemptRow::hot_patches), 0.0);
   // The working expectation for freehand cuts in small bones; docs/hands.md.
   expect_within_30_percent(median(expert, &AttemptRow::angle_deg), 2.5, "expert angle");
   expect_within_30_percent(median(expert, &AttemptRow::location_mm), 0.8, "expert location");

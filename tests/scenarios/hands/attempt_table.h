@@ -16,6 +16,9 @@ struct AttemptRow {
   double angle_deg = 0.0, location_mm = 0.0;  ///< items A1 and A2
   double hinge_mm = 0.0, over_cut_mm = 0.0;   ///< where the rubric has them
   bool is_measured = false;                   ///< every item
+  double force_newton = 0.0;                  ///< the greatest on the hand
+  double hot_patches = 0.0;                   ///< of 5 x 5 mm that went above 47 degrees
+  double zone_contacts = 0.0;
   bool freed_a_piece = false, closed_hinge = false;
   bool is_identical = false;
   std::int64_t difference_tick = -1;
@@ -34,11 +37,11 @@ AttemptTable run_attempts(std::string_view scenario, std::size_t seeds = table_s
 
 double median(const AttemptRows& rows, double AttemptRow::*value);
 
-/// Expects that every attempt replays identically and that the expert's are measured wholly; of the novice's one in five
+/// Expects that every attempt replays identically, and that the expert's touch no danger zone and are measured wholly; of the novice's one in five
 /// may lack a cut: two cuts that go into one kerf leave nothing to measure of the second.
 void expect_sound(const AttemptTable& table);
-/// Prints the medians; expects besides that the expert's median score is above 75 and the novice's below 45, and that each
-/// hand cuts within 30 % of the errors it is said to have.
+/// Prints the medians; expects besides that the expert's median score is above 75 and the novice's below 45, that each
+/// hand cuts within 30 % of the errors it is said to have, and that only the novice's median overheats bone.
 void expect_told_apart(const AttemptTable& table);
 
 }  // namespace hallux::tests

@@ -11,6 +11,8 @@ void expect_that_a_few_tell(const char* scenario) {
   expect_sound(table);
   for (const AttemptRow& expert : table.rows[0]) EXPECT_TRUE(expert.freed_a_piece);
   EXPECT_GT(median(table.rows[0], &AttemptRow::score), median(table.rows[1], &AttemptRow::score));
+  EXPECT_LT(median(table.rows[0], &AttemptRow::hot_patches),
+            median(table.rows[1], &AttemptRow::hot_patches));
 }
 
 TEST(FewAttempts, AtSilverAreScoredAndReplayIdentically) { expect_that_a_few_tell("silver"); }

@@ -6,9 +6,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/feeling_hand.h"
 #include "simulator/base/units.h"
 #include "simulator/cutting/section.h"
+#include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -24,8 +25,8 @@ struct Patient {
     bone = make_patient(silver);
     plan = plan_on(silver, bone);
   }
-  ScriptedHand hand(const HandSkill& skill, std::uint64_t seed) const {
-    return make_hand(silver, bone, plan, skill, seed);
+  AimedCut aimed(const HandSkill& skill, std::uint64_t seed) const {
+    return aim(silver, plan, KnownBone(bone), skill, seed).at(0);
   }
 
   Scenario silver;
@@ -87,9 +88,9 @@ Aims aims_of(const Patient& patient, const HandSkill& skill) {
   Aims aims;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     try {
-      const ScriptedHand hand = patient.hand(skill, seed);
-      aims.angles_deg.push_back(degree_from_radian(hand.cuts.at(0).angle_error_rad));
-      aims.locations_mm.push_back(hand.cuts.at(0).location_error_mm);
+      const AimedCut aimed = patient.aimed(skill, seed);
+      aims.angles_deg.push_back(degree_from_radian(aimed.angle_error_rad));
+      aims.locations_mm.push_back(aimed.location_error_mm);
     } catch (const ScenarioError&) {
       ++aims.misses;
     }
@@ -122,13 +123,11 @@ TEST(HandAim, IsOffByTheErrorsThatItSays) {
   const ReferenceFace& planned = patient.plan.cuts.at(0).face;
   for (const char* name : {"expert", "novice"}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      const ScriptedHand hand = patient.hand(hand_skill(name), seed);
-      const double cosine = std::min(1.0, glm::dot(hand.cuts.at(0).face.normal, planned.normal));
+      const AimedCut aimed = patient.aimed(hand_skill(name), seed);
+      const double cosine = std::min(1.0, glm::dot(aimed.face.normal, planned.normal));
       // An arc cosine near 1 loses half of a double's digits.
-      EXPECT_NEAR(std::acos(cosine), hand.cuts.at(0).angle_error_rad, 1.0e-6)
-          << name << ' ' << seed;
-      EXPECT_NEAR(largest_distance_mm(patient, hand.cuts.at(0).face),
-                  hand.cuts.at(0).location_error_mm, 1.0e-9)
+      EXPECT_NEAR(std::acos(cosine), aimed.angle_error_rad, 1.0e-6) << name << ' ' << seed;
+      EXPECT_NEAR(largest_distance_mm(patient, aimed.face), aimed.location_error_mm, 1.0e-9)
           << name << ' ' << seed;
     }
   }
@@ -138,16 +137,18 @@ TEST(HandMotion, ComesToTheBoneWithTheSawRunning) {
   const Patient patient;
   const simulator::Bvh bone(patient.bone.outer);
   const RigidTransform bone_from_world = inverse(patient.bone.world_from_bone);
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    std::size_t keys_in_bone = 0;
-    for (const simulator::HandKey& key : patient.hand(hand_skill("novice"), seed).motion.keys) {
-      const Vec3 tip = transform_point(bone_from_world, key.world_from_handle.translation_mm);
-      if (!(bone.signed_distance_mm(tip) < 0.0)) continue;
-      ++keys_in_bone;
-      EXPECT_TRUE(has(key.switches, simulator::Switch::SawRuns)) << seed << ' ' << key.tick;
-    }
-    EXPECT_GT(keys_in_bone, 100U) << seed;
+  FeelingHand hand(patient.silver, patient.bone, patient.plan, hand_skill("novice"), 1);
+  std::size_t ticks_in_bone = 0;
+  for (const simulator::TapeLine& line :
+       tests::run_hand(patient.silver, patient.bone, patient.plan, hand).recording.tape) {
+    const RigidTransform world_from_handle =
+        simulator::transform_from(line.device.world_from_handle);
+    const Vec3 tip = transform_point(bone_from_world, world_from_handle.translation_mm);
+    if (!(bone.signed_distance_mm(tip) < 0.0)) continue;
+    ++ticks_in_bone;
+    ASSERT_TRUE(has(line.device.switches, simulator::Switch::SawRuns)) << line.tick;
   }
+  EXPECT_GT(ticks_in_bone, 2000U);
 }
 
 }  // namespace

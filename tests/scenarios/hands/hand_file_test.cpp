@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/hand_file.h"
+#include "scenarios/scenario_error.h"
 
 namespace hallux::scenarios {
 namespace {

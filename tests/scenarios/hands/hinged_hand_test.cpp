@@ -5,30 +5,36 @@
 #include <cmath>
 #include <vector>
 
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/feeling_hand.h"
 #include "simulator/mesh/bvh.h"
+#include "tests/scenarios/hands/scripted_attempt.h"
+#include "tests/simulator/step/operation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::scenarios {
 namespace {
 
 using simulator::CommandKind;
+using simulator::Recording;
 
 constexpr double far_side_mm = 9.0;
 
-/// Akin on a block 33 x 16 x 18 mm: its first face is x = 6, its line z = 8.
+/// Akin on a soft block 33 x 16 x 18 mm: its first face is x = 6, its line z = 8.
 struct Patient {
   Patient() : akin(load_shipped_scenario("akin")) {
-    bone.name = "block";
-    bone.outer =
-        tests::moved(tests::solid_block({33.0, 16.0, 2.0 * far_side_mm}), {{}, {16.5, 0.0, 0.0}});
+    bone = tests::cancellous_bone(
+        tests::moved(tests::solid_block({33.0, 16.0, 2.0 * far_side_mm}), {{}, {16.5, 0.0, 0.0}}));
     bone.landmarks = {{"base_centre", Vec3(0.0, 0.0, 0.0)},
                       {"base_med", Vec3(0.0, 0.0, -far_side_mm)},
                       {"base_lat", Vec3(0.0, 0.0, far_side_mm)}};
     plan = plan_on(akin, bone);
   }
-  ScriptedHand hand(const HandSkill& skill, std::uint64_t seed) const {
-    return make_hand(akin, bone, plan, skill, seed);
+  std::vector<AimedCut> aimed(const HandSkill& skill, std::uint64_t seed) const {
+    return aim(akin, plan, KnownBone(bone), skill, seed);
+  }
+  Recording operated(const HandSkill& skill, std::uint64_t seed) const {
+    FeelingHand hand(akin, bone, plan, skill, seed);
+    return tests::run_hand(akin, bone, plan, hand).recording;
   }
 
   Scenario akin;
@@ -45,35 +51,45 @@ HandSkill steady() {
   return skill;
 }
 
-std::vector<std::int32_t> picked_up(const ScriptedHand& hand) {
-  std::vector<std::int32_t> pieces;
-  for (const simulator::HandCommand& command : hand.motion.commands) {
-    if (command.command.kind == CommandKind::PickUp) pieces.push_back(command.command.argument);
+std::vector<simulator::Command> commands_of(const Recording& recording) {
+  std::vector<simulator::Command> commands;
+  for (const simulator::TapeLine& line : recording.tape) {
+    for (std::size_t i = 0; i < line.command_count; ++i) {
+      if (line.commands[i].kind != CommandKind::ApplyJob) commands.push_back(line.commands[i]);
+    }
   }
-  return pieces;
+  return commands;
 }
 
-/// Lateral-most point of the handle's way [mm, bone frame].
-double deepest_mm(const Patient& patient, const ScriptedHand& hand) {
+/// Lateral-most point of the teeth's middle [mm, bone frame].
+double deepest_mm(const Patient& patient, const Recording& recording) {
   const RigidTransform bone_from_world = inverse(patient.bone.world_from_bone);
   double deepest = -100.0;
-  for (const simulator::HandKey& key : hand.motion.keys) {
-    deepest =
-        std::max(deepest, transform_point(bone_from_world, key.world_from_handle.translation_mm).z);
+  for (const simulator::ToolSample& sample : recording.samples) {
+    const RigidTransform world_from_tool = simulator::transform_from(sample.world_from_tool);
+    deepest = std::max(deepest, transform_point(bone_from_world, world_from_tool.translation_mm).z);
   }
   return deepest;
 }
 
 TEST(HingedHand, TakesTheWedgeOutAndClosesTheHinge) {
   const Patient patient;
+  const Recording recording = patient.operated(hand_skill("expert"), 1);
   std::vector<CommandKind> kinds;
-  for (const auto& command : patient.hand(hand_skill("expert"), 1).motion.commands) {
-    kinds.push_back(command.command.kind);
+  for (const simulator::Command& command : commands_of(recording)) {
+    kinds.push_back(command.kind);
+    // What came free last, also where the hinge is lost.
+    if (command.kind == CommandKind::PickUp) {
+      EXPECT_EQ(command.argument, simulator::piece_freed_last);
+    }
   }
   EXPECT_EQ(kinds, (std::vector{CommandKind::Start, CommandKind::StepDone, CommandKind::StepDone,
                                 CommandKind::StepDone, CommandKind::PickUp, CommandKind::StepDone,
                                 CommandKind::CloseHinge, CommandKind::StepDone,
                                 CommandKind::StepDone, CommandKind::Finish}));
+  EXPECT_TRUE(std::any_of(recording.events.begin(), recording.events.end(), [](const auto& event) {
+    return event.kind == simulator::CutEventKind::HingeClosed;
+  }));
 }
 
 TEST(HingedHand, StopsAsFarInsideTheFarSideAsItMeansTo) {
@@ -81,7 +97,7 @@ TEST(HingedHand, StopsAsFarInsideTheFarSideAsItMeansTo) {
   HandSkill skill = steady();
   for (const double beyond_mm : {-0.4, 0.0, 2.0}) {
     skill.stop_mean_mm = beyond_mm;
-    for (const AimedCut& cut : patient.hand(skill, 3).cuts) {
+    for (const AimedCut& cut : patient.aimed(skill, 3)) {
       const Vec3 stop =
           transform_point(cut.plane.bone_from_kerf, Vec3{cut.stop_mm.value(), 0.0, 0.0});
       // Tilted by a third of a degree, the plane's furthest point lies up to 0.05 mm from its middle's.
@@ -91,18 +107,22 @@ TEST(HingedHand, StopsAsFarInsideTheFarSideAsItMeansTo) {
   }
 }
 
-TEST(HingedHand, LetsGoOfThePushAtTheLineAndNoFurther) {
+TEST(HingedHand, LetsGoAtTheLineAsSoonAsItSeesThatItIsThere) {
   const Patient patient;
   HandSkill skill = steady();
-  // The handle leads the blade by the spring's stretch: most at the line, or where the push begins to be eased.
-  const double newton_per_mm = 2.0;
-  const double lead_mm = std::max(skill.push.exit_newton / newton_per_mm,
-                                  skill.push.steady_newton / newton_per_mm - skill.push.exit_mm);
-  EXPECT_LT(deepest_mm(patient, patient.hand(skill, 3)), far_side_mm - 1.0 + lead_mm + 0.2);
-  // 5 mm too far, and a novice's push behind it.
+  skill.perception.eye_mm = 0.0;
+  // What a push of 6 N does to 12 mm of cortex and of cancellous bone until the reaction, and until the spring is let go.
+  const double line_mm = far_side_mm - 1.0;
+  const double deepest = deepest_mm(patient, patient.operated(skill, 3));
+  EXPECT_GT(deepest, line_mm - 0.1);
+  EXPECT_LT(deepest, line_mm + 0.6);
+}
+
+TEST(HingedHand, WhoseLineLiesBeyondTheBonePlungesOutOfIt) {
+  const Patient patient;
+  HandSkill skill = hand_skill("novice");
   skill.stop_mean_mm = 5.0;
-  skill.push = {26.0, 26.0, 2.5};
-  EXPECT_GT(deepest_mm(patient, patient.hand(skill, 3)), far_side_mm + 4.0);
+  EXPECT_GT(deepest_mm(patient, patient.operated(skill, 3)), far_side_mm + 3.0);
 }
 
 TEST(HingedHand, LeadsTheSecondFaceThroughTheEndOfTheFirst) {
@@ -110,7 +130,7 @@ TEST(HingedHand, LeadsTheSecondFaceThroughTheEndOfTheFirst) {
   HandSkill skill = hand_skill("novice");
   skill.meet_deviation_mm = 0.0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const std::vector<AimedCut> cuts = patient.hand(skill, seed).cuts;
+    const std::vector<AimedCut> cuts = patient.aimed(skill, seed);
     // The line lies in the first blade's plane 1 mm inside its furthest point, half a kerf off the finished face.
     const simulator::KerfPlane& blade = cuts.at(0).plane;
     const auto& contour = cuts[0].region.contours.at(0);
@@ -126,7 +146,7 @@ TEST(HingedHand, MeasuresTheSecondFaceOffFromTheFirst) {
   const Patient patient;
   HandSkill skill = hand_skill("novice");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const std::vector<AimedCut> cuts = patient.hand(skill, seed).cuts;
+    const std::vector<AimedCut> cuts = patient.aimed(skill, seed);
     // Turned with the first face, the planned second one differs from the aimed one by the second cut's own error.
     const Vec3& planned = patient.plan.cuts.at(0).face.normal;
     const Vec3 axis = glm::cross(planned, cuts.at(0).face.normal);
@@ -143,26 +163,17 @@ TEST(HingedHand, MeasuresTheSecondFaceOffFromTheFirst) {
   }
 }
 
-TEST(HingedHand, TakesOutWhatCameFreeLastAlsoWhereItLosesTheHinge) {
-  const Patient patient;
-  HandSkill skill = steady();
-  const std::vector<std::int32_t> last{simulator::piece_freed_last};
-  EXPECT_EQ(picked_up(patient.hand(skill, 1)), last);
-  skill.stop_mean_mm = 1.5;
-  EXPECT_EQ(picked_up(patient.hand(skill, 1)), last);
-}
-
 TEST(HingedHand, MovesBetweenItsCutsOutsideTheBone) {
   const Patient patient;
   const simulator::Bvh bone(patient.bone.outer);
   const RigidTransform bone_from_world = inverse(patient.bone.world_from_bone);
   for (const char* name : {"expert", "novice"}) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      for (const simulator::HandKey& key : patient.hand(hand_skill(name), seed).motion.keys) {
-        if (has(key.switches, simulator::Switch::SawRuns)) continue;
-        const Vec3 tip = transform_point(bone_from_world, key.world_from_handle.translation_mm);
-        EXPECT_GT(bone.signed_distance_mm(tip), 5.0) << name << ' ' << seed << ' ' << key.tick;
-      }
+    for (const simulator::TapeLine& line : patient.operated(hand_skill(name), 2).tape) {
+      if (has(line.device.switches, simulator::Switch::SawRuns)) continue;
+      const RigidTransform world_from_handle =
+          simulator::transform_from(line.device.world_from_handle);
+      const Vec3 tip = transform_point(bone_from_world, world_from_handle.translation_mm);
+      ASSERT_GT(bone.signed_distance_mm(tip), 5.0) << name << ' ' << line.tick;
     }
   }
 }
@@ -171,8 +182,8 @@ TEST(HingedHand, WhoStopsBeforeTheBoneDoesNotSaw) {
   const Patient patient;
   HandSkill skill = steady();
   skill.stop_mean_mm = -40.0;
-  for (const simulator::HandKey& key : patient.hand(skill, 1).motion.keys) {
-    EXPECT_FALSE(has(key.switches, simulator::Switch::SawRuns)) << key.tick;
+  for (const simulator::TapeLine& line : patient.operated(skill, 1).tape) {
+    ASSERT_FALSE(has(line.device.switches, simulator::Switch::SawRuns)) << line.tick;
   }
 }
 

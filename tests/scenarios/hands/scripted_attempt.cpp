@@ -3,18 +3,23 @@
 #include <vector>
 
 #include "scenarios/planned_bridge.h"
-#include "simulator/device/scripted.h"
 
 namespace hallux::tests {
 
 namespace {
 
+/// Far more than come between two reports of progress, a few hundred lines.
+constexpr std::size_t ring_capacity = 32768;
+
 template <typename Value>
-std::vector<Value> drained(simulator::Ring<Value>& ring) {
-  std::vector<Value> values;
-  values.reserve(ring.size());
+void drain(simulator::Ring<Value>& ring, std::vector<Value>& values) {
   for (Value value; ring.pop(value);) values.push_back(value);
-  return values;
+}
+
+void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recording) {
+  drain(channels.tape, recording.tape);
+  drain(channels.samples, recording.samples);
+  drain(channels.events, recording.events);
 }
 
 }  // namespace
@@ -30,36 +35,28 @@ simulator::WoundSettings wound_of(const scenarios::Scenario& scenario,
   return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
 }
 
-ScriptedAttempt run_motion(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                           const simulator::HandMotion& motion) {
-  const std::int64_t last_tick = motion.last_tick() + 1;
-  const scenarios::Plan plan = plan_on(scenario, bone);
-  const simulator::AttemptSetup setup{bone,
-                                      scenario.blade.size,
-                                      contact_of(scenario),
-                                      planned_bridge(plan),
-                                      simulator::Pacing::Virtual,
-                                      motion.commands,
-                                      last_tick,
-                                      {},
-                                      nullptr,
-                                      wound_of(scenario, plan)};
-  simulator::ScriptedDevice device(motion);
-  // Room for every line, so that nobody has to drain meanwhile.
-  simulator::AttemptChannels channels(static_cast<std::size_t>(last_tick) + 1);
+ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                         const scenarios::Plan& plan, scenarios::FeelingHand& hand) {
+  simulator::AttemptSetup setup{bone, scenario.blade.size, contact_of(scenario),
+                                planned_bridge(plan)};
+  setup.last_tick = scenarios::FeelingHand::last_tick;
+  setup.wound = wound_of(scenario, plan);
+  setup.attempt_operator = &hand;
+  simulator::AttemptChannels channels(ring_capacity);
   ScriptedAttempt attempt;
-  attempt.loop = run_attempt(setup, device, channels);
-  attempt.recording.tape = drained(channels.tape);
-  attempt.recording.samples = drained(channels.samples);
-  attempt.recording.events = drained(channels.events);
+  attempt.loop = run_attempt(setup, hand, channels, [&](double /*fraction*/) {
+    drain_all(channels, attempt.recording);
+    return true;
+  });
+  drain_all(channels, attempt.recording);
   return attempt;
 }
 
 ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                          std::string_view hand, std::uint64_t seed) {
-  const scenarios::ScriptedHand scripted =
-      make_hand(scenario, bone, plan_on(scenario, bone), scenarios::hand_skill(hand), seed);
-  return run_motion(scenario, bone, scripted.motion);
+  const scenarios::Plan plan = plan_on(scenario, bone);
+  scenarios::FeelingHand feeling(scenario, bone, plan, scenarios::hand_skill(hand), seed);
+  return run_hand(scenario, bone, plan, feeling);
 }
 
 }  // namespace hallux::tests

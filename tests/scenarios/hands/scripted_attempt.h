@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/feeling_hand.h"
 #include "scenarios/scenario.h"
 #include "simulator/loop/attempt_loop.h"
 #include "simulator/mesh/bone.h"
@@ -23,10 +23,10 @@ struct ScriptedAttempt {
   simulator::LoopStatistics loop;
 };
 
-/// The motion from its first tick to its last, with all that came in and out.
+/// The hand's whole attempt, with all that came in and out.
 /// thread  any; attempts share nothing but what they are given
-ScriptedAttempt run_motion(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                           const simulator::HandMotion& motion);
+ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                         const scenarios::Plan& plan, scenarios::FeelingHand& hand);
 
 /// The hand of that name and seed, carried out.
 ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::Bone& bone,

@@ -14,6 +14,9 @@ namespace {
 /// Sums of a few numbers under 100.
 constexpr double rounding_mm = 1.0e-12;
 
+/// 1.5 mm beyond the sides.
+constexpr StrokeLayout forefoot{12.0, 3.0, 1.5};
+
 simulator::SectionRegion region_of(simulator::Contour contour) {
   simulator::SectionRegion region;
   region.min_mm = region.max_mm = contour.at(0);
@@ -43,7 +46,7 @@ simulator::SectionRegion ellipse(const Vec2& half_mm, double dent) {
 }
 
 TEST(StrokePlan, OfANarrowSectionIsOneStrokeThroughItsMiddle) {
-  const auto strokes = plan_strokes(rectangle({-3.0, 1.0}, {11.0, 7.0}), 12.0, 3.0);
+  const auto strokes = plan_strokes(rectangle({-3.0, 1.0}, {11.0, 7.0}), forefoot);
   ASSERT_EQ(strokes.size(), 1U);
   EXPECT_NEAR(strokes[0].along_mm, 4.0, rounding_mm);
   EXPECT_NEAR(strokes[0].first_mm, -3.0, rounding_mm);
@@ -52,7 +55,7 @@ TEST(StrokePlan, OfANarrowSectionIsOneStrokeThroughItsMiddle) {
 
 TEST(StrokePlan, GoesFromTheMiddleOutwards) {
   // 20 mm and 1.5 mm beyond each end make 23: blades of 12 with 3 mm of overlap take three.
-  const auto strokes = plan_strokes(rectangle({0.0, -12.0}, {18.0, 12.0}), 12.0, 3.0);
+  const auto strokes = plan_strokes(rectangle({0.0, -12.0}, {18.0, 12.0}), forefoot);
   ASSERT_EQ(strokes.size(), 3U);
   EXPECT_NEAR(strokes[0].along_mm, 0.0, rounding_mm);
   EXPECT_NEAR(std::abs(strokes[1].along_mm), 7.5, rounding_mm);
@@ -62,7 +65,7 @@ TEST(StrokePlan, GoesFromTheMiddleOutwards) {
 TEST(StrokePlan, KnowsWhereBoneBeginsAndEndsUnderEachStroke) {
   // Half as long at the far side: the strokes there are shorter.
   const simulator::SectionRegion region = ellipse({10.0, 18.0}, 0.0);
-  for (const Stroke& stroke : plan_strokes(region, 12.0, 3.0)) {
+  for (const Stroke& stroke : plan_strokes(region, forefoot)) {
     // The outline is widest at the end of the tooth line that is nearer to the middle.
     const double nearest_mm = std::max(0.0, std::abs(stroke.along_mm) - 6.0 - 1.0);
     const double half_mm = 10.0 * std::sqrt(1.0 - nearest_mm * nearest_mm / (18.0 * 18.0));
@@ -75,7 +78,7 @@ TEST(StrokePlan, KnowsWhereBoneBeginsAndEndsUnderEachStroke) {
 TEST(StrokePlan, FollowsAnOutlineBetweenCornersThatAreBesideTheToothLine) {
   // Both long sides rise by 0.1 mm per millimetre along the tooth line: over its 12 mm and 1 mm beside it from -7 to 7.
   const auto region = region_of({{-3.0, -20.0}, {7.0, -20.0}, {11.0, 20.0}, {1.0, 20.0}});
-  const auto strokes = plan_strokes(region, 12.0, 3.0);
+  const auto strokes = plan_strokes(region, forefoot);
   ASSERT_EQ(strokes.size(), 5U);
   EXPECT_NEAR(strokes[0].along_mm, 0.0, rounding_mm);
   EXPECT_NEAR(strokes[0].first_mm, -1.0 - 0.7, rounding_mm);
@@ -83,24 +86,23 @@ TEST(StrokePlan, FollowsAnOutlineBetweenCornersThatAreBesideTheToothLine) {
 }
 
 TEST(StrokePlan, GoesOnBeyondTheLastBone) {
-  const auto strokes = plan_strokes(rectangle({-3.0, 1.0}, {11.0, 7.0}), 12.0, 3.0);
+  const auto strokes = plan_strokes(rectangle({-3.0, 1.0}, {11.0, 7.0}), forefoot);
   EXPECT_NEAR(strokes.at(0).end_mm, 11.0 + 1.5, rounding_mm);
   EXPECT_FALSE(strokes[0].stops_in_bone);
 }
 
-TEST(StrokePlan, StopsAtALineAndIsBrokenOffOnTheWay) {
+TEST(StrokePlan, StopsAtALine) {
   const std::vector<Stroke> through{
       {0.0, -3.0, 11.0, 12.5}, {9.0, 2.0, 4.0, 5.5}, {-9.0, 6.5, 8.0, 9.5}};
-  const std::vector<Stroke> strokes = stopped(through, 6.0, 1);
+  const std::vector<Stroke> strokes = stopped(through, 6.0);
   // The third begins beyond the line; the second's bone ends before it, and the hand goes to the line all the same.
-  ASSERT_EQ(strokes.size(), 4U);
-  const double ends_mm[] = {1.5, 6.0, 4.0, 6.0};
-  const double lasts_mm[] = {1.5, 6.0, 4.0, 4.0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(strokes[i].end_mm, ends_mm[i], rounding_mm) << i;
+  ASSERT_EQ(strokes.size(), 2U);
+  const double lasts_mm[] = {6.0, 4.0};
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(strokes[i].end_mm, 6.0, rounding_mm) << i;
     EXPECT_NEAR(strokes[i].last_mm, lasts_mm[i], rounding_mm) << i;
-    EXPECT_EQ(strokes[i].first_mm, through[i / 2].first_mm) << i;
-    EXPECT_EQ(strokes[i].along_mm, through[i / 2].along_mm) << i;
+    EXPECT_EQ(strokes[i].first_mm, through[i].first_mm) << i;
+    EXPECT_EQ(strokes[i].along_mm, through[i].along_mm) << i;
     EXPECT_TRUE(strokes[i].stops_in_bone) << i;
   }
 }
@@ -113,7 +115,8 @@ RC_GTEST_PROP(StrokePlan, CoversTheSectionWithTheOverlapThatWasAsked, ()) {
   const double overlap_mm = between(1, 4);
   const simulator::SectionRegion region =
       ellipse({between(4, 15), between(4, 30)}, between(0, 1) * 0.2);
-  std::vector<Stroke> strokes = plan_strokes(region, width_mm, overlap_mm);
+  const double margin_mm = between(0, 3);
+  std::vector<Stroke> strokes = plan_strokes(region, {width_mm, overlap_mm, margin_mm});
   for (const Vec2& point : region.contours[0]) {
     RC_ASSERT(std::any_of(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
       return std::abs(point.y - stroke.along_mm) <= 0.5 * width_mm && point.x >= stroke.first_mm &&
@@ -129,7 +132,7 @@ RC_GTEST_PROP(StrokePlan, CoversTheSectionWithTheOverlapThatWasAsked, ()) {
   }
   // A blade more than needed would be wasted: one fewer does not reach.
   if (strokes.size() > 1) {
-    const double span_mm = region.max_mm.y - region.min_mm.y + 3.0;
+    const double span_mm = region.max_mm.y - region.min_mm.y + 2.0 * margin_mm;
     const double without_one_mm =
         width_mm + static_cast<double>(strokes.size() - 2) * (width_mm - overlap_mm);
     RC_ASSERT(without_one_mm < span_mm + rounding_mm);

@@ -1,7 +1,7 @@
 /// The shipped Silver operation by the scripted expert, seed 1: patient, plan, hand, step and jobs together.
 #include <gtest/gtest.h>
 
-#include "scenarios/hands/scripted_hand.h"
+#include "scenarios/hands/feeling_hand.h"
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/golden.h"
 #include "tests/simulator/loop/recorded_run.h"
@@ -13,19 +13,18 @@ TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
   const scenarios::Scenario scenario = scenarios::load_shipped_scenario("silver");
   const Bone bone = scenarios::make_patient(scenario);
   const scenarios::Plan plan = plan_on(scenario, bone);
-  const HandMotion motion =
-      make_hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1).motion;
+  scenarios::FeelingHand hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1);
   const WoundSettings wound{capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
   const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute};
   const AttemptSetup setup{.bone = bone,
                            .blade = scenario.blade.size,
                            .contact = contact,
-                           .commands = motion.commands,
-                           .last_tick = motion.last_tick() + 1,
+                           .commands = {},
+                           .last_tick = scenarios::FeelingHand::last_tick,
                            .job_delay = {},
-                           .wound = wound};
-  ScriptedDevice device(motion);
-  const Recording recording = tests::record(setup, device).recording;
+                           .wound = wound,
+                           .attempt_operator = &hand};
+  const Recording recording = tests::record(setup, hand).recording;
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
   const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}, wound});
   EXPECT_TRUE(result.is_identical) << result.difference;

@@ -57,8 +57,8 @@ TEST(DemoPlan, MixesHandsFromNoviceToExpert) {
   EXPECT_DOUBLE_EQ(skill_between(1.0).angle_mean_deg, expert.angle_mean_deg);
   EXPECT_DOUBLE_EQ(skill_between(0.0).push.exit_newton, novice.push.exit_newton);
   EXPECT_DOUBLE_EQ(skill_between(1.0).meet_deviation_mm, expert.meet_deviation_mm);
-  EXPECT_EQ(skill_between(0.0).looks, novice.looks);
-  EXPECT_EQ(skill_between(1.0).looks, expert.looks);
+  EXPECT_DOUBLE_EQ(skill_between(0.0).perception.reaction_s, novice.perception.reaction_s);
+  EXPECT_DOUBLE_EQ(skill_between(1.0).cooling.forgets_water, expert.cooling.forgets_water);
   EXPECT_DOUBLE_EQ(skill_between(0.5).wander_mm, (novice.wander_mm + expert.wander_mm) / 2);
   EXPECT_EQ(demo_hand_name(0.349), "scripted, skill 0.35");
 }

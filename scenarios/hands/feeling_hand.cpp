@@ -1,0 +1,251 @@
+#include "scenarios/hands/feeling_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/base/random.h"
+#include "simulator/base/units.h"
+
+namespace hallux::scenarios {
+
+namespace {
+
+using simulator::CommandKind;
+
+constexpr double overlap_mm = 3.0;
+/// What a hand takes a newton aside for: so far is the handle out of the slot [mm].
+constexpr double give_mm_per_newton = 0.5;
+constexpr double far_hovers = 3.0, turn_hovers = 2.0;  ///< how far off the bone, in hover_mm
+
+std::size_t index_of_cut(const Plan& plan, std::string_view name) {
+  return static_cast<std::size_t>(find_cut(plan, name) - plan.cuts.data());
+}
+
+std::size_t first_cut_of(const Scenario& scenario, const Plan& plan) {
+  const auto step =
+      std::find_if(scenario.steps.begin(), scenario.steps.end(),
+                   [](const OperationStep& candidate) { return candidate.kind == StepKind::Cut; });
+  return step == scenario.steps.end() ? 0 : index_of_cut(plan, step->cut);
+}
+
+}  // namespace
+
+FeelingHand::FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
+                         const HandSkill& skill, std::uint64_t seed)
+    : skill_(skill),
+      seed_(seed),
+      world_from_bone_(bone.world_from_bone),
+      cuts_(aim(scenario, plan, KnownBone(bone), skill, seed)),
+      cut_at_hand_(first_cut_of(scenario, plan)),
+      world_from_blade_(world_from_bone_ * cuts_.at(cut_at_hand_).plane.bone_from_kerf),
+      senses_(skill.perception, Random(seed, "hand.eye")),
+      work_(skill, seed),
+      out_(Random(seed, "wander.out"), skill.wander_mm, skill.perception.steadying_per_s),
+      tilt_x_(Random(seed, "wander.tilt_x"), skill.wander_rad, skill.perception.steadying_per_s),
+      tilt_y_(Random(seed, "wander.tilt_y"), skill.wander_rad, skill.perception.steadying_per_s) {
+  const Stroke first = first_stroke(scenario, cut_at_hand_);
+  handle_.feed_mm = first.first_mm - far_hovers * hover_mm;
+  handle_.along_mm = first.along_mm;
+  plan_acts(scenario, plan);
+  world_from_tool_ = pose();
+}
+
+void FeelingHand::say(CommandKind kind, std::int32_t argument) {
+  acts_.push_back({.kind = Act::Kind::Say, .command = {kind, argument, 0}});
+}
+
+void FeelingHand::wait(double time_s) {
+  acts_.push_back({.kind = Act::Kind::Wait, .wait_s = time_s});
+}
+
+std::vector<Stroke> FeelingHand::strokes_of(const Scenario& scenario, std::size_t cut) const {
+  const AimedCut& aimed = cuts_[cut];
+  const std::vector<Stroke> strokes =
+      plan_strokes(aimed.region, {scenario.blade.size.width_mm, overlap_mm, skill_.edge_margin_mm});
+  return aimed.stop_mm ? stopped(strokes, *aimed.stop_mm) : strokes;
+}
+
+/// Where the blade is brought to a cut: in front of its first stroke, or of the bone where the hand means to stop before it.
+Stroke FeelingHand::first_stroke(const Scenario& scenario, std::size_t cut) const {
+  const std::vector<Stroke> strokes = strokes_of(scenario, cut);
+  return strokes.empty() ? Stroke{.first_mm = cuts_[cut].region.min_mm.x} : strokes.front();
+}
+
+void FeelingHand::plan_cut(const Scenario& scenario, const Plan& plan, std::size_t cut) {
+  const std::vector<Stroke> strokes = strokes_of(scenario, cut);
+  if (cut != cut_at_hand_) {
+    acts_.push_back({.kind = Act::Kind::TurnTo, .cut = cut, .stroke = first_stroke(scenario, cut)});
+  }
+  Random jitter(seed_, cut == 0 ? "hand.strokes" : "hand.strokes." + plan.cuts[cut].name);
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    Act act{.kind = Act::Kind::Saw, .stroke = strokes[i]};
+    // The first stroke makes the plane; later ones come back to it as well as the hand can.
+    if (i > 0) {
+      act.jitter_mm = jitter.truncated_normal(0.0, skill_.stroke_jitter_mm);
+      act.jitter_rad = jitter.truncated_normal(0.0, skill_.stroke_jitter_rad);
+    }
+    acts_.push_back(act);
+  }
+}
+
+void FeelingHand::plan_acts(const Scenario& scenario, const Plan& plan) {
+  say(CommandKind::Start);
+  for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
+    const OperationStep& at_hand = scenario.steps[step];
+    if (at_hand.kind == StepKind::Cut) plan_cut(scenario, plan, index_of_cut(plan, at_hand.cut));
+    if (at_hand.kind == StepKind::Remove) say(CommandKind::PickUp, simulator::piece_freed_last);
+    if (at_hand.kind == StepKind::Close) say(CommandKind::CloseHinge);
+    wait(at_hand.kind == StepKind::Verify ? 1.0 : 0.5);
+    say(CommandKind::StepDone, static_cast<std::int32_t>(step));
+  }
+  say(CommandKind::Finish);
+}
+
+bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                           simulator::RawDeviceState& state) noexcept {
+  const std::int64_t ticks = std::clamp<std::int64_t>(tick - tick_, 1, 3);
+  tick_ = tick;
+  const double span_s = static_cast<double>(ticks) * step_s;
+  queued_ = taken_ = 0;
+  feel(force_in_world_newton, ticks);
+  hold_blade(span_s);
+  while (next_act_ < acts_.size() && goes_on(span_s)) {
+    ++next_act_;
+    is_begun_ = false;
+  }
+  if (tick + 1 >= last_tick) queue({CommandKind::Finish, 0, 0});
+  state.world_from_handle = pose();
+  using simulator::Switch;
+  state.switches = (handle_.saw_runs ? static_cast<std::uint32_t>(Switch::SawRuns) : 0U) |
+                   (handle_.irrigates ? static_cast<std::uint32_t>(Switch::Irrigates) : 0U);
+  return true;
+}
+
+/// Whether the act at hand is done, so that the next begins within the same tick.
+bool FeelingHand::goes_on(double span_s) noexcept {
+  const Act& act = acts_[next_act_];
+  if (!is_begun_) begin_act();
+  is_begun_ = true;
+  act_s_ += span_s;
+  switch (act.kind) {
+    case Act::Kind::TurnTo:
+      return act_s_ >= turn_s_;
+    case Act::Kind::Saw:
+      work_.go_on(handle_, senses_, felt_newton_, span_s);
+      return work_.is_done();
+    case Act::Kind::Wait:
+      return act_s_ >= act.wait_s;
+    case Act::Kind::Say:
+      if (queued_ == queue_.size()) return false;
+      queue(act.command);
+      return true;
+  }
+  return true;
+}
+
+void FeelingHand::begin_act() noexcept {
+  const Act& act = acts_[next_act_];
+  act_s_ = 0.0;
+  if (act.kind == Act::Kind::TurnTo) begin_turn(act);
+  if (act.kind == Act::Kind::Saw) {
+    out_.mean(act.jitter_mm);
+    tilt_x_.mean(act.jitter_rad);
+    work_.begin(act.stroke);
+  }
+}
+
+/// Straight through the air into the plane of another cut.
+void FeelingHand::begin_turn(const Act& act) noexcept {
+  turned_from_ = pose();
+  world_from_blade_ = world_from_bone_ * cuts_[act.cut].plane.bone_from_kerf;
+  handle_.feed_mm = act.stroke.first_mm - turn_hovers * hover_mm;
+  handle_.along_mm = act.stroke.along_mm;
+  out_.mean(0.0);
+  tilt_x_.mean(0.0);
+  const Vec3 way = held_pose().translation_mm - turned_from_.translation_mm;
+  turn_s_ = std::max(step_s, std::sqrt(glm::dot(way, way)) / skill_.approach_mm_s);
+}
+
+bool FeelingHand::is_turning() const noexcept {
+  return next_act_ < acts_.size() && acts_[next_act_].kind == Act::Kind::TurnTo && is_begun_;
+}
+
+void FeelingHand::queue(const simulator::Command& command) noexcept {
+  if (queued_ < queue_.size()) queue_[queued_++] = command;
+}
+
+/// The senses in the blade's plane: the push from the force on the hand, the rest from where the blade is seen.
+void FeelingHand::feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept {
+  const RigidTransform blade_from_world = inverse(world_from_blade_);
+  const Vec3 on_hand_newton = transform_direction(blade_from_world, force_in_world_newton);
+  const Vec3 tool_mm = transform_point(blade_from_world, world_from_tool_.translation_mm);
+  felt_newton_ = -on_hand_newton.x;
+  senses_.take_in({felt_newton_, on_hand_newton.z, engaged_mm_, tool_mm.x, tool_mm.z,
+                   tilt_x_.value(), tilt_y_.value()},
+                  ticks);
+}
+
+/// In bone a hand wanders and undoes what it sees of the blade and feels of the slot; in air it looks where it holds it.
+void FeelingHand::hold_blade(double span_s) noexcept {
+  const double time_s = second_from_tick(tick_);
+  if (work_.is_free()) {
+    for (HeldAxis* axis : {&out_, &tilt_x_, &tilt_y_}) axis->bring(time_s, span_s);
+    return;
+  }
+  const Sensed& noticed = senses_.noticed();
+  const double out_mm = noticed.out_mm - give_mm_per_newton * noticed.aside_newton;
+  out_.hold(time_s, span_s, out_mm);
+  tilt_x_.hold(time_s, span_s, noticed.tilt_x_rad);
+  tilt_y_.hold(time_s, span_s, noticed.tilt_y_rad);
+}
+
+RigidTransform FeelingHand::held_pose() const noexcept {
+  const Quat tilt = normalised(Quat{1.0, 0.5 * tilt_x_.value(), 0.5 * tilt_y_.value(), 0.0});
+  return world_from_blade_ *
+         RigidTransform{tilt, Vec3{handle_.feed_mm, handle_.along_mm, out_.value()}};
+}
+
+RigidTransform FeelingHand::pose() const noexcept {
+  if (!is_turning()) return held_pose();
+  return interpolate(turned_from_, held_pose(), std::min(1.0, act_s_ / turn_s_));
+}
+
+void FeelingHand::see(const simulator::StepOutput& output) noexcept {
+  world_from_tool_ = simulator::transform_from(output.sample.world_from_tool);
+  engaged_mm_ = output.engaged.width_mm();
+  for (const simulator::CutEvent& event : output.events) {
+    if (event.kind == simulator::CutEventKind::PlaneFrozen) follow_slot(event.pose);
+  }
+}
+
+/// The slot that the blade has begun is the plane from now on; the handle stays where it is.
+void FeelingHand::follow_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept {
+  const RigidTransform world_from_handle = held_pose();
+  const RigidTransform world_from_slot =
+      world_from_bone_ * simulator::transform_from(bone_from_frozen);
+  const Vec3 normal = transform_direction(world_from_slot, Vec3{0.0, 0.0, 1.0});
+  const Vec3 ahead = transform_direction(world_from_blade_, Vec3{1.0, 0.0, 0.0});
+  const Vec3 flat_ahead = ahead - glm::dot(ahead, normal) * normal;
+  const Vec3& origin = world_from_blade_.translation_mm;
+  const double off_mm = glm::dot(origin - world_from_slot.translation_mm, normal);
+  world_from_blade_ = {rotation_from_axes(flat_ahead, glm::cross(normal, flat_ahead)),
+                       origin - off_mm * normal};
+  const RigidTransform blade_from_handle = inverse(world_from_blade_) * world_from_handle;
+  handle_.feed_mm = blade_from_handle.translation_mm.x;
+  handle_.along_mm = blade_from_handle.translation_mm.y;
+  out_.put(blade_from_handle.translation_mm.z);
+  tilt_x_.put(2.0 * blade_from_handle.rotation.x);
+  tilt_y_.put(2.0 * blade_from_handle.rotation.y);
+}
+
+bool FeelingHand::take_command(simulator::Command& command) noexcept {
+  if (taken_ == queued_) return false;
+  command = queue_[taken_++];
+  return true;
+}
+
+double FeelingHand::fraction_done() const noexcept {
+  return static_cast<double>(next_act_) / static_cast<double>(acts_.size());
+}
+
+}  // namespace hallux::scenarios

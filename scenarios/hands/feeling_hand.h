@@ -1,0 +1,99 @@
+/// Scripted hands that feel: a plan carried out by an expert or a novice, as well as what they feel and see lets them.
+///
+///     force, pose of the blade --> senses --a reaction time later--> stroke work --> handle --> device state
+///                                                                 \-> held axes --/
+///
+/// A hand aims its blade at faces that are tilted and shifted against the plan, saws in overlapping strokes from the
+/// approach side with a force it means to keep, stops at a hinge as well as it sees, wanders out of the plane and undoes
+/// what it notices of that, and declares each step done. All of its errors come from a seed; their sizes are the working
+/// expectation for freehand cuts in small bones, not measured on people.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scenarios/hands/hand_aim.h"
+#include "scenarios/hands/held_axis.h"
+#include "scenarios/hands/stroke_work.h"
+#include "simulator/device/haptic_device.h"
+#include "simulator/loop/attempt_operator.h"
+
+namespace hallux::scenarios {
+
+class FeelingHand final : public simulator::HapticDevice, public simulator::AttemptOperator {
+ public:
+  /// The hand for all of the scenario's steps.
+  /// ensures the same arguments and the same simulation give the same motion on every machine
+  /// errors  ScenarioError where an aimed plane misses the bone
+  FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
+              const HandSkill& skill, std::uint64_t seed);
+
+  /// As the plan has them.
+  const std::vector<AimedCut>& cuts() const noexcept { return cuts_; }
+  /// An attempt that is not done by then is finished as it is.
+  static constexpr std::int64_t last_tick = 300'000;
+
+  simulator::DeviceDescription description() const override {
+    return {"scripted hand", "scripted"};
+  }
+  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                simulator::RawDeviceState& state) noexcept override;
+  void see(const simulator::StepOutput& output) noexcept override;
+  bool take_command(simulator::Command& command) noexcept override;
+  double fraction_done() const noexcept override;
+
+ private:
+  /// What the hand does next.
+  struct Act {
+    enum class Kind { TurnTo, Saw, Wait, Say };
+    Kind kind = Kind::Wait;
+    std::size_t cut = 0;  ///< TurnTo: the one in whose plane the blade is to lie
+    Stroke stroke = {};   ///< Saw; TurnTo: the first there
+    double jitter_mm = 0.0, jitter_rad = 0.0;  ///< Saw: how well it comes back to the slot
+    double wait_s = 0.0;
+    simulator::Command command = {};
+  };
+
+  void plan_acts(const Scenario& scenario, const Plan& plan);
+  void plan_cut(const Scenario& scenario, const Plan& plan, std::size_t cut);
+  void say(simulator::CommandKind kind, std::int32_t argument = 0);
+  void wait(double time_s);
+  Stroke first_stroke(const Scenario& scenario, std::size_t cut) const;
+  std::vector<Stroke> strokes_of(const Scenario& scenario, std::size_t cut) const;
+
+  void begin_act() noexcept;
+  bool goes_on(double span_s) noexcept;
+  void begin_turn(const Act& act) noexcept;
+  bool is_turning() const noexcept;
+  void feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept;
+  void hold_blade(double span_s) noexcept;
+  void follow_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
+  void queue(const simulator::Command& command) noexcept;
+  RigidTransform held_pose() const noexcept;  ///< once it has turned
+  RigidTransform pose() const noexcept;
+
+  HandSkill skill_;
+  std::uint64_t seed_;
+  RigidTransform world_from_bone_;
+  std::vector<AimedCut> cuts_;
+  std::vector<Act> acts_;
+  std::size_t next_act_ = 0, cut_at_hand_ = 0;
+  bool is_begun_ = false;  ///< the act at hand
+
+  RigidTransform world_from_blade_;  ///< the plane that the hand keeps to
+  RigidTransform world_from_tool_;   ///< as it was seen last
+  RigidTransform turned_from_;       ///< TurnTo: the pose in which it began
+  Handle handle_;
+  HandSenses senses_;
+  StrokeWork work_;
+  HeldAxis out_, tilt_x_, tilt_y_;
+  double felt_newton_ = 0.0;
+  double engaged_mm_ = 0.0;  ///< as it was seen last
+  double act_s_ = 0.0, turn_s_ = 0.0;
+  std::int64_t tick_ = -1;
+  std::array<simulator::Command, simulator::commands_per_tick> queue_{};
+  std::size_t queued_ = 0, taken_ = 0;
+};
+
+}  // namespace hallux::scenarios

@@ -1,0 +1,14 @@
+/// A motion of a hand that was written down: it feels nothing.
+#pragma once
+
+#include <string_view>
+
+#include "simulator/device/scripted.h"
+
+namespace hallux::scenarios {
+
+/// A motion from a JSON text: {"keys": [{"time_s", "tip_mm", "direction", "normal", "saw"}...]}, in the world frame.
+/// errors  ScenarioError with `name`, the path and the mend
+simulator::HandMotion parse_hand_motion(std::string_view json, std::string_view name);
+
+}  // namespace hallux::scenarios
