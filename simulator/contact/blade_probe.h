@@ -9,6 +9,9 @@
 
 namespace hallux::simulator {
 
+/// How far in front of the teeth bone is asked for: they stand on bone, not in it.
+inline constexpr double probe_ahead_mm = 0.02;
+
 /// The middle of each share of the tooth line, `ahead_mm` in front of it and `aside_mm` out of the blade's plane [mm, bone frame].
 std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
                                            const BladeSize& blade, double ahead_mm,

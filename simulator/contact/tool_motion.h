@@ -6,14 +6,18 @@
 ///      '----------------------- the blade has left the bone -----------------------'
 ///
 /// A spring pulls the tool towards the handle; where bone stops the tool, the stretched spring is the force on the hand.
+/// Outside a kerf the tool is a proxy (proxy.h): teeth, faces and edges stay out of the bone and slide on it with friction.
 /// Only the tooth line cuts. In a kerf the blade slides along its plane: forward by the feed law, backward freely,
-/// sideways and turned only where its edges meet no standing bone; out of the plane it bends a little.
+/// sideways and turned only where its edges meet no standing bone; out of the plane it bends a little. Bone that gives way
+/// lets the tool come after the hand gently.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "simulator/contact/blade_contact.h"
 #include "simulator/contact/feed.h"
+#include "simulator/contact/proxy.h"
 #include "simulator/contact/tissue.h"
 
 namespace hallux::simulator {
@@ -23,6 +27,12 @@ struct ContactSettings {
   double cycles_per_minute = 12000.0;
   double coupling_newton_per_mm = 2.0;
   double force_limit_newton = 30.0;
+  double torsion_newton_mm_per_rad = 4000.0;  ///< between hand and tool, as the coupling
+  double torque_limit_newton_mm = 500.0;
+  double friction = 0.3;              ///< blade on bone, from rest
+  double friction_slide_share = 0.6;  ///< of it while the blade slides
+  double tooth_grip = 2.0;            ///< as friction, of running teeth that are not in a kerf yet
+  double give_mm_s = 200.0;  ///< faster than the hand, the tool comes after it where bone gives way
   double freeze_depth_mm = 0.3;  ///< a shallower touch is a scratch
   double slot_play_mm = 0.1;     ///< out of the plane, before the slot holds the blade
   double slot_stiffness_newton_per_mm = 10.0;
@@ -53,7 +63,13 @@ struct ToolState {
   double scratch_mm = 0.0;      ///< in Touching: the deepest so far
   bool was_engaged = false;     ///< teeth stood in bone at the end of the last tick
   bool is_refused = false;  ///< in Touching: there is no kerf left, the teeth stay where they are
+  bool is_held = false;     ///< in Free: bone stretched the spring, and it is not slack again
+  bool slides = false;      ///< in InKerf: along the walls
+  RigidTransform bone_from_handle;  ///< of the last tick
+  bool knows_handle = false;
   TeethMemory teeth{};
+  BladeMemory points{};
+  ProxyLoad load;
 };
 
 struct ToolInput {
@@ -63,10 +79,11 @@ struct ToolInput {
 };
 
 struct ToolOutcome {
-  Engagement engaged;                        ///< before the advance
-  Vec3 force_in_bone_newton{0.0, 0.0, 0.0};  ///< on the hand
-  double advance_mm = 0.0;                   ///< through bone, along the feed direction
-  double scratch_mm = 0.0;                   ///< above 0: a touch ended without a kerf
+  Engagement engaged;                            ///< before the advance
+  Vec3 force_in_bone_newton{0.0, 0.0, 0.0};      ///< on the hand
+  Vec3 torque_in_bone_newton_mm{0.0, 0.0, 0.0};  ///< on the hand, about the tool's origin
+  double advance_mm = 0.0;                       ///< through bone, along the feed direction
+  double scratch_mm = 0.0;                       ///< above 0: a touch ended without a kerf
   bool began_contact = false;
   bool wants_freeze = false;   ///< the touch is deep enough for a kerf in the tool's plane
   bool broke_through = false;  ///< the teeth left bone at the far side

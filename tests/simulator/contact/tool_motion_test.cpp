@@ -89,7 +89,7 @@ TEST(TouchingTool, DoesNotCutWhileTheSawStandsStill) {
   world.move(handle_at(top_mm - 3.0), false, 50);
   const double before_mm = world.tip_y_mm();
   const ToolOutcome outcome = world.move(handle_at(top_mm - 10.0), false, 1000);
-  EXPECT_EQ(world.tip_y_mm(), before_mm);
+  EXPECT_NEAR(world.tip_y_mm(), before_mm, 1e-5);
   EXPECT_EQ(outcome.advance_mm, 0.0);
   EXPECT_FALSE(outcome.wants_freeze);
 }
@@ -102,7 +102,7 @@ TEST(TouchingTool, AdvancesByTheFeedLawOfTheForceOnIt) {
   const double rate_mm_s =
       feed_rate_mm_s(outcome.engaged, 2.0 * stretch_mm, world.settings.cycles_per_minute);
   EXPECT_GT(outcome.engaged.cancellous_mm, 6.0);
-  EXPECT_NEAR(outcome.advance_mm, rate_mm_s * 0.001, 1e-12);
+  EXPECT_NEAR(outcome.advance_mm, rate_mm_s * 0.001, 1e-9);
 }
 
 TEST(TouchingTool, ThreeTicksInOneLineAdvanceThreeTimesAsFar) {
@@ -139,8 +139,9 @@ TEST(TouchingTool, AShallowTouchEndsAsAScratchOfItsDepth) {
 TEST(TouchingTool, SlidesAlongTheSurfaceWithTheHand) {
   SoftBlock world;
   world.move(handle_at(top_mm - 1.0), false, 50);
-  world.move(handle_at(top_mm - 1.0, 2.0), false, 5);
-  EXPECT_NEAR(world.tool.bone_from_tool.translation_mm.x, 2.0, 1e-9);
+  world.move(handle_at(top_mm - 1.0, 2.0), false, 10);
+  // A push of 1 mm of stretch: while it slides, friction keeps 0.6 x 0.3 of it.
+  EXPECT_NEAR(world.tool.bone_from_tool.translation_mm.x, 2.0 - 0.18, 1e-6);
   EXPECT_NEAR(world.tip_y_mm(), top_mm, look_mm);
 }
 

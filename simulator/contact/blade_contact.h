@@ -1,0 +1,62 @@
+/// Where a blade touches bone: points along its teeth, on its faces and on its edges, and the surface that each is near to.
+///
+///     collar                          teeth
+///       o    o    o    o    o    o    o :
+///       o    o    o    o    o    o    o :     rows across the blade from edge to edge, balls as thick as the blade;
+///       o    o    o    o    o    o    o :     every second tooth, a small ball right behind it
+///       o    o    o    o    o    o    o :
+///       o    o    o    o    o    o    o :
+///
+/// The surface is what still stands: the original bone's, minus open kerfs and pieces taken out.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "simulator/contact/tissue.h"
+
+namespace hallux::simulator {
+
+inline constexpr std::size_t contact_tooth_count = 11;
+inline constexpr std::size_t contact_rows = 8;
+inline constexpr std::size_t contact_columns = 5;
+inline constexpr std::size_t contact_point_count =
+    contact_tooth_count + contact_rows * contact_columns;
+
+/// The original surface's distance where it was asked for last: most points need no search. The answers are the same
+/// without it.
+struct SurfaceMemory {
+  Vec3 asked_mm{0.0, 0.0, 0.0};
+  double clearance_mm = 0.0;
+  bool is_known = false;
+};
+using BladeMemory = std::array<SurfaceMemory, contact_point_count>;
+
+/// A point of the blade near standing bone.
+struct BladeContact {
+  std::size_t point = 0;       ///< below contact_tooth_count: a tooth
+  Vec3 arm_mm{0.0, 0.0, 0.0};  ///< from the tool's origin, bone frame
+  Vec3 normal{0.0, 0.0, 0.0};  ///< out of the bone, unit length
+  double gap_mm = 0.0;         ///< between the point's ball and the bone, negative where it is in
+};
+
+/// The contacts of one pose; the first `count` of the list.
+struct BladeContacts {
+  std::array<BladeContact, contact_point_count> list{};
+  std::size_t count = 0;
+
+  std::span<const BladeContact> all() const noexcept { return {list.data(), count}; }
+};
+
+constexpr bool is_tooth(const BladeContact& contact) noexcept {
+  return contact.point < contact_tooth_count;
+}
+
+/// All points whose ball is within `reach_mm` of standing bone. A point more than a millimetre inside it has no way out
+/// and is left out.
+/// errors  none: total, allocates nothing
+/// thread  haptic
+BladeContacts find_contacts(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                            double reach_mm, BladeMemory& memory) noexcept;
+
+}  // namespace hallux::simulator

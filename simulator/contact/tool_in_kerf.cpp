@@ -1,0 +1,252 @@
+#include "simulator/contact/tool_in_kerf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/contact/blade_probe.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+/// Ways are walked in steps of this, at most `walk_steps` a tick.
+constexpr double walk_step_mm = 0.1;
+constexpr int walk_steps = 10;
+/// A turn in the kerf's plane below this is not worth asking the bone about.
+constexpr double turn_worth_asking = 0.0005;
+/// A shift aside below the record's quantum likewise [mm].
+constexpr double shift_worth_asking_mm = 0.001;
+/// Sliding along the walls is over where the pull is this share of the friction.
+constexpr double rest_share = 0.95;
+
+Vec3 axis_x(const RigidTransform& to_from_tool) noexcept {
+  return transform_direction(to_from_tool, Vec3{1.0, 0.0, 0.0});
+}
+
+Vec3 axis_z(const RigidTransform& to_from_tool) noexcept {
+  return transform_direction(to_from_tool, Vec3{0.0, 0.0, 1.0});
+}
+
+RigidTransform moved(const RigidTransform& pose, const Vec3& by_mm) noexcept {
+  return {pose.rotation, pose.translation_mm + by_mm};
+}
+
+/// What is left of a deviation: all of it within the play, beyond it only the share that gives way.
+double comply(double deviation, double play, double share) noexcept {
+  const double beyond = std::abs(deviation) - play;
+  if (beyond <= 0.0) return deviation;
+  return (deviation < 0.0 ? -1.0 : 1.0) * (play + share * beyond);
+}
+
+/// Where the hand wants the teeth, ahead of where they are, and how far they may go where no bone is in their way.
+struct Push {
+  double wanted_mm = 0.0;
+  double reach_mm = 0.0;
+};
+
+/// Advances along the tool's x: freely until the teeth stand on bone, then by the feed law of the whole push.
+double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& input,
+            const StandingBone& bone, const ContactSettings& settings, TeethMemory& teeth,
+            ToolOutcome& outcome) noexcept {
+  const Vec3 ahead = axis_x(bone_from_tool);
+  const double free_mm = std::min(push.wanted_mm, push.reach_mm);
+  double done_mm = 0.0;
+  for (int i = 0; i == 0 || (i < walk_steps && done_mm < free_mm); ++i) {
+    outcome.engaged = engagement(bone_from_tool, bone, probe_ahead_mm, teeth);
+    const bool is_engaged = outcome.engaged.width_mm() > 0.0;
+    double step_mm = std::min(walk_step_mm, free_mm - done_mm);
+    if (is_engaged) {
+      const double left_mm = push.wanted_mm - done_mm;
+      const double force_newton =
+          std::min(settings.force_limit_newton, settings.coupling_newton_per_mm * left_mm);
+      const double rate_mm_s =
+          input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton, settings.cycles_per_minute)
+                         : 0.0;
+      step_mm = std::min(left_mm, rate_mm_s * input.duration_s);
+      outcome.advance_mm = step_mm;
+    }
+    bone_from_tool = moved(bone_from_tool, step_mm * ahead);
+    done_mm += step_mm;
+    if (is_engaged) break;
+  }
+  return done_mm;
+}
+
+/// What the walls' friction leaves of a pull along the plane, of a blade pushed against them; both as stretch of the spring.
+Vec2 after_friction(const Vec2& pull_mm, double push_mm, const ContactSettings& settings,
+                    bool& slides) noexcept {
+  const double length_mm = std::sqrt(glm::dot(pull_mm, pull_mm));
+  const double hold_mm = settings.friction * push_mm;
+  const double slide_mm = settings.friction_slide_share * hold_mm;
+  slides = length_mm > (slides ? rest_share * slide_mm : hold_mm);
+  if (!slides) return {0.0, 0.0};
+  return (std::max(0.0, length_mm - slide_mm) / length_mm) * pull_mm;
+}
+
+/// A rotation about z by the angle of the unit direction; half angles by square roots alone.
+Quat rotation_to(const Vec2& direction) noexcept {
+  const double half_cos = std::sqrt(std::max(0.0, 0.5 * (1.0 + direction.x)));
+  const double half_sin = std::sqrt(std::max(0.0, 0.5 * (1.0 - direction.x)));
+  return {half_cos, 0.0, 0.0, direction.y < 0.0 ? -half_sin : half_sin};
+}
+
+/// How far out of its plane the slot lets a blade that is held there.
+double bent_aside_mm(double held_mm, const ContactSettings& settings) noexcept {
+  const double share = settings.coupling_newton_per_mm /
+                       (settings.coupling_newton_per_mm + settings.slot_stiffness_newton_per_mm);
+  return comply(held_mm, settings.slot_play_mm, share);
+}
+
+/// The pose in the kerf's frame from its planar part and the handle's deviation out of the plane.
+RigidTransform bent_pose(const PlanarPose& planar, const RigidTransform& kerf_from_handle,
+                         const ContactSettings& settings) noexcept {
+  const Quat in_plane = rotation_to(planar.direction);
+  Quat tilt = glm::conjugate(in_plane) * kerf_from_handle.rotation;
+  if (tilt.w < 0.0) tilt = -tilt;
+  const double tilt_x = comply(2.0 * tilt.x, settings.slot_play_rad, settings.slot_compliance);
+  const double tilt_y = comply(2.0 * tilt.y, settings.slot_play_rad, settings.slot_compliance);
+  const double out_mm = bent_aside_mm(kerf_from_handle.translation_mm.z, settings);
+  // The last part keeps the blade's direction in the plane: two small tilts together would turn it a little each tick.
+  const Quat bend{1.0, 0.5 * tilt_x, 0.5 * tilt_y, -0.25 * tilt_x * tilt_y};
+  return {normalised(in_plane * bend), Vec3{planar.tip_mm.x, planar.tip_mm.y, out_mm}};
+}
+
+/// The flat blade at a planar pose, in the bone frame.
+RigidTransform flat_pose(const KerfPlane& plane, const PlanarPose& planar) noexcept {
+  return plane.bone_from_kerf *
+         RigidTransform{rotation_to(planar.direction), Vec3{planar.tip_mm.x, planar.tip_mm.y, 0.0}};
+}
+
+/// A way in steps of `step`, no more than there may be; the share of the way that each is.
+struct Steps {
+  int count = 1;
+  double share = 1.0;
+};
+Steps steps_of(double way, double step, double reach) noexcept {
+  const int count = std::clamp(static_cast<int>(std::min(way, reach) / step) + 1, 1, walk_steps);
+  return {count, std::min({1.0, reach / way, count * step / way}) / count};
+}
+
+/// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would meet bone.
+void turn_aside(PlanarPose& planar, const Vec2& wanted, double reach_mm, const KerfPlane& plane,
+                const StandingBone& bone, TeethMemory& teeth) noexcept {
+  const double turn = planar.direction.x * wanted.y - planar.direction.y * wanted.x;
+  if (std::abs(turn) < turn_worth_asking) return;
+  const double depth_mm = bone.kerfs.blade().depth_mm;
+  const auto [steps, share] =
+      steps_of(std::abs(turn), walk_step_mm / depth_mm, reach_mm / depth_mm);
+  const Vec2 from = planar.direction;
+  for (int i = 1; i <= steps; ++i) {
+    const Vec2 sum = from + (share * i) * (wanted - from);
+    const double length = std::sqrt(glm::dot(sum, sum));
+    if (!(length > 0.5)) return;  // about to turn round: no way to go is shorter
+    const PlanarPose turned{planar.tip_mm, sum / length};
+    const RigidTransform pose = flat_pose(plane, turned);
+    const bool is_free = !edge_meets_bone(pose, bone, 1.0) && !edge_meets_bone(pose, bone, -1.0) &&
+                         !(engagement(pose, bone, 0.0, teeth).width_mm() > 0.0);
+    if (!is_free) return;
+    planar = turned;
+  }
+}
+
+/// Shifts the blade along its tooth line, step by step, until the edge in front would meet bone.
+void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
+                 const KerfPlane& plane, const StandingBone& bone) noexcept {
+  const Vec2 along{-planar.direction.y, planar.direction.x};
+  const double shift_mm = glm::dot(wanted_tip_mm - planar.tip_mm, along);
+  if (std::abs(shift_mm) < shift_worth_asking_mm) return;
+  const double side = shift_mm < 0.0 ? -1.0 : 1.0;
+  double left_mm = std::min(std::abs(shift_mm), reach_mm);
+  for (int i = 0; i < walk_steps && left_mm > 0.0; ++i) {
+    const double step_mm = std::min(walk_step_mm, left_mm);
+    const PlanarPose shifted{planar.tip_mm + (side * step_mm) * along, planar.direction};
+    if (edge_meets_bone(flat_pose(plane, shifted), bone, side)) return;
+    planar = shifted;
+    left_mm -= step_mm;
+  }
+}
+
+bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
+  for (const Vec3& point : tooth_points(bone_from_tool, bone.kerfs.blade(), 0.0)) {
+    if (bone.original.clearance_mm(point) <= 0.0) return false;
+  }
+  return true;
+}
+
+/// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before it: a hand lays the
+/// blade back into the line of its cut, also where the bone begins deeper.
+std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                             std::int32_t kerf) noexcept {
+  const KerfPlane& plane = bone.kerfs.plane(kerf);
+  const RigidTransform flat = flat_pose(plane, planar_pose(plane, bone_from_tool));
+  std::int32_t count = 0;
+  for (const Vec3& point : tooth_points(flat, bone.kerfs.blade(), 0.0)) {
+    const Vec3 local = transform_point(bone.kerfs.kerf_from_bone(kerf), point);
+    if (bone.kerfs.field(kerf).is_open(Vec2{local.x, local.y})) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept {
+  const KerfPlane& plane = bone.kerfs.plane(tool.kerf);
+  const RigidTransform kerf_from_handle =
+      bone.kerfs.kerf_from_bone(tool.kerf) * input.bone_from_handle;
+  PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
+  const PlanarPose wanted = planar_pose(plane, input.bone_from_handle);
+  const double held_mm = kerf_from_handle.translation_mm.z;
+  const double push_mm = std::abs(held_mm - bent_aside_mm(held_mm, settings));
+  const Vec2 target_mm =
+      planar.tip_mm + after_friction(wanted.tip_mm - planar.tip_mm, push_mm, settings, tool.slides);
+  turn_aside(planar, wanted.direction, reach_mm, plane, bone, tool.teeth);
+  shift_aside(planar, target_mm, reach_mm, plane, bone);
+
+  const double forward_mm = glm::dot(target_mm - planar.tip_mm, planar.direction);
+  RigidTransform flat = flat_pose(plane, planar);
+  const double fed_mm = forward_mm < 0.0 ? std::max(forward_mm, -reach_mm)
+                                         : feed(flat, {forward_mm, reach_mm}, input, bone, settings,
+                                                tool.teeth, outcome);
+  planar.tip_mm += fed_mm * planar.direction;
+  tool.bone_from_tool = plane.bone_from_kerf * bent_pose(planar, kerf_from_handle, settings);
+
+  const bool is_engaged = outcome.engaged.width_mm() > 0.0;
+  outcome.broke_through = tool.was_engaged && !is_engaged && forward_mm > 0.0 &&
+                          teeth_are_outside(flat_pose(plane, planar), bone);
+  tool.was_engaged = is_engaged;
+  if (forward_mm < 0.0 && !blade_is_in_bone(flat_pose(plane, planar), bone)) {
+    tool.stage = ToolStage::Free;
+    tool.is_held = true;
+    tool.kerf = -1;
+  }
+}
+
+std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                               const ContactSettings& settings) noexcept {
+  for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
+    const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * bone_from_tool;
+    const Vec3 normal = axis_z(kerf_from_tool);
+    const double tilt_sine = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    const double offset_mm = std::abs(kerf_from_tool.translation_mm.z);
+    if (normal.z <= 0.0 || tilt_sine > settings.capture_angle_rad) continue;
+    if (tilt_sine <= settings.rejoin_angle_rad && offset_mm <= settings.rejoin_offset_mm)
+      return kerf;
+    if (offset_mm > 0.5 * bone.kerfs.blade().kerf_mm + settings.capture_offset_mm) continue;
+    if (teeth_over_slot(bone_from_tool, bone, kerf) >= settings.capture_teeth) return kerf;
+  }
+  return -1;
+}
+
+void enter_kerf(ToolState& tool, std::int32_t kerf, const StandingBone& bone,
+                const ContactSettings& settings) noexcept {
+  const KerfPlane& plane = bone.kerfs.plane(kerf);
+  const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * tool.bone_from_tool;
+  const PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
+  tool.bone_from_tool = plane.bone_from_kerf * bent_pose(planar, kerf_from_tool, settings);
+  tool.stage = ToolStage::InKerf;
+  tool.kerf = kerf;
+  tool.was_engaged = tool.slides = false;
+}
+
+}  // namespace hallux::simulator

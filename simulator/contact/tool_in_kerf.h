@@ -1,0 +1,14 @@
+/// One tick of a blade in its kerf, and how it comes into one.
+///
+/// Part of tool_motion.h, and called by it alone.
+#pragma once
+
+#include "simulator/contact/tool_motion.h"
+
+namespace hallux::simulator {
+
+/// Moves the tool along the kerf's plane; through air, open kerf and aside by at most `reach_mm`.
+void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept;
+
+}  // namespace hallux::simulator
