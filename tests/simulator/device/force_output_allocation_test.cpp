@@ -22,7 +22,8 @@ TEST(DeviceForce, TakesNoMemoryInAHundredThousandTicks) {
     device.exchange(force.force_in_world_newton, tick, raw);
     const Vec3 place_mm = raw.world_from_handle.translation_mm;
     const Vec3 wall_newton(-2.0 * std::max(0.0, place_mm.x), 0.0, 0.0);
-    force = output_force(state, settings, {wall_newton, place_mm, 0.001, tick % 10000 != 0});
+    force = output_force(state, settings,
+                         {wall_newton, place_mm, {0.0, 0.1, 0.0}, 0.001, tick % 10000 != 0});
     limits |= force.limits;
   }
   EXPECT_EQ(tests::allocations_of_this_thread() - before, 0U);
