@@ -3,7 +3,7 @@
 namespace hallux::tests {
 
 std::vector<Picture> haptic_pictures() {
-  return {{"stability", draw_stability()}, {"laws", draw_laws()}};
+  return {{"stability", draw_stability()}, {"laws", draw_laws()}, {"hands", draw_hands()}};
 }
 
 }  // namespace hallux::tests
