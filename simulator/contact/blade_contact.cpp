@@ -20,6 +20,10 @@ constexpr double direction_mm = 1.0e-5;
 constexpr double way_out_mm = 1.0;
 /// Behind a surface, to ask whether bone stands there.
 constexpr double behind_mm = 1.0e-3;
+/// Above the rounding of a distance.
+constexpr double rounding_mm = 1.0e-6;
+/// Dear answers (walls, rims, missing pieces) in one search; points beyond that are taken to be free.
+constexpr int dear_limit = 12;
 
 struct Ball {
   Vec3 in_tool_mm{0.0, 0.0, 0.0};
@@ -53,74 +57,94 @@ struct NearSurface {
 
 double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
 
-/// The exact and dear answer, where kerfs or missing pieces have a say.
-std::optional<NearSurface> near_standing(const Vec3& point_mm, double within_mm,
-                                         const StandingBone& bone) noexcept {
-  const RemainingBone remaining = bone.remaining();
-  const std::optional<RemainingPoint> found = remaining.nearest(point_mm, within_mm);
-  if (!found) return std::nullopt;
-  const double side = remaining.contains(point_mm) ? -1.0 : 1.0;
-  if (found->distance_mm < direction_mm)
-    return NearSurface{found->normal, side * found->distance_mm};
-  return NearSurface{(side / found->distance_mm) * (point_mm - found->point_in_bone_mm),
-                     side * found->distance_mm};
-}
+/// One search over the blade's points; counts what is dear.
+class ContactSearch {
+ public:
+  explicit ContactSearch(const StandingBone& bone) noexcept : bone_(bone) {}
 
-/// Whether a wall of some kerf is within the distance, be it open there or not.
-bool is_near_kerf(const Vec3& point_mm, double within_mm, const KerfSet& kerfs) noexcept {
-  for (std::int32_t kerf = 0; kerf < kerfs.count(); ++kerf) {
-    const double height_mm = transform_point(kerfs.kerf_from_bone(kerf), point_mm).z;
-    if (std::abs(height_mm) < 0.5 * kerfs.plane(kerf).thickness_mm + within_mm) return true;
+  /// The surface within the distance, or around a point less than a millimetre inside; the memory learns what was asked.
+  std::optional<NearSurface> near_surface(const Vec3& point_mm, double within_mm,
+                                          SurfaceMemory& memory) noexcept {
+    const double moved_mm = length_mm(point_mm - memory.asked_mm);
+    if (memory.is_known && memory.clearance_mm - moved_mm > within_mm) return std::nullopt;
+    // In its own slot a blade is between two walls, which its teeth feel.
+    if (bone_.removed_pieces.empty() && bone_.kerfs.is_open(point_mm)) return std::nullopt;
+    if (memory.is_known && memory.clearance_mm + moved_mm < -way_out_mm)
+      return near_inside(point_mm, within_mm, std::nullopt);
+    const std::optional<NearestPoint> found = nearest_skin(point_mm, memory, moved_mm);
+    if (!found) return std::nullopt;
+    const double side = found->is_inside ? -1.0 : 1.0;
+    memory = {point_mm, side * found->distance_mm, true};
+    if (found->distance_mm < direction_mm) return near_standing(point_mm, within_mm);
+    const NearSurface skin{(side / found->distance_mm) * (point_mm - found->point_mm),
+                           side * found->distance_mm};
+    if (found->is_inside) return near_inside(point_mm, within_mm, skin);
+    if (skin.height_mm > within_mm) return std::nullopt;
+    if (!is_gone(found->point_mm - behind_mm * skin.normal)) return skin;
+    if (bone_.removed_pieces.empty()) return std::nullopt;
+    return near_standing(point_mm, within_mm);
   }
-  return false;
-}
 
-bool is_gone(const Vec3& point_mm, const StandingBone& bone) noexcept {
-  return bone.kerfs.is_open(point_mm) || bone.remaining().is_taken_out(point_mm);
-}
-
-/// A point within the original outer surface. In an open kerf the blade is between two walls that its teeth feel; only
-/// where a piece is missing beside it a single wall may hold a face.
-std::optional<NearSurface> near_inside(const Vec3& point_mm, double within_mm,
-                                       const std::optional<NearSurface>& skin,
-                                       const StandingBone& bone) noexcept {
-  if (is_gone(point_mm, bone)) {
-    if (bone.removed_pieces.empty() || !is_near_kerf(point_mm, within_mm, bone.kerfs))
-      return std::nullopt;
-    return near_standing(point_mm, within_mm, bone);
+ private:
+  /// What was known bounds the search; its answer is the same.
+  std::optional<NearestPoint> nearest_skin(const Vec3& point_mm, const SurfaceMemory& memory,
+                                           double moved_mm) const noexcept {
+    const Bvh& surface = bone_.original.surface();
+    if (!memory.is_known) return surface.nearest(point_mm);
+    const double most_mm = std::abs(memory.clearance_mm) + moved_mm + rounding_mm;
+    const std::optional<NearestPoint> found = surface.nearest(point_mm, most_mm);
+    return found ? found : surface.nearest(point_mm);
   }
-  const double skin_mm = skin ? std::abs(skin->height_mm) : way_out_mm;
-  if (is_near_kerf(point_mm, std::min(skin_mm, way_out_mm), bone.kerfs))
-    return near_standing(point_mm, way_out_mm, bone);
-  return skin_mm < way_out_mm ? skin : std::nullopt;
-}
 
-/// The original surface where it is near, or within reach from outside; the memory learns what was asked.
-std::optional<NearSurface> near_surface(const Vec3& point_mm, double within_mm,
-                                        const StandingBone& bone, SurfaceMemory& memory) noexcept {
-  const double moved_mm = length_mm(point_mm - memory.asked_mm);
-  if (memory.is_known && memory.clearance_mm - moved_mm > within_mm) return std::nullopt;
-  if (memory.is_known && memory.clearance_mm + moved_mm < -way_out_mm)
-    return near_inside(point_mm, within_mm, std::nullopt, bone);
-  const std::optional<NearestPoint> found = bone.original.surface().nearest(point_mm);
-  if (!found) return std::nullopt;
-  const double side = found->is_inside ? -1.0 : 1.0;
-  memory = {point_mm, side * found->distance_mm, true};
-  if (found->distance_mm < direction_mm) return near_standing(point_mm, within_mm, bone);
-  const NearSurface skin{(side / found->distance_mm) * (point_mm - found->point_mm),
-                         side * found->distance_mm};
-  if (found->is_inside) return near_inside(point_mm, within_mm, skin, bone);
-  if (skin.height_mm > within_mm) return std::nullopt;
-  if (!is_gone(found->point_mm - behind_mm * skin.normal, bone)) return skin;
-  if (bone.removed_pieces.empty()) return std::nullopt;
-  return near_standing(point_mm, within_mm, bone);
-}
+  bool is_gone(const Vec3& point_mm) const noexcept {
+    return bone_.kerfs.is_open(point_mm) || bone_.remaining().is_taken_out(point_mm);
+  }
+
+  /// Whether a wall of some kerf is within the distance, be it open there or not.
+  bool is_near_kerf(const Vec3& point_mm, double within_mm) const noexcept {
+    for (std::int32_t kerf = 0; kerf < bone_.kerfs.count(); ++kerf) {
+      const double height_mm = transform_point(bone_.kerfs.kerf_from_bone(kerf), point_mm).z;
+      if (std::abs(height_mm) < 0.5 * bone_.kerfs.plane(kerf).thickness_mm + within_mm) return true;
+    }
+    return false;
+  }
+
+  /// A point within the original outer surface. Beside a piece that is missing a single wall may hold a face.
+  std::optional<NearSurface> near_inside(const Vec3& point_mm, double within_mm,
+                                         const std::optional<NearSurface>& skin) noexcept {
+    if (is_gone(point_mm)) {
+      if (!is_near_kerf(point_mm, within_mm)) return std::nullopt;
+      return near_standing(point_mm, within_mm);
+    }
+    const double skin_mm = skin ? std::abs(skin->height_mm) : way_out_mm;
+    if (is_near_kerf(point_mm, std::min(skin_mm, way_out_mm)))
+      return near_standing(point_mm, way_out_mm);
+    return skin_mm < way_out_mm ? skin : std::nullopt;
+  }
+
+  /// The exact and dear answer, where kerfs or missing pieces have a say.
+  std::optional<NearSurface> near_standing(const Vec3& point_mm, double within_mm) noexcept {
+    if (++dear_count_ > dear_limit) return std::nullopt;
+    const RemainingBone remaining = bone_.remaining();
+    const std::optional<RemainingPoint> found = remaining.nearest(point_mm, within_mm);
+    if (!found) return std::nullopt;
+    const double side = remaining.contains(point_mm) ? -1.0 : 1.0;
+    if (found->distance_mm < direction_mm)
+      return NearSurface{found->normal, side * found->distance_mm};
+    return NearSurface{(side / found->distance_mm) * (point_mm - found->point_in_bone_mm),
+                       side * found->distance_mm};
+  }
+
+  const StandingBone& bone_;
+  int dear_count_ = 0;
+};
 
 }  // namespace
 
 BladeContacts find_contacts(const RigidTransform& bone_from_tool, const StandingBone& bone,
                             double reach_mm, BladeMemory& memory) noexcept {
   BladeContacts contacts;
+  ContactSearch search(bone);
   SurfaceMemory last;
   for (std::size_t point = 0; point < contact_point_count; ++point) {
     const Ball part = ball(point, bone.kerfs.blade());
@@ -131,7 +155,7 @@ BladeContacts find_contacts(const RigidTransform& bone_from_tool, const Standing
     if (last.is_known && last.clearance_mm - length_mm(centre_mm - last.asked_mm) > within_mm)
       continue;
     SurfaceMemory& own = memory[point];
-    const std::optional<NearSurface> near = near_surface(centre_mm, within_mm, bone, own);
+    const std::optional<NearSurface> near = search.near_surface(centre_mm, within_mm, own);
     last = own;
     if (!near || near->height_mm > within_mm) continue;
     contacts.list[contacts.count++] = {point, arm_mm - part.radius_mm * near->normal, near->normal,

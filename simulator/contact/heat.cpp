@@ -71,10 +71,11 @@ std::int32_t index_of(double cells) noexcept {
 }  // namespace
 
 HeatField::HeatField(const BladeSize& blade, const RigidTransform& world_from_bone,
-                     double cycles_per_minute)
+                     double cycles_per_minute, double sharpness)
     : blade_(blade),
       bone_from_world_(inverse(world_from_bone)),
       tooth_speed_mm_s_(mean_tooth_speed_mm_s(blade.depth_mm, cycles_per_minute)),
+      friction_(saw_friction / sharpness),
       cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
       patches_(static_cast<std::size_t>(2 * kerf_limit * patches_over * patches_over)) {
   hottest_celsius_.fill(body_celsius);
@@ -134,7 +135,7 @@ void HeatField::heat(const ToolSample& sample, const StandingBone& bone, double 
   if (!rubs) return;
   // Newton times millimetre are thousandths of a joule.
   const double friction_joule =
-      0.001 * saw_friction * push_newton(sample) * tooth_speed_mm_s_ * span_s;
+      0.001 * friction_ * push_newton(sample) * tooth_speed_mm_s_ * span_s;
   const double advance_mm = std::max(0.0, glm::dot(way_mm, pose.direction));
   rub({sample.kerf, pose, friction_joule, advance_mm}, bone);
 }

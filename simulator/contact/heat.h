@@ -47,9 +47,10 @@ struct HeatSummary {
 
 class HeatField {
  public:
-  /// Takes all its memory here.
-  HeatField(const BladeSize& blade, const RigidTransform& world_from_bone,
-            double cycles_per_minute);
+  /// Takes all its memory here. A dull blade rubs as much more as it is less sharp than a new one.
+  /// needs   sharpness > 0
+  HeatField(const BladeSize& blade, const RigidTransform& world_from_bone, double cycles_per_minute,
+            double sharpness = 1.0);
 
   /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the sample before. While
   /// the attempt does not run, time stands still here too.
@@ -113,6 +114,7 @@ class HeatField {
   BladeSize blade_;
   RigidTransform bone_from_world_;
   double tooth_speed_mm_s_;
+  double friction_;
   FixedArray<Cell> cells_;     ///< kerf by kerf, v running fastest
   FixedArray<Patch> patches_;  ///< kind by kind, kerf by kerf
   std::array<Warmed, static_cast<std::size_t>(kerf_limit)> warmed_{};

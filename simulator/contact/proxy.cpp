@@ -11,7 +11,7 @@ namespace {
 
 constexpr int sweep_limit = 30;
 /// Changes of a load below this end the search [mm].
-constexpr double settled_mm = 1.0e-9;
+constexpr double settled_mm = 1.0e-7;
 /// A face may be in bone by this before it is led out: curved bone is met by its planes.
 constexpr double slack_mm = 0.002;
 /// Sliding begins where the holds together are this share of what they could be, and is over below the second.

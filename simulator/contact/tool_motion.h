@@ -25,6 +25,7 @@ namespace hallux::simulator {
 /// Constants of the coupling and of the blade in its slot. source  docs/haptics.md
 struct ContactSettings {
   double cycles_per_minute = 12000.0;
+  double sharpness = 1.0;  ///< of the blade: what it takes in a cycle, as a share of a new one's
   double coupling_newton_per_mm = 2.0;
   double force_limit_newton = 30.0;
   double torsion_newton_mm_per_rad = 4000.0;  ///< between hand and tool, as the coupling
@@ -45,6 +46,11 @@ struct ContactSettings {
   double capture_offset_mm = 0.5;
   std::int32_t capture_teeth = 2;  ///< teeth over the slot that it takes
 };
+
+/// The rate at which a new blade would cut as this one does.
+constexpr double cutting_cycles_per_minute(const ContactSettings& settings) noexcept {
+  return settings.cycles_per_minute * settings.sharpness;
+}
 
 inline constexpr std::size_t tooth_count = 21;
 /// A tooth takes its kerf's whole thickness: it is asked for bone in its middle and near both sides.

@@ -28,7 +28,7 @@ Operation::Operation(const TissueMap& tissue, const RigidTransform& world_from_b
       bone_from_world_(inverse(world_from_bone)),
       settings_(settings),
       kerfs_(blade, world_from_bone),
-      wound_(world_from_bone, blade, settings.cycles_per_minute, wound) {}
+      wound_(world_from_bone, blade, settings.cycles_per_minute, wound, settings.sharpness) {}
 
 StepOutput Operation::step(const StepInput& input) noexcept {
   StepOutput output;
@@ -241,6 +241,8 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
   if (outcome.advance_mm > 0.0) sample.status |= bit(ToolStatus::Cutting);
   if (outcome.is_force_limited) sample.status |= bit(ToolStatus::ForceLimited);
   output.engaged = outcome.engaged;
+  output.torque_in_world_newton_mm =
+      transform_direction(world_from_bone_, outcome.torque_in_bone_newton_mm);
   // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on unrounded, else a feed
   // below half a micrometre a tick would stand still.
   watch_growth(kerfs_.follow(sample), kerf_before, outcome.broke_through);

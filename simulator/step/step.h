@@ -47,6 +47,8 @@ struct StepOutput {
   Engagement engaged;                     ///< for displays; not recorded
   BladeFlex flex;                         ///< likewise
   double hottest_celsius = body_celsius;  ///< of all bone now; likewise
+  /// On the hand about the tool's origin, world frame, for a device that can turn; not recorded.
+  Vec3 torque_in_world_newton_mm{0.0, 0.0, 0.0};
 };
 
 inline constexpr std::size_t removed_piece_limit = 8;

@@ -18,11 +18,11 @@ std::span<const DangerCapsule> watched(const WoundSettings& settings) noexcept {
 }  // namespace
 
 Wound::Wound(const RigidTransform& world_from_bone, const BladeSize& blade,
-             double cycles_per_minute, const WoundSettings& settings)
+             double cycles_per_minute, const WoundSettings& settings, double sharpness)
     : bone_from_world_(inverse(world_from_bone)),
       blade_(blade),
       thickness_mm_(settings.blade_thickness_mm),
-      heat_(blade, world_from_bone, cycles_per_minute),
+      heat_(blade, world_from_bone, cycles_per_minute, sharpness),
       danger_(world_from_bone, blade, watched(settings)) {}
 
 void Wound::follow(const ToolSample& sample, const StandingBone& bone) noexcept {

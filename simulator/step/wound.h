@@ -28,7 +28,7 @@ class Wound {
  public:
   /// Takes all its memory here.
   Wound(const RigidTransform& world_from_bone, const BladeSize& blade, double cycles_per_minute,
-        const WoundSettings& settings);
+        const WoundSettings& settings, double sharpness = 1.0);
 
   /// needs   samples in their order; `bone` as it stands after the sample
   /// thread  haptic; allocates nothing

@@ -27,11 +27,18 @@ void push_for(OperationRun& run, double force_newton, int ticks) {
 struct Feed {
   double rate_mm_s = 0.0;
   Engagement engaged;
+  double hottest_celsius = 0.0;
+};
+
+struct Saw {
+  BladeSize blade = {};
+  ContactSettings settings = {};
 };
 
 /// The rate over a while under the push, begun `first_mm` below the top.
-Feed feed_under(const Bone& bone, double force_newton, double first_mm, int ticks) {
-  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
+Feed feed_under(const Bone& bone, double force_newton, double first_mm, int ticks,
+                const Saw& saw = {}) {
+  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}), saw.blade, saw.settings);
   while (run.bone_from_tool().translation_mm.y > top_mm - first_mm &&
          run.recording().tape.size() < 30000) {
     push_for(run, 20.0, 1);
@@ -43,7 +50,8 @@ Feed feed_under(const Bone& bone, double force_newton, double first_mm, int tick
   const StepOutput output =
       run.glide(blade_down({0.0, tip_mm - force_newton / coupling_newton_per_mm, 0.0}), 1);
   const double way_mm = before_mm - run.bone_from_tool().translation_mm.y;
-  return {way_mm / (0.001 * ticks), output.engaged};
+  return {way_mm / (0.001 * ticks), output.engaged,
+          run.operation().wound().heat().summary().hottest_celsius};
 }
 
 Bone block(double width_mm) {
@@ -80,6 +88,19 @@ TEST(FeedOnABlock, StandsStillBelowTheThreshold) {
   EXPECT_NEAR(feed_under(block(30.0), 1.4, 0.5, 500).rate_mm_s, 0.0, 0.003);
 }
 
+TEST(FeedOnABlock, ADullBladeIsSlowerAndHotterForTheSameWay) {
+  const Feed sharp = feed_under(block(30.0), 10.0, 0.5, 2000);
+  const Feed dull = feed_under(block(30.0), 10.0, 0.5, 4000, {.settings = {.sharpness = 0.5}});
+  EXPECT_NEAR(dull.rate_mm_s, 0.5 * sharp.rate_mm_s, 0.02 * sharp.rate_mm_s);
+  EXPECT_GT(dull.hottest_celsius, sharp.hottest_celsius + 10.0);
+}
+
+TEST(FeedOnABlock, TooWideABladeIsSlower) {
+  const Feed narrow = feed_under(block(30.0), 10.0, 0.5, 2000, {.blade = {.width_mm = 7.0}});
+  const Feed wide = feed_under(block(30.0), 10.0, 0.5, 2000, {.blade = {.width_mm = 12.0}});
+  EXPECT_NEAR(wide.rate_mm_s / narrow.rate_mm_s, 7.0 / 12.0, 0.02);
+}
+
 TEST(FeedOnABlock, APushAgainstTheWallCostsItsFriction) {
   const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 30.0}));
   const auto way_mm = [&](double aside_mm) {
@@ -108,6 +129,22 @@ TEST(BladeInItsSlot, IsHeldByFrictionWhereItIsPressedAgainstAWall) {
   run.glide(blade_down({1.3, tip_mm + 2.0, 0.0}), 100);
   EXPECT_NEAR(run.bone_from_tool().translation_mm.y, tip_mm + 2.0 - 0.18, 0.005);
   EXPECT_NEAR(run.force_in_bone_newton().y, -0.36, 0.01);
+}
+
+TEST(BladeInItsSlot, TurnsTheHandBackIntoItsPlane) {
+  const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 30.0}));
+  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
+  run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 3000);
+  const double tip_mm = run.bone_from_tool().translation_mm.y;
+  const auto torque_newton_mm = [&](double lean_rad) {
+    const StepOutput output = run.glide(blade_down({0.0, tip_mm - 2.0, 0.0}, lean_rad), 100);
+    return transform_direction(inverse(bone.world_from_bone), output.torque_in_world_newton_mm);
+  };
+  EXPECT_NEAR(torque_newton_mm(0.008).y, 0.0, 0.5);  // within the play
+  // Beyond it nine tenths of the lean are the grip's; leaning is about the feed, -y.
+  EXPECT_NEAR(torque_newton_mm(0.05).y, 4000.0 * 0.9 * (0.05 - 0.0087), 4.0);
+  const Vec3 most = torque_newton_mm(0.5);
+  EXPECT_NEAR(std::sqrt(glm::dot(most, most)), 500.0, 1e-6);
 }
 
 TEST(BreakThrough, LetsTheBladeGoAtTwoTenthsOfAMetreASecond) {

@@ -18,8 +18,8 @@ inline constexpr std::int32_t golden_engine_version = 4;
 
 inline constexpr GoldenHashes golden_tube{
     .bone = "e896492ae9dc6392ccf56bf4f9855c3c0391eae03bae8c511038e15487812285",
-    .tape = "8fb15a6c049c65fed5d61e4f58524b369d5b9fd62a864a95417a13432a1380f9",
-    .outputs = "ca94fad16356f6843f1d3e161db2ba703d5378b5afe3fe90268cc86a80a1a0ee"};
+    .tape = "eb5f93028a9fd6b3fb37a9887f785bb62bc3933814ccb18c039c24ce9a0c61d1",
+    .outputs = "891c0cb51ebe5d0981447713b67635b3c03e93c2474ea847001775ba3ff778f1"};
 
 inline constexpr GoldenHashes golden_silver_expert_1{
     .bone = "8875a39afe43c63726079111fe9504ea0804358329d1d3df6a4594bf10fd622a",
