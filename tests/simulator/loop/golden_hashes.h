@@ -23,7 +23,7 @@ inline constexpr GoldenHashes golden_tube{
 
 inline constexpr GoldenHashes golden_silver_expert_1{
     .bone = "8875a39afe43c63726079111fe9504ea0804358329d1d3df6a4594bf10fd622a",
-    .tape = "f7ab4f4f91fb95140c824b2bad51e800017d2ac4084eedeb2e7c7fba1aa9f711",
-    .outputs = "52990bdf16f129836a1fc1aca54db345aae2b19ad527108e0a8f5ab5bcd8569e"};
+    .tape = "fb7a115297d39294a58e7f579456360552ecffaa66d5e634fe76b0d605806823",
+    .outputs = "a6c18e79601d088f87ae02455a2ea909dcfbe6514d57e2d9cb3747bcd2802cdb"};
 
 }  // namespace hallux::tests
