@@ -90,10 +90,10 @@ class AkinByMouse : public testing::Test {
 
   void saw_cut(SteadyHand& hand, std::size_t cut) {
     hand.toggle_saw();
-    for (const Stroke& stroke :
-         scenarios::stopped(scenarios::plan_strokes(aimed[cut].region,
-                                                    table.scenario.blade.size.width_mm, overlap_mm),
-                            aimed[cut].stop_mm.value(), 0)) {
+    for (const Stroke& stroke : scenarios::stopped(
+             scenarios::plan_strokes(aimed[cut].region,
+                                     {table.scenario.blade.size.width_mm, overlap_mm}),
+             aimed[cut].stop_mm.value())) {
       saw(hand, world_from_kerf(aimed[cut]), stroke);
     }
     hand.toggle_saw();
