@@ -3,7 +3,6 @@
 
 namespace hallux::tests {
 
-
 void take_first_start(const std::filesystem::path& empty_directory,
                       const std::filesystem::path& folder) {
   Photographer photographer(empty_directory, folder, ui::ThemeName::Dark);
