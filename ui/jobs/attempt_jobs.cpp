@@ -61,10 +61,6 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   return begun;
 }
 
-}  // namespace
-
-namespace {
-
 /// What kept the device's force from being scale x simulated.
 std::vector<std::string> names_of_limits(std::uint32_t bits) {
   using simulator::ForceLimit;
