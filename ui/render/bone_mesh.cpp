@@ -104,24 +104,43 @@ void light_skin(BoneVertex& vertex, const DepthVolume& depth) {
   vertex.openness = short_of(openness_at(depth, point_mm, normal_of(vertex)));
 }
 
-/// The skin's triangles first, each kind in the order of the solid.
+/// Adds the triangles that are picked, neighbours after each other.
+std::vector<TriangleCluster> add_clustered(BoneMesh& mesh, const std::vector<Triangle>& triangles,
+                                           std::span<const std::uint32_t> picked) {
+  const simulator::IndexedMesh& solid = mesh.solid.mesh;
+  std::vector<Vec3> middles_mm;
+  middles_mm.reserve(picked.size());
+  for (const std::uint32_t i : picked) middles_mm.push_back(middle_of(solid, solid.triangles[i]));
+  std::vector<TriangleCluster> clusters;
+  for (const std::uint32_t number : order_by_place(middles_mm)) {
+    const std::uint32_t i = picked[number];
+    const auto place = static_cast<std::uint32_t>(mesh.triangles.size());
+    if (clusters.empty() || clusters.back().run.count == cluster_triangles) {
+      clusters.push_back({{place, 0}, {}});
+    }
+    ++clusters.back().run.count;
+    for (const std::uint32_t point : solid.triangles[i]) {
+      clusters.back().box.add(solid.points_mm[point]);
+    }
+    mesh.place_of[i] = place;
+    mesh.triangles.push_back(triangles[i]);
+  }
+  return clusters;
+}
+
+/// The skin's triangles first.
 void sort_by_kind(BoneMesh& mesh, const std::vector<Triangle>& triangles, const BoneLook& look) {
   const simulator::IndexedMesh& solid = mesh.solid.mesh;
-  std::vector<std::uint32_t> others;
-  mesh.place_of.resize(triangles.size());
+  std::vector<std::uint32_t> skin, others;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    if (!is_skin(mesh.solid.origins[i], middle_of(solid, solid.triangles[i]), look.depth)) {
-      others.push_back(i);
-      continue;
-    }
-    mesh.place_of[i] = static_cast<std::uint32_t>(mesh.triangles.size());
-    mesh.triangles.push_back(triangles[i]);
+    const Vec3 middle_mm = middle_of(solid, solid.triangles[i]);
+    (is_skin(mesh.solid.origins[i], middle_mm, look.depth) ? skin : others).push_back(i);
   }
+  mesh.place_of.resize(triangles.size());
+  mesh.triangles.reserve(triangles.size());
+  mesh.skin_clusters = add_clustered(mesh, triangles, skin);
   mesh.skin_count = mesh.triangles.size();
-  for (const std::uint32_t i : others) {
-    mesh.place_of[i] = static_cast<std::uint32_t>(mesh.triangles.size());
-    mesh.triangles.push_back(triangles[i]);
-  }
+  mesh.cut_clusters = add_clustered(mesh, triangles, others);
 }
 
 /// The weights of a triangle's corners at a point on it.

@@ -10,6 +10,7 @@
 #include "simulator/cutting/working_solid.h"
 #include "ui/render/bone_look.h"
 #include "ui/render/float_vector.h"
+#include "ui/render/triangle_clusters.h"
 
 namespace hallux::ui {
 
@@ -32,6 +33,7 @@ struct BoneMesh {
   std::vector<simulator::Triangle> triangles;  ///< by vertices; the skin's first
   std::size_t skin_count =
       0;  ///< triangles of the skin; the others are cut faces and the canal's wall
+  std::vector<TriangleCluster> skin_clusters, cut_clusters;  ///< all of `triangles`, in their order
   std::vector<std::uint32_t> place_of;  ///< per triangle of the solid its place in `triangles`
   std::vector<std::uint32_t> skin_vertex_of;  ///< per point of the solid; no_index inside the bone
 };

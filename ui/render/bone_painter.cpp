@@ -14,6 +14,7 @@ namespace {
 
 /// Two values of the stencil each.
 constexpr std::size_t bones_at_most = 127;
+constexpr unsigned all_bits = 0xff;
 
 void bind_volume(int unit, const GlTexture& texture) {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
@@ -81,29 +82,17 @@ void set_lines(ShaderProgram& program, const Frame& frame) {
   program.set("line_half", uniforms.half);
 }
 
-/// Restricts drawing to the pixels that the mesh can cover: the box around its box's corners.
-void bound_to(const Frame& frame, const BoneInScene& bone) {
-  Vec3 low(1e9), high(-1e9);
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const Vec3 share((corner & 1U) != 0 ? 1.0 : 0.0, (corner & 2U) != 0 ? 1.0 : 0.0,
-                     (corner & 4U) != 0 ? 1.0 : 0.0);
-    const Vec3 corner_mm = glm::mix(bone.mesh->low_mm, bone.mesh->high_mm, share);
-    const Vec3 place =
-        place_in_picture(frame.view, transform_point(bone.world_from_bone, corner_mm));
-    if (!(std::abs(place.z) <= 1.0)) {  // before the eye or beyond sight: nothing is known
-      low = Vec3(0.0);
-      high = Vec3(1.0);
-      break;
-    }
-    low = glm::min(low, place);
-    high = glm::max(high, place);
-  }
-  const double width = frame.target.size.width, height = frame.target.size.height;
-  const auto pixel = [](double share, double size) {
-    return static_cast<int>(std::clamp(std::floor(share * size), 0.0, size));
-  };
-  const int left = pixel(low.x, width), bottom = pixel(1.0 - high.y, height);
-  glScissor(left, bottom, pixel(high.x, width) + 1 - left, pixel(1.0 - low.y, height) + 1 - bottom);
+/// The pixels that the mesh can cover.
+PixelBox pixels_of(const Frame& frame, const BoneInScene& bone) {
+  return pixels_of({bone.mesh->low_mm, bone.mesh->high_mm}, bone.world_from_bone, frame.view,
+                   frame.target.size);
+}
+
+/// What of the bone may be seen through part of the picture.
+Frustum frustum_of(const Frame& frame, const DoubleMatrix4& clip_from_bone, const PixelBox& part) {
+  const Vec2 size(frame.target.size.width, frame.target.size.height);
+  return frustum_through(clip_from_bone, Vec2(part.left, part.bottom) / size,
+                         Vec2(part.right, part.top) / size);
 }
 
 /// The saw's shadow on bones.
@@ -126,10 +115,10 @@ void set_shadow(ShaderProgram& program, const Frame& frame) {
 BonePainter::BonePainter(const NoiseTextures& noise)
     : noise_(noise), shape_("bone.vert", "bone.frag"), cut_("ground.vert", "bone_cut.frag") {}
 
-const GlTexture& BonePainter::depth_of(const BoneLook& look, std::uint64_t picture) {
+void BonePainter::send_depth(const BoneLook& look, std::uint64_t picture) {
   const auto [at, is_new] = looks_.try_emplace(look.id);
   at->second.picture = picture;
-  if (!is_new) return at->second.depth;
+  if (!is_new) return;
   const DepthVolume& depth = look.depth;
   bind_volume(depth_unit, at->second.depth);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -141,7 +130,6 @@ const GlTexture& BonePainter::depth_of(const BoneLook& look, std::uint64_t pictu
   for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
     glTexParameteri(GL_TEXTURE_3D, side, GL_CLAMP_TO_EDGE);
   }
-  return at->second.depth;
 }
 
 BoneView& BonePainter::view_of(const BoneInScene& bone, std::uint64_t picture) {
@@ -154,11 +142,48 @@ BoneView& BonePainter::view_of(const BoneInScene& bone, std::uint64_t picture) {
   return at->second.view;
 }
 
-void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const BoneView& view,
+void BonePainter::show(const Scene& scene, std::uint64_t picture) {
+  CHECK(scene.bones.size() <= bones_at_most);
+  triangle_count_ = 0;
+  uploaded_bytes_ = 0;
+  for (const BoneInScene& bone : scene.bones) {
+    CHECK(bone.mesh != nullptr && bone.look != nullptr);
+    const auto seen = bones_.find(bone.mesh->id);
+    const std::uint64_t before = seen == bones_.end() ? 0 : seen->second.view.uploaded_bytes();
+    const BoneView& view = view_of(bone, picture);
+    uploaded_bytes_ += view.uploaded_bytes() - before;
+    triangle_count_ += view.triangle_count();
+    send_depth(*bone.look, picture);
+  }
+}
+
+std::vector<std::uint64_t> BonePainter::revisions(const Scene& scene) const {
+  std::vector<std::uint64_t> revisions;
+  for (const BoneInScene& bone : scene.bones) {
+    revisions.push_back(bones_.at(bone.mesh->id).view.revision());
+  }
+  return revisions;
+}
+
+std::optional<std::vector<Box>> BonePainter::changed_since(
+    const Scene& scene, std::span<const std::uint64_t> revisions) const {
+  CHECK(revisions.size() == scene.bones.size());
+  std::vector<Box> changed;
+  for (std::size_t i = 0; i < revisions.size(); ++i) {
+    const BoneView& view = bones_.at(scene.bones[i].mesh->id).view;
+    const std::optional<Box> box = view.changed_since(revisions[i]);
+    if (!box) return std::nullopt;
+    changed.push_back(*box);
+  }
+  return changed;
+}
+
+void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const PixelBox& part,
                              int stencil) {
   const DoubleMatrix4 world_from_bone = matrix_of(bone.world_from_bone);
+  const DoubleMatrix4 clip_from_bone = frame.clip_from_world * world_from_bone;
   shape_.set("world_from_bone", to_float(world_from_bone));
-  shape_.set("clip_from_bone", to_float(frame.clip_from_world * world_from_bone));
+  shape_.set("clip_from_bone", to_float(clip_from_bone));
   // Set in either case: llvmpipe goes on clipping by the plane of the picture before where that was cut open.
   shape_.set("cut_away", bone.cut_away ? Float4(to_float(bone.cut_away->normal_in_bone),
                                                 bone.cut_away->offset_mm)
@@ -167,31 +192,24 @@ void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const 
     glEnable(GL_CLIP_DISTANCE0);
     glDisable(GL_CULL_FACE);
   }
-  glStencilFunc(GL_ALWAYS, stencil, 0xff);
-  view.draw_skin();
-  glStencilFunc(GL_ALWAYS, stencil + 1, 0xff);
-  view.draw_cut_faces();
+  const Frustum frustum = frustum_of(frame, clip_from_bone, part);
+  BoneView& view = bones_.at(bone.mesh->id).view;
+  glStencilFunc(GL_ALWAYS, stencil, all_bits);
+  view.draw_skin(frustum);
+  glStencilFunc(GL_ALWAYS, stencil + 1, all_bits);
+  view.draw_cut_faces(frustum);
   glEnable(GL_CULL_FACE);
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-void BonePainter::draw_shapes(const Frame& frame, std::uint64_t picture) {
-  CHECK(frame.scene.bones.size() <= bones_at_most);
-  triangle_count_ = 0;
-  uploaded_bytes_ = 0;
+void BonePainter::draw_shapes(const Frame& frame, const PixelBox& part) {
   shape_.use();
+  set_scissor(part);
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   int stencil = 1;
   for (const BoneInScene& bone : frame.scene.bones) {
-    CHECK(bone.mesh != nullptr && bone.look != nullptr);
-    const auto seen = bones_.find(bone.mesh->id);
-    const std::uint64_t before = seen == bones_.end() ? 0 : seen->second.view.uploaded_bytes();
-    const BoneView& view = view_of(bone, picture);
-    uploaded_bytes_ += view.uploaded_bytes() - before;
-    triangle_count_ += view.triangle_count();
-    depth_of(*bone.look, picture);
-    draw_shape(frame, bone, view, stencil);
+    draw_shape(frame, bone, part, stencil);
     stencil += 2;
   }
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -259,17 +277,17 @@ void BonePainter::draw_light(const Frame& frame) {
   glBindVertexArray(no_attributes_.name());
   int stencil = 1;
   for (const BoneInScene& bone : frame.scene.bones) {
-    bound_to(frame, bone);
-    glStencilFunc(GL_EQUAL, stencil, 0xff);
+    set_scissor(pixels_of(frame, bone));
+    glStencilFunc(GL_EQUAL, stencil, all_bits);
     light_skin(frame, bone);
-    glStencilFunc(GL_EQUAL, stencil + 1, 0xff);
+    glStencilFunc(GL_EQUAL, stencil + 1, all_bits);
     light_cut_faces(frame, bone);
     stencil += 2;
   }
   glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
-  glScissor(0, 0, frame.target.size.width, frame.target.size.height);
+  set_scissor(all_of(frame.target.size));
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
 }

@@ -3,11 +3,15 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "ui/render/bone_view.h"
 #include "ui/render/frame.h"
 #include "ui/render/noise_textures.h"
+#include "ui/render/pixel_box.h"
 
 namespace hallux::ui {
 
@@ -16,11 +20,19 @@ class BonePainter {
   /// Borrows the noise.
   explicit BonePainter(const NoiseTextures& noise);
 
-  /// Writes which bone is where, with depth; into the stencil what is to be lit how.
-  /// needs   the shapes' framebuffer is bound and cleared
-  void draw_shapes(const Frame& frame, std::uint64_t picture);
+  /// Sends what is new of bones and looks to the card.
+  void show(const Scene& scene, std::uint64_t picture);
+  /// The patch of each bone of the scene shown last.
+  std::vector<std::uint64_t> revisions(const Scene& scene) const;
+  /// Around what looks different of each bone since those revisions; nothing where that is not known any more.
+  /// shape   revisions one for each bone of the scene shown last
+  std::optional<std::vector<Box>> changed_since(const Scene& scene,
+                                                std::span<const std::uint64_t> revisions) const;
+  /// Writes which bone is where in that part, with depth; into the stencil what is to be lit how.
+  /// needs   the scene was shown last; the shapes' framebuffer is bound and cleared there
+  void draw_shapes(const Frame& frame, const PixelBox& part);
   /// Lays light on them, once a pixel.
-  /// needs   draw_shapes of the same frame; the picture's framebuffer is bound
+  /// needs   the shapes of all the picture are drawn; the picture's framebuffer is bound, with their depth and stencil
   void draw_light(const Frame& frame);
   /// Lets go of what was not drawn since.
   void forget_before(std::uint64_t picture);
@@ -39,8 +51,8 @@ class BonePainter {
   };
 
   BoneView& view_of(const BoneInScene& bone, std::uint64_t picture);
-  const GlTexture& depth_of(const BoneLook& look, std::uint64_t picture);
-  void draw_shape(const Frame& frame, const BoneInScene& bone, const BoneView& view, int stencil);
+  void send_depth(const BoneLook& look, std::uint64_t picture);
+  void draw_shape(const Frame& frame, const BoneInScene& bone, const PixelBox& part, int stencil);
   ShaderProgram& skin_program(const Frame& frame, const BoneInScene& bone);
   void begin_light(ShaderProgram& program, const Frame& frame);
   void light_skin(const Frame& frame, const BoneInScene& bone);

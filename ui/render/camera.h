@@ -66,6 +66,7 @@ struct EyeView {
   double width_over_height = 1.0;  ///< of the picture as it is shown
 
   DoubleMatrix4 clip_from_world() const noexcept { return clip_from_view * view_from_world; }
+  friend bool operator==(const EyeView&, const EyeView&) = default;
 };
 
 /// `width_over_height` is the whole picture's on the screen, whatever the pixels of one eye.

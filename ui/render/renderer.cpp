@@ -3,7 +3,9 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ui/render/bone_painter.h"
@@ -11,6 +13,7 @@
 #include "ui/render/headless_context.h"
 #include "ui/render/overlay_painter.h"
 #include "ui/render/saw_painter.h"
+#include "ui/render/still_scene.h"
 
 namespace hallux::ui {
 
@@ -19,11 +22,10 @@ namespace {
 constexpr std::uint64_t kept_pictures = 300;
 
 /// Drawing begins from a state that is said, not from the one that somebody left.
-void begin_drawing(const Frame& frame) {
-  glBindFramebuffer(GL_FRAMEBUFFER, frame.shapes);
-  glViewport(0, 0, frame.target.size.width, frame.target.size.height);
-  glScissor(0, 0, frame.target.size.width, frame.target.size.height);
+void begin_drawing(PixelSize size) {
+  glViewport(0, 0, size.width, size.height);
   glEnable(GL_SCISSOR_TEST);
+  set_scissor(all_of(size));
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   glStencilMask(0xff);
@@ -38,7 +40,6 @@ void begin_drawing(const Frame& frame) {
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glClearDepth(1.0);
   glClearStencil(0);
-  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 void end_drawing() {
@@ -51,29 +52,30 @@ void end_drawing() {
 
 }  // namespace
 
-RenderQuality live_quality() { return {.supersampling = is_software_renderer() ? 1 : 2}; }
+RenderQuality live_quality() {
+  const bool is_software = is_software_renderer();
+  return {.supersampling = is_software ? 1 : 2, .keeps_still = is_software};
+}
 
-struct Renderer::Parts {
-  RenderQuality quality;
-  OverlayPainter overlays;
-  NoiseTextures noise;
-  BonePainter bones{noise};
-  SawPainter saw{noise};
-  std::optional<PictureBuffers> buffers;
-  std::vector<RenderTarget>
-      halved;  ///< each half as large as the one before, down to twice the picture's size
-  std::uint64_t picture = 0;
-  DrawCounts counts;
-
-  void make_room(PixelSize size);
-  void draw_all(const Frame& frame);
-  void copy_into(const DrawTarget& target);
+struct KeptPicture::Still {
+  StillScene scene;
+  std::vector<std::uint64_t> revisions;  ///< one for each bone
 };
 
-void Renderer::Parts::make_room(PixelSize size) {
-  const int scale = quality.supersampling;
+struct KeptPicture::Parts {
+  std::optional<PictureBuffers> buffers;
+  std::optional<Still> still;  ///< what the buffers show; none: nothing yet
+  std::vector<RenderTarget>
+      halved;  ///< each half as large as the one before, down to twice the picture's size
+
+  void make_room(PixelSize size, int scale);
+};
+
+/// A picture of another size begins anew.
+void KeptPicture::Parts::make_room(PixelSize size, int scale) {
   const PixelSize large{at_least_one(size).width * scale, at_least_one(size).height * scale};
   if (buffers && buffers->size() == large) return;
+  still.reset();
   buffers.reset();
   halved.clear();
   buffers.emplace(large);
@@ -82,11 +84,68 @@ void Renderer::Parts::make_room(PixelSize size) {
   }
 }
 
-void Renderer::Parts::draw_all(const Frame& frame) {
-  begin_drawing(frame);
-  bones.draw_shapes(frame, picture);
-  glBindFramebuffer(GL_FRAMEBUFFER, frame.target.framebuffer);
+KeptPicture::KeptPicture() : parts_(std::make_unique<Parts>()) {}
+KeptPicture::~KeptPicture() = default;
+KeptPicture::KeptPicture(KeptPicture&&) noexcept = default;
+KeptPicture& KeptPicture::operator=(KeptPicture&&) noexcept = default;
+
+struct Renderer::Parts {
+  RenderQuality quality;
+  OverlayPainter overlays;
+  NoiseTextures noise;
+  BonePainter bones{noise};
+  SawPainter saw{noise};
+  KeptPicture passing;  ///< for pictures of which nothing is kept
+  std::uint64_t picture = 0;
+  DrawCounts counts;
+
+  PixelBox changed_pixels(const Frame& frame, const KeptPicture::Parts& kept,
+                          const KeptPicture::Still& now) const;
+  void draw_all(const Frame& frame, KeptPicture::Parts& kept);
+  void draw_still(const Frame& frame, const PictureBuffers& buffers, const PixelBox& part);
+  void draw_moving(const Frame& frame);
+};
+
+/// Where the buffers do not show what stands still now.
+PixelBox Renderer::Parts::changed_pixels(const Frame& frame, const KeptPicture::Parts& kept,
+                                         const KeptPicture::Still& now) const {
+  if (!kept.still || kept.still->scene != now.scene) return all_of(frame.target.size);
+  const auto changed = bones.changed_since(frame.scene, kept.still->revisions);
+  if (!changed) return all_of(frame.target.size);
+  return ui::changed_pixels(now.scene, *changed, frame.target.size);
+}
+
+void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept) {
+  bones.show(frame.scene, picture);
+  begin_drawing(frame.target.size);
+  KeptPicture::Still now{still_scene(frame.scene, frame.view, frame.pixel_scale),
+                         bones.revisions(frame.scene)};
+  const PixelBox changed = changed_pixels(frame, kept, now);
+  kept.still.reset();  // until all of it is drawn
+  if (!changed.is_empty()) draw_still(frame, *kept.buffers, changed);
+  kept.still = std::move(now);
+  kept.buffers->copy_still_to_picture();
+  draw_moving(frame);
+  end_drawing();
+  counts = {bones.triangle_count() + (frame.scene.saw ? saw.triangle_count() : 0),
+            pixel_count(changed), bones.uploaded_bytes()};
+}
+
+void Renderer::Parts::draw_still(const Frame& frame, const PictureBuffers& buffers,
+                                 const PixelBox& part) {
+  set_scissor(part);
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers.shapes());
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  // At the bones' rims textures are read as coarsely as places change towards the ground: that must not be an older picture's.
+  constexpr std::array<float, 4> nowhere{};
+  glClearBufferfv(GL_COLOR, 0, nowhere.data());
+  bones.draw_shapes(frame, part);
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers.still().framebuffer);
   overlays.draw_ground(frame);
+}
+
+void Renderer::Parts::draw_moving(const Frame& frame) {
+  glEnable(GL_SCISSOR_TEST);
   bones.draw_light(frame);
   saw.draw(frame);
   overlays.draw_chips(frame);
@@ -94,20 +153,21 @@ void Renderer::Parts::draw_all(const Frame& frame) {
   overlays.draw_planes(frame);
   saw.draw_seen_through(frame);
   overlays.draw_marks(frame);
-  end_drawing();
-  counts = {bones.triangle_count() + (frame.scene.saw ? saw.triangle_count() : 0),
-            bones.uploaded_bytes()};
 }
 
+namespace {
+
 /// By halves: a linear copy to half the size takes the mean of four pixels, to less it would leave some out.
-void Renderer::Parts::copy_into(const DrawTarget& target) {
-  DrawTarget from = buffers->picture();
+void copy_by_halves(DrawTarget from, const std::vector<RenderTarget>& halved,
+                    const DrawTarget& target) {
   for (const RenderTarget& half : halved) {
     copy_picture(from, half.target());
     from = half.target();
   }
   copy_picture(from, target);
 }
+
+}  // namespace
 
 Renderer::Renderer(const RenderQuality& quality) : parts_(std::make_unique<Parts>()) {
   parts_->quality = quality;
@@ -116,11 +176,19 @@ Renderer::Renderer(const RenderQuality& quality) : parts_(std::make_unique<Parts
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& target) {
+  parts_->passing.parts_->still.reset();
+  draw(scene, view, target, parts_->passing);
+}
+
+void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& target,
+                    KeptPicture& kept) {
   Parts& parts = *parts_;
+  if (&kept != &parts.passing && !parts.quality.keeps_still) return draw(scene, view, target);
   ++parts.picture;
-  parts.make_room(target.size);
-  parts.draw_all(frame_of(scene, view, *parts.buffers, parts.quality.supersampling));
-  parts.copy_into(target);
+  KeptPicture::Parts& picture = *kept.parts_;
+  picture.make_room(target.size, parts.quality.supersampling);
+  parts.draw_all(frame_of(scene, view, *picture.buffers, parts.quality.supersampling), picture);
+  copy_by_halves(picture.buffers->picture(), picture.halved, target);
   if (parts.picture > kept_pictures) parts.bones.forget_before(parts.picture - kept_pictures);
 }
 

@@ -13,9 +13,12 @@ namespace hallux::ui {
 struct RenderQuality {
   int supersampling =
       1;  ///< pixels drawn along each side of one shown, for smooth edges: 1, 2 or 4
+  bool keeps_still =
+      false;  ///< whether KeptPictures are used: 48 bytes a pixel drawn, for each of them
 };
 
-/// What this machine draws fast enough to be lived with: 2 only where a graphics card draws.
+/// What this machine draws fast enough to be lived with: smooth edges only where a graphics card draws, what stands still is
+/// kept only where none does.
 /// needs   a current context
 RenderQuality live_quality();
 /// For pictures that stand still.
@@ -23,8 +26,26 @@ inline constexpr RenderQuality still_quality{.supersampling = 4};
 
 /// Of the last picture.
 struct DrawCounts {
-  std::size_t triangles = 0;
+  std::size_t triangles = 0;       ///< in the scene
+  std::size_t redrawn_pixels = 0;  ///< of what stands still, those that no kept picture had
   std::uint64_t uploaded_bytes = 0;  ///< of bones
+};
+
+/// What stands still of a picture that is drawn again and again, bones and ground: while nobody turns the view, only what was cut
+/// since is drawn anew below what moves. One for each eye; empty until a renderer draws with it.
+/// thread  the context's
+class KeptPicture {
+ public:
+  KeptPicture();
+  ~KeptPicture();
+  KeptPicture(KeptPicture&&) noexcept;
+  KeptPicture& operator=(KeptPicture&&) noexcept;
+
+ private:
+  friend class Renderer;
+  struct Still;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 class Renderer {
@@ -41,6 +62,8 @@ class Renderer {
   /// errors  GraphicsError where there is no room for the picture
   /// thread  the context's
   void draw(const Scene& scene, const EyeView& view, const DrawTarget& target);
+  /// The same picture, with what `kept` still has of the one before.
+  void draw(const Scene& scene, const EyeView& view, const DrawTarget& target, KeptPicture& kept);
   /// The same as seen by one who looks at the target from the middle.
   void draw(const Scene& scene, const Camera& camera, const DrawTarget& target);
 

@@ -43,18 +43,21 @@ void draw_nearest_only(const ToolView& part) {
 
 }  // namespace
 
-bool hides_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept {
+Box before_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept {
   const Vec3 teeth_mm = saw.world_from_tool.translation_mm;
   const Vec3 to_teeth = glm::normalize(teeth_mm - eye_mm);
-  constexpr double step_mm = 4.0;
-  for (double along_mm = pivot_x_mm(saw.blade); along_mm > -handpiece_length_mm;
-       along_mm -= step_mm) {
+  constexpr double step_mm = 4.0, reach_mm = widest_handle_mm + step_mm;
+  const double pivot_mm = pivot_x_mm(saw.blade);
+  Box box;
+  for (double along_mm = pivot_mm; along_mm > pivot_mm - cable_end_mm; along_mm -= step_mm) {
     const Vec3 from_teeth = transform_direction(saw.world_from_tool, Vec3(along_mm, 0.0, 0.0));
-    const bool is_nearer = glm::dot(from_teeth, to_teeth) < 0.0;
+    const bool is_nearer = glm::dot(from_teeth, to_teeth) < reach_mm;
     const double beside_mm = glm::length(glm::cross(from_teeth, to_teeth));
-    if (is_nearer && beside_mm < whole_beyond_mm + widest_handle_mm) return true;
+    if (!is_nearer || beside_mm > whole_beyond_mm + reach_mm) continue;
+    box.add(Vec3(along_mm - reach_mm, -reach_mm, -reach_mm));
+    box.add(Vec3(along_mm + reach_mm, reach_mm, reach_mm));
   }
-  return false;
+  return box;
 }
 
 ToolView::ToolView(const ToolMesh& mesh) {
@@ -142,10 +145,10 @@ void SawPainter::draw(const Frame& frame) {
   const SawInScene& saw = *frame.scene.saw;
   const Model& model = model_of(saw.blade, saw.thickness_mm);
   noise_.bind();
-  if (hides_the_teeth(saw, frame.view.eye_in_world_mm)) {
-    draw_handpiece(frame, model.handpiece, false);
-  } else {
+  if (before_the_teeth(saw, frame.view.eye_in_world_mm).is_empty()) {
     draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
+  } else {
+    draw_handpiece(frame, model.handpiece, false);
   }
   draw_part(blade_, frame, model.blade,
             saw.is_running ? swung(saw, saw.swing) : saw.world_from_tool);
@@ -172,10 +175,14 @@ void SawPainter::draw_ghosts(const Frame& frame) {
 }
 
 void SawPainter::draw_seen_through(const Frame& frame) {
-  if (!frame.scene.saw || !hides_the_teeth(*frame.scene.saw, frame.view.eye_in_world_mm)) return;
+  if (!frame.scene.saw) return;
+  const SawInScene& saw = *frame.scene.saw;
+  const Box part = before_the_teeth(saw, frame.view.eye_in_world_mm);
+  if (part.is_empty()) return;
   noise_.bind();
-  draw_handpiece(frame, model_of(frame.scene.saw->blade, frame.scene.saw->thickness_mm).handpiece,
-                 true);
+  set_scissor(pixels_of(part, saw.world_from_tool, frame.view, frame.target.size));
+  draw_handpiece(frame, model_of(saw.blade, saw.thickness_mm).handpiece, true);
+  set_scissor(all_of(frame.target.size));
 }
 
 std::size_t SawPainter::triangle_count() const noexcept {

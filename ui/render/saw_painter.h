@@ -6,6 +6,7 @@
 #include "ui/render/display_buffer.h"
 #include "ui/render/frame.h"
 #include "ui/render/noise_textures.h"
+#include "ui/render/pixel_box.h"
 #include "ui/render/tool_model.h"
 
 namespace hallux::ui {
@@ -54,7 +55,7 @@ class SawPainter {
   std::optional<Model> model_, ghost_model_;
 };
 
-/// Whether part of the handpiece lies between the eye and the teeth, so that it is seen through there.
-bool hides_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept;
+/// Around the part of the handpiece that lies between the eye and the teeth, so that it is seen through there; tool frame.
+Box before_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept;
 
 }  // namespace hallux::ui

@@ -25,12 +25,16 @@ struct SignedMap {
   Vec3 normal_in_bone{0.0, 0.0, 1.0};  ///< of the planned face, towards the waste
   double offset_mm = 0.0;              ///< normal . p of the planned face
   double range_mm = 2.0;               ///< where the colours end
+
+  friend bool operator==(const SignedMap&, const SignedMap&) = default;
 };
 
 /// Bone with normal . p > offset is not drawn: what lies behind it is looked into.
 struct CutAway {
   Vec3 normal_in_bone{0.0, 0.0, 1.0};
   double offset_mm = 0.0;
+
+  friend bool operator==(const CutAway&, const CutAway&) = default;
 };
 
 struct BoneInScene {

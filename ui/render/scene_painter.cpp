@@ -119,7 +119,8 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
   parts.stage->begin(live, parts.window.size);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && parts.stage->eye_count() < 2) continue;
-    parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye).target());
+    parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye).target(),
+                        parts.stage->kept(eye));
   }
   parts.has_scene_behind = true;
   parts.last_scene_frame = parts.frame;

@@ -57,6 +57,7 @@ void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
   }
   resize(left_, eye);
   if (setting.mode == StereoMode::Mono) {
+    if (right_) right_kept_ = {};
     right_.reset();
   } else {
     resize(right_, eye);
@@ -131,7 +132,7 @@ void StereoStage::draw(Renderer& renderer, const Scene& scene, const Camera& cam
   begin(setting, window.size);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && eye_count() == 1) break;
-    renderer.draw(scene, view(eye, camera), this->eye(eye).target());
+    renderer.draw(scene, view(eye, camera), this->eye(eye).target(), kept(eye));
   }
   compose(window);
 }

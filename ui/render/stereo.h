@@ -46,6 +46,8 @@ class StereoStage {
   /// The picture of one eye; side by side it has half the window's columns, so what is laid out for the window must be
   /// squeezed to it.
   const RenderTarget& eye(Eye eye) const;
+  /// What stands still of that eye's picture.
+  KeptPicture& kept(Eye eye) noexcept { return eye == Eye::Right ? right_kept_ : left_kept_; }
   /// Where panels are drawn once for both eyes, transparent until then; nullptr where they belong into each eye's picture. They
   /// lie in the plane of the screen, where both eyes see the same.
   const RenderTarget* panels() const noexcept { return panels_ ? &*panels_ : nullptr; }
@@ -66,6 +68,7 @@ class StereoStage {
   ShaderProgram anaglyph_;
   GlVertexArray no_attributes_;
   std::optional<RenderTarget> left_, right_, panels_;
+  KeptPicture left_kept_, right_kept_;
   StereoSetting setting_;
   PixelSize window_;
 };

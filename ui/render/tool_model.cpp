@@ -150,13 +150,13 @@ ToolMesh handpiece_mesh(const BladeSize& blade) {
   builder.add_turned(hub, {Quat(1.0, 0.0, 0.0, 0.0), Vec3(pivot_x_mm(blade), 0.0, 0.0)});
   // Neck, grip and cable: along -x from the hub; `along` counts from the pivot.
   constexpr std::array<ProfilePoint, 26> body{
-      {{2.0, 0.0, steel},   {2.0, 3.3, steel},   {7.0, 3.4, steel},  {10.0, 4.0, steel},
-       {12.0, 5.6, steel},  {13.2, 6.2, steel},  {14.6, 6.2, band},  {15.0, 5.8, grip},
-       {15.6, 5.8, grip},   {16.6, 6.9, grip},   {24.0, 7.9, grip},  {36.0, 8.2, grip},
-       {50.0, 8.0, grip},   {60.0, 8.0, grip},   {60.6, 7.5, band},  {62.4, 7.5, band},
-       {63.0, 8.1, grip},   {82.0, 8.8, grip},   {102.0, 9.0, grip}, {110.0, 8.2, grip},
-       {113.0, 6.9, steel}, {117.0, 6.3, steel}, {118.0, 4.2, grip}, {124.0, 3.0, grip},
-       {240.0, 3.0, grip},  {240.0, 0.0, grip}}};
+      {{2.0, 0.0, steel},         {2.0, 3.3, steel},        {7.0, 3.4, steel},  {10.0, 4.0, steel},
+       {12.0, 5.6, steel},        {13.2, 6.2, steel},       {14.6, 6.2, band},  {15.0, 5.8, grip},
+       {15.6, 5.8, grip},         {16.6, 6.9, grip},        {24.0, 7.9, grip},  {36.0, 8.2, grip},
+       {50.0, 8.0, grip},         {60.0, 8.0, grip},        {60.6, 7.5, band},  {62.4, 7.5, band},
+       {63.0, 8.1, grip},         {82.0, 8.8, grip},        {102.0, 9.0, grip}, {110.0, 8.2, grip},
+       {113.0, 6.9, steel},       {117.0, 6.3, steel},      {118.0, 4.2, grip}, {124.0, 3.0, grip},
+       {cable_end_mm, 3.0, grip}, {cable_end_mm, 0.0, grip}}};
   const Quat along_handle = rotation_from_axes(Vec3(0.0, 0.0, 1.0), Vec3(0.0, 1.0, 0.0));
   builder.add_turned(body, {along_handle, Vec3(pivot_x_mm(blade), 0.0, 0.0)});
   return builder.take();

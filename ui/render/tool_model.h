@@ -37,8 +37,8 @@ ToolMesh handpiece_mesh(const simulator::BladeSize& blade);
 
 /// Where the blade turns while it runs, on the tool's x axis.
 double pivot_x_mm(const simulator::BladeSize& blade) noexcept;
-/// From the teeth to where the grip ends and the cable leaves it, about.
-inline constexpr double handpiece_length_mm = 160.0;
+/// From the pivot to where the cable ends.
+inline constexpr double cable_end_mm = 240.0;
 /// How far it turns to each side.
 inline constexpr double swing_rad = 0.035;
 

@@ -23,10 +23,20 @@ using namespace ui;
 
 constexpr int frames_measured = 150, frames_before = 30;
 
+/// Holds the middle button and moves it a little further: the view turns with each picture.
+void turn_on(DrawnOperation& window, int picture) {
+  InputEvent event;
+  event.kind = picture == 0 ? EventKind::ButtonPressed : EventKind::PointerMoved;
+  event.button = MouseButton::Middle;
+  event.position = {500.0F + 0.5F * static_cast<float>(picture), 400.0F};
+  window.person().driver().send({event});
+}
+
 /// Saws on while it is measured; one row of the table.
-std::vector<Cell> measure(DrawnOperation& window, const std::string& name) {
+std::vector<Cell> measure(DrawnOperation& window, const std::string& name, bool turns = false) {
   std::vector<double> times_ms;
   for (int i = 0; i < frames_before + frames_measured; ++i) {
+    if (turns) turn_on(window, i);
     const double time_ms = window.frame();
     if (i >= frames_before) times_ms.push_back(time_ms);
   }
@@ -73,6 +83,13 @@ int run(double edge_mm, const std::filesystem::path& folder) {
                 "recorded"}};
   table.rows.push_back(measure(window, "mono"));
   window.take(folder, "mono");
+  table.rows.push_back(measure(window, "mono, turning", true));
+  window.take(folder, "turned");
+  InputEvent let_go;
+  let_go.kind = EventKind::ButtonReleased;
+  let_go.button = MouseButton::Middle;
+  window.person().driver().send({let_go});
+  window.press(Key::Digit1);
   window.press(Key::F9);
   table.rows.push_back(measure(window, "side by side"));
   window.take(folder, "side_by_side");

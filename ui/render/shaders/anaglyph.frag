@@ -2,7 +2,7 @@
 out vec4 colour;
 
 uniform sampler2D left_eye, right_eye;
-uniform sampler2D panels;  // colours already times their alpha
+uniform sampler2D panels;  // as large as the picture; colours already times their alpha
 uniform vec4 picture;  // left, bottom, 1 / width, 1 / height in pixels
 uniform mat4 left_to_shown, right_to_shown;
 
@@ -10,7 +10,7 @@ vec3 linear(vec3 srgb) { return srgb * srgb; }
 
 void main() {
   vec2 place = (gl_FragCoord.xy - picture.xy) * picture.zw;
-  vec4 over = texture(panels, place);
+  vec4 over = texelFetch(panels, ivec2(gl_FragCoord.xy - picture.xy), 0);
   vec3 left = over.rgb + (1.0 - over.a) * texture(left_eye, place).rgb;
   vec3 right = over.rgb + (1.0 - over.a) * texture(right_eye, place).rgb;
   vec3 sum = mat3(left_to_shown) * linear(left) + mat3(right_to_shown) * linear(right);
