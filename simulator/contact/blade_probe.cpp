@@ -27,10 +27,10 @@ std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
   return points;
 }
 
-Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
-                      double ahead_mm, TeethMemory& teeth) noexcept {
+std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
+                                                const StandingBone& bone, double ahead_mm,
+                                                TeethMemory& teeth) noexcept {
   const BladeSize& blade = bone.kerfs.blade();
-  const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
   std::array<Tissue, tooth_count> hardest{};
   for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
     const double aside_mm = tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
@@ -40,8 +40,14 @@ Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& 
       hardest[tooth] = std::max(hardest[tooth], tissue);
     }
   }
+  return hardest;
+}
+
+Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                      double ahead_mm, TeethMemory& teeth) noexcept {
+  const double share_mm = bone.kerfs.blade().width_mm / static_cast<double>(tooth_count);
   Engagement engaged;
-  for (const Tissue tissue : hardest) {
+  for (const Tissue tissue : tissue_at_teeth(bone_from_tool, bone, ahead_mm, teeth)) {
     if (tissue == Tissue::Cortical) engaged.cortical_mm += share_mm;
     if (tissue == Tissue::Cancellous) engaged.cancellous_mm += share_mm;
   }

@@ -17,6 +17,12 @@ std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
                                            const BladeSize& blade, double ahead_mm,
                                            double aside_mm = 0.0) noexcept;
 
+/// The hardest tissue over each tooth's thickness, asked `ahead_mm` in front of the tooth line; `teeth` remembers.
+/// thread  haptic; allocates nothing
+std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
+                                                const StandingBone& bone, double ahead_mm,
+                                                TeethMemory& teeth) noexcept;
+
 /// The engaged width per tissue over the tooth line (the hardest over a tooth's thickness), asked `ahead_mm` in front of it; `teeth` remembers.
 /// thread  haptic; allocates nothing
 Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/contact/blade_probe.h"
 #include "simulator/contact/tool_in_kerf.h"
 #include "simulator/contact/tool_outside.h"
 
@@ -45,6 +46,40 @@ void pull_hand(const ToolState& tool, const ToolInput& input, const ContactSetti
       share_within(torque_newton_mm, settings.torque_limit_newton_mm) * torque_newton_mm;
 }
 
+/// Why the saw kicks in this tick; `side` becomes the one to which it does.
+KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+                        const ContactSettings& settings, const ToolOutcome& outcome,
+                        double& side) noexcept {
+  if (!input.saw_runs) return KickCause::None;
+  if (!tool.kick.saw_ran && outcome.engaged.width_mm() > 0.0) {
+    side = side_away_from(tissue_at_teeth(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth));
+    return KickCause::StartedInBone;
+  }
+  if (!outcome.began_contact || tool.stage != ToolStage::Touching) return KickCause::None;
+  // Within a touch's depth: teeth laid on almost flat are no corner.
+  const auto teeth =
+      tissue_at_teeth(tool.bone_from_tool, bone, settings.freeze_depth_mm, tool.teeth);
+  side = side_away_from(teeth);
+  const double tooth_mm = bone.kerfs.blade().width_mm / static_cast<double>(tooth_count);
+  return is_corner(teeth, tooth_mm) ? KickCause::Corner : KickCause::None;
+}
+
+/// What the teeth's reaction adds to it; both together within the limit.
+void kick_hand(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+               const ContactSettings& settings, ToolOutcome& outcome) noexcept {
+  double side = 1.0;
+  const KickCause cause = cause_of_kick(tool, input, bone, settings, outcome, side);
+  if (cause != KickCause::None && begin_kick(tool.kick, side)) outcome.kicked = cause;
+  tool.kick.saw_ran = input.saw_runs;
+  const double newton = kick_newton(tool.kick, input.duration_s);
+  if (!(std::abs(newton) > 0.0)) return;
+  const Vec3 along_teeth = transform_direction(tool.bone_from_tool, Vec3{0.0, 1.0, 0.0});
+  const Vec3 force_newton = outcome.force_in_bone_newton + newton * along_teeth;
+  const double share = share_within(force_newton, settings.force_limit_newton);
+  outcome.force_in_bone_newton = share * force_newton;
+  outcome.is_force_limited = outcome.is_force_limited || share < 1.0;
+}
+
 }  // namespace
 
 ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBone& bone,
@@ -61,6 +96,7 @@ ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBon
     }
   }
   if (tool.stage != ToolStage::Free || tool.is_held) pull_hand(tool, input, settings, outcome);
+  kick_hand(tool, input, bone, settings, outcome);
   return outcome;
 }
 

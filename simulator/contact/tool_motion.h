@@ -9,7 +9,7 @@
 /// Outside a kerf the tool is a proxy (proxy.h): teeth, faces and edges stay out of the bone and slide on it with friction.
 /// Only the tooth line cuts. In a kerf the blade slides along its plane: forward by the feed law, backward freely,
 /// sideways and turned only where its edges meet no standing bone; out of the plane it bends a little. Bone that gives way
-/// lets the tool come after the hand gently.
+/// lets the tool come after the hand gently. A saw started in bone, or laid on with a corner, kicks the hand (kick.h).
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@
 
 #include "simulator/contact/blade_contact.h"
 #include "simulator/contact/feed.h"
+#include "simulator/contact/kick.h"
 #include "simulator/contact/proxy.h"
 #include "simulator/contact/tissue.h"
 
@@ -76,6 +77,7 @@ struct ToolState {
   TeethMemory teeth{};
   BladeMemory points{};
   ProxyLoad load;
+  KickState kick;
 };
 
 struct ToolInput {
@@ -94,6 +96,7 @@ struct ToolOutcome {
   bool wants_freeze = false;   ///< the touch is deep enough for a kerf in the tool's plane
   bool broke_through = false;  ///< the teeth left bone at the far side
   bool is_force_limited = false;
+  KickCause kicked = KickCause::None;  ///< a kick began
 };
 
 /// Moves the tool for one tick towards the handle.

@@ -14,7 +14,7 @@
 namespace hallux::simulator {
 
 /// Raised by hand whenever the same input may give another output; committed with the golden hashes.
-inline constexpr std::int32_t engine_version = 4;
+inline constexpr std::int32_t engine_version = 5;
 
 /// A pose in whole quanta: translation in micrometres, quaternion (w, x, y, z) in millionths.
 struct QuantisedPose {
@@ -140,7 +140,9 @@ enum class CutEventKind : std::int32_t {
       20,  ///< subject: kerf; a patch of its walls reached the dose of necrosis; value: so far in all [mm3 / 1000]
   DangerContact =
       21,  ///< subject: zone; the running saw touches it; value: distance [um], negative inside
-  DangerLeft = 22  ///< subject: zone; the contact is over; value: the least distance in it [um]
+  DangerLeft = 22,  ///< subject: zone; the contact is over; value: the least distance in it [um]
+  Kick =
+      23  ///< the teeth caught; subject: why (KickCause: 1 started in bone, 2 a corner); value: impulse [mN s]
 };
 
 /// Something that happened once, at the end of one tick.

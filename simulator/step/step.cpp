@@ -60,7 +60,7 @@ void Operation::note(StepOutput& output, CutEventKind kind, std::int32_t subject
   CutEvent event{tick_, kind, subject, value, {}};
   const bool is_about_cutting = kind == CutEventKind::Scratch || kind == CutEventKind::Contact ||
                                 kind == CutEventKind::PlaneFrozen ||
-                                kind == CutEventKind::Breakthrough;
+                                kind == CutEventKind::Breakthrough || kind == CutEventKind::Kick;
   if (is_about_cutting) event.pose = quantise(tool_.bone_from_tool);
   output.events.push(event);
 }
@@ -250,6 +250,10 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
 
 void Operation::report(const ToolOutcome& outcome, StepOutput& output) noexcept {
   if (outcome.began_contact) note(output, CutEventKind::Contact, tool_.kerf);
+  if (outcome.kicked != KickCause::None) {
+    note(output, CutEventKind::Kick, static_cast<std::int32_t>(outcome.kicked),
+         thousandths(kick_impulse_newton_s));
+  }
   if (outcome.scratch_mm > 0.0) {
     note(output, CutEventKind::Scratch, -1, um_from_mm(outcome.scratch_mm));
   }

@@ -174,6 +174,8 @@ std::string mark_text(CutEventKind kind) {
       return "closed";
     case CutEventKind::DangerContact:
       return "danger zone";
+    case CutEventKind::Kick:
+      return "kick";
     default:
       return "";
   }

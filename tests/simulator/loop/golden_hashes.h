@@ -14,16 +14,16 @@ struct GoldenHashes {
   std::string_view bone, tape, outputs;
 };
 
-inline constexpr std::int32_t golden_engine_version = 4;
+inline constexpr std::int32_t golden_engine_version = 5;
 
 inline constexpr GoldenHashes golden_tube{
     .bone = "e896492ae9dc6392ccf56bf4f9855c3c0391eae03bae8c511038e15487812285",
     .tape = "eb5f93028a9fd6b3fb37a9887f785bb62bc3933814ccb18c039c24ce9a0c61d1",
-    .outputs = "891c0cb51ebe5d0981447713b67635b3c03e93c2474ea847001775ba3ff778f1"};
+    .outputs = "63897647f60882110b4dc062045e2e019f060da9a1629aeda49ed85a6ae1271b"};
 
 inline constexpr GoldenHashes golden_silver_expert_1{
     .bone = "8875a39afe43c63726079111fe9504ea0804358329d1d3df6a4594bf10fd622a",
     .tape = "fb7a115297d39294a58e7f579456360552ecffaa66d5e634fe76b0d605806823",
-    .outputs = "a6c18e79601d088f87ae02455a2ea909dcfbe6514d57e2d9cb3747bcd2802cdb"};
+    .outputs = "d90a745a974eadeec6a5d2dfc3d6bcfe8050c1cfb5fc7cd451b1cc7def9ff9f8"};
 
 }  // namespace hallux::tests

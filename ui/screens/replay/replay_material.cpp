@@ -33,6 +33,7 @@ struct EventWords {
 constexpr EventWords event_words[] = {
     {CutEventKind::Started, Meaning::Neutral, "replay.event.started"},
     {CutEventKind::Scratch, Meaning::Warn, "replay.event.scratch"},
+    {CutEventKind::Kick, Meaning::Warn, "replay.event.kick"},
     {CutEventKind::PlaneFrozen, Meaning::Info, "replay.event.plane_frozen"},
     {CutEventKind::Breakthrough, Meaning::Neutral, "replay.event.breakthrough"},
     {CutEventKind::SectionCovered, Meaning::Good, "replay.event.section_covered"},
