@@ -43,10 +43,12 @@ PatientRequest read_patient(const JsonNode& node) {
   return patient;
 }
 
-/// The widest blades of the forefoot and hindfoot saws bound the ranges.
+/// The widest blades of the forefoot and hindfoot saws bound the ranges. Nobody would saw on with a blade that takes less
+/// than a fifth, and none is sharper than a new one.
 SawBlade read_blade(const JsonNode& node) {
   node.expect_keys(
-      {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"});
+      {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"},
+      {"sharpness"});
   SawBlade blade{.name = node.at("name").text(1, title_bytes_max),
                  .size = {.width_mm = node.at("width_mm").number(2.0, 30.0),
                           .depth_mm = node.at("depth_mm").number(5.0, 90.0),
@@ -54,6 +56,7 @@ SawBlade read_blade(const JsonNode& node) {
                  .cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0),
                  .thickness_mm = node.at("thickness_mm").number(0.1, 2.0),
                  .origin = read_origin(node)};
+  if (node.has("sharpness")) blade.sharpness = node.at("sharpness").number(0.2, 1.0);
   if (blade.thickness_mm > blade.size.kerf_mm) {
     node.at("kerf_mm").refuse_value("give at least the blade's thickness_mm");
   }

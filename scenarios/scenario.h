@@ -21,6 +21,7 @@ struct SawBlade {
   double cycles_per_minute = 12000.0;
   double thickness_mm = 0.4;  ///< of the steel; the set of the teeth widens it to the kerf
   std::string origin;
+  double sharpness = 1.0;  ///< what it takes in a cycle, as a share of a new one's
 };
 
 /// Which patient is made for the operation.

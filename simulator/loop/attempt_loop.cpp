@@ -57,7 +57,7 @@ class AttemptRun {
       : setup_(setup),
         device_(device,
                 {setup.contact.coupling_newton_per_mm, setup.blade.kerf_mm,
-                 setup.contact.cycles_per_minute},
+                 setup.contact.cycles_per_minute, setup.contact.sharpness},
                 setup.force_law),
         channels_(channels),
         tissue_(setup.bone),

@@ -79,9 +79,9 @@ Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, do
   input.cycles_per_minute = saw_.cycles_per_minute;
   input.duration_s = duration_s;
   if (has(sample.status, ToolStatus::Cutting)) {
-    input.cutting_watt =
-        cutting_watt(output.engaged, saw_.kerf_mm,
-                     feed_rate_mm_s(output.engaged, push_newton, saw_.cycles_per_minute));
+    input.cutting_watt = cutting_watt(
+        output.engaged, saw_.kerf_mm,
+        feed_rate_mm_s(output.engaged, push_newton, saw_.cycles_per_minute * saw_.sharpness));
   }
   const Vec3 along_teeth =
       transform_direction(transform_from(sample.world_from_tool), Vec3(0.0, 1.0, 0.0));

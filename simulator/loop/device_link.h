@@ -31,6 +31,7 @@ struct HandledSaw {
       0.0;  ///< the contact's force is a spring of at most that, simulated
   double kerf_mm = 0.0;
   double cycles_per_minute = 0.0;
+  double sharpness = 1.0;
 };
 
 class DeviceLink {

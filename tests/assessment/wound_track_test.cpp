@@ -33,8 +33,9 @@ void saw_and_rest(OperationRun& run) {
   run.hold(1000);
 }
 
-WoundTrack track_of(const Bone& bone, const OperationRun& run, const Progress& progress = {}) {
-  return follow_wound(bone, {{}, simulator::ContactSettings{}.cycles_per_minute, 0.4},
+WoundTrack track_of(const Bone& bone, const OperationRun& run, const Progress& progress = {},
+                    double sharpness = 1.0) {
+  return follow_wound(bone, {{}, simulator::ContactSettings{}.cycles_per_minute, 0.4, sharpness},
                       run.recording(), stretch, progress);
 }
 
@@ -51,6 +52,19 @@ TEST(WoundTrack, ComesToTheBitToWhatTheStepFollowed) {
   EXPECT_EQ(followed.hot_s, live.hot_s);
   EXPECT_EQ(followed.greatest_dose_min, live.greatest_dose_min);
   EXPECT_EQ(followed.necrotic_mm3, live.necrotic_mm3);
+}
+
+TEST(WoundTrack, OfADullBladeRubsAsItDidInTheStep) {
+  const Bone bone = block();
+  simulator::ContactSettings dull;
+  dull.sharpness = 0.5;
+  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, dull);
+  run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 200);
+  run.hold(5000);
+  const HeatSummary& live = run.operation().wound().heat().summary();
+  EXPECT_GT(live.hottest_celsius, body_celsius + 5.0);
+  EXPECT_EQ(track_of(bone, run, {}, 0.5).heat.hottest_celsius, live.hottest_celsius);
+  EXPECT_LT(track_of(bone, run).heat.hottest_celsius, live.hottest_celsius);
 }
 
 TEST(WoundTrack, RisesWhileTheSawRubsAndFallsWhileItRests) {

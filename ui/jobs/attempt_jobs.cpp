@@ -116,6 +116,7 @@ std::string quality_json(const Quality& quality) {
 simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario) {
   simulator::ContactSettings settings;
   settings.cycles_per_minute = scenario.blade.cycles_per_minute;
+  settings.sharpness = scenario.blade.sharpness;
   return settings;
 }
 

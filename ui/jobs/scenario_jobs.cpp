@@ -64,7 +64,9 @@ void write_means(std::ostream& out, const Scenario& scenario) {
   out << "\nBlade\n  " << blade.name << ": width " << number_text(blade.size.width_mm)
       << " mm, depth " << number_text(blade.size.depth_mm) << " mm, thickness "
       << number_text(blade.thickness_mm) << " mm, kerf " << number_text(blade.size.kerf_mm)
-      << " mm, " << number_text(blade.cycles_per_minute) << " cycles/min\n";
+      << " mm, " << number_text(blade.cycles_per_minute) << " cycles/min";
+  if (blade.sharpness < 1.0) out << ", sharpness " << number_text(blade.sharpness);
+  out << "\n";
   write_origin(out, blade.origin);
 }
 

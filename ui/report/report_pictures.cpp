@@ -243,7 +243,8 @@ Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
   const assessment::WoundTrack wound = assessment::follow_wound(
-      bone, {blade.size, blade.cycles_per_minute, blade.thickness_mm}, recording, stretch);
+      bone, {blade.size, blade.cycles_per_minute, blade.thickness_mm, blade.sharpness}, recording,
+      stretch);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
     traces.points[point].hottest_celsius = wound.hottest_celsius[point];
   }

@@ -27,6 +27,7 @@ void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recor
 simulator::ContactSettings contact_of(const scenarios::Scenario& scenario) {
   simulator::ContactSettings settings;
   settings.cycles_per_minute = scenario.blade.cycles_per_minute;
+  settings.sharpness = scenario.blade.sharpness;
   return settings;
 }
 

@@ -15,7 +15,8 @@ TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
   const scenarios::Plan plan = plan_on(scenario, bone);
   scenarios::FeelingHand hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1);
   const WoundSettings wound{capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
-  const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute};
+  const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute,
+                                .sharpness = scenario.blade.sharpness};
   const AttemptSetup setup{.bone = bone,
                            .blade = scenario.blade.size,
                            .contact = contact,

@@ -27,6 +27,15 @@ class Scenarios(CommandTest):
             self.assertEqual(shown[key], value)
         self.assertIn("not surgeon-reviewed", self.hallux("scenario", "show", "silver").out)
 
+    def test_a_dull_blade_is_shown_and_one_out_of_range_is_refused(self):
+        scenario = coarse_silver()
+        self.assertNotIn("sharpness", self.hallux("scenario", "show", "silver").out)
+        scenario["blade"]["sharpness"] = 0.5
+        self.assertEqual(self.ask("scenario", "check", self.write("dull.json", scenario))["name"], "silver")
+        scenario["blade"]["sharpness"] = 3
+        self.expect_refusal(BAD_INPUT, ["blunt.json", "blade.sharpness", "from 0.2 to 1"], "scenario", "check",
+                            self.write("blunt.json", scenario))
+
     def test_check_lays_the_planes_on_the_patient(self):
         checked = self.ask("scenario", "check", SILVER)
         self.assertEqual(checked["name"], "silver")

@@ -1,0 +1,25 @@
+/// What a scenario says of its saw is what an attempt and its replay are made with.
+#include "ui/jobs/attempt_jobs.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace hallux::ui {
+namespace {
+
+scenarios::Scenario silver_with_sharpness(double sharpness) {
+  nlohmann::json silver = nlohmann::json::parse(scenarios::load_shipped_scenario("silver").text);
+  silver["blade"]["sharpness"] = sharpness;
+  return scenarios::parse_scenario(silver.dump(), "dull.json");
+}
+
+TEST(ContactSettingsOfAScenario, AreThoseOfItsBlade) {
+  const scenarios::Scenario silver = scenarios::load_shipped_scenario("silver");
+  EXPECT_EQ(contact_settings(silver).cycles_per_minute, 12000.0);
+  EXPECT_EQ(contact_settings(silver).sharpness, 1.0);
+  EXPECT_EQ(contact_settings(silver_with_sharpness(0.6)).sharpness, 0.6);
+}
+
+}  // namespace
+}  // namespace hallux::ui
