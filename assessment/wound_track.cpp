@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
 #include "simulator/cutting/kerf_set.h"
 
 namespace hallux::assessment {
 
 namespace {
-
-using simulator::CutEventKind;
 
 constexpr std::size_t samples_per_report = 4096;
 
@@ -25,23 +24,18 @@ WoundTrack follow_wound(const simulator::Bone& bone, const SawOfRecord& saw,
   simulator::Wound wound(bone.world_from_bone, saw.blade, saw.cycles_per_minute,
                          {{}, saw.thickness_mm}, saw.sharpness);
   WoundTrack track;
-  auto event = recording.events.begin();
   const std::size_t count = recording.samples.size();
-  for (std::size_t index = 0; index < count; ++index) {
-    const simulator::ToolSample& sample = recording.samples[index];
-    for (; event != recording.events.end() && event->tick <= sample.tick; ++event) {
-      if (event->kind == CutEventKind::PlaneFrozen) kerfs.freeze(event->pose);
-    }
-    kerfs.follow(sample);
-    wound.follow(sample, {tissue, kerfs, {}});
-    track.greatest_deflection_mm =
-        std::max(track.greatest_deflection_mm, std::abs(wound.flex().deflection_mm));
-    const bool ends_stretch = (index + 1) % stretch == 0 || index + 1 == count;
-    if (ends_stretch) track.hottest_celsius.push_back(wound.heat().hottest_now_celsius());
-    if (index % samples_per_report == 0) {
-      report(progress, static_cast<double>(index) / static_cast<double>(count));
-    }
-  }
+  open_kerfs(
+      kerfs, recording, [](std::int64_t) {},
+      [&](std::size_t index) {
+        wound.follow(recording.samples[index], {tissue, kerfs, {}});
+        track.greatest_deflection_mm =
+            std::max(track.greatest_deflection_mm, std::abs(wound.flex().deflection_mm));
+        const bool ends_stretch = (index + 1) % stretch == 0 || index + 1 == count;
+        if (ends_stretch) track.hottest_celsius.push_back(wound.heat().hottest_now_celsius());
+        if (index % samples_per_report == 0)
+          report(progress, static_cast<double>(index) / static_cast<double>(count));
+      });
   track.heat = wound.heat().summary();
   report(progress, 1.0);
   return track;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "assessment/rebuild/open_kerfs.h"
 #include "simulator/cutting/opened_volume.h"
 
 namespace hallux::assessment {
@@ -10,8 +11,6 @@ namespace hallux::assessment {
 namespace {
 
 using simulator::Bvh;
-using simulator::CutEvent;
-using simulator::CutEventKind;
 using simulator::CutSolid;
 using simulator::KerfField;
 using simulator::Recording;
@@ -26,18 +25,6 @@ constexpr double almost_done = 0.999;
 /// The share of a region's volume that is rounding: positions are kept to about 1e-9 of a bone.
 constexpr double nothing_left = 1.0e-6;
 
-void freeze_until(RebuiltBone& rebuilt, const Recording& recording, std::size_t& next_event,
-                  std::int64_t tick) {
-  for (; next_event < recording.events.size() && recording.events[next_event].tick <= tick;
-       ++next_event) {
-    const CutEvent& event = recording.events[next_event];
-    if (event.kind != CutEventKind::PlaneFrozen || rebuilt.fields.freeze(event.pose) < 0) continue;
-    RebuiltKerf kerf;
-    kerf.frozen_tick = kerf.first_cutting_tick = kerf.last_cutting_tick = event.tick;
-    rebuilt.kerfs.push_back(std::move(kerf));
-  }
-}
-
 void note_cutting(RebuiltBone& rebuilt, const ToolSample& sample) {
   const bool is_of_kerf = sample.kerf >= 0 && sample.kerf < rebuilt.fields.count();
   if (!is_of_kerf || !has(sample.status, ToolStatus::Cutting)) return;
@@ -46,17 +33,20 @@ void note_cutting(RebuiltBone& rebuilt, const ToolSample& sample) {
   kerf.last_cutting_tick = sample.tick;
 }
 
-void open_kerfs(RebuiltBone& rebuilt, const Recording& recording, const Progress& progress) {
-  std::size_t next_event = 0;
-  for (std::size_t index = 0; index < recording.samples.size(); ++index) {
-    const ToolSample& sample = recording.samples[index];
-    freeze_until(rebuilt, recording, next_event, sample.tick);
-    rebuilt.fields.follow(sample);
-    note_cutting(rebuilt, sample);
-    if (index % samples_per_report != 0) continue;
-    const double done = static_cast<double>(index) / static_cast<double>(recording.samples.size());
-    report(progress, stamping_share * done);
-  }
+void stamp_kerfs(RebuiltBone& rebuilt, const Recording& recording, const Progress& progress) {
+  const auto count = static_cast<double>(recording.samples.size());
+  open_kerfs(
+      rebuilt.fields, recording,
+      [&](std::int64_t tick) {
+        RebuiltKerf kerf;
+        kerf.frozen_tick = kerf.first_cutting_tick = kerf.last_cutting_tick = tick;
+        rebuilt.kerfs.push_back(std::move(kerf));
+      },
+      [&](std::size_t index) {
+        note_cutting(rebuilt, recording.samples[index]);
+        if (index % samples_per_report == 0)
+          report(progress, stamping_share * static_cast<double>(index) / count);
+      });
 }
 
 /// How much of each region the outline takes. What rounding leaves of a region that was taken wholly is nothing.
@@ -131,7 +121,7 @@ RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& bla
                     const simulator::Recording& recording, const Progress& progress) {
   RebuiltBone rebuilt{
       simulator::KerfSet(blade, bone.world_from_bone), {}, {}, {}, 0.0, 0.0, 0.0, 0};
-  open_kerfs(rebuilt, recording, progress);
+  stamp_kerfs(rebuilt, recording, progress);
   CutSolid solid = simulator::uncut_solid(solid_of(bone));
   rebuilt.input_mm3 = signed_volume_mm3(solid.mesh);
   if (rebuilt.fields.count() > 0) cut_kerfs(solid, rebuilt, progress);
