@@ -25,8 +25,10 @@ using database::OperationStanding;
 using database::TraineeStanding;
 
 constexpr float side_width = 320.0F, stacked_height = 620.0F, grid_row = 46.0F;
-constexpr float person_width = 190.0F, least_cell = 92.0F, most_cell = 150.0F, sort_mark = 18.0F,
-                legend_height = 48.0F;
+constexpr float person_width = 190.0F, least_person = 140.0F, least_cell = 92.0F,
+                most_cell = 150.0F, cell_gap = 16.0F, sort_mark = 18.0F, legend_height = 48.0F;
+/// So many operations stand beside each other before their names are shown whole.
+constexpr int columns_wanted = 3;
 constexpr int idle_days = 14;
 constexpr std::size_t listed_attempts = 6, listed_requests = 4;
 constexpr std::int32_t attempts_read = 5;
@@ -253,7 +255,11 @@ void CohortScreen::turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>
   for (const std::string& head : heads)
     cell = std::max(cell, std::min(most_cell, ui.width_of(Type::Caption, head) + sort_mark));
   const int count = static_cast<int>(heads.size());
-  const auto room = static_cast<int>((rest.w - person_width) / (cell + 16.0F));
+  auto room = static_cast<int>((rest.w - person_width) / (cell + cell_gap));
+  if (room < columns_wanted) {
+    const auto most = static_cast<int>((rest.w - least_person) / (least_cell + cell_gap));
+    room = std::max(room, std::min(most, columns_wanted));
+  }
   page_columns_ = std::clamp(room, 1, std::max(1, count));
   if (page_columns_ >= count) {
     first_column_ = 0;
@@ -273,7 +279,7 @@ void CohortScreen::turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>
 std::vector<TableColumn> CohortScreen::columns_of(const Ui& ui,
                                                   const std::vector<std::string>& heads) const {
   const float person = page_columns_ > 3 ? person_width : 0.0F;
-  std::vector<TableColumn> columns{{ui.text("cohort.person"), person, 1.2F, Align::Left, true}};
+  std::vector<TableColumn> columns{{ui.text("cohort.person"), person, 1.35F, Align::Left, true}};
   for (int number = 0; number < static_cast<int>(heads.size()); ++number) {
     TableColumn& column = columns.emplace_back();
     column.head = heads[static_cast<std::size_t>(number)];

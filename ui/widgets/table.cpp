@@ -5,6 +5,7 @@
 
 #include "ui/widgets/choice.h"
 #include "ui/widgets/shapes.h"
+#include "ui/widgets/tooltip.h"
 
 namespace hallux::ui {
 namespace {
@@ -38,6 +39,16 @@ std::vector<ColumnPlace> columns_of(const Rect& line, const TableSpec& spec) {
   return places;
 }
 
+/// What the column had no room for, once the pointer rests on the head or the keyboard stands there.
+void say_whole_head(Ui& ui, const std::string& control, const Rect& place, std::string_view head,
+                    bool is_steered_to) {
+  const Rect under{place.x, place.mid_y() - 14.0F, place.w, 28.0F};
+  if (is_steered_to)
+    tooltip(ui, {under.mid_x(), under.bottom()}, head, {});
+  else
+    tooltip_when_resting(ui, control, under, head);
+}
+
 bool draw_head(Ui& ui, std::string_view id, const Rect& place, const TableColumn& column,
                int number, TableSort& sort) {
   Canvas& canvas = ui.canvas();
@@ -58,6 +69,9 @@ bool draw_head(Ui& ui, std::string_view id, const Rect& place, const TableColumn
   const bool is_right = column.align == Align::Right;
   const Rect room{place.x, place.y, place.w - (is_sorted && !is_right ? 16.0F : 0.0F), place.h};
   const float width = canvas.text_in(room, {Type::Caption, ink, column.align}, column.head, true);
+  if (column.can_sort && canvas.width_of(Type::Caption, column.head) > room.w)
+    say_whole_head(ui, std::string(id) + ".sort." + std::to_string(number), place, column.head,
+                   response.shows_ring);
   if (is_sorted)
     canvas.icon({is_right ? place.right() - width - 10.0F : place.x + width + 10.0F, place.mid_y()},
                 sort.is_descending ? Icon::SortDown : Icon::SortUp, IconSize::Inline,

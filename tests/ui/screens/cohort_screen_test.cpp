@@ -189,6 +189,33 @@ TEST(CohortScreen, OfManyOperationsAllAreReachedByKeyboard) {
   EXPECT_EQ(teacher.driver().focused(), "cohort.operations.back");
 }
 
+TEST(CohortScreen, ALongNameLeavesRoomForThreeOperationsAndIsSaidWhole) {
+  ManyOperations many;
+  database::AdministratorDesk desk = many.course.administrator();
+  const std::string name = "a_distal_chevron_osteotomy_of_the_first_metatarsal";
+  desk.publish_scenario(desk.import_scenario({name, 1, "{\"name\": \"" + name + "\"}", false}));
+  const std::string whole = "A distal chevron osteotomy of the first metatarsal";
+  for (const float scale : {1.0F, 1.5F, 2.0F}) {
+    Teacher teacher(many.course, "kim", scale);
+    shrink(teacher.visitor);
+    Driver& driver = teacher.driver();
+    int heads = 0;
+    for (int column = 1; column <= 13; ++column)
+      heads += driver.has("cohort.row.sort." + std::to_string(column)) ? 1 : 0;
+    EXPECT_GE(heads, 3) << scale;
+    EXPECT_THAT(driver.faults(), IsEmpty()) << scale;
+    const Rect head = driver.widget("cohort.row.sort.1").rect;
+    driver.move_to(head.centre());
+    driver.wait(1.0);
+    EXPECT_THAT(driver.texts(), testing::Contains(whole)) << scale;
+    EXPECT_THAT(driver.faults(), IsEmpty()) << scale;
+    driver.move_to({2.0F, 2.0F});
+    driver.wait(1.0);
+    press_by_keyboard(teacher.visitor, "cohort.row.sort.1");
+    EXPECT_THAT(driver.texts(), testing::Contains(whole)) << scale;
+  }
+}
+
 TEST(CohortScreen, AnOperationOfALaterPageSortsAndKeepsSorting) {
   ManyOperations many;
   Teacher teacher(many.course);
