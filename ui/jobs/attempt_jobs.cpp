@@ -1,7 +1,5 @@
 #include "ui/jobs/attempt_jobs.h"
 
-#include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "assessment/progress.h"
@@ -10,7 +8,6 @@
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/planned_bridge.h"
-#include "simulator/device/force_output.h"
 #include "simulator/device/scripted.h"
 
 namespace hallux::ui {
@@ -40,12 +37,6 @@ void put_bone(database::Database& database, const simulator::Bone& bone,
   begun.bone = put_asset(database, bone_asset, encode_bone(bone));
 }
 
-Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples) {
-  return {loop.lines,       received_samples,  loop.missed_ticks,      loop.pauses,
-          loop.late_p99_us, loop.has_priority, loop.has_locked_memory, loop.force_scale,
-          loop.force_limits};
-}
-
 namespace {
 
 database::NewAttempt describe(database::Database& database, const ScriptedAttempt& attempt,
@@ -59,25 +50,6 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
   put_bone(database, bone, begun);
   return begun;
-}
-
-/// What kept the device's force from being scale x simulated.
-std::vector<std::string> names_of_limits(std::uint32_t bits) {
-  using simulator::ForceLimit;
-  constexpr std::array<std::pair<ForceLimit, const char*>, 7> names{{
-      {ForceLimit::Stopped, "stopped"},
-      {ForceLimit::TooFast, "too_fast"},
-      {ForceLimit::SoftStart, "soft_start"},
-      {ForceLimit::Passivity, "passivity"},
-      {ForceLimit::Heat, "heat"},
-      {ForceLimit::Greatest, "greatest"},
-      {ForceLimit::Slew, "slew"},
-  }};
-  std::vector<std::string> found;
-  for (const auto& [limit, name] : names) {
-    if (has(bits, limit)) found.emplace_back(name);
-  }
-  return found;
 }
 
 /// The motion from the file, or the hand of that name and seed; `setup` is told how long it takes and who says commands.
@@ -98,20 +70,6 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
 }
 
 }  // namespace
-
-std::string quality_json(const Quality& quality) {
-  return nlohmann::ordered_json{{"expected_samples", quality.expected_samples},
-                                {"received_samples", quality.received_samples},
-                                {"missed_ticks", quality.missed_ticks},
-                                {"pauses", quality.pauses},
-                                {"late_p99_us", quality.late_p99_us},
-                                {"priority", quality.has_priority},
-                                {"locked_memory", quality.has_locked_memory},
-                                {"force_scale", quality.force_scale},
-                                {"force_limits", names_of_limits(quality.force_limits)},
-                                {"complete", quality.is_complete()}}
-      .dump();
-}
 
 simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario) {
   simulator::ContactSettings settings;

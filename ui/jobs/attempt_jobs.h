@@ -14,6 +14,7 @@
 #include "scenarios/plan.h"
 #include "simulator/loop/attempt_loop.h"
 #include "simulator/loop/replay.h"
+#include "ui/jobs/recording_quality.h"
 
 namespace hallux::ui {
 
@@ -33,20 +34,6 @@ struct ScriptedAttempt {
   std::uint64_t seed = 1;
   simulator::Pacing pacing = simulator::Pacing::Virtual;
 };
-
-/// How much of what happened was kept. An attempt with gaps is stored with their count.
-struct Quality {
-  std::int64_t expected_samples = 0, received_samples = 0;
-  std::int64_t missed_ticks = 0, pauses = 0;
-  double late_p99_us = 0.0;
-  bool has_priority = false, has_locked_memory = false;  ///< what the system granted the loop
-  double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
-  std::uint32_t force_limits = 0;  ///< bits of simulator::ForceLimit that occurred
-
-  bool is_complete() const noexcept { return expected_samples == received_samples; }
-};
-std::string quality_json(const Quality& quality);
-Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples);
 
 /// The patient of a scenario.
 /// errors  ScenarioError, MeshError; Cancelled

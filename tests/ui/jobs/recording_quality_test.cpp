@@ -1,0 +1,59 @@
+#include "ui/jobs/recording_quality.h"
+
+#include <gtest/gtest.h>
+
+#include "simulator/device/force_output.h"
+
+namespace hallux::ui {
+namespace {
+
+using simulator::ForceLimit;
+
+std::uint32_t bit(ForceLimit limit) { return static_cast<std::uint32_t>(limit); }
+
+TEST(RecordingQuality, IsReadAsItWasWritten) {
+  Quality quality{12'000, 11'999, 3, 2, 65.25, true, false, 0.24, 0};
+  for (const ForceLimit limit :
+       {ForceLimit::Stopped, ForceLimit::TooFast, ForceLimit::SoftStart, ForceLimit::Passivity,
+        ForceLimit::Heat, ForceLimit::Greatest, ForceLimit::Slew}) {
+    quality.force_limits = bit(limit);
+    const auto read = quality_from_json(quality_json(quality));
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->force_limits, bit(limit));
+  }
+  const auto read = quality_from_json(quality_json(quality));
+  EXPECT_EQ(read->expected_samples, 12'000);
+  EXPECT_EQ(read->received_samples, 11'999);
+  EXPECT_EQ(read->missed_ticks, 3);
+  EXPECT_EQ(read->pauses, 2);
+  EXPECT_DOUBLE_EQ(read->late_p99_us, 65.25);
+  EXPECT_TRUE(read->has_priority);
+  EXPECT_FALSE(read->has_locked_memory);
+  EXPECT_DOUBLE_EQ(read->force_scale, 0.24);
+  EXPECT_FALSE(read->is_complete());
+}
+
+TEST(RecordingQuality, OfAnOlderProgramSaysThatNobodyWasPushedBack) {
+  const auto read = quality_from_json(R"({"expected_samples": 7, "received_samples": 7})");
+  ASSERT_TRUE(read.has_value());
+  EXPECT_TRUE(read->is_complete());
+  EXPECT_DOUBLE_EQ(read->force_scale, 1.0);
+  EXPECT_EQ(read->force_limits, 0U);
+}
+
+TEST(RecordingQuality, LeavesOutALimitThatItDoesNotKnow) {
+  const auto read = quality_from_json(
+      R"({"expected_samples": 1, "received_samples": 1, "force_limits": ["heat", "mood"]})");
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->force_limits, bit(ForceLimit::Heat));
+}
+
+TEST(RecordingQuality, IsUnknownWhereTheTextIsNone) {
+  for (const char* text :
+       {"", "{}", "[]", "7", "not json", R"({"expected_samples": "many", "received_samples": 1})",
+        R"({"expected_samples": 1, "received_samples": 1, "force_limits": 3})"})
+    EXPECT_FALSE(quality_from_json(text).has_value()) << text;
+}
+
+}  // namespace
+}  // namespace hallux::ui
