@@ -9,6 +9,7 @@
 #include "ui/report/report_facts.h"
 #include "ui/report/report_pictures.h"
 #include "ui/report/score_sheet.h"
+#include "ui/report/wound_text.h"
 
 namespace hallux::ui {
 namespace {
@@ -177,6 +178,10 @@ TEST(ZoneContacts, AreCountedAndTimedAndEndWithTheRecording) {
   EXPECT_EQ(contacts[1].title, "Nerve");
   EXPECT_EQ(contacts[1].count, 2);
   EXPECT_DOUBLE_EQ(contacts[1].duration_s, 2.5);
+  EXPECT_DOUBLE_EQ(contacts[1].first_s, 1.0);
+  EXPECT_EQ(watched_zones(scenario, recording).size(), 2U);
+  recording.engine = 2;
+  EXPECT_TRUE(watched_zones(scenario, recording).empty()) << "that engine watched none";
 }
 
 TEST(Report, DrawsForceFeedAdvanceAndHeatOverOneTime) {
@@ -242,6 +247,20 @@ TEST(Report, FactsSayWhoseAttemptItWasAndWhetherItIsWhole) {
   const std::string html = html_report(material);
   EXPECT_NE(html.find("robot, novice hand, seed 7"), std::string::npos);
   EXPECT_NE(html.find("interrupted"), std::string::npos);
+}
+
+TEST(WoundText, GivesEachNumberItsUnit) {
+  simulator::HeatSummary heat;
+  EXPECT_FALSE(was_hot(heat));
+  heat.hottest_celsius = 47.01;
+  heat.hot_s = 0.24;
+  heat.necrotic_mm3 = 4.0;
+  EXPECT_TRUE(was_hot(heat));
+  EXPECT_EQ(hottest_text(heat), "47 °C");
+  EXPECT_EQ(hot_time_text(heat), "0.2 s");
+  EXPECT_EQ(dead_bone_text(heat), "4 mm³");
+  EXPECT_EQ(bend_text(0.254), "0.25 mm");
+  EXPECT_EQ(contact_time_text(1.26), "1.3 s");
 }
 
 TEST(HtmlText, EscapesWhatHasAMeaning) {

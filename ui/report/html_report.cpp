@@ -8,6 +8,7 @@
 #include "ui/report/html_text.h"
 #include "ui/report/report_ledger.h"
 #include "ui/report/report_svg.h"
+#include "ui/report/wound_text.h"
 
 namespace hallux::ui {
 
@@ -95,19 +96,10 @@ std::string pictures_html(const ReportMaterial& material) {
 }
 
 std::string heat_sentence(const simulator::HeatSummary& heat) {
-  if (heat.hottest_celsius <= simulator::hot_celsius) {
-    return "The bone stayed below 47 °C: " + assessment::number_text(heat.hottest_celsius, 0) +
-           " °C at most.";
-  }
-  std::string words = "Some bone was above 47 °C for " + assessment::number_text(heat.hot_s, 1) +
-                      " s, " + assessment::number_text(heat.hottest_celsius, 0) + " °C at most; ";
-  words +=
-      heat.necrotic_mm3 > 0.0 ? assessment::number_text(heat.necrotic_mm3, 0) + " mm³" : "none";
-  return words + " took the dose from which bone dies (16 minutes at 43 °C).";
-}
-
-std::string bend_sentence(double deflection_mm) {
-  return "The blade bent by up to " + assessment::number_text(deflection_mm, 2) + " mm.";
+  if (!was_hot(heat)) return "The bone stayed below 47 °C: " + hottest_text(heat) + " at most.";
+  const std::string dead = heat.necrotic_mm3 > 0.0 ? dead_bone_text(heat) : "none";
+  return "Some bone was above 47 °C for " + hot_time_text(heat) + ", " + hottest_text(heat) +
+         " at most; " + dead + " took the dose from which bone dies (16 minutes at 43 °C).";
 }
 
 /// Nothing where nothing was watched.
@@ -118,15 +110,15 @@ std::string zones_sentence(const std::vector<ZoneContact>& zones) {
     if (zone.count == 0) continue;
     touched += (touched.empty() ? "" : "; ") + zone.title + " (" + std::to_string(zone.count) +
                (zone.count == 1 ? " contact, " : " contacts, ") +
-               assessment::number_text(zone.duration_s, 1) + " s)";
+               contact_time_text(zone.duration_s) + ")";
   }
   return touched.empty() ? "The running saw touched no danger zone."
                          : "The running saw touched: " + touched + ".";
 }
 
 std::string wound_words(const ReportMaterial& material) {
-  std::string words = heat_sentence(material.traces.heat) + " " +
-                      bend_sentence(material.traces.greatest_deflection_mm) + " ";
+  std::string words = heat_sentence(material.traces.heat) + " The blade bent by up to " +
+                      bend_text(material.traces.greatest_deflection_mm) + ". ";
   const std::string zones = zones_sentence(material.zones);
   if (!zones.empty()) words += zones + " ";
   return words + "All of this is by models that no surgeon has reviewed; nothing is scored by it.";

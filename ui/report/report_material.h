@@ -9,7 +9,7 @@
 
 #include "database/records/score.h"
 #include "simulator/base/vector.h"
-#include "simulator/contact/heat.h"
+#include "ui/report/traces.h"
 
 namespace hallux::ui {
 
@@ -50,33 +50,6 @@ struct FrontalPicture {
   PictureLine planned;
   std::optional<PictureLine> actual;
   NamedPoint landmark;
-};
-
-struct TracePoint {
-  double time_s = 0.0;
-  double force_newton = 0.0;         ///< greatest in this stretch of time
-  std::optional<double> advance_mm;  ///< of the teeth in their kerf; nothing outside one
-  double fed_mm = 0.0;               ///< way of the teeth through bone in this stretch
-  double hottest_celsius = simulator::body_celsius;  ///< of all bone, at its end
-};
-
-struct TraceMark {
-  double time_s = 0.0;
-  std::string text;
-};
-
-struct Traces {
-  std::vector<TracePoint> points;
-  std::vector<TraceMark> marks;
-  simulator::HeatSummary heat;          ///< of the whole attempt
-  double greatest_deflection_mm = 0.0;  ///< of the blade, by its bending
-};
-
-/// What a danger zone had of the running saw.
-struct ZoneContact {
-  std::string title;
-  int count = 0;
-  double duration_s = 0.0;
 };
 
 struct ReportMaterial {

@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "assessment/metrics/face_plane.h"
-#include "assessment/wound_track.h"
-#include "simulator/base/units.h"
 #include "ui/report/report_facts.h"
 
 namespace hallux::ui {
@@ -18,18 +16,12 @@ using assessment::Examination;
 using assessment::FacePlane;
 using scenarios::PlannedCut;
 using simulator::Bone;
-using simulator::CutEvent;
-using simulator::CutEventKind;
 using simulator::Recording;
-using simulator::ToolSample;
 
 /// The slice is drawn as a line: thin enough to be one, thick enough to meet the mesh cleanly.
 constexpr double slice_mm = 0.01;
 /// Lines of planes reach this far beyond the bone.
 constexpr double line_overhang_mm = 3.0;
-
-/// Recordings of earlier ones say nothing of danger zones.
-constexpr std::int32_t first_engine_that_watched_zones = 3;
 
 const Vec3 distal{1.0, 0.0, 0.0}, dorsal{0.0, 1.0, 0.0}, lateral{0.0, 0.0, 1.0};
 
@@ -162,100 +154,7 @@ void add_pictures(ReportMaterial& material, const scenarios::Scenario& scenario,
   }
 }
 
-std::string mark_text(CutEventKind kind) {
-  switch (kind) {
-    case CutEventKind::PlaneFrozen:
-      return "plane frozen";
-    case CutEventKind::Breakthrough:
-      return "through";
-    case CutEventKind::PieceFreed:
-      return "piece free";
-    case CutEventKind::HingeClosed:
-      return "closed";
-    case CutEventKind::DangerContact:
-      return "danger zone";
-    case CutEventKind::Kick:
-      return "kick";
-    default:
-      return "";
-  }
-}
-
-double force_newton_of(const ToolSample& sample) {
-  const Vec3 force{newton_from_millinewton(sample.force_mn[0]),
-                   newton_from_millinewton(sample.force_mn[1]),
-                   newton_from_millinewton(sample.force_mn[2])};
-  return std::sqrt(glm::dot(force, force));
-}
-
 }  // namespace
-
-std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,
-                                       const Recording& recording) {
-  std::vector<ZoneContact> contacts;
-  for (const scenarios::DangerZone& zone : scenario.danger_zones) {
-    contacts.push_back({zone.title, 0, 0.0});
-  }
-  std::vector<std::optional<std::int64_t>> begun(contacts.size());
-  const auto end_contact = [&](std::size_t zone, std::int64_t tick) {
-    if (const auto from = std::exchange(begun[zone], std::nullopt)) {
-      contacts[zone].duration_s += second_from_tick(tick - *from);
-    }
-  };
-  for (const CutEvent& event : recording.events) {
-    const auto zone = static_cast<std::size_t>(event.subject);
-    const bool is_contact = event.kind == CutEventKind::DangerContact;
-    if ((!is_contact && event.kind != CutEventKind::DangerLeft) || zone >= contacts.size())
-      continue;
-    end_contact(zone, event.tick);
-    if (!is_contact) continue;
-    ++contacts[zone].count;
-    begun[zone] = event.tick;
-  }
-  for (std::size_t zone = 0; zone < contacts.size() && !recording.samples.empty(); ++zone) {
-    end_contact(zone, recording.samples.back().tick);
-  }
-  return contacts;
-}
-
-Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::SawBlade& blade,
-                 const simulator::KerfSet& kerfs, std::size_t points_max) {
-  Traces traces;
-  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
-  const std::size_t count = recording.samples.size();
-  const std::size_t stretch = std::max<std::size_t>(1, (count + points_max - 1) / points_max);
-  std::optional<double> before_mm;  // the advance at the sample before, where that cut too
-  for (std::size_t index = 0; index < count; ++index) {
-    const ToolSample& sample = recording.samples[index];
-    if (index % stretch == 0) {
-      TracePoint point;
-      point.time_s = second_from_tick(sample.tick);
-      traces.points.push_back(point);
-    }
-    TracePoint& point = traces.points.back();
-    point.force_newton = std::max(point.force_newton, force_newton_of(sample));
-    const std::optional<double> last_mm = std::exchange(before_mm, std::nullopt);
-    if (sample.kerf < 0 || sample.kerf >= kerfs.count()) continue;
-    const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);
-    point.advance_mm = planar_pose(kerfs.plane(sample.kerf), bone_from_tool).tip_mm.x;
-    if (!has(sample.status, simulator::ToolStatus::Cutting)) continue;
-    before_mm = point.advance_mm;
-    if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
-  }
-  const assessment::WoundTrack wound = assessment::follow_wound(
-      bone, {blade.size, blade.cycles_per_minute, blade.thickness_mm, blade.sharpness}, recording,
-      stretch);
-  for (std::size_t point = 0; point < traces.points.size(); ++point) {
-    traces.points[point].hottest_celsius = wound.hottest_celsius[point];
-  }
-  traces.heat = wound.heat;
-  traces.greatest_deflection_mm = wound.greatest_deflection_mm;
-  for (const CutEvent& event : recording.events) {
-    const std::string text = mark_text(event.kind);
-    if (!text.empty()) traces.marks.push_back({second_from_tick(event.tick), text});
-  }
-  return traces;
-}
 
 ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& bone,
                                const Recording& recording, const Examination& examination) {
@@ -269,9 +168,7 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
       {"Engine", "version " + std::to_string(card.engine)}};
   if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
   add_pictures(material, scenario, bone, examination);
-  if (recording.engine >= first_engine_that_watched_zones) {
-    material.zones = zone_contacts(scenario, recording);
-  }
+  material.zones = watched_zones(scenario, recording);
   material.traces = traces_of(recording, bone, scenario.blade, examination.rebuilt.fields);
   return material;
 }

@@ -13,13 +13,4 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const simula
                                const simulator::Recording& recording,
                                const assessment::Examination& examination);
 
-/// How often and how long the running saw was in each danger zone of the scenario, in its order.
-std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,
-                                       const simulator::Recording& recording);
-
-/// Force, feed, advance and heat in at most `points_max` stretches of equal time.
-Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
-                 const scenarios::SawBlade& blade, const simulator::KerfSet& kerfs,
-                 std::size_t points_max = 480);
-
 }  // namespace hallux::ui

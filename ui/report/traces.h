@@ -1,0 +1,62 @@
+/// What the saw did over an attempt: force, feed, advance and heat over time, and the danger zones that it touched.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/progress.h"
+#include "scenarios/scenario.h"
+#include "simulator/contact/heat.h"
+#include "simulator/cutting/kerf_set.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/record.h"
+
+namespace hallux::ui {
+
+struct TracePoint {
+  double time_s = 0.0;
+  double force_newton = 0.0;         ///< greatest in this stretch of time
+  std::optional<double> advance_mm;  ///< of the teeth in their kerf; nothing outside one
+  double fed_mm = 0.0;               ///< way of the teeth through bone in this stretch
+  double hottest_celsius = simulator::body_celsius;  ///< of all bone, at its end
+};
+
+struct TraceMark {
+  double time_s = 0.0;
+  std::string text;
+};
+
+struct Traces {
+  std::vector<TracePoint> points;
+  std::vector<TraceMark> marks;
+  simulator::HeatSummary heat;          ///< of the whole attempt
+  double greatest_deflection_mm = 0.0;  ///< of the blade, by its bending
+};
+
+/// What a danger zone had of the running saw.
+struct ZoneContact {
+  std::string title;
+  int count = 0;
+  double duration_s = 0.0;
+  double first_s = 0.0;  ///< when it was first touched; 0 where it never was
+};
+
+/// Of the force on the hand, simulated.
+double force_newton_of(const simulator::ToolSample& sample) noexcept;
+
+/// Force, feed, advance and heat in at most `points_max` stretches of equal time.
+/// needs   `kerfs` as the recording opened them
+/// errors  assessment::Cancelled
+Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
+                 const scenarios::SawBlade& blade, const simulator::KerfSet& kerfs,
+                 std::size_t points_max = 480, const assessment::Progress& progress = {});
+
+/// How often and how long the running saw was in each danger zone of the scenario, in its order.
+std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,
+                                       const simulator::Recording& recording);
+/// The same; nothing where the recording is of an engine that watched no zones.
+std::vector<ZoneContact> watched_zones(const scenarios::Scenario& scenario,
+                                       const simulator::Recording& recording);
+
+}  // namespace hallux::ui
