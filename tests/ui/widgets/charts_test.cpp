@@ -144,5 +144,24 @@ TEST(Timelines, ShowWhatWasHappeningAtThePlayhead) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(Timelines, HaveNoPlayheadWhereNothingIsPlayedAndScalesThatNeedNotBeginAtNothing) {
+  Timeline timeline;
+  timeline.duration_s = 10.0, timeline.now_s = std::nullopt;
+  timeline.steps_name = "Steps", timeline.events_name = "Events";
+  timeline.tracks = {{"Heat", "C", {{0, 37}, {10, 60}}, {}, 80.0, 47.0, 20.0}};
+  const auto drawn = [&] {
+    SvgPainter painter(1000, timeline_height(timeline), rgb(0xFFFFFF));
+    draw_timeline(painter, make_theme(ThemeName::Light), {0, 0, 1000, timeline_height(timeline)},
+                  timeline);
+    return painter.document();
+  };
+  const std::string svg = drawn();
+  for (const char* tick : {">20</text>", ">50</text>", ">80</text>"})
+    EXPECT_NE(svg.find(tick), std::string::npos) << tick;
+  EXPECT_EQ(svg.find("<polygon"), std::string::npos) << "the playhead's triangle";
+  timeline.now_s = 5.0;
+  EXPECT_NE(drawn().find("<polygon"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hallux::ui

@@ -6,15 +6,13 @@
 
 #include "simulator/base/units.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/report/traces.h"
 
 namespace hallux::ui {
 
 namespace {
 
 using database::Action;
-using simulator::CutEvent;
-using simulator::CutEventKind;
-using simulator::Recording;
 using simulator::ToolSample;
 using simulator::ToolStatus;
 
@@ -24,72 +22,6 @@ constexpr std::size_t speed_ticks = 20;
 /// Further from every planned face the hand is on its way; no distance is said.
 constexpr double near_plan_mm = 12.0;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-struct EventWords {
-  CutEventKind kind;
-  Meaning meaning;
-  std::string_view words;
-};
-constexpr EventWords event_words[] = {
-    {CutEventKind::Started, Meaning::Neutral, "replay.event.started"},
-    {CutEventKind::Scratch, Meaning::Warn, "replay.event.scratch"},
-    {CutEventKind::Kick, Meaning::Warn, "replay.event.kick"},
-    {CutEventKind::PlaneFrozen, Meaning::Info, "replay.event.plane_frozen"},
-    {CutEventKind::Breakthrough, Meaning::Neutral, "replay.event.breakthrough"},
-    {CutEventKind::SectionCovered, Meaning::Good, "replay.event.section_covered"},
-    {CutEventKind::PieceFreed, Meaning::Good, "replay.event.piece_freed"},
-    {CutEventKind::PieceRemoved, Meaning::Neutral, "replay.event.piece_removed"},
-    {CutEventKind::StepDone, Meaning::Neutral, "replay.event.step_done"},
-    {CutEventKind::Paused, Meaning::Neutral, "replay.event.paused"},
-    {CutEventKind::Resumed, Meaning::Neutral, "replay.event.resumed"},
-    {CutEventKind::Fault, Meaning::Bad, "replay.event.fault"},
-    {CutEventKind::Finished, Meaning::Good, "replay.event.finished"},
-    {CutEventKind::Abandoned, Meaning::Warn, "replay.event.abandoned"},
-    {CutEventKind::KerfRefused, Meaning::Warn, "replay.event.kerf_refused"},
-    {CutEventKind::HingeClosed, Meaning::Good, "replay.event.hinge_closed"},
-    {CutEventKind::HingeRefused, Meaning::Bad, "replay.event.hinge_refused"},
-    {CutEventKind::BoneHot, Meaning::Warn, "replay.event.bone_hot"},
-    {CutEventKind::BoneNecrosis, Meaning::Bad, "replay.event.bone_necrosis"},
-    {CutEventKind::DangerContact, Meaning::Bad, "replay.event.danger_contact"},
-    {CutEventKind::DangerLeft, Meaning::Neutral, "replay.event.danger_left"},
-};
-
-std::vector<ReplayEvent> events_of(const Recording& recording) {
-  std::vector<ReplayEvent> events;
-  for (const CutEvent& event : recording.events) {
-    const auto* words =
-        std::find_if(std::begin(event_words), std::end(event_words),
-                     [&](const EventWords& each) { return each.kind == event.kind; });
-    if (words == std::end(event_words)) continue;
-    events.push_back({second_from_tick(event.tick), words->meaning, words->words});
-  }
-  return events;
-}
-
-/// A step lasts from the one before it to when it was declared done; the last one to the end.
-std::vector<TimelineStep> steps_of(const Recording& recording, const scenarios::Scenario& scenario,
-                                   double duration_s) {
-  std::vector<TimelineStep> steps;
-  double begin_s = 0.0;
-  std::size_t next = 0;
-  const auto add = [&](std::size_t index, double end_s) {
-    if (index >= scenario.steps.size() || end_s <= begin_s) return;
-    steps.push_back({begin_s, end_s, scenario.steps[index].title});
-    begin_s = end_s;
-    next = index + 1;
-  };
-  for (const CutEvent& event : recording.events) {
-    if (event.kind == CutEventKind::StepDone && event.subject >= 0)
-      add(static_cast<std::size_t>(event.subject), second_from_tick(event.tick));
-  }
-  add(next, duration_s);
-  return steps;
-}
-
-double force_of(const ToolSample& sample) noexcept {
-  const Vec3 force_mn(sample.force_mn[0], sample.force_mn[1], sample.force_mn[2]);
-  return glm::length(force_mn) / 1000.0;
-}
 
 /// How the blade stands to the planned face that it is meant for: a degree counts as a millimetre.
 struct ToPlan {
@@ -119,7 +51,8 @@ void thin_out(ReplayMaterial& material) {
   for (std::size_t i = 0; i < material.samples.size(); i += step) {
     const std::size_t end = std::min(i + step, material.samples.size());
     double force = 0.0;
-    for (std::size_t j = i; j < end; ++j) force = std::max(force, force_of(material.samples[j]));
+    for (std::size_t j = i; j < end; ++j)
+      force = std::max(force, force_newton_of(material.samples[j]));
     const ToolSample& sample = material.samples[i];
     const double time_s = second_from_tick(sample.tick);
     const ToPlan plan =
@@ -177,9 +110,7 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
           throw Cancelled("stopped before the bone could be shown");
       });
   material->events = events_of(attempt.recording);
-  const std::int64_t last_tick =
-      attempt.recording.samples.empty() ? 1 : attempt.recording.samples.back().tick;
-  material->duration_s = std::max(0.001, second_from_tick(last_tick));
+  material->duration_s = duration_s_of(attempt.recording);
   material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);
   material->samples = std::move(attempt.recording.samples);
   material->scenario = std::move(attempt.scenario);
@@ -201,7 +132,7 @@ HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept {
   hand.world_from_tool = transform_from(sample.world_from_tool);
   hand.is_saw_on = has(sample.status, ToolStatus::SawOn);
   hand.is_paused = !has(sample.status, ToolStatus::Running);
-  hand.force_newton = force_of(sample);
+  hand.force_newton = force_newton_of(sample);
   const ToolSample& before = material.samples[index - std::min(index, speed_ticks)];
   const Vec3 way =
       hand.world_from_tool.translation_mm - transform_from(before.world_from_tool).translation_mm;

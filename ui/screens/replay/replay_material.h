@@ -9,19 +9,13 @@
 #include "database/records/score.h"
 #include "scenarios/plan.h"
 #include "ui/screens/attempt_desks.h"
+#include "ui/screens/attempt_timeline.h"
 #include "ui/screens/replay/bone_history.h"
 #include "ui/screens/visit.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/window/shell/background.h"
 
 namespace hallux::ui {
-
-/// Something that happened, as the timeline and the list show it.
-struct ReplayEvent {
-  double time_s = 0.0;
-  Meaning meaning = Meaning::Neutral;
-  std::string_view words;  ///< id of its text
-};
 
 /// What the hand did at one moment. What is not known there is not a number.
 struct HandAtMoment {
@@ -42,7 +36,7 @@ struct ReplayMaterial {
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;
   std::vector<simulator::ToolSample> samples;
-  std::vector<ReplayEvent> events;
+  std::vector<AttemptEvent> events;
   std::vector<TimelineStep> steps;
   std::vector<ChartPoint> force_newton, to_plan_mm;  ///< thinned out, x in seconds
   double duration_s = 0.001;

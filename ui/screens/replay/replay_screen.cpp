@@ -22,7 +22,6 @@ namespace {
 constexpr float head_height = 64.0F, panel_width = 352.0F, edge = 20.0F, time_edge = 12.0F;
 constexpr float two_tracks_from = 720.0F, one_track_from = 560.0F;
 constexpr double swings_per_second = 9.0;  ///< as it is drawn: the true rate is a blur
-constexpr double rounded_force_up_to = 5.0;
 /// A click on the timeline this near to a note means the note.
 constexpr double note_reach_px = 10.0;
 
@@ -35,13 +34,6 @@ std::string fixed_text(double value, int decimals) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
   return text.data();
-}
-
-double highest_of(const std::vector<ChartPoint>& points, double step) {
-  double highest = step;
-  for (const ChartPoint& point : points)
-    if (std::isfinite(point.y)) highest = std::max(highest, point.y);
-  return step * std::ceil(highest / step);
 }
 
 std::array<double, 3> array_of(const Vec3& point) { return {point.x, point.y, point.z}; }
@@ -70,7 +62,7 @@ void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 void ReplayScreen::open(Ui& ui) {
   bone_ = std::make_unique<BoneMoment>(*material().history);
   std::vector<double> event_s;
-  for (const ReplayEvent& event : material().events) event_s.push_back(event.time_s);
+  for (const AttemptEvent& event : material().events) event_s.push_back(event.time_s);
   player_.open(material().duration_s, std::move(event_s), first_moment_s_);
   stage_.look_at(transform_point(material().world_from_bone, material().middle_in_bone_mm),
                  0.9 * material().radius_mm, views.front());
@@ -308,12 +300,12 @@ void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
 }
 
 void ReplayScreen::draw_events(Ui& ui, const Rect& rect) {
-  const std::vector<ReplayEvent>& events = material().events;
+  const std::vector<AttemptEvent>& events = material().events;
   const std::array<TableColumn, 2> columns{{
       {ui.text("replay.event"), 0.0F, 1.0F},
       {ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
   }};
-  const auto event_of = [&](int row) -> const ReplayEvent& {
+  const auto event_of = [&](int row) -> const AttemptEvent& {
     return events[static_cast<std::size_t>(row)];
   };
   TableSpec spec;
@@ -324,7 +316,7 @@ void ReplayScreen::draw_events(Ui& ui, const Rect& rect) {
   spec.row_id = [](int row) { return std::to_string(row); };
   spec.row_label = [&](int row) { return std::string(ui.text(event_of(row).words)); };
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const ReplayEvent& event = event_of(row);
+    const AttemptEvent& event = event_of(row);
     if (column == 0) {
       draw_meaning(own.canvas(), own.theme(), event.meaning, {cell.x + 7.0F, cell.mid_y()}, 6.0F);
       own.canvas().text_in({cell.x + 22.0F, cell.y, cell.w - 22.0F, cell.h},
@@ -347,20 +339,14 @@ Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {
   shown.steps_name = ui.text("replay.steps");
   shown.events_name = ui.text("replay.events");
   shown.steps = material().steps;
-  for (const ReplayEvent& event : material().events)
+  for (const AttemptEvent& event : material().events)
     shown.events.push_back({event.time_s, event.meaning});
   const std::vector<database::Note>& notes = notes_.notes();
   for (std::size_t i = 0; i < notes.size(); ++i)
     shown.notes.push_back(
         {static_cast<double>(notes[i].moment.moment_us) / 1.0e6, std::to_string(i + 1)});
-  if (height >= one_track_from) {
-    TimelineTrack force;
-    force.name = ui.text("replay.force");
-    force.unit = ui.text("replay.force.unit");
-    force.samples = material().force_newton;
-    force.high = highest_of(force.samples, rounded_force_up_to);
-    shown.tracks.push_back(std::move(force));
-  }
+  if (height >= one_track_from)
+    shown.tracks.push_back(force_track(ui.texts(), material().force_newton));
   if (height >= two_tracks_from) {
     TimelineTrack plan;
     plan.name = ui.text("replay.to_plan");

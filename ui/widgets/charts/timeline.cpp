@@ -26,7 +26,8 @@ void draw_steps(ChartPainter& painter, const Theme& theme, const Rect& rect, con
   painter.text({rect.x, middle}, Type::Caption, Align::Left, theme.text_secondary,
                timeline.steps_name);
   for (const TimelineStep& step : timeline.steps) {
-    const bool is_now = step.begin_s <= timeline.now_s && timeline.now_s < step.end_s;
+    const bool is_now =
+        timeline.now_s && step.begin_s <= *timeline.now_s && *timeline.now_s < step.end_s;
     const Rect band{plot.x(step.begin_s) + 1.0F, plot.rect.y,
                     plot.x(step.end_s) - plot.x(step.begin_s) - 2.0F, steps_height};
     painter.fill(band, is_now ? theme.accent_soft : theme.raise, radius::step);
@@ -76,14 +77,16 @@ void draw_track(ChartPainter& painter, const Theme& theme, const Rect& rect, con
   Plot plot = whole;
   plot.rect.y = top;
   plot.rect.h = track_height;
+  plot.y_low = track.low;
   plot.y_high = track.high;
   painter.text({rect.x, top + 9.0F}, Type::Caption, Align::Left, theme.text_secondary, track.name);
   painter.text({rect.x, top + 27.0F}, Type::Caption, Align::Left, theme.text_caption, track.unit);
-  for (const double value : {0.0, track.high / 2.0, track.high}) {
+  const double middle = 0.5 * (track.low + track.high);
+  for (const double value : {track.low, middle, track.high}) {
     painter.fill({plot.rect.x, std::round(plot.y(value)), plot.rect.w, 1.0F},
-                 value == 0.0 ? theme.axis : theme.line, 0.0F);
+                 value == track.low ? theme.axis : theme.line, 0.0F);
     painter.text({plot.rect.x - 10.0F, plot.y(value)}, Type::Caption, Align::Right,
-                 theme.text_caption, tick_text(value, track.high / 2.0));
+                 theme.text_caption, tick_text(value, 0.5 * (track.high - track.low)));
   }
   if (track.aim) {
     const float y = plot.y(std::min(*track.aim, track.high));
@@ -96,6 +99,17 @@ void draw_track(ChartPainter& painter, const Theme& theme, const Rect& rect, con
       painter.polyline(dash, theme.reference, 1.5F);
   for (const std::vector<Point>& run : line_runs(plot, track.samples))
     painter.polyline(run, theme.accent, 1.5F);
+}
+
+void draw_playhead(ChartPainter& painter, const Theme& theme, const Plot& plot, double now_s,
+                   float bottom) {
+  const float now = std::round(plot.x(now_s));
+  painter.fill({now - 1.0F, plot.rect.y - 4.0F, 2.0F, bottom - plot.rect.y - 6.0F}, theme.text,
+               1.0F);
+  const std::array<Point, 3> head{{{now - 7.0F, plot.rect.y - 11.0F},
+                                   {now + 7.0F, plot.rect.y - 11.0F},
+                                   {now, plot.rect.y - 2.0F}}};
+  painter.polygon(head, theme.text);
 }
 
 double axis_step_s(double duration_s, float width) {
@@ -145,12 +159,7 @@ void draw_timeline(ChartPainter& painter, const Theme& theme, const Rect& rect,
   for (double time_s = 0.0; time_s <= timeline.duration_s; time_s += step)
     painter.text({plot.x(time_s), top + 6.0F}, Type::Caption, Align::Centre, theme.text_caption,
                  clock_text(time_s));
-  const float now = std::round(plot.x(timeline.now_s));
-  painter.fill({now - 1.0F, plot.rect.y - 4.0F, 2.0F, top - plot.rect.y - 6.0F}, theme.text, 1.0F);
-  const std::array<Point, 3> head{{{now - 7.0F, plot.rect.y - 11.0F},
-                                   {now + 7.0F, plot.rect.y - 11.0F},
-                                   {now, plot.rect.y - 2.0F}}};
-  painter.polygon(head, theme.text);
+  if (timeline.now_s) draw_playhead(painter, theme, plot, *timeline.now_s, top);
   for (const TimelineNote& note : timeline.notes) {
     painter.disc({plot.x(note.time_s), events}, 9.0F, theme.accent);
     painter.text({plot.x(note.time_s), events}, Type::CaptionMedium, Align::Centre, theme.on_accent,

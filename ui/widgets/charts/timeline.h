@@ -30,12 +30,14 @@ struct TimelineTrack {
   std::string name = {}, unit = {};      ///< "Force" and "N, aim <= 15"
   std::vector<ChartPoint> samples = {};  ///< x in seconds
   std::vector<ChartPoint> reference = {};
-  double high = 1.0;               ///< the scale goes from 0 to this
+  double high = 1.0;               ///< the scale goes from `low` to this
   std::optional<double> aim = {};  ///< good below it
+  double low = 0.0;
 };
 
 struct Timeline {
-  double duration_s = 1.0, now_s = 0.0;
+  double duration_s = 1.0;
+  std::optional<double> now_s = 0.0;  ///< the playhead; none where nothing is being played
   std::string steps_name = {}, events_name = {};
   std::vector<TimelineStep> steps = {};
   std::vector<TimelineEvent> events = {};
