@@ -25,10 +25,24 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
   return desk.begin_attempt(begun);
 }
 
+namespace {
+
+std::optional<double> force_scale_of(const simulator::HapticDevice& device,
+                                     const scenarios::Scenario& scenario) {
+  const simulator::DeviceDescription description = device.description();
+  if (!description.limits) return std::nullopt;
+  return force_scale_on(*description.limits, contact_settings(scenario).coupling_newton_per_mm);
+}
+
+}  // namespace
+
 LiveAttempt::LiveAttempt(std::shared_ptr<const OperatingTable> table,
                          const database::Database& database, database::WriterLease lease,
                          std::unique_ptr<simulator::HapticDevice> device)
-    : table_(std::move(table)), device_(std::move(device)), attempt_(lease.attempt()) {
+    : table_(std::move(table)),
+      device_(std::move(device)),
+      force_scale_(force_scale_of(*device_, table_->scenario)),
+      attempt_(lease.attempt()) {
   say({simulator::CommandKind::Start, 0, 0});
   thread_ = std::jthread([this, own = database.open_again(), lease = std::move(lease)]() mutable {
     run(std::move(own), std::move(lease));

@@ -76,6 +76,8 @@ class LiveAttempt {
   const database::AttemptId& attempt() const noexcept { return attempt_; }
   const OperatingTable& table() const noexcept { return *table_; }
   simulator::HapticDevice& device() noexcept { return *device_; }
+  /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes nobody back.
+  const std::optional<double>& force_scale() const noexcept { return force_scale_; }
 
   // -- commands; thread  window
   void pause() { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
@@ -107,6 +109,7 @@ class LiveAttempt {
 
   std::shared_ptr<const OperatingTable> table_;
   std::unique_ptr<simulator::HapticDevice> device_;
+  std::optional<double> force_scale_;
   simulator::AttemptChannels channels_;
   simulator::AttemptWatch watch_;
   database::AttemptId attempt_;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr float bar_height = 44.0F, panel_height = 92.0F, gap = 16.0F;
 constexpr float pad = 20.0F, badge_room = 112.0F;
+constexpr float health_width = 280.0F, health_row = 24.0F, health_edge = 12.0F;
 /// Bands that colour the force; source  docs/haptics.md (usual pushes are 8 to 20 N), not surgeon-reviewed
 constexpr double high_force_newton = 15.0, force_scale_newton = 30.0;
 constexpr double reading_scale_degree = 8.0, reading_band_degree = 2.0;
@@ -310,31 +311,63 @@ void draw_force_at_blade(Hud& in) {
   canvas.fill({track.x - 4.0F, mark - 1.0F, 16.0F, 2.0F}, in.theme().text);
 }
 
+struct HealthRow {
+  std::string_view name;
+  std::string value;
+};
+
+/// What the arm is given, one line for each thing that held it back.
+void add_arm_rows(std::vector<HealthRow>& rows, const Ui& ui, const ArmHealth& arm) {
+  rows.push_back({ui.text("operate.health.arm"), decimal_text(arm.force_newton) + " N"});
+  rows.push_back(
+      {ui.text("operate.health.scale"), grouped(std::lround(100.0 * arm.force_scale)) + " %"});
+  std::string_view name = ui.text("operate.health.limits");
+  for (const std::string_view id : words_of_limits(arm.limits)) {
+    rows.push_back({name, std::string(ui.text(id))});
+    name = {};
+  }
+  if (!name.empty()) rows.push_back({name, std::string(ui.text("limit.none"))});
+}
+
+std::vector<HealthRow> health_rows(const Ui& ui, const OperatingHealth& health) {
+  const auto granted = [&](bool is_granted) {
+    return std::string(ui.text(is_granted ? "operate.yes" : "operate.no"));
+  };
+  std::vector<HealthRow> rows{
+      {ui.text("operate.health.frame"), decimal_text(health.frame_ms) + " ms"},
+      {ui.text("operate.health.late"), grouped(std::lround(health.late_us)) + " µs"},
+      {ui.text("operate.health.missed"), grouped(health.missed_ticks)},
+      {ui.text("operate.health.pauses"), grouped(health.pauses)},
+      {ui.text("operate.health.rings"), grouped(std::lround(100.0 * health.ring_share)) + " %"},
+      {ui.text("operate.health.triangles"), grouped(health.triangles)},
+      {ui.text("operate.health.priority"), granted(health.has_priority)},
+      {ui.text("operate.health.memory"), granted(health.has_locked_memory)}};
+  if (health.arm) add_arm_rows(rows, ui, *health.arm);
+  return rows;
+}
+
+/// One column, or as many as the window is too low for.
 void draw_health(Hud& in, float y) {
   if (!in.hud.is_health_open) return;
-  const OperatingHealth& health = in.hud.health;
-  const auto granted = [&](bool is_granted) {
-    return std::string(in.ui.text(is_granted ? "operate.yes" : "operate.no"));
-  };
-  const std::array<std::pair<const char*, std::string>, 8> rows{
-      {{"operate.health.frame", decimal_text(health.frame_ms) + " ms"},
-       {"operate.health.late", grouped(std::lround(health.late_us)) + " µs"},
-       {"operate.health.missed", grouped(health.missed_ticks)},
-       {"operate.health.pauses", grouped(health.pauses)},
-       {"operate.health.rings", grouped(std::lround(100.0 * health.ring_share)) + " %"},
-       {"operate.health.triangles", grouped(health.triangles)},
-       {"operate.health.priority", granted(health.has_priority)},
-       {"operate.health.memory", granted(health.has_locked_memory)}}};
-  const Rect rect{in.room.right() - 280.0F, y, 280.0F,
-                  24.0F * static_cast<float>(rows.size()) + 24.0F};
+  const std::vector<HealthRow> rows = health_rows(in.ui, in.hud.health);
+  const float room = in.room.bottom() - y - 2.0F * health_edge;
+  const auto fitting = static_cast<std::size_t>(std::max(1.0F, room / health_row));
+  const std::size_t column_count = (rows.size() + fitting - 1) / fitting;
+  const std::size_t per_column = (rows.size() + column_count - 1) / column_count;
+  const float width = std::min(in.room.w, health_width * static_cast<float>(column_count));
+  const Rect rect{in.room.right() - width, y, width,
+                  health_row * static_cast<float>(per_column) + 2.0F * health_edge};
   in.panel("operate.panel.health", rect);
-  float line = rect.y + 12.0F;
-  for (const auto& [name, value] : rows) {
-    in.canvas().text_in({rect.x + pad, line, rect.w - 2.0F * pad - 80.0F, 24.0F},
-                        {Type::Small, in.theme().text_secondary}, in.ui.text(name), true);
-    in.canvas().text_in({rect.right() - pad - 90.0F, line, 90.0F, 24.0F},
-                        {Type::SmallMedium, in.theme().text, Align::Right}, value);
-    line += 24.0F;
+  const std::vector<Rect> places =
+      columns(inset(rect, pad, health_edge), static_cast<int>(column_count), 2.0F * pad);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Rect line = places[i / per_column];
+    line.y += health_row * static_cast<float>(i % per_column);
+    line.h = health_row;
+    const float value = in.ui.width_of(Type::SmallMedium, rows[i].value) + 1.0F;
+    in.canvas().text_in(take_right(line, value, 8.0F),
+                        {Type::SmallMedium, in.theme().text, Align::Right}, rows[i].value);
+    in.canvas().text_in(line, {Type::Small, in.theme().text_secondary}, rows[i].name, true);
   }
 }
 

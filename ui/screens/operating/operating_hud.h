@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/screens/operating/operating_health.h"
 #include "ui/screens/operating/plan_reading.h"
 #include "ui/widgets/ui.h"
 
@@ -15,17 +16,6 @@ namespace hallux::ui {
 
 /// Of the window, around everything that lies over the picture.
 inline constexpr float hud_inset_share = 0.06F;
-
-/// How machine and recording are.
-struct OperatingHealth {
-  double frame_ms = 0.0;  ///< between two pictures, the slower of the last
-  double late_us = 0.0;   ///< of the loop, the most of the last second
-  long missed_ticks = 0, pauses = 0;
-  double ring_share = 0.0;
-  long triangles = 0;
-  bool has_priority = true, has_locked_memory = true;
-  std::string trouble;  ///< a sentence of the catalogue; empty: all is well
-};
 
 struct OperatingHud {
   bool is_practice = true, is_paused = false, is_reviewed = false, is_simulated = false;

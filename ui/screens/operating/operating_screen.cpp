@@ -365,17 +365,12 @@ std::optional<PlanReading> OperatingScreen::plan_reading() const {
 
 // -- the panels
 
-OperatingHealth OperatingScreen::health(Ui& ui, Shell& /*shell*/) const {
+OperatingHealth OperatingScreen::health(Ui& ui, Shell& /*shell*/) {
   const simulator::LoopView& view = begun_->live->view();
-  OperatingHealth health;
+  limits_.see(view.force_limits, ui.time_s());
+  OperatingHealth health = health_of(view, begun_->live->force_scale(), limits_.bits());
   health.frame_ms = frame_ms_;
-  health.late_us = view.late_us;
-  health.missed_ticks = static_cast<long>(view.missed_ticks);
-  health.pauses = static_cast<long>(view.pauses);
-  health.ring_share = view.ring_share;
   health.triangles = static_cast<long>(triangles_);
-  health.has_priority = view.has_priority;
-  health.has_locked_memory = view.has_locked_memory;
   const char* trouble = nullptr;
   if (has(view.sample.status, ToolStatus::Faulted)) {
     trouble = "operate.trouble.device";

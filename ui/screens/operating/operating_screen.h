@@ -63,7 +63,7 @@ class OperatingScreen : public Screen {
   void sound_the_saw(Shell& shell);
   void draw_hud(Ui& ui, Shell& shell);
   OperatingHud hud(Ui& ui, Shell& shell);
-  OperatingHealth health(Ui& ui, Shell& shell) const;
+  OperatingHealth health(Ui& ui, Shell& shell);
   std::optional<PlanReading> plan_reading() const;
   const scenarios::PlannedCut* planned_cut() const;
 
@@ -108,6 +108,7 @@ class OperatingScreen : public Screen {
   double last_s_ = 0.0, frame_ms_ = 0.0, steered_s_ = 0.0, sealing_since_s_ = 0.0;
   long pictures_ = 0;
   std::size_t triangles_ = 0;
+  RecentLimits limits_;  ///< of the arm's force
 
   std::size_t step_ = 0;
   Waiting waiting_ = Waiting::Nothing;
