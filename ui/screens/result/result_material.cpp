@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/progress.h"
 #include "database/assets.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/digest.h"
@@ -21,9 +22,11 @@ using database::AttemptState;
 using scenarios::PlannedCut;
 
 /// Shares of the time, as measured: reading, scoring, and what is drawn.
-constexpr double read_share = 0.1, score_share = 0.7;
+constexpr double read_share = 0.1, score_share = 0.55, wound_share = 0.75;
 /// The map is cut open this far beyond the face, so that the face itself stays.
 constexpr double open_beyond_mm = 0.02;
+/// About one for each pixel of a wide window.
+constexpr std::size_t trace_points = 960;
 constexpr int iso_limit_mm = 2;
 constexpr double iso_slack_mm = 0.12;
 
@@ -139,7 +142,7 @@ void add_pictures(ExaminedAttempt& examined, const AttemptMaterial& material,
                            std::to_string(material.recording.samples.size()) + " ";
   examined.look = look_of(picture_id("look " + hex_from_digest(material.header.begun.bone)),
                           material.bone, [&](double fraction) {
-                            if (!report.reached(score_share + 0.2 * fraction))
+                            if (!report.reached(wound_share + 0.2 * fraction))
                               throw Cancelled("stopped before the bone was drawn");
                           });
   std::size_t number = 0;
@@ -151,6 +154,25 @@ void add_pictures(ExaminedAttempt& examined, const AttemptMaterial& material,
   const std::vector<Vec3>& points = material.bone.outer.points_mm;
   examined.middle_in_bone_mm = mean_of(points);
   examined.radius_mm = std::max(1.0, reach_from(examined.middle_in_bone_mm, points));
+}
+
+WoundFacts wound_of(const AttemptMaterial& material, const Examination& examination,
+                    WorkReport& report) {
+  WoundFacts wound;
+  try {
+    wound.traces =
+        traces_of(material.recording, material.bone, material.scenario.blade,
+                  examination.rebuilt.fields, trace_points, [&](double fraction) {
+                    return report.reached(score_share + (wound_share - score_share) * fraction);
+                  });
+  } catch (const assessment::Cancelled&) {
+    throw Cancelled("stopped before the heat was followed");
+  }
+  wound.zones = watched_zones(material.scenario, material.recording);
+  wound.events = events_of(material.recording);
+  wound.duration_s = duration_s_of(material.recording);
+  wound.steps = steps_of(material.recording, material.scenario, wound.duration_s);
+  return wound;
 }
 
 }  // namespace
@@ -176,6 +198,7 @@ ResultFacts read_result(Visit& visit, const database::AttemptId& id) {
     facts.decisions = desk->decisions(facts.header.id);
     facts.scenario = read_scenario_of(database, facts.header);
     facts.rights = rights_to(session, facts.header);
+    facts.quality = quality_from_json(facts.header.quality_json);
     return facts;
   });
 }
@@ -191,6 +214,7 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const datab
   for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut) {
     examined->cuts.push_back(against_plan(examination, cut));
   }
+  examined->wound = wound_of(material, examination, report);
   add_pictures(*examined, material, examination, report);
   examined->was_stored = store_where_missing(visit, material.header, examination.card);
   report.reached(1.0);

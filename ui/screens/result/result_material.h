@@ -8,9 +8,12 @@
 
 #include "database/session.h"
 #include "scenarios/scenario.h"
+#include "ui/jobs/recording_quality.h"
 #include "ui/render/bone_mesh.h"
 #include "ui/render/scene.h"
+#include "ui/report/traces.h"
 #include "ui/screens/attempt_desks.h"
+#include "ui/screens/attempt_timeline.h"
 #include "ui/screens/visit.h"
 #include "ui/window/shell/background.h"
 
@@ -23,6 +26,7 @@ struct ResultFacts {
   std::optional<database::StoredScore> score;   ///< in force; nothing: not scored yet
   std::vector<database::Decision> decisions;    ///< newest first
   AttemptRights rights;
+  std::optional<Quality> quality;  ///< of the recording; nothing: it was not closed
 
   /// The decision in force, or null.
   const database::Decision* decision() const noexcept;
@@ -52,6 +56,15 @@ struct CutAgainstPlan {
   std::vector<IsoPlace> iso_places;
 };
 
+/// What the saw did beside the cut: by models, and nothing of it is scored.
+struct WoundFacts {
+  Traces traces;
+  std::vector<ZoneContact> zones;  ///< none: none was watched
+  std::vector<AttemptEvent> events;
+  std::vector<TimelineStep> steps;
+  double duration_s = 1.0;
+};
+
 /// The bone as the attempt left it, computed from its recording.
 struct ExaminedAttempt {
   database::ScoreCard card;
@@ -62,6 +75,7 @@ struct ExaminedAttempt {
   std::vector<CutAgainstPlan> cuts;  ///< in the plan's order
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;
+  WoundFacts wound;
 };
 
 /// Loads the recording, rebuilds the bone, scores it, and makes what is drawn. A score that the store lacks is kept where

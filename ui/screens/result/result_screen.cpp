@@ -4,7 +4,9 @@
 #include <array>
 
 #include "simulator/base/units.h"
+#include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_cards.h"
+#include "ui/screens/result/wound_card.h"
 #include "ui/screens/words.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/charts/timeline.h"
@@ -18,7 +20,8 @@ namespace {
 using database::LedgerLine;
 
 constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height = 66.0F,
-                row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F;
+                row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F, title_height = 52.0F,
+                unseen_wound_height = 220.0F;
 
 enum Column { Item, Yours, Target, Lost, Moment, ColumnCount };
 
@@ -63,12 +66,22 @@ void ResultScreen::draw_page(Ui& ui, Rect page, Shell& shell) {
   take_top(page, draw_head(ui, page), 16.0F);
   take_top(page, draw_notices(ui, page));
   take_top(page, draw_reading_cards(ui, page), space::between_cards);
-  const float left = view - (page.y - top) - space::page;
-  take_top(page, draw_looking_cards(ui, page, std::max(looking_height, left), shell));
+  const float wound = wound_card_height(ui, page.w);
+  const float recording =
+      facts().rights.may_decide ? recording_card_height(ui, facts(), page.w) : 0.0F;
+  const float below = wound + recording + 2.0F * space::between_cards;
+  const float left = view - (page.y - top) - below - space::page;
+  take_top(page, draw_looking_cards(ui, page, std::max(looking_height, left), shell),
+           space::between_cards);
+  draw_wound_card(ui, take_top(page, wound));
   if (!facts().decisions.empty()) {
     take_top(page, space::between_cards);
     const float height = decisions_card_height(ui, facts(), page.w);
     draw_decisions_card(ui, take_top(page, height), facts());
+  }
+  if (facts().rights.may_decide) {
+    take_top(page, space::between_cards);
+    draw_recording_card(ui, take_top(page, recording), facts());
   }
   const float height = page.y - top + space::page;
   if (std::abs(height - page_height_) > 0.5F) ui.want_frame_in_s(0.0);
@@ -121,9 +134,7 @@ float ResultScreen::draw_actions(Ui& ui, Rect line) {
   };
   ButtonSpec replay{ui.text("result.replay"), ButtonLook::Primary, Icon::Play};
   if (action("result.replay", replay)) {
-    const double moment_s =
-        chosen_line_ ? second_of(facts().score->card.ledger[*chosen_line_].start_us) : 0.0;
-    places_.show_replay(facts().header.id, moment_s);
+    places_.show_replay(facts().header.id, chosen_moment_s().value_or(0.0));
   }
   if (facts().rights.may_ask_for_help &&
       action("result.ask", {ui.text("result.ask"), ButtonLook::Secondary, Icon::Flag}))
@@ -224,6 +235,11 @@ void ResultScreen::choose_line(std::size_t line) {
 void ResultScreen::watch(std::size_t line) {
   choose_line(line);
   places_.show_replay(facts().header.id, second_of(facts().score->card.ledger[line].start_us));
+}
+
+std::optional<double> ResultScreen::chosen_moment_s() const {
+  if (!chosen_line_) return std::nullopt;
+  return second_of(facts().score->card.ledger[*chosen_line_].start_us);
 }
 
 void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
@@ -340,6 +356,30 @@ void ResultScreen::draw_plan(Ui& ui, const Rect& rect, Shell& shell) {
   }
   if (!examined_.draw_until_ready(ui, "result.unseen", inside, 6)) return;
   plan_.draw(ui, shell, inset(rect, 1.0F), *examined_.value());
+}
+
+float ResultScreen::wound_card_height(const Ui& ui, float width) const {
+  const float inside = width - 2.0F * space::card;
+  const bool has_room_for_marks =
+      ui.width_of(Type::CardTitle, ui.text("result.wound")) + 20.0F + wound_marks_width(ui) <=
+      inside;
+  const float content = examined_.has_value() ? wound_height(ui, examined_.value()->wound, inside)
+                                              : unseen_wound_height;
+  return title_height + (has_room_for_marks ? 0.0F : pill_step) + content + space::card;
+}
+
+void ResultScreen::draw_wound_card(Ui& ui, const Rect& rect) {
+  Rect inside = card(ui, rect, ui.text("result.wound"));
+  const float title_width = ui.width_of(Type::CardTitle, ui.text("result.wound"));
+  if (title_width + 20.0F + wound_marks_width(ui) <= inside.w) {
+    draw_wound_marks(ui, {inside.x, rect.y + 18.0F, inside.w, 24.0F});
+  } else {
+    const Rect line = take_top(inside, pill_step);
+    draw_wound_marks(ui, {line.x, line.y, wound_marks_width(ui), 22.0F});
+  }
+  if (!examined_.draw_until_ready(ui, "result.wound.unseen", inside, 6)) return;
+  const auto asked_s = draw_wound(ui, inside, examined_.value()->wound, chosen_moment_s());
+  if (asked_s) places_.show_replay(facts().header.id, *asked_s);
 }
 
 void ResultScreen::draw_forms(Ui& ui, Shell& shell) {

@@ -1,5 +1,5 @@
 /// The result of one attempt: the score by group, the ledger with its places and moments, what to take away, plan against
-/// cut, and what instructors decided.
+/// cut, heat and danger zones, and what instructors decided.
 #pragma once
 
 #include <memory>
@@ -40,6 +40,9 @@ class ResultScreen : public Screen {
   void draw_ledger_table(Ui& ui, const Rect& rect);
   void draw_ledger_foot(Ui& ui, const Rect& rect);
   void draw_plan(Ui& ui, const Rect& rect, Shell& shell);
+  /// The card of what the saw did beside the cut; loading and failed like the plan's.
+  float wound_card_height(const Ui& ui, float width) const;
+  void draw_wound_card(Ui& ui, const Rect& rect);
   void draw_forms(Ui& ui, Shell& shell);
   std::vector<std::pair<Meaning, std::string>> notices(const Texts& texts) const;
 
@@ -49,6 +52,8 @@ class ResultScreen : public Screen {
   }
   void choose_line(std::size_t line);
   void watch(std::size_t line);
+  /// Of the ledger's line that is looked at.
+  std::optional<double> chosen_moment_s() const;
 
   std::shared_ptr<Visit> visit_;
   Places& places_;

@@ -3,11 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "assessment/assess.h"
 #include "assessment/number_text.h"
 #include "tests/ui/screens/some_reviewer.h"
+#include "ui/report/wound_text.h"
+#include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_words.h"
+#include "ui/screens/result/wound_card.h"
 
 namespace hallux::ui {
 namespace {
@@ -252,6 +257,7 @@ TEST(ResultScreen, AStoredScoreIsShownThoughTheBoneCannotBeCut) {
   Reader reader(course, "ada", attempt);
   EXPECT_TRUE(reader.driver().sees("76.8"));
   EXPECT_TRUE(reader.driver().has("result.unseen.action"));
+  EXPECT_TRUE(reader.driver().has("result.wound.unseen.action"));
   EXPECT_THAT(reader.driver().faults(), IsEmpty());
 }
 
@@ -299,8 +305,133 @@ TEST(ResultScreen, AnInterruptedAttemptSaysSo) {
   EXPECT_THAT(reader.driver().faults(), IsEmpty());
 }
 
-TEST(ResultScreen, NothingIsCutOffAtAnyScaleOrSize) {
+/// Ada's Akin in which the running saw touched a tendon from 0.2 s on, for 0.1 s.
+struct WoundedCourse {
+  WoundedCourse() {
+    const auto touch = [&](std::int64_t tick, simulator::CutEventKind kind) {
+      simulator::CutEvent event;
+      event.tick = tick;
+      event.kind = kind;
+      event.subject = 0;
+      auto& events = operation.recording.events;
+      events.insert(std::find_if(events.begin(), events.end(),
+                                 [&](const auto& each) { return each.tick > tick; }),
+                    event);
+    };
+    touch(200, simulator::CutEventKind::DangerContact);
+    touch(300, simulator::CutEventKind::DangerLeft);
+    // The feed is lateral: pushed hard, and dry.
+    for (simulator::ToolSample& sample : operation.recording.samples) {
+      if (!has(sample.status, simulator::ToolStatus::Cutting)) continue;
+      sample.status |= static_cast<std::uint32_t>(simulator::ToolStatus::InContact);
+      sample.force_mn = {0, 0, -60'000};
+    }
+    attempt = operated_by(course, "ada", operation);
+  }
+
+  SomeCourse course;
+  SomeOperation operation = some_operation();
+  AttemptId attempt;
+};
+
+TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
+  WoundedCourse akin;
+  const assessment::Examination examination =
+      assessment::examine(akin.operation.scenario, akin.operation.bone, akin.operation.recording);
+  const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
+                                  akin.operation.scenario.blade, examination.rebuilt.fields);
+  ASSERT_TRUE(was_hot(traces.heat)) << traces.heat.hottest_celsius;
+  Reader reader(akin.course, "ada", akin.attempt);
+  Driver& driver = reader.driver();
+  driver.resize(1600.0F, 1600.0F);
+  reader.finish();
+  for (const std::string& words :
+       {hottest_text(traces.heat), hot_time_text(traces.heat),
+        bend_text(traces.greatest_deflection_mm), std::string("Flexor hallucis longus tendon"),
+        std::string("1 contact, 0.1 s"), std::string("Not scored"),
+        std::string("no surgeon has reviewed")})
+    EXPECT_TRUE(driver.sees(words)) << words;
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+TEST(ResultScreen, AContactWithADangerZoneLeadsToItsMomentByMouseAndByKeyboard) {
+  WoundedCourse akin;
+  const std::string expected = "replay " + akin.attempt.text + " at 0.200000";
+  Reader by_mouse(akin.course, "ada", akin.attempt);
+  by_mouse.driver().resize(1600.0F, 1600.0F);
+  by_mouse.finish();
+  by_mouse.driver().click("result.wound.zone.0");
+  EXPECT_THAT(by_mouse.asked(), ElementsAre(expected));
+  Reader by_keyboard(akin.course, "ada", akin.attempt);
+  by_keyboard.tab_to("result.wound.zone.0");
+  by_keyboard.driver().press(Key::Enter);
+  EXPECT_THAT(by_keyboard.asked(), ElementsAre(expected));
+}
+
+TEST(ResultScreen, AnAttemptThatTouchedNothingSaysSo) {
   OperatedCourse akin;
+  Reader reader(akin.course, "ada", akin.attempt);
+  reader.driver().resize(1600.0F, 1600.0F);
+  reader.finish();
+  EXPECT_TRUE(reader.driver().sees("none touched"));
+  EXPECT_FALSE(reader.driver().has("result.wound.zone.0"));
+}
+
+TEST(ResultScreen, WhoDecidesReadsHowItWasRecorded) {
+  OperatedCourse akin;
+  Reader instructor(akin.course, "kim", akin.attempt), trainee(akin.course, "ada", akin.attempt);
+  for (Reader* each : {&instructor, &trainee}) {
+    each->driver().resize(1600.0F, 2400.0F);
+    each->finish();
+  }
+  EXPECT_TRUE(instructor.driver().sees("How it was recorded"));
+  EXPECT_FALSE(trainee.driver().sees("How it was recorded"));
+}
+
+TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
+  const Texts texts = english_texts();
+  ResultFacts facts;
+  facts.header.begun.device_class = "mouse";
+  float width = 900.0F;
+  Driver driver(texts, [&](Ui& ui) {
+    draw_recording_card(ui, {0.0F, 0.0F, width, recording_card_height(ui, facts, width)}, facts);
+  });
+  EXPECT_TRUE(driver.sees("How it was recorded is not known"));
+  facts.quality = Quality{12'000, 11'999, 3, 2, 65.25, true, false, 1.0, 0};
+  driver.frame();
+  EXPECT_TRUE(driver.sees("nobody was pushed back"));
+  EXPECT_FALSE(driver.sees("Held back by"));
+  facts.quality->force_scale = 0.24;
+  driver.frame();
+  EXPECT_TRUE(driver.sees("24 %"));
+  EXPECT_TRUE(driver.sees("nothing"));
+  facts.quality->force_limits = (1U << 7U) - 1U;
+  for (const float each : {400.0F, 640.0F, 900.0F, 1400.0F}) {
+    width = each;
+    driver.frame();
+    EXPECT_TRUE(driver.sees("a stop, its speed")) << width;
+    EXPECT_THAT(driver.faults(), IsEmpty()) << width;
+  }
+}
+
+TEST(WoundCard, SaysWhereNothingWasRecordedAndWhereNoZoneWasWatched) {
+  const Texts texts = english_texts();
+  WoundFacts wound;
+  Driver driver(texts, [&](Ui& ui) {
+    draw_wound(ui, {0.0F, 0.0F, 700.0F, wound_height(ui, wound, 700.0F)}, wound, std::nullopt);
+  });
+  EXPECT_TRUE(driver.sees("Nothing was recorded"));
+  EXPECT_THAT(driver.faults(), IsEmpty());
+  wound.traces.points = {{}};
+  driver.frame();
+  EXPECT_TRUE(driver.sees("none watched"));
+  EXPECT_TRUE(driver.sees("37 °C"));
+  EXPECT_FALSE(driver.has("result.wound.hottest")) << "body heat has no moment";
+  EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+TEST(ResultScreen, NothingIsCutOffAtAnyScaleOrSize) {
+  WoundedCourse akin;
   akin.course.instructor("kim", akin.course.autumn())
       .decide(
           {akin.attempt, DecisionKind::Overridden, 60'000, "The table was moved during the cut."});

@@ -1,0 +1,112 @@
+#include "ui/screens/result/recording_card.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/screens/operating/operating_health.h"
+#include "ui/widgets/card.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float least_line = 28.0F, title_height = 52.0F, column_gap = 48.0F, least_column = 300.0F;
+
+struct RecordingLine {
+  std::string_view name;
+  std::string value;
+};
+
+std::string limits_text(const Texts& texts, std::uint32_t limits) {
+  std::string words;
+  for (const std::string_view id : words_of_limits(limits))
+    words += (words.empty() ? "" : ", ") + std::string(texts.text(id));
+  return words.empty() ? std::string(texts.text("limit.none")) : words;
+}
+
+/// Where nobody was pushed back there is no arm to speak of.
+void add_arm_lines(std::vector<RecordingLine>& lines, const Texts& texts, const Quality& quality) {
+  const std::string_view scale = texts.text("result.recording.scale");
+  if (quality.force_limits == 0 && quality.force_scale == 1.0) {
+    lines.push_back({scale, std::string(texts.text("result.recording.scale.none"))});
+    return;
+  }
+  lines.push_back({scale, grouped(std::lround(100.0 * quality.force_scale)) + " %"});
+  lines.push_back(
+      {texts.text("result.recording.limits"), limits_text(texts, quality.force_limits)});
+}
+
+std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts) {
+  const Quality& quality = *facts.quality;
+  const auto granted = [&](bool is_granted) {
+    return std::string(texts.text(is_granted ? "operate.yes" : "operate.no"));
+  };
+  const auto count = [](std::int64_t number) { return grouped(static_cast<long>(number)); };
+  std::vector<RecordingLine> lines{
+      {texts.text("result.recording.device"), facts.header.begun.device_class},
+      {texts.text("result.recording.samples"),
+       texts.say("result.recording.samples.of", {{"kept", count(quality.received_samples)},
+                                                 {"all", count(quality.expected_samples)}})},
+      {texts.text("result.recording.missed"), count(quality.missed_ticks)},
+      {texts.text("result.recording.pauses"), count(quality.pauses)},
+      {texts.text("result.recording.late"), grouped(std::lround(quality.late_p99_us)) + " µs"},
+      {texts.text("result.recording.priority"), granted(quality.has_priority)},
+      {texts.text("result.recording.memory"), granted(quality.has_locked_memory)}};
+  add_arm_lines(lines, texts, quality);
+  return lines;
+}
+
+int column_count(float width) noexcept { return width >= 2.0F * least_column + column_gap ? 2 : 1; }
+
+float line_height_of(const Ui& ui, const RecordingLine& line, float width) {
+  const float value = ui.paragraph_height(Type::Small, line.value, 0.5F * width);
+  return std::max(least_line, value + 8.0F);
+}
+
+}  // namespace
+
+float recording_card_height(const Ui& ui, const ResultFacts& facts, float width) {
+  const float inside = width - 2.0F * space::card;
+  if (!facts.quality) {
+    return title_height + space::card +
+           ui.paragraph_height(Type::Body, ui.text("result.recording.unsealed"), inside);
+  }
+  const std::vector<RecordingLine> lines = lines_of(ui.texts(), facts);
+  const int count = column_count(inside);
+  const std::vector<Rect> places = columns({0.0F, 0.0F, inside, 0.0F}, count, column_gap);
+  const std::size_t per_column = (lines.size() + places.size() - 1) / places.size();
+  float highest = 0.0F, height = 0.0F;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i % per_column == 0) height = 0.0F;
+    height += line_height_of(ui, lines[i], places.front().w);
+    highest = std::max(highest, height);
+  }
+  return title_height + highest + space::card;
+}
+
+void draw_recording_card(Ui& ui, const Rect& rect, const ResultFacts& facts) {
+  const Rect inside = card(ui, rect, ui.text("result.recording"));
+  if (!facts.quality) {
+    ui.canvas().paragraph(inside, {Type::Body, ui.theme().text_secondary},
+                          ui.text("result.recording.unsealed"));
+    return;
+  }
+  const std::vector<RecordingLine> lines = lines_of(ui.texts(), facts);
+  std::vector<Rect> places = columns(inside, column_count(inside.w), column_gap);
+  const std::size_t per_column = (lines.size() + places.size() - 1) / places.size();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    Rect& rest = places[i / per_column];
+    Rect line = take_top(rest, line_height_of(ui, lines[i], rest.w));
+    const Rect name = take_left(line, 0.5F * rest.w);
+    ui.canvas().text_in({name.x, name.y, name.w - 8.0F, least_line},
+                        {Type::Small, ui.theme().text_caption}, lines[i].name, true);
+    const float words = ui.paragraph_height(Type::Small, lines[i].value, line.w);
+    ui.canvas().paragraph({line.x, line.mid_y() - 0.5F * words, line.w, words},
+                          {Type::Small, ui.theme().text}, lines[i].value);
+  }
+}
+
+}  // namespace hallux::ui

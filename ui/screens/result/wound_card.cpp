@@ -1,0 +1,223 @@
+#include "ui/screens/result/wound_card.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ui/report/wound_text.h"
+#include "ui/screens/attempt_timeline.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/chart_view.h"
+#include "ui/widgets/marks.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float two_columns_from = 780.0F, column_gap = 32.0F, shape_room = 22.0F,
+                moment_room = 56.0F, least_row = 32.0F, empty_height = 180.0F;
+/// The scale of heat begins at a round number below any bone, and ends at one.
+constexpr double coolest_celsius = 20.0, celsius_step = 20.0;
+
+/// One line: what, how much, and when to look.
+struct WoundRow {
+  std::string id;
+  Meaning meaning = Meaning::Good;
+  std::string name, value;
+  std::optional<double> moment_s;
+};
+
+/// When the bone was hottest; nothing where it was never warm.
+std::optional<double> hottest_moment_s(const Traces& traces) {
+  const auto hottest = std::max_element(traces.points.begin(), traces.points.end(),
+                                        [](const TracePoint& a, const TracePoint& b) {
+                                          return a.hottest_celsius < b.hottest_celsius;
+                                        });
+  const bool was_warm =
+      hottest != traces.points.end() && hottest->hottest_celsius > simulator::body_celsius;
+  return was_warm ? std::optional(hottest->time_s) : std::nullopt;
+}
+
+std::optional<double> first_hot_s(const Traces& traces) {
+  for (const TracePoint& point : traces.points)
+    if (point.hottest_celsius > simulator::hot_celsius) return point.time_s;
+  return std::nullopt;
+}
+
+std::optional<double> first_s(const std::vector<AttemptEvent>& events, std::string_view words) {
+  for (const AttemptEvent& event : events)
+    if (event.words == words) return event.time_s;
+  return std::nullopt;
+}
+
+std::vector<WoundRow> heat_rows(const Texts& texts, const WoundFacts& wound) {
+  const Traces& traces = wound.traces;
+  const simulator::HeatSummary& heat = traces.heat;
+  const Meaning heated = was_hot(heat) ? Meaning::Warn : Meaning::Good;
+  const bool is_dead = heat.necrotic_mm3 > 0.0;
+  const auto name = [&](const char* id) { return std::string(texts.text(id)); };
+  return {{"hottest", heated, name("result.wound.hottest"), hottest_text(heat),
+           hottest_moment_s(traces)},
+          {"hot", heated, name("result.wound.hot"), hot_time_text(heat), first_hot_s(traces)},
+          {"dead", is_dead ? Meaning::Bad : Meaning::Good, name("result.wound.dead"),
+           is_dead ? dead_bone_text(heat) : name("result.wound.dead.none"),
+           first_s(wound.events, "replay.event.bone_necrosis")},
+          {"bend", Meaning::Info, name("result.wound.bend"),
+           bend_text(traces.greatest_deflection_mm), std::nullopt}};
+}
+
+void add_zone_rows(std::vector<WoundRow>& rows, const Texts& texts,
+                   const std::vector<ZoneContact>& zones) {
+  const std::size_t before = rows.size();
+  for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+    const ZoneContact& contact = zones[zone];
+    if (contact.count == 0) continue;
+    rows.push_back({"zone." + std::to_string(zone), Meaning::Bad, contact.title,
+                    texts.say_count("result.wound.zone", contact.count,
+                                    {{"time", contact_time_text(contact.duration_s)}}),
+                    contact.first_s});
+  }
+  if (rows.size() > before) return;
+  const char* answer = zones.empty() ? "result.wound.zones.unwatched" : "result.wound.zones.none";
+  rows.push_back({"zones", zones.empty() ? Meaning::Neutral : Meaning::Good,
+                  std::string(texts.text("result.wound.zones")), std::string(texts.text(answer)),
+                  std::nullopt});
+}
+
+std::vector<WoundRow> rows_of(const Texts& texts, const WoundFacts& wound) {
+  std::vector<WoundRow> rows = heat_rows(texts, wound);
+  add_zone_rows(rows, texts, wound.zones);
+  return rows;
+}
+
+float values_width(const Ui& ui, const std::vector<WoundRow>& rows) {
+  float width = 0.0F;
+  for (const WoundRow& row : rows)
+    width = std::max(width, ui.width_of(Type::BodyStrong, row.value));
+  return std::ceil(width) + 1.0F;
+}
+
+/// What the names have beside shape, value and moment.
+float names_width(const Ui& ui, const std::vector<WoundRow>& rows, float width) {
+  return std::max(60.0F, width - shape_room - values_width(ui, rows) - 16.0F - moment_room);
+}
+
+float row_height(const Ui& ui, const WoundRow& row, float name_width) {
+  return std::max(least_row, ui.paragraph_height(Type::Small, row.name, name_width) + 12.0F);
+}
+
+float facts_height(const Ui& ui, const WoundFacts& wound, float width) {
+  const std::vector<WoundRow> rows = rows_of(ui.texts(), wound);
+  const float name_width = names_width(ui, rows, width);
+  float height = 10.0F + ui.paragraph_height(Type::Small, ui.text("result.wound.models"), width);
+  for (const WoundRow& row : rows) height += row_height(ui, row, name_width);
+  return height;
+}
+
+std::optional<double> draw_facts(Ui& ui, Rect rest, const WoundFacts& wound) {
+  const std::vector<WoundRow> rows = rows_of(ui.texts(), wound);
+  const float name_width = names_width(ui, rows, rest.w), value_width = values_width(ui, rows);
+  std::optional<double> asked_s;
+  for (const WoundRow& row : rows) {
+    Rect line = take_top(rest, row_height(ui, row, name_width));
+    draw_meaning(ui.canvas(), ui.theme(), row.meaning, {line.x + 7.0F, line.mid_y()}, 6.0F);
+    take_left(line, shape_room);
+    const float words = ui.paragraph_height(Type::Small, row.name, name_width);
+    ui.canvas().paragraph({line.x, line.mid_y() - 0.5F * words, name_width, words},
+                          {Type::Small, ui.theme().text_secondary}, row.name);
+    const Rect moment = take_right(line, moment_room);
+    ui.canvas().text_in(take_right(line, value_width),
+                        {Type::BodyStrong, ui.theme().text, Align::Right}, row.value);
+    if (row.moment_s && link(ui, "result.wound." + row.id, {moment.right(), moment.mid_y()},
+                             clock_text(*row.moment_s), Align::Right, Type::BodyMedium))
+      asked_s = row.moment_s;
+    ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
+  }
+  take_top(rest, 10.0F);
+  ui.canvas().paragraph(rest, {Type::Small, ui.theme().text_caption},
+                        ui.text("result.wound.models"));
+  return asked_s;
+}
+
+Timeline timeline_of(const Ui& ui, const WoundFacts& wound, std::optional<double> moment_s) {
+  Timeline shown;
+  shown.duration_s = wound.duration_s;
+  shown.now_s = moment_s;
+  shown.steps_name = ui.text("replay.steps");
+  shown.events_name = ui.text("replay.events");
+  shown.steps = wound.steps;
+  for (const AttemptEvent& event : wound.events)
+    shown.events.push_back({event.time_s, event.meaning});
+  std::vector<ChartPoint> newton;
+  TimelineTrack heat;
+  for (const TracePoint& point : wound.traces.points) {
+    newton.push_back({point.time_s, point.force_newton});
+    heat.samples.push_back({point.time_s, point.hottest_celsius});
+  }
+  heat.name = ui.text("result.wound.heat");
+  heat.unit = ui.text("result.wound.heat.unit");
+  heat.low = coolest_celsius;
+  heat.high = std::max(highest_of(heat.samples, celsius_step), 3.0 * celsius_step);
+  heat.aim = simulator::hot_celsius;
+  shown.tracks = {force_track(ui.texts(), std::move(newton)), std::move(heat)};
+  return shown;
+}
+
+/// Facts beside the curves, or above them where the card is narrow.
+struct WoundPanes {
+  Rect facts = {}, curves = {};
+};
+
+WoundPanes panes_in(const Ui& ui, const Rect& rect, const WoundFacts& wound, float curves_height) {
+  if (rect.w >= two_columns_from) {
+    const float facts = std::min(400.0F, 0.42F * rect.w);
+    const float x = rect.x + facts + column_gap;
+    return {{rect.x, rect.y, facts, facts_height(ui, wound, facts)},
+            {x, rect.y, rect.right() - x, curves_height}};
+  }
+  const float facts = facts_height(ui, wound, rect.w);
+  return {{rect.x, rect.y, rect.w, facts},
+          {rect.x, rect.y + facts + space::between_cards, rect.w, curves_height}};
+}
+
+}  // namespace
+
+float wound_height(const Ui& ui, const WoundFacts& wound, float width) {
+  if (wound.traces.points.empty()) return empty_height;
+  const float curves = timeline_height(timeline_of(ui, wound, {}));
+  const WoundPanes panes = panes_in(ui, {0.0F, 0.0F, width, 0.0F}, wound, curves);
+  return std::max(panes.facts.bottom(), panes.curves.bottom());
+}
+
+std::optional<double> draw_wound(Ui& ui, const Rect& rect, const WoundFacts& wound,
+                                 std::optional<double> moment_s) {
+  if (wound.traces.points.empty()) {
+    empty_card(
+        ui, "result.wound.empty", rect,
+        {Icon::History, ui.text("result.wound.empty"), ui.text("result.wound.empty.sentence"), {}});
+    return std::nullopt;
+  }
+  const Timeline shown = timeline_of(ui, wound, moment_s);
+  const WoundPanes panes = panes_in(ui, rect, wound, timeline_height(shown));
+  CanvasPainter painter(ui.canvas());
+  draw_timeline(painter, ui.theme(), panes.curves, shown);
+  return draw_facts(ui, panes.facts, wound);
+}
+
+float wound_marks_width(const Ui& ui) {
+  return pill_width(ui, ui.text("result.wound.unscored"), false) + 8.0F +
+         pill_width(ui, ui.text("result.mark.not_reviewed"));
+}
+
+void draw_wound_marks(Ui& ui, const Rect& line) {
+  Point at{line.right() - wound_marks_width(ui), line.mid_y()};
+  at.x += pill(ui, at, ui.text("result.wound.unscored"), Meaning::Neutral, false) + 8.0F;
+  pill(ui, at, ui.text("result.mark.not_reviewed"), Meaning::Warn);
+}
+
+}  // namespace hallux::ui
