@@ -26,8 +26,8 @@ inline constexpr RenderQuality still_quality{.supersampling = 4};
 
 /// Of the last picture.
 struct DrawCounts {
-  std::size_t triangles = 0;       ///< in the scene
-  std::size_t redrawn_pixels = 0;  ///< of what stands still, those that no kept picture had
+  std::size_t triangles = 0;         ///< in the scene
+  std::size_t redrawn_pixels = 0;    ///< of what stands still, those that no kept picture had
   std::uint64_t uploaded_bytes = 0;  ///< of bones
 };
 
