@@ -24,6 +24,7 @@ void lay_on_plan(Photographer& photographer) {
 }
 
 void saw_down(Photographer& photographer, int millimetres) {
+  photographer.key(Key::I);  // the assistant rinses
   photographer.key(Key::Space);
   for (int step = 0; step < millimetres; ++step) {
     photographer.key(Key::Down);
