@@ -32,11 +32,18 @@ std::size_t drain_ring(simulator::Ring<Row>& ring, std::vector<Row>& rows) {
   return waiting;
 }
 
+/// Its window's tick: a line and the sample at its end stand in one window, also where missed ticks lie across the border.
+std::int64_t last_tick(const simulator::TapeLine& line) noexcept {
+  return line.tick + line.ticks - 1;
+}
+std::int64_t last_tick(const simulator::ToolSample& sample) noexcept { return sample.tick; }
+std::int64_t last_tick(const simulator::CutEvent& event) noexcept { return event.tick; }
+
 /// Takes the rows before `end_tick` off the front, at most as many as one chunk may hold.
 template <typename Row>
 std::vector<Row> take_before(std::vector<Row>& rows, std::int64_t end_tick) {
   auto last = std::find_if(rows.begin(), rows.end(),
-                           [end_tick](const Row& row) { return row.tick >= end_tick; });
+                           [end_tick](const Row& row) { return last_tick(row) >= end_tick; });
   last = std::min(
       last, rows.begin() + static_cast<std::ptrdiff_t>(std::min(rows.size(), rows_per_chunk_max)));
   std::vector<Row> taken{rows.begin(), last};
@@ -49,7 +56,8 @@ std::optional<std::int64_t> first_window(const WindowRows& rows) {
   std::optional<std::int64_t> first_tick;
   const auto look_at = [&first_tick](const auto& stream) {
     if (stream.empty()) return;
-    first_tick = std::min(first_tick.value_or(stream.front().tick), stream.front().tick);
+    const std::int64_t tick = last_tick(stream.front());
+    first_tick = std::min(first_tick.value_or(tick), tick);
   };
   look_at(rows.tape);
   look_at(rows.samples);
@@ -114,7 +122,7 @@ class Recorder::Writer {
     if (!waiting_.tape.empty()) {
       const simulator::TapeLine& line = waiting_.tape.back();
       newest_tick_ = std::max(newest_tick_, line.tick);
-      duration_ticks_ = std::max(duration_ticks_, line.tick + line.ticks);
+      duration_ticks_ = std::max(duration_ticks_, last_tick(line) + 1);
     }
     if (!waiting_.samples.empty()) {
       newest_tick_ = std::max(newest_tick_, waiting_.samples.back().tick);

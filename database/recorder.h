@@ -4,9 +4,10 @@
 ///   ring samples -> |  (tape, samples, events), linked in this  | -> one IMMEDIATE transaction, synchronous FULL
 ///   ring events  -> |  order to the chain                       |
 ///
-/// Windows are cut by ticks, not by the clock: the same recording gives the same chunks whatever the scheduling. A
-/// window is committed once a later tick was seen in an earlier pass, because then every row of it was pushed. Killing
-/// the process loses the window being filled and what waits for the next pass (10 ms), never a committed one.
+/// Windows are cut by ticks, not by the clock: the same recording gives the same chunks whatever the scheduling. A line
+/// of the tape belongs to the window of its last tick, so that what is kept of a lost attempt is whole: no line without
+/// its sample. A window is committed once a later tick was seen in an earlier pass, because then every row of it was
+/// pushed. Killing the process loses the window being filled and what waits for the next pass (10 ms), never a committed one.
 /// source  docs/data_format.md
 #pragma once
 

@@ -53,6 +53,28 @@ TEST(Recorder, CutsWindowsByTicksWhateverTheScheduling) {
   EXPECT_EQ(places[0], places[1]);
 }
 
+TEST(Recorder, KeepsALineAcrossAWindowsBorderWithItsSample) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  simulator::Recording recording = some_recording(1200);
+  // Two ticks were missed: one line covers 498 to 500, and its sample is the tool's at 500.
+  recording.tape[498].ticks = 3;
+  recording.tape.erase(recording.tape.begin() + 499, recording.tape.begin() + 501);
+  recording.samples.erase(recording.samples.begin() + 498, recording.samples.begin() + 500);
+  const AttemptId id = record(database, some_attempt(database), recording);
+  SQLite::Statement rows{database.connection(),
+                         "SELECT max(row_count) FILTER (WHERE stream = 0), max(row_count) FILTER "
+                         "(WHERE stream = 1) FROM chunk JOIN attempt USING (attempt_id) "
+                         "WHERE uuid = ? GROUP BY seq ORDER BY seq"};
+  rows.bind(1, id.text);
+  for (const int expected : {498, 500, 200}) {
+    ASSERT_TRUE(rows.executeStep());
+    EXPECT_EQ(rows.getColumn(0).getInt(), expected);
+    EXPECT_EQ(rows.getColumn(1).getInt(), expected);
+  }
+  EXPECT_TRUE(is_same(load_recording(database, id), recording));
+}
+
 TEST(Recorder, CommitsAWindowWhileTheNextIsFilled) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
