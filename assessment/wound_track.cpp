@@ -22,7 +22,7 @@ WoundTrack follow_wound(const simulator::Bone& bone, const SawOfRecord& saw,
   const simulator::TissueMap tissue(bone);
   simulator::KerfSet kerfs(saw.blade, bone.world_from_bone);
   simulator::Wound wound(bone.world_from_bone, saw.blade, saw.cycles_per_minute,
-                         {{}, saw.thickness_mm}, saw.sharpness);
+                         {{}, saw.thickness_mm, saw.is_guided}, saw.sharpness);
   WoundTrack track;
   const std::size_t count = recording.samples.size();
   open_kerfs(

@@ -25,6 +25,7 @@ struct SawOfRecord {
   double cycles_per_minute = 0.0;
   double thickness_mm = 0.0;  ///< of the steel
   double sharpness = 1.0;
+  bool is_guided = false;  ///< the hand was, by the planned plane
 };
 
 /// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still leads heat away here: a

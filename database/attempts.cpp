@@ -19,7 +19,7 @@ constexpr std::string_view header_columns =
     "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli, a.kind, "
     "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
     "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
-    "a.attempt_id, s.measured_weight_milli < 100000 "
+    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
     "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
@@ -52,6 +52,7 @@ NewAttempt begun_in(SQLite::Statement& row) {
   begun.bone = digest_in(row.getColumn(8)).value_or(Digest{});
   begun.engine = row.getColumn(9).getInt();
   begun.kind = attempt_kind_from(row.getColumn(20).getString()).value_or(AttemptKind::Practice);
+  begun.guidance = guidance_from(row.getColumn(28).getString()).value_or(simulator::Guidance::None);
   return begun;
 }
 
@@ -87,8 +88,8 @@ void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& a
                            "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, "
                            "device_class, pacing, "
                            "stereo_mode, bone_digest, engine_version, started_utc, kind, "
-                           "is_simulated, state) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                           "guidance, is_simulated, state) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
                            "EXISTS (SELECT 1 FROM simulated_course), 'recording')"};
   insert.bind(1, id.text);
   insert.bind(2, attempt.scenario.number);
@@ -102,6 +103,7 @@ void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& a
   insert.bind(10, attempt.engine);
   insert.bind(11, utc_now(database));
   bind_text(insert, 12, name_of(attempt.kind));
+  bind_text(insert, 13, name_of(attempt.guidance));
   insert.exec();
 }
 
@@ -113,6 +115,13 @@ void check_whose_hand(Database& database, const NewAttempt& attempt) {
                           "' belongs to the robot; a person's attempt is made by their own hand"};
 }
 
+void check_nothing_helps(const NewAttempt& attempt) {
+  if (attempt.kind == AttemptKind::Practice || attempt.guidance == simulator::Guidance::None)
+    return;
+  throw DatabaseError{DatabaseErrorKind::BadInput,
+                      "an assessment is not guided; choose practice, or no guide"};
+}
+
 bool is_uuid_start(const std::string& text) noexcept {
   return text.size() >= 4 && text.size() <= 36 &&
          text.find_first_not_of("0123456789abcdef-") == std::string::npos;
@@ -122,12 +131,15 @@ bool is_uuid_start(const std::string& text) noexcept {
 
 WriterLease create_attempt(Database& database, const NewAttempt& attempt) {
   check_whose_hand(database, attempt);
+  check_nothing_helps(attempt);
   // The lease comes first: a row without one would be taken for an interrupted attempt.
   WriterLease lease = WriterLease::take(database.directory(), random_attempt_id());
   in_transaction(database, "begin an attempt (its scenario version and bone must be stored)", [&] {
     insert_attempt(database, lease.attempt(), attempt);
-    append_audit(database, {attempt.person, "attempt_begun", "attempt", lease.attempt().text, false,
-                            purpose_digest(attempt.kind, is_simulated_course(database)), ""});
+    append_audit(
+        database,
+        {attempt.person, "attempt_begun", "attempt", lease.attempt().text, false,
+         purpose_digest(attempt.kind, is_simulated_course(database), attempt.guidance), ""});
   });
   return lease;
 }

@@ -2,6 +2,15 @@
 
 namespace hallux::database {
 
+namespace {
+
+/// Nothing for an attempt without one, as before there was guidance.
+void add_guidance(Digester& digester, simulator::Guidance guidance) noexcept {
+  if (guidance != simulator::Guidance::None) digester.add_text(name_of(guidance));
+}
+
+}  // namespace
+
 Digest link_of(const Digest& before, const AttemptId& attempt, const ChunkPlace& place,
                std::span<const std::byte> payload) noexcept {
   Digester digester;
@@ -30,13 +39,15 @@ Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept {
   digester.add_text(header.started_utc);
   digester.add_int(header.duration_ticks.value_or(0));
   digester.add_text(header.quality_json);
+  add_guidance(digester, header.begun.guidance);
   return digester.finish();
 }
 
-Digest purpose_digest(AttemptKind kind, bool is_simulated) noexcept {
+Digest purpose_digest(AttemptKind kind, bool is_simulated, simulator::Guidance guidance) noexcept {
   Digester digester;
   digester.add_text(name_of(kind));
   digester.add_int(is_simulated ? 1 : 0);
+  add_guidance(digester, guidance);
   return digester.finish();
 }
 

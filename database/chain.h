@@ -24,11 +24,12 @@ Digest link_of(const Digest& before, const AttemptId& attempt, const ChunkPlace&
                std::span<const std::byte> payload) noexcept;
 
 /// BLAKE2b-256 of the last link and of every fact in the header except the person, whose name may be erased and whose
-/// number the audit chain holds.
+/// number the audit chain holds. A guidance is added at the end, where there is one: older seals hold.
 /// needs   duration_ticks is known
 Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept;
 
-/// Binds what an attempt is for to the audit row of its beginning: BLAKE2b-256 of the name of the kind and 1 or 0.
-Digest purpose_digest(AttemptKind kind, bool is_simulated) noexcept;
+/// Binds what an attempt is for to the audit row of its beginning: BLAKE2b-256 of the name of the kind, 1 or 0, and the name
+/// of the guidance where there is one.
+Digest purpose_digest(AttemptKind kind, bool is_simulated, simulator::Guidance guidance) noexcept;
 
 }  // namespace hallux::database

@@ -65,8 +65,9 @@ void check_against_audit(Database& database, const AuditRow& row) {
     fail_altered(database, "the person of attempt " + entry.subject_id);
   }
   if (entry.action == "attempt_begun" &&
-      purpose_digest(attempt.begun.kind, attempt.is_simulated) !=
-          entry.detail.value_or(purpose_digest(AttemptKind::Practice, false))) {
+      purpose_digest(attempt.begun.kind, attempt.is_simulated, attempt.begun.guidance) !=
+          entry.detail.value_or(
+              purpose_digest(AttemptKind::Practice, false, simulator::Guidance::None))) {
     fail_altered(database, "what attempt " + entry.subject_id + " was for");
   }
 }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> state_names{"recording", "closed", "interrupted", "void"};
 constexpr std::array<std::string_view, 2> kind_names{"practice", "assessment"};
+constexpr std::array<std::string_view, 3> guidance_names{"none", "soft", "slot"};
 
 }  // namespace
 
@@ -21,6 +22,14 @@ std::string_view name_of(AttemptKind kind) noexcept { return name_in(kind_names,
 
 std::optional<AttemptKind> attempt_kind_from(std::string_view name) noexcept {
   return named_in<AttemptKind>(kind_names, name);
+}
+
+std::string_view name_of(simulator::Guidance guidance) noexcept {
+  return name_in(guidance_names, guidance);
+}
+
+std::optional<simulator::Guidance> guidance_from(std::string_view name) noexcept {
+  return named_in<simulator::Guidance>(guidance_names, name);
 }
 
 bool is_grade(const AttemptHeader& header) noexcept {

@@ -9,6 +9,7 @@
 #include "database/records/decision.h"
 #include "database/records/ids.h"
 #include "simulator/base/digest.h"
+#include "simulator/record/guidance.h"
 #include "simulator/record/record.h"
 
 namespace hallux::database {
@@ -32,6 +33,10 @@ std::string_view name_of(AttemptKind kind) noexcept;  ///< "practice", "assessme
 /// Nothing where `name` is none of the two.
 std::optional<AttemptKind> attempt_kind_from(std::string_view name) noexcept;
 
+std::string_view name_of(simulator::Guidance guidance) noexcept;  ///< "none", "soft", "slot"
+/// Nothing where `name` is none of the three.
+std::optional<simulator::Guidance> guidance_from(std::string_view name) noexcept;
+
 /// What is known when an attempt begins; none of it changes later.
 struct NewAttempt {
   ScenarioVersionId scenario;
@@ -44,6 +49,7 @@ struct NewAttempt {
   Digest bone;  ///< the asset operated on; stored before the attempt
   std::int32_t engine = simulator::engine_version;
   AttemptKind kind = AttemptKind::Practice;
+  simulator::Guidance guidance = simulator::Guidance::None;  ///< of a practice only
 };
 
 struct AttemptHeader {

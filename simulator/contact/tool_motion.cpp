@@ -46,6 +46,35 @@ void pull_hand(const ToolState& tool, const ToolInput& input, const ContactSetti
       share_within(torque_newton_mm, settings.torque_limit_newton_mm) * torque_newton_mm;
 }
 
+/// Adds to what the hand feels; all of it together stays within the limit.
+void push_hand(const Vec3& force_newton, const ContactSettings& settings,
+               ToolOutcome& outcome) noexcept {
+  const Vec3 sum_newton = outcome.force_in_bone_newton + force_newton;
+  const double share = share_within(sum_newton, settings.force_limit_newton);
+  outcome.force_in_bone_newton = share * sum_newton;
+  outcome.is_force_limited = outcome.is_force_limited || share < 1.0;
+}
+
+/// The guide leads the hand where no kerf does.
+void guide_hand(ToolState& tool, const ToolInput& input, const ContactSettings& settings,
+                ToolOutcome& outcome) noexcept {
+  // Not in the tick of a freeze either: its sample lies in the kerf, and there the record's force is the blade's alone.
+  if (input.guide == nullptr || tool.stage == ToolStage::InKerf || outcome.wants_freeze) {
+    tool.guided_s = 0.0;
+    return;
+  }
+  tool.guided_s = std::min(guide_comes_in_s, tool.guided_s + input.duration_s);
+  const GuideStrength full{settings.coupling_newton_per_mm, settings.force_limit_newton,
+                           settings.torsion_newton_mm_per_rad, settings.torque_limit_newton_mm};
+  const GuidePush push =
+      guide_push(tool.bone_from_tool, *input.guide, settings.guide.guidance, full);
+  const double share = tool.guided_s / guide_comes_in_s;
+  push_hand(share * push.force_newton, settings, outcome);
+  const Vec3 torque_newton_mm = outcome.torque_in_bone_newton_mm + share * push.torque_newton_mm;
+  outcome.torque_in_bone_newton_mm =
+      share_within(torque_newton_mm, settings.torque_limit_newton_mm) * torque_newton_mm;
+}
+
 /// Why the saw kicks in this tick; `side` becomes the one to which it does.
 KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const StandingBone& bone,
                         const ContactSettings& settings, const ToolOutcome& outcome,
@@ -64,7 +93,7 @@ KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const StandingB
   return is_corner(teeth, tooth_mm) ? KickCause::Corner : KickCause::None;
 }
 
-/// What the teeth's reaction adds to it; both together within the limit.
+/// What the teeth's reaction adds to it.
 void kick_hand(ToolState& tool, const ToolInput& input, const StandingBone& bone,
                const ContactSettings& settings, ToolOutcome& outcome) noexcept {
   double side = 1.0;
@@ -74,10 +103,7 @@ void kick_hand(ToolState& tool, const ToolInput& input, const StandingBone& bone
   const double newton = kick_newton(tool.kick, input.duration_s);
   if (!(std::abs(newton) > 0.0)) return;
   const Vec3 along_teeth = transform_direction(tool.bone_from_tool, Vec3{0.0, 1.0, 0.0});
-  const Vec3 force_newton = outcome.force_in_bone_newton + newton * along_teeth;
-  const double share = share_within(force_newton, settings.force_limit_newton);
-  outcome.force_in_bone_newton = share * force_newton;
-  outcome.is_force_limited = outcome.is_force_limited || share < 1.0;
+  push_hand(newton * along_teeth, settings, outcome);
 }
 
 }  // namespace
@@ -96,6 +122,7 @@ ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBon
     }
   }
   if (tool.stage != ToolStage::Free || tool.is_held) pull_hand(tool, input, settings, outcome);
+  guide_hand(tool, input, settings, outcome);
   kick_hand(tool, input, bone, settings, outcome);
   return outcome;
 }

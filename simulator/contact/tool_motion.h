@@ -17,6 +17,7 @@
 
 #include "simulator/contact/blade_contact.h"
 #include "simulator/contact/feed.h"
+#include "simulator/contact/guide.h"
 #include "simulator/contact/kick.h"
 #include "simulator/contact/proxy.h"
 #include "simulator/contact/tissue.h"
@@ -46,10 +47,11 @@ struct ContactSettings {
       0.0873;  ///< a thin blade bends into an open slot within 5 degrees and 0.5 mm
   double capture_offset_mm = 0.5;
   std::int32_t capture_teeth = 2;  ///< teeth over the slot that it takes
+  GuidePlan guide = {};
 };
 
 /// The rate at which a new blade would cut as this one does.
-constexpr double cutting_cycles_per_minute(const ContactSettings& settings) noexcept {
+inline double cutting_cycles_per_minute(const ContactSettings& settings) noexcept {
   return settings.cycles_per_minute * settings.sharpness;
 }
 
@@ -78,12 +80,14 @@ struct ToolState {
   BladeMemory points{};
   ProxyLoad load;
   KickState kick;
+  double guided_s = 0.0;  ///< how long the guide at hand has led it
 };
 
 struct ToolInput {
   RigidTransform bone_from_handle;
   bool saw_runs = false;
   double duration_s = 0.001;
+  const GuidePlane* guide = nullptr;  ///< of the step at hand; nothing where none leads
 };
 
 struct ToolOutcome {

@@ -18,6 +18,11 @@ std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
 }
 
+WoundSettings guided_by(const GuidePlan& guide, WoundSettings wound) {
+  wound.is_guided = guide.guidance != Guidance::None;
+  return wound;
+}
+
 }  // namespace
 
 Operation::Operation(const TissueMap& tissue, const RigidTransform& world_from_bone,
@@ -28,7 +33,8 @@ Operation::Operation(const TissueMap& tissue, const RigidTransform& world_from_b
       bone_from_world_(inverse(world_from_bone)),
       settings_(settings),
       kerfs_(blade, world_from_bone),
-      wound_(world_from_bone, blade, settings.cycles_per_minute, wound, settings.sharpness) {}
+      wound_(world_from_bone, blade, settings.cycles_per_minute, guided_by(settings.guide, wound),
+             settings.sharpness) {}
 
 StepOutput Operation::step(const StepInput& input) noexcept {
   StepOutput output;
@@ -96,6 +102,9 @@ void Operation::apply(const Command& command, const JobResult* result,
       break;
     case CommandKind::StepDone:
       note(output, CutEventKind::StepDone, command.argument);
+      step_at_hand_ = std::int64_t{command.argument} + 1;
+      has_own_kerf_ = false;
+      tool_.guided_s = 0.0;
       break;
     case CommandKind::PickUp:
       pick_up(command.argument, output);
@@ -221,7 +230,7 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
   // A bone whose hinge is closed is not sawn again: its halves no longer lie where its kerfs were opened.
   const ToolInput input{bone_from_world_ * transform_from(line.device.world_from_handle),
                         has(line.device.switches, Switch::SawRuns) && !is_hinge_closed_,
-                        static_cast<double>(line.ticks) * step_s};
+                        static_cast<double>(line.ticks) * step_s, guide()};
   const std::int32_t kerf_before = kerf_of_tool();
   const ToolOutcome outcome = move_tool(tool_, input, standing(), settings_);
   report(outcome, output);
@@ -248,6 +257,14 @@ void Operation::move(const TapeLine& line, StepOutput& output) noexcept {
   watch_growth(kerfs_.follow(sample), kerf_before, outcome.broke_through);
 }
 
+const GuidePlane* Operation::guide() const noexcept {
+  const GuidePlan& plan = settings_.guide;
+  if (plan.guidance == Guidance::None || has_own_kerf_ || step_at_hand_ < 0) return nullptr;
+  const auto step = static_cast<std::size_t>(step_at_hand_);
+  if (step >= plan.of_step.size() || !plan.of_step[step]) return nullptr;
+  return &*plan.of_step[step];
+}
+
 void Operation::report(const ToolOutcome& outcome, StepOutput& output) noexcept {
   if (outcome.began_contact) note(output, CutEventKind::Contact, tool_.kerf);
   if (outcome.kicked != KickCause::None) {
@@ -271,6 +288,7 @@ void Operation::freeze(StepOutput& output) noexcept {
       return;
     }
     note(output, CutEventKind::PlaneFrozen, kerf);
+    has_own_kerf_ = true;
     output.requests.push({next_job_++, JobKind::Contact, kerf, tick_});
   }
   enter_kerf(tool_, kerf, standing(), settings_);

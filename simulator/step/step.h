@@ -92,6 +92,8 @@ class Operation {
   void follow_wound(StepOutput& output) noexcept;
   void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
             std::int64_t value = 0) const noexcept;
+  /// The plane that leads the hand now, or null.
+  const GuidePlane* guide() const noexcept;
   /// The kerf that holds the blade, or -1.
   std::int32_t kerf_of_tool() const noexcept {
     return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
@@ -128,6 +130,8 @@ class Operation {
   bool is_in_gap_ = false;  ///< by the loop
   bool is_pause_noted_ = false;
   bool is_over_ = false;
+  std::int64_t step_at_hand_ = 0;  ///< the one after that declared done last
+  bool has_own_kerf_ = false;      ///< begun in that step: the guide has done its work
 };
 
 }  // namespace hallux::simulator

@@ -22,6 +22,7 @@ Wound::Wound(const RigidTransform& world_from_bone, const BladeSize& blade,
     : bone_from_world_(inverse(world_from_bone)),
       blade_(blade),
       thickness_mm_(settings.blade_thickness_mm),
+      is_guided_(settings.is_guided),
       heat_(blade, world_from_bone, cycles_per_minute, sharpness),
       danger_(world_from_bone, blade, watched(settings)) {}
 
@@ -34,7 +35,8 @@ void Wound::follow(const ToolSample& sample, const StandingBone& bone) noexcept 
 }
 
 void Wound::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
-  if (!has(sample.status, ToolStatus::InContact)) {
+  const bool tells_of_bend = !is_guided_ || has(sample.status, ToolStatus::InKerf);
+  if (!has(sample.status, ToolStatus::InContact) || !tells_of_bend) {
     flex_ = {};
     return;
   }

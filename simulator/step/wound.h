@@ -16,6 +16,9 @@ struct WoundSettings {
   std::vector<DangerCapsule> danger_zones =
       {};                           ///< at most danger_zone_limit; the rest is not watched
   double blade_thickness_mm = 0.4;  ///< of the steel
+  /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that tells of no bend. In a step
+  /// the contact's settings decide.
+  bool is_guided = false;
 };
 
 /// For displays; not recorded.
@@ -46,6 +49,7 @@ class Wound {
   RigidTransform bone_from_world_;
   BladeSize blade_;
   double thickness_mm_;
+  bool is_guided_;
   HeatField heat_;
   DangerWatch danger_;
   BladeFlex flex_;

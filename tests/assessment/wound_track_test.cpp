@@ -98,6 +98,22 @@ TEST(WoundTrack, KnowsHowFarTheBladeBent) {
   EXPECT_LT(track_of(bone, straight).greatest_deflection_mm, 0.5 * greatest_mm);
 }
 
+TEST(WoundTrack, OfAGuidedHandKnowsABendInAKerfOnly) {
+  const Bone bone = block();
+  simulator::ContactSettings guided;
+  guided.guide = {simulator::Guidance::Slot, {simulator::GuidePlane{Vec3(1.0, 0.0, 0.0), -5.0}}};
+  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, guided);
+  run.hold(600);
+  run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 1500);
+  const double cycles_per_minute = simulator::ContactSettings{}.cycles_per_minute;
+  const auto greatest_mm = [&](bool is_guided) {
+    const SawOfRecord saw{{}, cycles_per_minute, 0.4, 1.0, is_guided};
+    return follow_wound(bone, saw, run.recording(), stretch).greatest_deflection_mm;
+  };
+  EXPECT_LT(greatest_mm(true), 0.02);
+  EXPECT_GT(greatest_mm(false), 0.5) << "the guide pushed the hand, as the blade stood on bone";
+}
+
 TEST(WoundTrack, OfNothingIsEmpty) {
   const Bone bone = block();
   const WoundTrack track = follow_wound(bone, {{}, 12000.0, 0.4}, {}, stretch);

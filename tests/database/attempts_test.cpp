@@ -1,9 +1,11 @@
 #include "database/attempts.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
 #include "database/assets.h"
 #include "database/recordings.h"
+#include "database/verify.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {
@@ -25,6 +27,73 @@ TEST(Attempts, KeepWhatTheyBeganWith) {
   EXPECT_EQ(header.state, AttemptState::Recording);
   EXPECT_EQ(header.duration_ticks, std::nullopt);
   EXPECT_EQ(header.started_utc.size(), std::string{"2026-01-01T00:00:00.000Z"}.size());
+}
+
+TEST(Attempts, KeepHowFirmlyTheyWereGuided) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  for (const simulator::Guidance guidance :
+       {simulator::Guidance::None, simulator::Guidance::Soft, simulator::Guidance::Slot}) {
+    NewAttempt attempt = some_attempt(database);
+    attempt.guidance = guidance;
+    const AttemptId id = record(database, attempt, some_recording(10));
+    EXPECT_EQ(load_header(database, id).begun.guidance, guidance);
+  }
+  EXPECT_TRUE(verify(database).is_whole());
+}
+
+TEST(Attempts, AreNotGuidedInAnAssessment) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  NewAttempt attempt = some_attempt(database);
+  attempt.kind = AttemptKind::Assessment;
+  attempt.guidance = simulator::Guidance::Soft;
+  try {
+    create_attempt(database, attempt);
+    ADD_FAILURE() << "was begun";
+  } catch (const DatabaseError& error) {
+    EXPECT_EQ(error.kind(), DatabaseErrorKind::BadInput);
+    EXPECT_STREQ(error.what(), "an assessment is not guided; choose practice, or no guide");
+  }
+  EXPECT_TRUE(list_attempts(database).empty());
+}
+
+TEST(Attempts, ThatWereGuidedCannotBeMadeUnguidedUnseen) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  NewAttempt attempt = some_attempt(database);
+  attempt.guidance = simulator::Guidance::Slot;
+  record(database, attempt, some_recording(10));
+  ASSERT_TRUE(verify(database).is_whole());
+  for (const char* other : {"none", "soft"}) {
+    database.connection().exec(std::string("UPDATE attempt SET guidance = '") + other + "'");
+    EXPECT_FALSE(verify(database).is_whole()) << other;
+  }
+  // A word that nobody knows stands only where the schema was talked out of its check.
+  database.connection().exec("PRAGMA ignore_check_constraints = ON");
+  database.connection().exec("UPDATE attempt SET guidance = 'laser'");
+  EXPECT_FALSE(verify(database).is_whole());
+}
+
+TEST(Attempts, OfAnAssessmentAreKeptUnguidedByTheSchemaToo) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  NewAttempt assessment = some_attempt(database);
+  assessment.kind = AttemptKind::Assessment;
+  record(database, assessment, some_recording(10));
+  NewAttempt guided = some_attempt(database);
+  guided.guidance = simulator::Guidance::Soft;
+  record(database, guided, some_recording(10));
+  for (const char* change :
+       {"guidance = 'soft' WHERE kind = 'assessment'",
+        "guidance = 'slot' WHERE kind = 'assessment'",
+        "kind = 'assessment' WHERE guidance = 'soft'", "guidance = 'laser' WHERE kind = 'practice'",
+        "guidance = NULL WHERE kind = 'practice'"}) {
+    EXPECT_THROW(database.connection().exec(std::string("UPDATE attempt SET ") + change),
+                 SQLite::Exception)
+        << change;
+  }
+  EXPECT_TRUE(verify(database).is_whole());
 }
 
 TEST(Attempts, AreListedNewestFirst) {

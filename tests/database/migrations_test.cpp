@@ -47,6 +47,27 @@ TEST(Migrations, OpenADatabaseOfSchemaOneAndKeepItsRows) {
   EXPECT_FALSE(is_published(database, attempts[0].begun.scenario));
 }
 
+TEST(Migrations, OpenADatabaseOfSchemaTwoWhoseAttemptsNothingGuided) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_2.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  const auto attempts = list_attempts(database);
+  ASSERT_EQ(attempts.size(), 1U);
+  EXPECT_EQ(attempts[0].begun.guidance, simulator::Guidance::None);
+  EXPECT_EQ(attempts[0].begun.kind, AttemptKind::Practice);
+  EXPECT_EQ(attempts[0].begun.engine, 4);
+  EXPECT_THROW(
+      database.connection().exec("UPDATE attempt SET guidance = 'soft', kind = 'assessment'"),
+      SQLite::Exception);
+  EXPECT_EQ(load_recording(database, attempts[0].id).samples.size(),
+            static_cast<std::size_t>(*attempts[0].duration_ticks));
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.audit_rows, 8);
+  EXPECT_EQ(
+      sign_in(database, "ada", secret("saw bone hinge wire")).administrator()->people().size(), 3U);
+}
+
 TEST(Migrations, LeaveEveryChainOfSchemaOneWhole) {
   const TemporaryDirectory temporary;
   Database database = Database::open(place(temporary, "schema_1.db"));

@@ -86,8 +86,9 @@ void Course::show_place(const std::string& id) {
 void Course::brief(database::ScenarioVersionId scenario) {
   shell_.push(std::make_unique<BriefingScreen>(visit_, *this, pictures_, scenario));
 }
-void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind) {
-  shell_.push(std::make_unique<OperatingScreen>(visit_, *this, scenario, kind));
+void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
+                     simulator::Guidance guidance) {
+  shell_.push(std::make_unique<OperatingScreen>(visit_, *this, scenario, kind, guidance));
 }
 void Course::show_result(const database::AttemptId& attempt) {
   shell_.push(std::make_unique<ResultScreen>(visit_, *this, attempt));

@@ -21,7 +21,8 @@ class Course : public Places {
   Course& operator=(const Course&) = delete;
 
   void brief(database::ScenarioVersionId scenario) override;
-  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind) override;
+  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
+               simulator::Guidance guidance) override;
   void show_result(const database::AttemptId& attempt) override;
   void show_replay(const database::AttemptId& attempt, double moment_s) override;
   void show_trainee(database::CohortId cohort, database::PersonId trainee) override;

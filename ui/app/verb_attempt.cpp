@@ -26,7 +26,7 @@ using nlohmann::ordered_json;
 constexpr std::size_t hand_mebibytes_max = 16;
 
 struct AttemptOptions {
-  std::string scenario, hand = "expert", pacing = "virtual";
+  std::string scenario, hand = "expert", pacing = "virtual", guidance = "none";
   std::uint64_t seed = 1;
 };
 
@@ -38,6 +38,7 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   attempt.seed = options.seed;
   attempt.pacing =
       options.pacing == "real-time" ? simulator::Pacing::RealTime : simulator::Pacing::Virtual;
+  attempt.guidance = database::guidance_from(options.guidance).value_or(simulator::Guidance::None);
   if (options.hand == "expert" || options.hand == "novice") return attempt;
   if (!is_utf8(options.hand)) {
     throw scenarios::ScenarioError(
@@ -100,6 +101,7 @@ ordered_json attempt_json(const database::AttemptHeader& header) {
           {"state", database::name_of(header.state)},
           {"score", points_json(header.score_milli)},
           {"kind", database::name_of(header.begun.kind)},
+          {"guidance", database::name_of(header.begun.guidance)},
           {"decision",
            header.decision ? ordered_json(database::name_of(*header.decision)) : ordered_json()},
           {"decided_score", points_json(header.decided_milli)},
@@ -116,6 +118,9 @@ void print_attempt(std::ostream& out, const database::AttemptHeader& header) {
     out << std::fixed << std::setprecision(1) << static_cast<double>(*header.score_milli) / 1000.0;
   } else {
     out << "not scored";
+  }
+  if (header.begun.guidance != simulator::Guidance::None) {
+    out << "  guided: " << database::name_of(header.begun.guidance);
   }
   if (header.decision) out << "  " << database::name_of(*header.decision);
   if (header.decided_milli && header.decided_milli != header.score_milli) {
@@ -163,6 +168,11 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
       ->capture_default_str();
   attempt->add_option("--pacing", options->pacing, "virtual (as fast as it goes) or real-time")
       ->check(CLI::IsMember({"virtual", "real-time"}))
+      ->capture_default_str();
+  attempt
+      ->add_option("--guidance", options->guidance,
+                   "how firmly the planned plane leads the hand: none, soft or slot")
+      ->check(CLI::IsMember({"none", "soft", "slot"}))
       ->capture_default_str();
   attempt->callback([options, &context] {
     context.chosen = [options, &context] { return run_attempt_verb(context, *options); };

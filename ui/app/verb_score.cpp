@@ -64,7 +64,8 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
     ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
-                                           score_attempt(material, stages_on(context)));
+                                           score_attempt(material, stages_on(context)),
+                                           material.header.begun.guidance);
     add_attempt_facts(shown, material.header);
     const std::string page = html_report(shown);
     write_file_whole(options.output, page);

@@ -8,6 +8,7 @@
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/planned_bridge.h"
+#include "scenarios/planned_guide.h"
 #include "simulator/device/scripted.h"
 
 namespace hallux::ui {
@@ -47,6 +48,7 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
       database, {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
   begun.hand = attempt.hand;
   begun.seed = attempt.seed;
+  begun.guidance = attempt.guidance;
   begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
   put_bone(database, bone, begun);
   return begun;
@@ -71,10 +73,13 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
 
 }  // namespace
 
-simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario) {
+simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
+                                            const scenarios::Plan& plan,
+                                            simulator::Guidance guidance) {
   simulator::ContactSettings settings;
   settings.cycles_per_minute = scenario.blade.cycles_per_minute;
   settings.sharpness = scenario.blade.sharpness;
+  settings.guide = planned_guide(scenario, plan, guidance);
   return settings;
 }
 
@@ -84,8 +89,10 @@ simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
 }
 
 simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
-                                      const simulator::Bone& bone, const scenarios::Plan& plan) {
-  simulator::AttemptSetup setup{bone, scenario.blade.size, contact_settings(scenario)};
+                                      const simulator::Bone& bone, const scenarios::Plan& plan,
+                                      simulator::Guidance guidance) {
+  simulator::AttemptSetup setup{bone, scenario.blade.size,
+                                contact_settings(scenario, plan, guidance)};
   setup.bridge = planned_bridge(plan);
   setup.wound = wound_settings(scenario, plan);
   return setup;
@@ -96,7 +103,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   const simulator::Bone bone = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);
-  simulator::AttemptSetup setup = attempt_setup(attempt.scenario, bone, plan);
+  simulator::AttemptSetup setup = attempt_setup(attempt.scenario, bone, plan, attempt.guidance);
   setup.pacing = attempt.pacing;
   const std::unique_ptr<simulator::HapticDevice> device = hand_for(attempt, bone, plan, setup);
 
@@ -143,7 +150,8 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   const scenarios::Plan plan = plan_on(material.scenario, material.bone);
   const simulator::ReplayResult result =
       replay(material.recording,
-             {material.bone, material.scenario.blade.size, contact_settings(material.scenario),
+             {material.bone, material.scenario.blade.size,
+              contact_settings(material.scenario, plan, material.header.begun.guidance),
               planned_bridge(plan), wound_settings(material.scenario, plan)},
              [&](double fraction) {
                is_cancelled = report && !report(fraction);

@@ -33,6 +33,7 @@ struct ScriptedAttempt {
   std::optional<simulator::HandMotion> motion;  ///< from a file; else made for the hand and seed
   std::uint64_t seed = 1;
   simulator::Pacing pacing = simulator::Pacing::Virtual;
+  simulator::Guidance guidance = simulator::Guidance::None;
 };
 
 /// The patient of a scenario.
@@ -69,8 +70,10 @@ struct AttemptMaterial {
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
                              const database::AttemptId& id);
 
-/// The contact of a scenario's saw; the same for the attempt and its replay.
-simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario);
+/// The contact of a scenario's saw, with the guide of the attempt; the same for the attempt and its replay.
+simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
+                                            const scenarios::Plan& plan,
+                                            simulator::Guidance guidance);
 
 /// What is watched beside the cut; the same for the attempt and its replay.
 simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
@@ -78,7 +81,8 @@ simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
 
 /// How a scenario's operation runs; borrows the bone. What paces it and commands it is the caller's to add.
 simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
-                                      const simulator::Bone& bone, const scenarios::Plan& plan);
+                                      const simulator::Bone& bone, const scenarios::Plan& plan,
+                                      simulator::Guidance guidance);
 
 /// Nothing where the attempt was made by another engine version: a replay would prove nothing.
 std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,

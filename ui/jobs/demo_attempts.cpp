@@ -50,7 +50,8 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
   OperatedAttempt operated;
   operated.planned = planned;
   scenarios::FeelingHand hand = aimed_hand(operation, operated.planned);
-  simulator::AttemptSetup setup = attempt_setup(operation.scenario, operation.bone, operation.plan);
+  simulator::AttemptSetup setup =
+      attempt_setup(operation.scenario, operation.bone, operation.plan, simulator::Guidance::None);
   setup.last_tick = scenarios::FeelingHand::last_tick;
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels{ring_capacity};

@@ -18,6 +18,7 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
   begun.scenario = begin.scenario;
   begun.person = begin.person;
   begun.kind = begin.kind;
+  begun.guidance = begin.guidance;
   begun.device_class = begin.device_class;
   begun.pacing = "real_time";
   begun.stereo_mode = begin.stereo_mode;
@@ -28,20 +29,24 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
 namespace {
 
 std::optional<double> force_scale_of(const simulator::HapticDevice& device,
-                                     const scenarios::Scenario& scenario) {
+                                     const OperatingTable& table, simulator::Guidance guidance) {
   const simulator::DeviceDescription description = device.description();
   if (!description.limits) return std::nullopt;
-  return force_scale_on(*description.limits, contact_settings(scenario).coupling_newton_per_mm);
+  return force_scale_on(
+      *description.limits,
+      contact_settings(table.scenario, table.plan, guidance).coupling_newton_per_mm);
 }
 
 }  // namespace
 
 LiveAttempt::LiveAttempt(std::shared_ptr<const OperatingTable> table,
                          const database::Database& database, database::WriterLease lease,
-                         std::unique_ptr<simulator::HapticDevice> device)
+                         std::unique_ptr<simulator::HapticDevice> device,
+                         simulator::Guidance guidance)
     : table_(std::move(table)),
+      guidance_(guidance),
       device_(std::move(device)),
-      force_scale_(force_scale_of(*device_, table_->scenario)),
+      force_scale_(force_scale_of(*device_, *table_, guidance_)),
       attempt_(lease.attempt()) {
   say({simulator::CommandKind::Start, 0, 0});
   thread_ = std::jthread([this, own = database.open_again(), lease = std::move(lease)]() mutable {
@@ -103,7 +108,8 @@ void LiveAttempt::fail(LiveFailure failure, const char* reason) noexcept {
 
 void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {
   database::Recorder recorder(database, std::move(lease), channels_);
-  simulator::AttemptSetup setup = attempt_setup(table_->scenario, table_->bone, table_->plan);
+  simulator::AttemptSetup setup =
+      attempt_setup(table_->scenario, table_->bone, table_->plan, guidance_);
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch_;

@@ -36,6 +36,7 @@ struct LiveBegin {
   database::ScenarioVersionId scenario;
   database::PersonId person;
   database::AttemptKind kind = database::AttemptKind::Practice;
+  simulator::Guidance guidance = simulator::Guidance::None;
   std::string stereo_mode = "mono";
   std::string device_class = "mouse";
 };
@@ -67,7 +68,8 @@ class LiveAttempt {
   /// Starts loop and recorder, with the clock running.
   /// needs   `table` outlives it
   LiveAttempt(std::shared_ptr<const OperatingTable> table, const database::Database& database,
-              database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device);
+              database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device,
+              simulator::Guidance guidance);
   /// Stops it where it still runs; what was recorded is committed.
   ~LiveAttempt();
   LiveAttempt(const LiveAttempt&) = delete;
@@ -108,6 +110,7 @@ class LiveAttempt {
   void fail(LiveFailure failure, const char* reason) noexcept;
 
   std::shared_ptr<const OperatingTable> table_;
+  simulator::Guidance guidance_;
   std::unique_ptr<simulator::HapticDevice> device_;
   std::optional<double> force_scale_;
   simulator::AttemptChannels channels_;

@@ -19,6 +19,19 @@ std::string operator_text(const AttemptHeader& header) {
   return "robot, " + header.begun.hand + " hand, seed " + std::to_string(header.begun.seed);
 }
 
+std::string purpose_text(const AttemptHeader& header) {
+  const std::string kind(database::name_of(header.begun.kind));
+  switch (header.begun.guidance) {
+    case simulator::Guidance::None:
+      return kind;
+    case simulator::Guidance::Soft:
+      return kind + ", guided softly by the planned plane";
+    case simulator::Guidance::Slot:
+      return kind + ", guided by the planned plane like a slot";
+  }
+  return kind;
+}
+
 std::string quality_text(const AttemptHeader& header) {
   switch (header.state) {
     case AttemptState::Closed:
@@ -48,6 +61,7 @@ void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario) {
 
 void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header) {
   material.facts.push_back({"Operator", operator_text(header)});
+  material.facts.push_back({"For", purpose_text(header)});
   material.facts.push_back({"Started (UTC)", header.started_utc});
   if (header.duration_ticks) {
     const std::int64_t duration_us = time_us_from_tick(*header.duration_ticks);

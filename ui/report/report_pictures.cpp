@@ -157,7 +157,8 @@ void add_pictures(ReportMaterial& material, const scenarios::Scenario& scenario,
 }  // namespace
 
 ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& bone,
-                               const Recording& recording, const Examination& examination) {
+                               const Recording& recording, const Examination& examination,
+                               simulator::Guidance guidance) {
   ReportMaterial material;
   material.card = examination.card;
   add_titles(material, scenario);
@@ -169,7 +170,8 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
   if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
   add_pictures(material, scenario, bone, examination);
   material.zones = watched_zones(scenario, recording);
-  material.traces = traces_of(recording, bone, scenario.blade, examination.rebuilt.fields);
+  material.traces = traces_of(recording, bone, saw_of_record(scenario.blade, guidance),
+                              examination.rebuilt.fields);
   return material;
 }
 

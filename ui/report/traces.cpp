@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "assessment/wound_track.h"
 #include "simulator/base/units.h"
 
 namespace hallux::ui {
@@ -82,7 +81,13 @@ std::vector<ZoneContact> watched_zones(const scenarios::Scenario& scenario,
   return zone_contacts(scenario, recording);
 }
 
-Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::SawBlade& blade,
+assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
+                                      simulator::Guidance guidance) noexcept {
+  return {blade.size, blade.cycles_per_minute, blade.thickness_mm, blade.sharpness,
+          guidance != simulator::Guidance::None};
+}
+
+Traces traces_of(const Recording& recording, const Bone& bone, const assessment::SawOfRecord& saw,
                  const simulator::KerfSet& kerfs, std::size_t points_max,
                  const assessment::Progress& progress) {
   Traces traces;
@@ -107,9 +112,8 @@ Traces traces_of(const Recording& recording, const Bone& bone, const scenarios::
     before_mm = point.advance_mm;
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
-  const assessment::WoundTrack wound = assessment::follow_wound(
-      bone, {blade.size, blade.cycles_per_minute, blade.thickness_mm, blade.sharpness}, recording,
-      stretch, progress);
+  const assessment::WoundTrack wound =
+      assessment::follow_wound(bone, saw, recording, stretch, progress);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
     traces.points[point].hottest_celsius = wound.hottest_celsius[point];
   }

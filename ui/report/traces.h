@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "assessment/progress.h"
+#include "assessment/wound_track.h"
 #include "scenarios/scenario.h"
 #include "simulator/contact/heat.h"
 #include "simulator/cutting/kerf_set.h"
 #include "simulator/mesh/bone.h"
+#include "simulator/record/guidance.h"
 #include "simulator/record/record.h"
 
 namespace hallux::ui {
@@ -45,11 +47,15 @@ struct ZoneContact {
 /// Of the force on the hand, simulated.
 double force_newton_of(const simulator::ToolSample& sample) noexcept;
 
+/// The saw of an operation, in a hand that was guided so.
+assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
+                                      simulator::Guidance guidance) noexcept;
+
 /// Force, feed, advance and heat in at most `points_max` stretches of equal time.
 /// needs   `kerfs` as the recording opened them
 /// errors  assessment::Cancelled
 Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
-                 const scenarios::SawBlade& blade, const simulator::KerfSet& kerfs,
+                 const assessment::SawOfRecord& saw, const simulator::KerfSet& kerfs,
                  std::size_t points_max = 480, const assessment::Progress& progress = {});
 
 /// How often and how long the running saw was in each danger zone of the scenario, in its order.

@@ -5,6 +5,13 @@
 
 namespace hallux::ui {
 
+std::string_view kind_text(const Ui& ui, const database::AttemptHeader& attempt) {
+  if (attempt.begun.kind == database::AttemptKind::Assessment)
+    return ui.text("attempts.assessment");
+  const bool is_guided = attempt.begun.guidance != simulator::Guidance::None;
+  return ui.text(is_guided ? "attempts.guided" : "attempts.practice");
+}
+
 void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Rect& cell) {
   const Point at{cell.x, cell.mid_y()};
   using database::AttemptState;

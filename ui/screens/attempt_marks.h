@@ -1,10 +1,13 @@
-/// The state and the score of an attempt, as they stand in a row.
+/// What an attempt was for, its state and its score, as they stand in a row.
 #pragma once
 
 #include "database/records/attempt.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {
+
+/// Practice, guided (practice with a guide), or assessment.
+std::string_view kind_text(const Ui& ui, const database::AttemptHeader& attempt);
 
 /// A pill from the left of the cell: void, interrupted, recording, signed, or advisory.
 void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Rect& cell);

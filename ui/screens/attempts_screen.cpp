@@ -50,12 +50,9 @@ void draw_cell(Ui& ui, const AttemptHeader& attempt, int column, const Rect& cel
     case Started:
       ui.canvas().text_in(cell, plain, moment_text(attempt.started_utc));
       break;
-    case Kind: {
-      const bool is_assessment = attempt.begun.kind == database::AttemptKind::Assessment;
-      ui.canvas().text_in(cell, plain,
-                          ui.text(is_assessment ? "attempts.assessment" : "attempts.practice"));
+    case Kind:
+      ui.canvas().text_in(cell, plain, kind_text(ui, attempt));
       break;
-    }
     case StateColumn:
       draw_attempt_state(ui, attempt, cell);
       break;

@@ -21,6 +21,13 @@ std::array<std::string_view, 2> kind_labels(const Ui& ui) {
   return {ui.text("brief.practice"), ui.text("brief.assessment")};
 }
 
+constexpr std::array<simulator::Guidance, 3> guidances{
+    simulator::Guidance::None, simulator::Guidance::Soft, simulator::Guidance::Slot};
+
+std::array<std::string_view, 3> guidance_labels(const Ui& ui) {
+  return {ui.text("brief.guide.none"), ui.text("brief.guide.soft"), ui.text("brief.guide.slot")};
+}
+
 std::array<std::string_view, 3> tab_labels(const Ui& ui) {
   return {ui.text("brief.about"), ui.text("brief.steps"), ui.text("brief.scoring")};
 }
@@ -128,26 +135,41 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
 
 // -- the beginning
 
+std::string BriefingScreen::words_of_choice(const Ui& ui) const {
+  if (kind_ != 0) return std::string(ui.text("brief.assessment.means"));
+  constexpr std::array means{"brief.guide.none.means", "brief.guide.soft.means",
+                             "brief.guide.slot.means"};
+  return std::string(ui.text("brief.practice.means")) + " " +
+         std::string(ui.text(means[static_cast<std::size_t>(guidance_)]));
+}
+
 float BriefingScreen::start_height(const Ui& ui, float width) const {
-  const char* id = kind_ == 0 ? "brief.practice.means" : "brief.assessment.means";
   const float words =
-      ui.paragraph_height(Type::Small, ui.text(id), width - 2.0F * space::side_card);
-  return space::side_card + segmented_height + 14.0F + std::max(40.0F, words) + 14.0F +
-         button_height + space::side_card;
+      ui.paragraph_height(Type::Small, words_of_choice(ui), width - 2.0F * space::side_card);
+  const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F);
+  return space::side_card + choices + std::max(40.0F, words) + 14.0F + button_height +
+         space::side_card;
 }
 
 void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
   Rect inside = card(ui, rect, {}, space::side_card);
   segmented(ui, "brief.kind", take_top(inside, segmented_height, 14.0F), kind_labels(ui), kind_);
-  const char* means = kind_ == 0 ? "brief.practice.means" : "brief.assessment.means";
+  if (kind_ == 0) {
+    segmented(ui, "brief.guide", take_top(inside, segmented_height, 14.0F), guidance_labels(ui),
+              guidance_);
+  }
   const Rect foot = take_bottom(inside, button_height, 14.0F);
-  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, ui.text(means));
+  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, words_of_choice(ui));
   const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
                          ButtonLook::Primary};
   const float width = std::min(foot.w, std::max(160.0F, button_width(ui, begin)));
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
-    places_.operate(scenario_, kind_ == 0 ? database::AttemptKind::Practice
-                                          : database::AttemptKind::Assessment);
+    // What was chosen for a practice means nothing for an assessment.
+    const bool is_practice = kind_ == 0;
+    places_.operate(
+        scenario_,
+        is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
+        is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);
   }
 }
 

@@ -27,6 +27,8 @@ class BriefingScreen : public Screen {
   void draw_picture(Ui& ui, const Rect& rect, Shell& shell);
   void draw_start(Ui& ui, const Rect& rect);
   float start_height(const Ui& ui, float width) const;
+  /// What it means to begin as it is chosen.
+  std::string words_of_choice(const Ui& ui) const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
   float draw_words(Ui& ui, const Rect& rect) const;
   void draw_words_card(Ui& ui, const Rect& rect);
@@ -37,6 +39,7 @@ class BriefingScreen : public Screen {
   database::ScenarioVersionId scenario_;
   Reading<OwnOperation> operation_;
   int tab_ = 0, kind_ = 0;
+  int guidance_ = 0;           ///< of practice: none, soft, slot
   float words_height_ = 0.0F;  ///< as they were drawn last
   BoneStage stage_;
 };

@@ -44,11 +44,6 @@ float controls_width(const Ui& ui, const std::vector<OperationHistory>& historie
   return segmented_width(ui, labels) + control_gap + button_width(ui, copy_button(ui));
 }
 
-std::string kind_text(const Ui& ui, const database::AttemptHeader& header) {
-  const bool is_assessment = header.begun.kind == database::AttemptKind::Assessment;
-  return std::string(ui.text(is_assessment ? "attempts.assessment" : "attempts.practice"));
-}
-
 void draw_cell(Ui& ui, const OperationHistory& history, std::size_t row, int column,
                const Rect& cell) {
   const Theme& theme = ui.theme();
@@ -238,7 +233,7 @@ void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
         ui.texts().say("history.point.context",
                        {{"number", std::to_string(point + 1)},
                         {"moment", moment_text(attempt.header.started_utc)},
-                        {"kind", kind_text(ui, attempt.header)}}));
+                        {"kind", std::string(kind_text(ui, attempt.header))}}));
   };
   // The legend stands in the line of the title.
   const Rect plot{inside.x, inside.y - 32.0F, inside.w, inside.h + 32.0F};

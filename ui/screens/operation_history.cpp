@@ -64,12 +64,14 @@ std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& att
 }
 
 std::string csv_of(const OperationHistory& history) {
-  std::string csv = "attempt,begun_utc,for,score,median_of_5\n";
+  std::string csv = "attempt,begun_utc,for,guidance,score,median_of_5\n";
   for (std::size_t number = 0; number < history.counted.size(); ++number) {
     const database::AttemptHeader& header = history.attempts[history.counted[number]].header;
     csv += std::to_string(number + 1) + "," + header.started_utc + "," +
-           std::string(name_of(header.begun.kind)) + "," + csv_number(history.scores[number].y) +
-           "," + csv_number(history.medians[number].y) + "\n";
+           std::string(name_of(header.begun.kind)) + "," +
+           std::string(database::name_of(header.begun.guidance)) + "," +
+           csv_number(history.scores[number].y) + "," + csv_number(history.medians[number].y) +
+           "\n";
   }
   return csv;
 }

@@ -18,8 +18,9 @@ class Places {
 
   /// What an operation is about, before it is begun.
   virtual void brief(database::ScenarioVersionId scenario) = 0;
-  /// Begins an attempt; the briefing is left for it.
-  virtual void operate(database::ScenarioVersionId scenario, database::AttemptKind kind) = 0;
+  /// Begins an attempt; the briefing is left for it. A guide leads in practice only.
+  virtual void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
+                       simulator::Guidance guidance) = 0;
   /// The score of an attempt with all that led to it.
   virtual void show_result(const database::AttemptId& attempt) = 0;
   /// The attempt again, from a moment on.

@@ -54,12 +54,9 @@ void draw_attempt_cell(Ui& ui, const AttemptHeader& attempt, int field, const Re
     case Started:
       ui.canvas().text_in(cell, plain, moment_text(attempt.started_utc), true);
       return;
-    case Kind: {
-      const bool is_assessment = attempt.begun.kind == database::AttemptKind::Assessment;
-      ui.canvas().text_in(cell, plain,
-                          ui.text(is_assessment ? "attempts.assessment" : "attempts.practice"));
+    case Kind:
+      ui.canvas().text_in(cell, plain, kind_text(ui, attempt));
       return;
-    }
     case StateColumn:
       return draw_attempt_state(ui, attempt, cell);
     default:

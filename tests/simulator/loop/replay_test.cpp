@@ -60,6 +60,27 @@ TEST(Replay, OfARecordedCutIsIdentical) {
   EXPECT_NE(result.bone, digest_of_mesh(solid_of(cut.bone)));
 }
 
+TEST(Replay, OfAGuidedCutIsIdenticalWithItsGuideAndDiffersWithoutIt) {
+  const Bone bone = tests::loop_block();
+  const HandMotion motion = tests::sawing_motion(bone, last_tick);
+  ContactSettings guided;
+  // The hand saws at x = 5: led away from there.
+  guided.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 3.0}}};
+  const AttemptSetup setup{.bone = bone,
+                           .blade = {},
+                           .contact = guided,
+                           .commands = motion.commands,
+                           .last_tick = last_tick,
+                           .job_delay = {}};
+  ScriptedDevice device(motion);
+  const Recording recording = tests::record(setup, device).recording;
+  const ReplayResult result = replay(recording, {bone, {}, guided, {}});
+  EXPECT_TRUE(result.is_identical) << result.difference;
+  EXPECT_FALSE(replay(recording, {bone, {}, {}, {}}).is_identical);
+  guided.guide.guidance = Guidance::Soft;
+  EXPECT_FALSE(replay(recording, {bone, {}, guided, {}}).is_identical);
+}
+
 TEST(Replay, OfAnEmptyRecordingIsIdentical) {
   const Bone bone = tests::loop_block();
   EXPECT_TRUE(replay({}, {bone, {}, {}, {}}).is_identical);

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from hallux_command import BAD_INPUT, DONE, PROGRAM, CommandTest, RecordedTest, coarse_silver
+from hallux_command import BAD_INPUT, DONE, PROGRAM, WRONG_USAGE, CommandTest, RecordedTest, coarse_silver
 
 CARD_KEYS = {"score", "groups", "gates"}
 LEDGER_KEYS = {"metric", "value", "target", "unit", "points_lost", "start_us", "end_us", "text"}
@@ -71,6 +71,21 @@ class Attempt(RecordedTest):
         self.assertEqual(answer["samples"], self.recorded.json()["samples"])
         self.assertGreater(answer["seconds"], 0.0)
         self.assertEqual(self.ask("replay", self.attempt)["bone_hash"], answer["bone_hash"])
+
+    def test_a_guided_attempt_is_listed_as_such_and_replays_identical(self):
+        scenario = self.write("coarse.json", coarse_silver())
+        guided = self.ask("attempt", scenario, "--hand", self.write("still.json", NO_MOTION), "--guidance", "slot")
+        self.assertIs(self.ask("replay", guided["attempt"])["identical"], True)
+        rows = {row["attempt"]: row["guidance"] for row in self.ask("attempts")}
+        self.assertEqual(rows, {guided["attempt"]: "slot", self.attempt: "none"})
+        self.assertIn("guided: slot", self.hallux("attempts").out)
+        report = self.folder / "guided.html"
+        self.assertEqual(self.hallux("report", guided["attempt"], "-o", report).code, DONE)
+        self.assertIn("like a slot", report.read_text())
+
+    def test_a_guide_that_nobody_knows_is_wrong_usage(self):
+        self.assertEqual(self.hallux("attempt", "silver", "--guidance", "laser").code, WRONG_USAGE)
+        self.assertEqual([row["attempt"] for row in self.ask("attempts")], [self.attempt])
 
     def test_losses_of_the_ledger_add_up_to_what_is_missing(self):
         answer = self.ask("score", self.attempt)

@@ -8,6 +8,8 @@
 namespace hallux::ui {
 namespace {
 
+using simulator::Guidance;
+
 scenarios::Scenario silver_with_sharpness(double sharpness) {
   nlohmann::json silver = nlohmann::json::parse(scenarios::load_shipped_scenario("silver").text);
   silver["blade"]["sharpness"] = sharpness;
@@ -16,9 +18,17 @@ scenarios::Scenario silver_with_sharpness(double sharpness) {
 
 TEST(ContactSettingsOfAScenario, AreThoseOfItsBlade) {
   const scenarios::Scenario silver = scenarios::load_shipped_scenario("silver");
-  EXPECT_EQ(contact_settings(silver).cycles_per_minute, 12000.0);
-  EXPECT_EQ(contact_settings(silver).sharpness, 1.0);
-  EXPECT_EQ(contact_settings(silver_with_sharpness(0.6)).sharpness, 0.6);
+  EXPECT_EQ(contact_settings(silver, {}, Guidance::None).cycles_per_minute, 12000.0);
+  EXPECT_EQ(contact_settings(silver, {}, Guidance::None).sharpness, 1.0);
+  EXPECT_EQ(contact_settings(silver_with_sharpness(0.6), {}, Guidance::None).sharpness, 0.6);
+}
+
+TEST(ContactSettingsOfAnAttempt, GuideOnlyWhereItAsksForIt) {
+  const scenarios::Scenario silver = scenarios::load_shipped_scenario("silver");
+  EXPECT_TRUE(contact_settings(silver, {}, Guidance::None).guide.of_step.empty());
+  const simulator::GuidePlan guide = contact_settings(silver, {}, Guidance::Slot).guide;
+  EXPECT_EQ(guide.guidance, Guidance::Slot);
+  EXPECT_EQ(guide.of_step.size(), silver.steps.size());
 }
 
 }  // namespace

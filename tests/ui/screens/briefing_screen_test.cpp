@@ -67,6 +67,25 @@ TEST(BriefingScreen, BeginsPracticeUnlessTheAssessmentWasChosen) {
               ElementsAre(asked("practise", published.akin()), asked("assess", published.akin())));
 }
 
+TEST(BriefingScreen, LetsPracticeBeGuidedAndAnAssessmentNever) {
+  SomePublished published;
+  Briefed briefed(published);
+  EXPECT_TRUE(briefed.driver().sees("Nothing leads your hand"));
+  briefed.driver().click("brief.guide.1");
+  EXPECT_TRUE(briefed.driver().sees("draws your hand softly"));
+  briefed.driver().click("brief.begin");
+  briefed.driver().click("brief.guide.2");
+  EXPECT_TRUE(briefed.driver().sees("as a guide's slot would"));
+  briefed.driver().click("brief.begin");
+  briefed.driver().click("brief.kind.1");
+  EXPECT_FALSE(briefed.driver().has("brief.guide.0"));
+  briefed.driver().click("brief.begin");
+  EXPECT_THAT(briefed.places.asked, ElementsAre(asked("practise guided by soft", published.akin()),
+                                                asked("practise guided by slot", published.akin()),
+                                                asked("assess", published.akin())));
+  EXPECT_THAT(briefed.driver().faults(), IsEmpty());
+}
+
 TEST(BriefingScreen, IsSteeredByKeyboardAlone) {
   SomePublished published;
   Briefed briefed(published);

@@ -96,6 +96,19 @@ TEST(History, AnOverriddenScoreStandsInPlaceOfTheMachines) {
   EXPECT_EQ(own.front().pass, assessment::PassAnswer::Reached);
 }
 
+TEST(HistoryScreen, AGuidedPracticeIsListedAndCopiedAsOne) {
+  SomePublished published;
+  published.scored_by("ada", 40000);
+  Looker unguided(published, "ada");
+  EXPECT_FALSE(unguided.driver().sees("Guided"));
+  published.attempted_by("ada", database::AttemptKind::Practice, simulator::Guidance::Soft);
+  Looker looker(published, "ada");
+  EXPECT_TRUE(looker.driver().sees("Guided"));
+  const std::string csv = csv_of(histories_of(own_of(published, "ada")).front());
+  EXPECT_THAT(csv, HasSubstr(",practice,none,40"));
+  EXPECT_THAT(csv, HasSubstr(",practice,soft,"));
+}
+
 TEST(HistoryScreen, TheFactsAreOfWhatCounts) {
   SomePublished published;
   published.scored_by("ada", 40000);  // recorded for five milliseconds
@@ -166,7 +179,7 @@ TEST(HistoryScreen, CopiesTheChartsNumbersByButtonAndByKey) {
   Looker looker(published, "ada");
   looker.driver().press(Key::C, {.control = true});
   const std::string csv = looker.driver().clipboard().read();
-  EXPECT_THAT(csv, HasSubstr("attempt,begun_utc,for,score,median_of_5\n1,"));
+  EXPECT_THAT(csv, HasSubstr("attempt,begun_utc,for,guidance,score,median_of_5\n1,"));
   EXPECT_THAT(csv, HasSubstr(",practice,40.0,40.0\n2,"));
   EXPECT_THAT(csv, HasSubstr(",assessment,,\n"));
   EXPECT_TRUE(looker.driver().sees("2 attempts copied"));

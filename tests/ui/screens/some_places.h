@@ -13,9 +13,12 @@ class SomePlaces : public Places {
   void brief(database::ScenarioVersionId scenario) override {
     asked.push_back("brief " + std::to_string(scenario.number));
   }
-  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind) override {
-    asked.push_back((kind == database::AttemptKind::Assessment ? "assess " : "practise ") +
-                    std::to_string(scenario.number));
+  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
+               simulator::Guidance guidance) override {
+    std::string what = kind == database::AttemptKind::Assessment ? "assess " : "practise ";
+    if (guidance != simulator::Guidance::None)
+      what += "guided by " + std::string(database::name_of(guidance)) + " ";
+    asked.push_back(what + std::to_string(scenario.number));
   }
   void show_result(const database::AttemptId& attempt) override {
     asked.push_back("result " + attempt.text);

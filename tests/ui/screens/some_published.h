@@ -19,10 +19,12 @@ class SomePublished {
   database::ScenarioVersionId akin() const noexcept { return akin_; }
 
   /// An attempt at the Akin, not scored.
-  database::AttemptId attempted_by(const std::string& login, database::AttemptKind kind) {
+  database::AttemptId attempted_by(const std::string& login, database::AttemptKind kind,
+                                   simulator::Guidance guidance = simulator::Guidance::None) {
     database::NewAttempt attempt = course_.attempt_of(login);
     attempt.scenario = akin_;
     attempt.kind = kind;
+    attempt.guidance = guidance;
     return database::record(course_.database(), attempt, database::some_recording(5));
   }
   database::AttemptId scored_by(const std::string& login, std::int64_t score_milli,

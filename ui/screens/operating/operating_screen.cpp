@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "database/assets.h"
+#include "scenarios/planned_guide.h"
 #include "simulator/base/units.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/widgets/card.h"
@@ -41,8 +42,13 @@ Vec3 force_newton(const simulator::ToolSample& sample) noexcept {
 }  // namespace
 
 OperatingScreen::OperatingScreen(std::shared_ptr<Visit> visit, Places& places,
-                                 database::ScenarioVersionId scenario, AttemptKind kind)
-    : visit_(std::move(visit)), places_(places), scenario_(scenario), kind_(kind) {}
+                                 database::ScenarioVersionId scenario, AttemptKind kind,
+                                 simulator::Guidance guidance)
+    : visit_(std::move(visit)),
+      places_(places),
+      scenario_(scenario),
+      kind_(kind),
+      guidance_(guidance) {}
 
 OperatingScreen::~OperatingScreen() {
   bone_.reset();
@@ -122,6 +128,7 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
   what.scenario = scenario_;
   what.person = visit_->person().id;
   what.kind = kind_;
+  what.guidance = guidance_;
   what.stereo_mode = stereo_.mode == StereoMode::Mono         ? "mono"
                      : stereo_.mode == StereoMode::SideBySide ? "side_by_side"
                                                               : "anaglyph";
@@ -345,13 +352,7 @@ Scene OperatingScreen::scene(Ui& ui) {
 /// The cut that the step at hand asks for, in practice only.
 const scenarios::PlannedCut* OperatingScreen::planned_cut() const {
   const OperatingTable& table = *prepared_.value().table;
-  if (!is_practice()) return nullptr;
-  for (std::size_t step = step_; step < table.scenario.steps.size(); ++step) {
-    const scenarios::OperationStep& each = table.scenario.steps[step];
-    if (each.kind == StepKind::Cut) return find_cut(table.plan, each.cut);
-    if (each.kind != StepKind::Verify) return nullptr;
-  }
-  return nullptr;
+  return is_practice() ? cut_at_step(table.scenario, table.plan, step_) : nullptr;
 }
 
 std::optional<PlanReading> OperatingScreen::plan_reading() const {

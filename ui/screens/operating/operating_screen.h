@@ -29,7 +29,8 @@ struct PreparedOperation {
 class OperatingScreen : public Screen {
  public:
   OperatingScreen(std::shared_ptr<Visit> visit, Places& places,
-                  database::ScenarioVersionId scenario, database::AttemptKind kind);
+                  database::ScenarioVersionId scenario, database::AttemptKind kind,
+                  simulator::Guidance guidance);
   ~OperatingScreen() override;
 
   Surround surround() const override { return Surround::Badge; }
@@ -87,6 +88,7 @@ class OperatingScreen : public Screen {
   Places& places_;
   database::ScenarioVersionId scenario_;
   database::AttemptKind kind_;
+  simulator::Guidance guidance_;
   Phase phase_ = Phase::Preparing;
   std::string why_not_leave_, stopped_;
   const char* paused_by_ = nullptr;  ///< a sentence of the catalogue, where it was not the person

@@ -54,7 +54,7 @@ std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
     database::TraineeDesk desk = desk_of(session);
     database::WriterLease lease = begin_live(database, desk, what, table->bone);
     return std::make_unique<LiveAttempt>(std::move(table), database, std::move(lease),
-                                         std::move(device));
+                                         std::move(device), what.guidance);
   });
 }
 

@@ -161,7 +161,8 @@ WoundFacts wound_of(const AttemptMaterial& material, const Examination& examinat
   WoundFacts wound;
   try {
     wound.traces =
-        traces_of(material.recording, material.bone, material.scenario.blade,
+        traces_of(material.recording, material.bone,
+                  saw_of_record(material.scenario.blade, material.header.begun.guidance),
                   examination.rebuilt.fields, trace_points, [&](double fraction) {
                     return report.reached(score_share + (wound_share - score_share) * fraction);
                   });

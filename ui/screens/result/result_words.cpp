@@ -144,6 +144,10 @@ std::vector<ScoreMark> score_marks(const Texts& texts, const ResultFacts& facts)
   add(header.begun.kind == database::AttemptKind::Assessment ? "result.mark.assessment"
                                                              : "result.mark.practice",
       Meaning::Neutral, false);
+  if (header.begun.guidance == simulator::Guidance::Soft)
+    add("result.mark.soft_guide", Meaning::Info);
+  if (header.begun.guidance == simulator::Guidance::Slot)
+    add("result.mark.slot_guide", Meaning::Info);
   return marks;
 }
 

@@ -32,6 +32,8 @@ class LooseCable final : public simulator::HapticDevice {
   RigidTransform pose_;
 };
 
+std::function<bool(double)> no_progress(const std::string&) { return {}; }
+
 template <typename Condition>
 bool soon(Condition&& holds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -42,15 +44,18 @@ bool soon(Condition&& holds) {
   return true;
 }
 
+std::shared_ptr<const OperatingTable> table_of(OperableCourse& course, Visit& visit) {
+  return visit.in_turn([&](database::Session&, database::Database& database) {
+    const database::ScenarioText text = database::get_scenario_version(database, course.version());
+    return std::make_shared<const OperatingTable>(
+        lay_table(scenarios::parse_scenario(text.json, text.name), no_progress));
+  });
+}
+
 TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
   OperableCourse course("silver");
   const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = visit->in_turn([&](database::Session&, database::Database& database) {
-    const database::ScenarioText text = database::get_scenario_version(database, course.version());
-    return std::make_shared<const OperatingTable>(
-        lay_table(scenarios::parse_scenario(text.json, text.name),
-                  [](const std::string&) { return std::function<bool(double)>(); }));
-  });
+  const auto table = table_of(course, *visit);
   LiveBegin what;
   what.scenario = course.version();
   what.person = visit->person().id;
@@ -81,6 +86,48 @@ TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
       ASSERT_FALSE(has(sample.status, ToolStatus::Faulted)) << sample.tick;
     }
   }
+}
+
+TEST(LiveAttempt, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
+  OperableCourse course("silver");
+  const std::shared_ptr<Visit> visit = course.visit_of_ada();
+  const auto table = table_of(course, *visit);
+  LiveBegin what;
+  what.scenario = course.version();
+  what.person = visit->person().id;
+  what.guidance = simulator::Guidance::Slot;
+  RigidTransform beside = start_pose(*table);
+  beside.translation_mm += Vec3(20.0, 20.0, 20.0);
+  const std::unique_ptr<LiveAttempt> live =
+      begin_operation(*visit, table, what, std::make_unique<LooseCable>(beside));
+  ASSERT_TRUE(soon([&] { return live->view().sample.tick > end_tick; }));
+  live->finish();
+  ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
+  EXPECT_EQ(course.attempt().begun.guidance, simulator::Guidance::Slot);
+
+  database::TraineeDesk desk = course.course().trainee("ada");
+  AttemptMaterial material = load_attempt(course.course().database(), desk, live->attempt());
+  EXPECT_TRUE(replay_attempt(material, no_progress)->is_identical);
+  material.header.begun.guidance = simulator::Guidance::None;
+  EXPECT_FALSE(replay_attempt(material, no_progress)->is_identical);
+}
+
+TEST(LiveAttempt, OfAnAssessmentIsNotBegunWithAGuide) {
+  OperableCourse course("silver");
+  const std::shared_ptr<Visit> visit = course.visit_of_ada();
+  const auto table = table_of(course, *visit);
+  LiveBegin what;
+  what.scenario = course.version();
+  what.person = visit->person().id;
+  what.kind = database::AttemptKind::Assessment;
+  what.guidance = simulator::Guidance::Soft;
+  try {
+    begin_operation(*visit, table, what, std::make_unique<LooseCable>(start_pose(*table)));
+    ADD_FAILURE() << "was begun";
+  } catch (const database::DatabaseError& error) {
+    EXPECT_EQ(error.kind(), database::DatabaseErrorKind::BadInput);
+  }
+  EXPECT_TRUE(course.course().trainee("ada").attempts().empty());
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_words.h"
 #include "ui/screens/result/wound_card.h"
+#include "ui/widgets/texts.h"
 
 namespace hallux::ui {
 namespace {
@@ -49,6 +50,22 @@ TEST(ResultScreen, ATraineeReadsScoreLedgerAndMarks) {
   EXPECT_FALSE(driver.has("result.decide")) << "a trainee decides nothing";
   EXPECT_FALSE(driver.sees("Computed again now")) << "the same score is no difference";
   EXPECT_THAT(driver.faults(), IsEmpty());
+}
+
+TEST(ResultMarks, SayHowAnAttemptWasGuided) {
+  const Texts texts = english_texts();
+  const auto guided_marks = [&](simulator::Guidance guidance) {
+    ResultFacts facts;
+    facts.header.begun.guidance = guidance;
+    std::vector<std::string> found;
+    for (const ScoreMark& mark : score_marks(texts, facts)) {
+      if (mark.words.starts_with("Guided")) found.push_back(mark.words);
+    }
+    return found;
+  };
+  EXPECT_THAT(guided_marks(simulator::Guidance::None), IsEmpty());
+  EXPECT_THAT(guided_marks(simulator::Guidance::Soft), ElementsAre("Guided softly"));
+  EXPECT_THAT(guided_marks(simulator::Guidance::Slot), ElementsAre("Guided like a slot"));
 }
 
 TEST(ResultScreen, OfThreeThingsToTakeAwayOneWasDoneWell) {
@@ -338,8 +355,10 @@ TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
   WoundedCourse akin;
   const assessment::Examination examination =
       assessment::examine(akin.operation.scenario, akin.operation.bone, akin.operation.recording);
-  const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
-                                  akin.operation.scenario.blade, examination.rebuilt.fields);
+  const Traces traces =
+      traces_of(akin.operation.recording, akin.operation.bone,
+                saw_of_record(akin.operation.scenario.blade, simulator::Guidance::None),
+                examination.rebuilt.fields);
   ASSERT_TRUE(was_hot(traces.heat)) << traces.heat.hottest_celsius;
   Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();

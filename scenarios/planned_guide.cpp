@@ -1,0 +1,30 @@
+#include "scenarios/planned_guide.h"
+
+namespace hallux::scenarios {
+
+simulator::GuidePlan planned_guide(const Scenario& scenario, const Plan& plan,
+                                   simulator::Guidance guidance) {
+  simulator::GuidePlan guide{guidance, {}};
+  if (guidance == simulator::Guidance::None) return guide;
+  for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
+    const PlannedCut* const cut = cut_at_step(scenario, plan, step);
+    auto& plane = guide.of_step.emplace_back();
+    // A face is finished bone: the middle of the blade lies half a kerf further into the waste.
+    if (cut != nullptr) {
+      plane = {cut->face.normal, cut->face.offset_mm + 0.5 * scenario.blade.size.kerf_mm};
+    }
+  }
+  return guide;
+}
+
+const PlannedCut* cut_at_step(const Scenario& scenario, const Plan& plan,
+                              std::size_t step) noexcept {
+  for (; step < scenario.steps.size(); ++step) {
+    const OperationStep& each = scenario.steps[step];
+    if (each.kind == StepKind::Cut) return find_cut(plan, each.cut);
+    if (each.kind != StepKind::Verify) return nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace hallux::scenarios
