@@ -180,8 +180,8 @@ TEST(HistoryScreen, CopiesTheChartsNumbersByButtonAndByKey) {
   looker.driver().press(Key::C, {.control = true});
   const std::string csv = looker.driver().clipboard().read();
   EXPECT_THAT(csv, HasSubstr("attempt,begun_utc,for,guidance,score,median_of_5\n1,"));
-  EXPECT_THAT(csv, HasSubstr(",practice,40.0,40.0\n2,"));
-  EXPECT_THAT(csv, HasSubstr(",assessment,,\n"));
+  EXPECT_THAT(csv, HasSubstr(",practice,none,40.0,40.0\n2,"));
+  EXPECT_THAT(csv, HasSubstr(",assessment,none,,\n"));
   EXPECT_TRUE(looker.driver().sees("2 attempts copied"));
   looker.driver().clipboard().write("");
   looker.driver().click("history.copy");
