@@ -1,17 +1,20 @@
 #include "scenarios/planned_guide.h"
 
+#include "simulator/base/check.h"
+
 namespace hallux::scenarios {
 
 simulator::GuidePlan planned_guide(const Scenario& scenario, const Plan& plan,
                                    simulator::Guidance guidance) {
   simulator::GuidePlan guide{guidance, {}};
   if (guidance == simulator::Guidance::None) return guide;
+  CHECK(scenario.steps.size() <= guide.of_step.size());
   for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
     const PlannedCut* const cut = cut_at_step(scenario, plan, step);
-    auto& plane = guide.of_step.emplace_back();
     // A face is finished bone: the middle of the blade lies half a kerf further into the waste.
     if (cut != nullptr) {
-      plane = {cut->face.normal, cut->face.offset_mm + 0.5 * scenario.blade.size.kerf_mm};
+      guide.of_step[step] = {cut->face.normal,
+                             cut->face.offset_mm + 0.5 * scenario.blade.size.kerf_mm};
     }
   }
   return guide;

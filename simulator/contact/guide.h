@@ -8,8 +8,9 @@
 /// source  docs/haptics.md 1
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "simulator/base/transform.h"
 #include "simulator/record/guidance.h"
@@ -29,10 +30,13 @@ struct GuidePlane {
   double offset_mm = 0.0;
 };
 
+/// As many as an operation has at most.
+inline constexpr std::size_t guided_steps_at_most = 64;
+
 /// For an attempt: how firmly, and the plane of each of the operation's steps, nothing where a step has none.
 struct GuidePlan {
   Guidance guidance = Guidance::None;
-  std::vector<std::optional<GuidePlane>> of_step;
+  std::array<std::optional<GuidePlane>, guided_steps_at_most> of_step{};
 };
 
 /// What the guide is a share of.
