@@ -21,8 +21,7 @@ WoundTrack follow_wound(const simulator::Bone& bone, const SawOfRecord& saw,
   CHECK(stretch > 0);
   const simulator::TissueMap tissue(bone);
   simulator::KerfSet kerfs(saw.blade, bone.world_from_bone);
-  simulator::Wound wound(bone.world_from_bone, saw.blade, saw.cycles_per_minute,
-                         {{}, saw.thickness_mm, saw.is_guided}, saw.sharpness);
+  simulator::Wound wound(bone.world_from_bone, saw.blade, saw.in_hand, {{}, saw.thickness_mm});
   WoundTrack track;
   const std::size_t count = recording.samples.size();
   open_kerfs(

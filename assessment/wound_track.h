@@ -22,10 +22,8 @@ struct WoundTrack {
 /// The saw that made a recording.
 struct SawOfRecord {
   simulator::BladeSize blade;
-  double cycles_per_minute = 0.0;
   double thickness_mm = 0.0;  ///< of the steel
-  double sharpness = 1.0;
-  bool is_guided = false;  ///< the hand was, by the planned plane
+  simulator::SawInHand in_hand;
 };
 
 /// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still leads heat away here: a

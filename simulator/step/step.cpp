@@ -18,9 +18,9 @@ std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
 }
 
-WoundSettings guided_by(const GuidePlan& guide, WoundSettings wound) {
-  wound.is_guided = guide.guidance != Guidance::None;
-  return wound;
+SawInHand saw_of(const ContactSettings& settings) noexcept {
+  return {settings.cycles_per_minute, settings.sharpness,
+          settings.guide.guidance != Guidance::None};
 }
 
 }  // namespace
@@ -33,8 +33,7 @@ Operation::Operation(const TissueMap& tissue, const RigidTransform& world_from_b
       bone_from_world_(inverse(world_from_bone)),
       settings_(settings),
       kerfs_(blade, world_from_bone),
-      wound_(world_from_bone, blade, settings.cycles_per_minute, guided_by(settings.guide, wound),
-             settings.sharpness) {}
+      wound_(world_from_bone, blade, saw_of(settings), wound) {}
 
 StepOutput Operation::step(const StepInput& input) noexcept {
   StepOutput output;

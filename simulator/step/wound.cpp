@@ -17,13 +17,13 @@ std::span<const DangerCapsule> watched(const WoundSettings& settings) noexcept {
 
 }  // namespace
 
-Wound::Wound(const RigidTransform& world_from_bone, const BladeSize& blade,
-             double cycles_per_minute, const WoundSettings& settings, double sharpness)
+Wound::Wound(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
+             const WoundSettings& settings)
     : bone_from_world_(inverse(world_from_bone)),
       blade_(blade),
       thickness_mm_(settings.blade_thickness_mm),
-      is_guided_(settings.is_guided),
-      heat_(blade, world_from_bone, cycles_per_minute, sharpness),
+      is_guided_(saw.is_guided),
+      heat_(blade, world_from_bone, saw.cycles_per_minute, saw.sharpness),
       danger_(world_from_bone, blade, watched(settings)) {}
 
 void Wound::follow(const ToolSample& sample, const StandingBone& bone) noexcept {

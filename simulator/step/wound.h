@@ -16,8 +16,13 @@ struct WoundSettings {
   std::vector<DangerCapsule> danger_zones =
       {};                           ///< at most danger_zone_limit; the rest is not watched
   double blade_thickness_mm = 0.4;  ///< of the steel
-  /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that tells of no bend. In a step
-  /// the contact's settings decide.
+};
+
+/// How the saw runs and who leads it.
+struct SawInHand {
+  double cycles_per_minute = 0.0;
+  double sharpness = 1.0;
+  /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that tells of no bend.
   bool is_guided = false;
 };
 
@@ -30,8 +35,8 @@ struct BladeFlex {
 class Wound {
  public:
   /// Takes all its memory here.
-  Wound(const RigidTransform& world_from_bone, const BladeSize& blade, double cycles_per_minute,
-        const WoundSettings& settings, double sharpness = 1.0);
+  Wound(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
+        const WoundSettings& settings);
 
   /// needs   samples in their order; `bone` as it stands after the sample
   /// thread  haptic; allocates nothing

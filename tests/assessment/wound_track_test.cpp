@@ -35,7 +35,7 @@ void saw_and_rest(OperationRun& run) {
 
 WoundTrack track_of(const Bone& bone, const OperationRun& run, const Progress& progress = {},
                     double sharpness = 1.0) {
-  return follow_wound(bone, {{}, simulator::ContactSettings{}.cycles_per_minute, 0.4, sharpness},
+  return follow_wound(bone, {{}, 0.4, {simulator::ContactSettings{}.cycles_per_minute, sharpness}},
                       run.recording(), stretch, progress);
 }
 
@@ -107,7 +107,7 @@ TEST(WoundTrack, OfAGuidedHandKnowsABendInAKerfOnly) {
   run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 1500);
   const double cycles_per_minute = simulator::ContactSettings{}.cycles_per_minute;
   const auto greatest_mm = [&](bool is_guided) {
-    const SawOfRecord saw{{}, cycles_per_minute, 0.4, 1.0, is_guided};
+    const SawOfRecord saw{{}, 0.4, {cycles_per_minute, 1.0, is_guided}};
     return follow_wound(bone, saw, run.recording(), stretch).greatest_deflection_mm;
   };
   EXPECT_LT(greatest_mm(true), 0.02);

@@ -83,8 +83,9 @@ std::vector<ZoneContact> watched_zones(const scenarios::Scenario& scenario,
 
 assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
                                       simulator::Guidance guidance) noexcept {
-  return {blade.size, blade.cycles_per_minute, blade.thickness_mm, blade.sharpness,
-          guidance != simulator::Guidance::None};
+  return {blade.size,
+          blade.thickness_mm,
+          {blade.cycles_per_minute, blade.sharpness, guidance != simulator::Guidance::None}};
 }
 
 Traces traces_of(const Recording& recording, const Bone& bone, const assessment::SawOfRecord& saw,

@@ -149,8 +149,8 @@ TEST(GuidedHand, BendsNoBladeThatStandsOnBone) {
   EXPECT_LT(run.force_in_bone_newton().x, -4.0);
   EXPECT_EQ(output.flex.deflection_mm, 0.0);
   const auto bend_mm = [&](bool is_guided) {
-    const WoundSettings settings{.is_guided = is_guided};
-    return std::abs(WoundFollower(bone, run.recording(), settings).wound().flex().deflection_mm);
+    const WoundFollower follower(bone, run.recording(), {}, is_guided);
+    return std::abs(follower.wound().flex().deflection_mm);
   };
   EXPECT_EQ(bend_mm(true), 0.0);
   EXPECT_GT(bend_mm(false), 0.5) << "the same record, as if the blade bore it all";

@@ -7,11 +7,12 @@ using simulator::CutEventKind;
 using simulator::ToolSample;
 
 WoundFollower::WoundFollower(const simulator::Bone& bone, const simulator::Recording& recording,
-                             const simulator::WoundSettings& settings,
-                             const simulator::BladeSize& blade)
+                             const simulator::WoundSettings& settings, bool is_guided)
     : tissue_(bone),
-      kerfs_(blade, bone.world_from_bone),
-      wound_(bone.world_from_bone, blade, simulator::ContactSettings{}.cycles_per_minute,
+      kerfs_(simulator::BladeSize{}, bone.world_from_bone),
+      wound_(bone.world_from_bone, {},
+             {.cycles_per_minute = simulator::ContactSettings{}.cycles_per_minute,
+              .is_guided = is_guided},
              settings) {
   auto next = recording.events.begin();
   for (const ToolSample& sample : recording.samples) {

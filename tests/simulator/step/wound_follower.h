@@ -12,8 +12,7 @@ class WoundFollower {
  public:
   /// Follows the whole record: the planes that were frozen, and each sample. Borrows `bone`.
   WoundFollower(const simulator::Bone& bone, const simulator::Recording& recording,
-                const simulator::WoundSettings& settings = {},
-                const simulator::BladeSize& blade = {});
+                const simulator::WoundSettings& settings = {}, bool is_guided = false);
 
   const simulator::Wound& wound() const noexcept { return wound_; }
   const std::vector<simulator::CutEvent>& events() const noexcept { return events_; }

@@ -149,7 +149,7 @@ TEST(Wound, OfTheStepIsWhatItsRecordTells) {
 
 TEST(Wound, MoreZonesThanTheLimitAreNotWatched) {
   const WoundSettings settings{.danger_zones = std::vector<DangerCapsule>(danger_zone_limit + 3)};
-  const Wound wound({}, {}, 12000.0, settings);
+  const Wound wound({}, {}, {12000.0}, settings);
   EXPECT_EQ(wound.danger().tracks().size(), danger_zone_limit);
 }
 
