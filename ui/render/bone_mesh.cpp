@@ -104,6 +104,29 @@ void light_skin(BoneVertex& vertex, const DepthVolume& depth) {
   vertex.openness = short_of(openness_at(depth, point_mm, normal_of(vertex)));
 }
 
+Vec3 normal_of(const simulator::IndexedMesh& mesh, const Triangle& triangle) {
+  const Vec3& first_mm = mesh.points_mm[triangle[0]];
+  const Vec3 area =
+      glm::cross(mesh.points_mm[triangle[1]] - first_mm, mesh.points_mm[triangle[2]] - first_mm);
+  const double length = glm::length(area);
+  return length > 0.0 ? area / length : Vec3(0.0);
+}
+
+/// Of the solid's triangles with these numbers, which are drawn after each other.
+TriangleCluster cluster_of(const simulator::IndexedMesh& solid,
+                           std::span<const std::uint32_t> numbers, std::size_t first) {
+  TriangleCluster cluster{
+      {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(numbers.size())}, {}, {}};
+  std::vector<Vec3> normals;
+  normals.reserve(numbers.size());
+  for (const std::uint32_t i : numbers) {
+    for (const std::uint32_t point : solid.triangles[i]) cluster.box.add(solid.points_mm[point]);
+    normals.push_back(normal_of(solid, solid.triangles[i]));
+  }
+  cluster.normals = cone_around(normals);
+  return cluster;
+}
+
 /// Adds the triangles that are picked, neighbours after each other.
 std::vector<TriangleCluster> add_clustered(BoneMesh& mesh, const std::vector<Triangle>& triangles,
                                            std::span<const std::uint32_t> picked) {
@@ -111,19 +134,17 @@ std::vector<TriangleCluster> add_clustered(BoneMesh& mesh, const std::vector<Tri
   std::vector<Vec3> middles_mm;
   middles_mm.reserve(picked.size());
   for (const std::uint32_t i : picked) middles_mm.push_back(middle_of(solid, solid.triangles[i]));
+  std::vector<std::uint32_t> ordered = order_by_place(middles_mm);
+  for (std::uint32_t& number : ordered) number = picked[number];
   std::vector<TriangleCluster> clusters;
-  for (const std::uint32_t number : order_by_place(middles_mm)) {
-    const std::uint32_t i = picked[number];
-    const auto place = static_cast<std::uint32_t>(mesh.triangles.size());
-    if (clusters.empty() || clusters.back().run.count == cluster_triangles) {
-      clusters.push_back({{place, 0}, {}});
+  const std::span<const std::uint32_t> all(ordered);
+  for (std::size_t first = 0; first < all.size(); first += cluster_triangles) {
+    const std::size_t count = std::min<std::size_t>(cluster_triangles, all.size() - first);
+    clusters.push_back(cluster_of(solid, all.subspan(first, count), mesh.triangles.size()));
+    for (const std::uint32_t i : all.subspan(first, count)) {
+      mesh.place_of[i] = static_cast<std::uint32_t>(mesh.triangles.size());
+      mesh.triangles.push_back(triangles[i]);
     }
-    ++clusters.back().run.count;
-    for (const std::uint32_t point : solid.triangles[i]) {
-      clusters.back().box.add(solid.points_mm[point]);
-    }
-    mesh.place_of[i] = place;
-    mesh.triangles.push_back(triangles[i]);
   }
   return clusters;
 }

@@ -89,10 +89,15 @@ PixelBox pixels_of(const Frame& frame, const BoneInScene& bone) {
 }
 
 /// What of the bone may be seen through part of the picture.
-Frustum frustum_of(const Frame& frame, const DoubleMatrix4& clip_from_bone, const PixelBox& part) {
+Frustum frustum_of(const Frame& frame, const BoneInScene& bone, const DoubleMatrix4& clip_from_bone,
+                   const PixelBox& part) {
   const Vec2 size(frame.target.size.width, frame.target.size.height);
-  return frustum_through(clip_from_bone, Vec2(part.left, part.bottom) / size,
-                         Vec2(part.right, part.top) / size);
+  Frustum frustum = frustum_through(clip_from_bone, Vec2(part.left, part.bottom) / size,
+                                    Vec2(part.right, part.top) / size);
+  if (!bone.cut_away) {
+    frustum.eye_mm = transform_point(inverse(bone.world_from_bone), frame.view.eye_in_world_mm);
+  }
+  return frustum;
 }
 
 /// The saw's shadow on bones.
@@ -192,7 +197,7 @@ void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const 
     glEnable(GL_CLIP_DISTANCE0);
     glDisable(GL_CULL_FACE);
   }
-  const Frustum frustum = frustum_of(frame, clip_from_bone, part);
+  const Frustum frustum = frustum_of(frame, bone, clip_from_bone, part);
   BoneView& view = bones_.at(bone.mesh->id).view;
   glStencilFunc(GL_ALWAYS, stencil, all_bits);
   view.draw_skin(frustum);

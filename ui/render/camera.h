@@ -30,6 +30,8 @@ struct Camera {
   Quat world_from_view{1.0, 0.0, 0.0, 0.0};  ///< view: x right, y up, z to the viewer
   double magnification = 8.0;                ///< millimetres on the screen for one in the world
   double target_depth_mm = 6.0;  ///< how far behind the screen plane the target lies, in the world
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 enum class StandardView : std::uint8_t {

@@ -57,6 +57,7 @@ struct OpenGlScenePainter::Parts {
   std::map<std::string, ShownPixels, std::less<>> shown;
   DrawTarget window;
   bool has_scene_behind = false;
+  std::optional<Camera> camera_behind;  ///< of the frame before, if there was one
   long frame = 0, last_scene_frame = 0;
 };
 
@@ -70,7 +71,7 @@ void OpenGlScenePainter::set_quality(const RenderQuality& quality) {
 void OpenGlScenePainter::begin_frame(const DrawTarget& window) {
   Parts& parts = *parts_;
   parts.window = window;
-  parts.has_scene_behind = false;
+  if (!std::exchange(parts.has_scene_behind, false)) parts.camera_behind.reset();
   const long oldest = ++parts.frame - frames_kept;
   std::erase_if(parts.drawn, [&](const auto& entry) { return entry.second.last_frame < oldest; });
   std::erase_if(parts.shown, [&](const auto& entry) { return entry.second.last_frame < oldest; });
@@ -115,7 +116,11 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
   Parts& parts = *parts_;
   if (!parts.stage) parts.stage.emplace();
   StereoSetting live = setting;
-  live.eye_columns = std::min(setting.eye_columns, live_eye_columns());
+  const std::optional<Camera> before = std::exchange(parts.camera_behind, camera);
+  const bool is_moving = before && *before != camera;
+  if (setting.mode != StereoMode::Mono || is_moving) {
+    live.eye_columns = std::min(setting.eye_columns, live_eye_columns());
+  }
   parts.stage->begin(live, parts.window.size);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && parts.stage->eye_count() < 2) continue;
@@ -124,6 +129,10 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
   }
   parts.has_scene_behind = true;
   parts.last_scene_frame = parts.frame;
+}
+
+bool OpenGlScenePainter::is_coarse() const noexcept {
+  return parts_->has_scene_behind && parts_->stage->panels_come_last();
 }
 
 std::size_t OpenGlScenePainter::triangles() const noexcept {
@@ -144,6 +153,11 @@ void OpenGlScenePainter::finish_frame(const std::array<std::uint8_t, 3>& page,
     draw_panels(static_cast<float>(target.size.width) /
                 static_cast<float>(parts.window.size.width));
   };
+  if (parts.stage->panels_come_last()) {
+    parts.stage->compose(parts.window);
+    draw_into(parts.window);
+    return;
+  }
   if (const RenderTarget* panels = parts.stage->panels()) {
     draw_into(panels->target());
   } else {

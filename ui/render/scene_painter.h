@@ -39,6 +39,9 @@ class ScenePainter {
   /// errors  GraphicsError
   virtual void draw_behind(const Scene& scene, const Camera& camera,
                            const StereoSetting& setting) = 0;
+  /// Whether the scene behind has fewer columns in this frame, as a processor draws it and the camera has just moved: another
+  /// frame shows it whole.
+  virtual bool is_coarse() const noexcept { return false; }
 
   /// Triangles of the scene that was drawn last.
   virtual std::size_t triangles() const noexcept = 0;
@@ -75,6 +78,7 @@ class OpenGlScenePainter final : public ScenePainter {
   std::uint64_t drawn(std::string_view name, PixelSize size) override;
   std::uint64_t show(std::string_view name, std::shared_ptr<const Pixels> pixels) override;
   void draw_behind(const Scene& scene, const Camera& camera, const StereoSetting& setting) override;
+  bool is_coarse() const noexcept override;
   std::size_t triangles() const noexcept override;
 
   /// Calls `draw_panels` for each picture that takes panels, bound and ready: each eye's over the scene behind, with the share

@@ -52,7 +52,7 @@ void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
   window_ = {std::max(window.width, 1), std::max(window.height, 1)};
   PixelSize eye = window_;
   if (setting.mode == StereoMode::SideBySide) eye.width = std::max(window_.width / 2, 1);
-  if (setting.mode == StereoMode::Anaglyph) {
+  if (setting.mode != StereoMode::SideBySide) {
     eye.width = std::max(static_cast<int>(window_.width * setting.eye_columns), 1);
   }
   resize(left_, eye);
@@ -68,6 +68,10 @@ void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
   } else {
     panels_.reset();
   }
+}
+
+bool StereoStage::panels_come_last() const noexcept {
+  return setting_.mode == StereoMode::Mono && left_->size() != window_;
 }
 
 const RenderTarget& StereoStage::eye(Eye eye) const {

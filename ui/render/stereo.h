@@ -20,11 +20,11 @@ struct StereoSetting {
   StereoMode mode = StereoMode::Mono;
   bool is_swapped = false;  ///< the left eye's picture goes to the right eye
   Viewer viewer{};
-  /// Columns of an eye's picture over those of the window, in an anaglyph: drawing two whole pictures is too much for a processor.
+  /// Columns of an eye's picture over those of the window, in mono and in an anaglyph: more is too much for a processor.
   double eye_columns = 1.0;
 };
 
-/// What this machine draws fast enough.
+/// What this machine draws fast enough of two pictures, or of one that is new all over.
 /// needs   a current context
 double live_eye_columns();
 
@@ -48,8 +48,10 @@ class StereoStage {
   const RenderTarget& eye(Eye eye) const;
   /// What stands still of that eye's picture.
   KeptPicture& kept(Eye eye) noexcept { return eye == Eye::Right ? right_kept_ : left_kept_; }
-  /// Where panels are drawn once for both eyes, transparent until then; nullptr where they belong into each eye's picture. They
-  /// lie in the plane of the screen, where both eyes see the same.
+  /// Whether panels belong into the window after all is composed: the one picture has fewer columns than they need.
+  bool panels_come_last() const noexcept;
+  /// Where panels are drawn once for both eyes, transparent until then; nullptr where they belong into each eye's picture or come
+  /// last. They lie in the plane of the screen, where both eyes see the same.
   const RenderTarget* panels() const noexcept { return panels_ ? &*panels_ : nullptr; }
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;

@@ -1,6 +1,7 @@
 #include "ui/render/triangle_clusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace hallux::ui {
@@ -48,8 +49,9 @@ Frustum frustum_through(const DoubleMatrix4& clip_from_frame, const Vec2& low,
                         const Vec2& high) noexcept {
   const glm::dvec4 x = row(clip_from_frame, 0), y = row(clip_from_frame, 1),
                    w = row(clip_from_frame, 3);
-  return {{x - (2.0 * low.x - 1.0) * w, (2.0 * high.x - 1.0) * w - x, y - (2.0 * low.y - 1.0) * w,
-           (2.0 * high.y - 1.0) * w - y}};
+  return {{{x - (2.0 * low.x - 1.0) * w, (2.0 * high.x - 1.0) * w - x, y - (2.0 * low.y - 1.0) * w,
+            (2.0 * high.y - 1.0) * w - y}},
+          std::nullopt};
 }
 
 bool may_be_seen(const Frustum& frustum, const Box& box) noexcept {
@@ -61,11 +63,35 @@ bool may_be_seen(const Frustum& frustum, const Box& box) noexcept {
   });
 }
 
+NormalCone cone_around(std::span<const Vec3> normals) noexcept {
+  Vec3 sum(0.0);
+  for (const Vec3& normal : normals) sum += normal;
+  const double length = glm::length(sum);
+  if (length < 1e-9) return {};
+  NormalCone cone{sum / length, 0.0};
+  double least_cosine = 1.0;
+  for (const Vec3& normal : normals) {
+    if (normal != Vec3(0.0)) least_cosine = std::min(least_cosine, glm::dot(normal, cone.axis));
+  }
+  cone.sine = least_cosine <= 0.0 ? 1.0 : std::sqrt(1.0 - least_cosine * least_cosine);
+  return cone;
+}
+
+bool faces_away(const TriangleCluster& cluster, const Vec3& eye_mm) noexcept {
+  if (cluster.normals.sine >= 1.0) return false;
+  const Vec3 middle_mm = 0.5 * (cluster.box.low_mm + cluster.box.high_mm);
+  const double radius_mm = glm::distance(middle_mm, cluster.box.high_mm);
+  const Vec3 sight_mm = middle_mm - eye_mm;
+  return glm::dot(sight_mm, cluster.normals.axis) >
+         cluster.normals.sine * glm::length(sight_mm) + radius_mm;
+}
+
 void find_seen(std::span<const TriangleCluster> clusters, const Frustum& frustum,
                std::vector<TriangleRun>& runs) {
   runs.clear();
   for (const TriangleCluster& cluster : clusters) {
     if (!may_be_seen(frustum, cluster.box)) continue;
+    if (frustum.eye_mm && faces_away(cluster, *frustum.eye_mm)) continue;
     if (!runs.empty() && runs.back().first + runs.back().count == cluster.run.first) {
       runs.back().count += cluster.run.count;
     } else {

@@ -107,9 +107,13 @@ int run(double edge_mm, const std::filesystem::path& folder) {
 }  // namespace hallux::benchmarks
 
 int main(int count, char** words) {
+  const double edge_mm = count > 1 ? std::atof(words[1]) : 0.44;
+  if (edge_mm < 0.05) {
+    std::cerr << "usage: live_frames [EDGE_MM [PICTURE_FOLDER]], edges of 0.05 mm and more\n";
+    return 2;
+  }
   try {
-    return hallux::benchmarks::run(count > 1 ? std::atof(words[1]) : 0.44,
-                                   count > 2 ? words[2] : std::filesystem::path());
+    return hallux::benchmarks::run(edge_mm, count > 2 ? words[2] : std::filesystem::path());
   } catch (const std::exception& error) {
     std::cerr << "live_frames: " << error.what() << '\n';
     return 1;

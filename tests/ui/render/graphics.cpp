@@ -61,4 +61,10 @@ void whiten_column(const ui::DrawTarget& target, int column) {
   glDisable(GL_SCISSOR_TEST);
 }
 
+ui::DrawTarget bound_target(ui::PixelSize size) {
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  return {static_cast<unsigned>(framebuffer), 0, 0, size};
+}
+
 }  // namespace hallux::tests

@@ -52,5 +52,7 @@ bool is_bone_coloured(const Colour& colour);
 
 /// Makes one column of a picture opaque white.
 void whiten_column(const ui::DrawTarget& target, int column);
+/// What is drawn into now, which has that size.
+ui::DrawTarget bound_target(ui::PixelSize size);
 
 }  // namespace hallux::tests

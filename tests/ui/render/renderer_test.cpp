@@ -10,6 +10,7 @@
 
 #include "tests/ui/render/graphics.h"
 #include "tests/ui/render/operating_world.h"
+#include "ui/render/headless_context.h"
 #include "ui/render/picture.h"
 #include "ui/render/scene_painter.h"
 #include "ui/render/stereo.h"
@@ -342,6 +343,44 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
   }
   stage.begin({.mode = StereoMode::SideBySide}, size);
   EXPECT_EQ(stage.panels(), nullptr) << "there panels belong into each eye's half";
+}
+
+// A processor draws a view that moves with fewer columns: for that one frame, and never the panels.
+TEST_F(Pictures, AViewThatMovesIsCoarseUntilItRests) {
+  ASSERT_TRUE(is_software_renderer());
+  const RenderTarget window(size);
+  OpenGlScenePainter painter;
+  constexpr int line = 21;
+  const auto frame = [&](OpenGlScenePainter& with, const Camera& camera, bool has_line = false) {
+    with.begin_frame(window.target());
+    with.draw_behind(world->scene(), camera, {});
+    with.finish_frame({0, 0, 0}, [&](float columns) {
+      EXPECT_EQ(columns, 1.0F);
+      if (has_line) whiten_column(bound_target(size), line);
+    });
+    return window.read();
+  };
+  const Camera turned = orbited(world->camera(), 0.3, -0.1);
+  frame(painter, world->camera());
+  EXPECT_FALSE(painter.is_coarse()) << "nothing moved before the first frame";
+  const Pixels moving = frame(painter, turned, true);
+  EXPECT_TRUE(painter.is_coarse());
+  const Pixels at_rest = frame(painter, turned, true);
+  EXPECT_FALSE(painter.is_coarse());
+  double difference = 0.0;
+  for (int y = 0; y < size.height; ++y) {
+    for (const int x : {line - 1, line, line + 1}) {
+      const Colour colour = pixel_at(moving, x, y);
+      ASSERT_EQ(std::min({colour.red, colour.green, colour.blue}) == 255, x == line);
+    }
+    for (int x = 0; x < size.width; ++x)
+      difference += std::abs(pixel_at(moving, x, y).green - pixel_at(at_rest, x, y).green);
+  }
+  difference /= size.width * size.height;
+  EXPECT_GT(difference, 0.05) << "as fine as at rest";
+  EXPECT_LT(difference, 4.0) << "another picture";
+  OpenGlScenePainter never_turned;
+  EXPECT_EQ(frame(never_turned, turned, true).rgba, at_rest.rgba);
 }
 
 TEST_F(Pictures, SideBySideShowsTheLeftEyeOnTheLeftUnlessSwapped) {

@@ -82,15 +82,52 @@ TEST(TriangleClusters, RunsThatFollowEachOtherAreDrawnAtOnce) {
     box.add(Vec3(x_mm, 0.0, 0.0));
     return box;
   };
-  const std::vector<TriangleCluster> clusters{{{0, 10}, box_at(0.5)},
-                                              {{10, 10}, box_at(0.6)},
-                                              {{20, 10}, box_at(7.0)},
-                                              {{30, 4}, box_at(0.1)}};
+  const std::vector<TriangleCluster> clusters{{{0, 10}, box_at(0.5), {}},
+                                              {{10, 10}, box_at(0.6), {}},
+                                              {{20, 10}, box_at(7.0), {}},
+                                              {{30, 4}, box_at(0.1), {}}};
   // An orthographic box of one millimetre to each side.
   const Frustum frustum = frustum_through(DoubleMatrix4(1.0), Vec2(0.0), Vec2(1.0));
   std::vector<TriangleRun> runs{{5, 5}};
   find_seen(clusters, frustum, runs);
   EXPECT_EQ(runs, (std::vector<TriangleRun>{{0, 20}, {30, 4}}));
+}
+
+TEST(TriangleClusters, WhatFacesAwayShowsNoneOfItsTriangles) {
+  Random random(17);
+  std::size_t away = 0;
+  for (int i = 0; i < 3000; ++i) {
+    // Triangles of a wavy patch, and an eye anywhere around it.
+    const Vec3 axis = glm::normalize(some_point(random, 1.0));
+    std::vector<Vec3> normals;
+    std::vector<Vec3> points_mm;
+    TriangleCluster cluster;
+    for (int k = 0; k < 12; ++k) {
+      normals.push_back(glm::normalize(axis + some_point(random, 0.3)));
+      points_mm.push_back(some_point(random, 2.0));
+      cluster.box.add(points_mm.back());
+    }
+    cluster.normals = cone_around(normals);
+    const Vec3 eye_mm = some_point(random, 60.0);
+    if (!faces_away(cluster, eye_mm)) continue;
+    ++away;
+    for (const Vec3& normal : normals) {
+      for (const Vec3& point_mm : points_mm) EXPECT_GT(glm::dot(normal, point_mm - eye_mm), 0.0);
+    }
+  }
+  EXPECT_GT(away, 500U);
+  EXPECT_LT(away, 1500U);
+}
+
+TEST(TriangleClusters, NormalsAllAroundMayFaceAnything) {
+  const std::vector<Vec3> opposite{Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  EXPECT_EQ(cone_around(opposite).sine, 1.0);
+  const std::vector<Vec3> wide{Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  EXPECT_EQ(cone_around(wide).sine, 1.0);
+  EXPECT_EQ(cone_around({}).sine, 1.0);
+  // Triangles without area have no say.
+  const std::vector<Vec3> one{Vec3(0.0, 1.0, 0.0), Vec3(0.0)};
+  EXPECT_EQ(cone_around(one).sine, 0.0);
 }
 
 }  // namespace

@@ -278,7 +278,7 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
   triangles_ = shell.scenes().triangles();
   ++pictures_;
   const bool is_running = phase_ == Phase::Operating && asking_ == Asking::Nothing && !is_paused_;
-  if (is_running) {
+  if (is_running || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
   } else if (phase_ != Phase::Ready && (!bone_ || !bone_->is_up_to_date() || !is_paused_)) {
     ui.want_frame_in_s(soon_s);
