@@ -125,14 +125,19 @@ assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts
     if (attempt.header.scenario_name == scenario_name)
       newest_rubric = std::max(newest_rubric, attempt.rubric_version);
   }
-  std::vector<bool> passed;
+  std::vector<const JudgedAttempt*> judged;
   for (const JudgedAttempt& attempt : attempts) {
     const database::AttemptHeader& header = attempt.header;
     if (header.scenario_name == scenario_name && attempt.rubric_version == newest_rubric &&
         header.begun.kind == database::AttemptKind::Assessment &&
         attempt.pass != assessment::PassAnswer::NotDecided) {
-      passed.push_back(attempt.pass == assessment::PassAnswer::Reached);
+      judged.push_back(&attempt);
     }
+  }
+  std::vector<bool> passed;
+  for (const JudgedAttempt* attempt : judged) {
+    if (attempt->header.begun.device_class == judged.back()->header.begun.device_class)
+      passed.push_back(attempt->pass == assessment::PassAnswer::Reached);
   }
   return assessment::learning_state(passed);
 }

@@ -65,7 +65,8 @@ OwnOperation own_operation(database::Session& session, database::Database& datab
 int difficulty_of(const scenarios::Scenario& scenario) noexcept;
 
 /// How somebody learns an operation: by their assessments that pass or do not, see assessment/learning.h. The curve is of
-/// the newest rubric that scored any of them: what was declared stands until an attempt is scored by another.
+/// the newest rubric that scored any of them: what was declared stands until an attempt is scored by another; and of the
+/// device class of the last one: who has learnt it by mouse has not yet by an arm.
 /// needs   attempts are oldest first
 assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
                                       const std::string& scenario_name);

@@ -110,7 +110,8 @@ std::array<Fact, 4> facts_of(const Ui& ui, const OperationHistory& history) {
     if (!attempt.score_milli) continue;
     last.value = points_text(*attempt.score_milli);
     last.note = moment_text(attempt.header.started_utc);
-    median.value = points_text(std::llround(history.medians[number].y * 1000.0));
+    if (const double points = history.medians[number].y; !std::isnan(points))
+      median.value = points_text(std::llround(points * 1000.0));
     if (*attempt.score_milli <= best_milli) continue;
     best_milli = *attempt.score_milli;
     best.value = last.value;

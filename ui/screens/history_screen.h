@@ -20,13 +20,15 @@ struct OperationHistory {
   std::vector<JudgedAttempt> attempts;      ///< oldest first, the void ones too
   std::vector<int> numbers;                 ///< of each attempt, from 1; 0: void
   std::vector<std::size_t> counted;         ///< those with a number, in their order
-  std::vector<ChartPoint> scores, medians;  ///< of the counted ones; a gap where there is no score
+  std::vector<ChartPoint> scores;           ///< of the counted ones; a gap where there is none
+  /// Of the last five by the same device class; a gap where there is no score and where the planned plane guided the hand.
+  std::vector<ChartPoint> medians;
   assessment::LearningState learning;
 };
 
 /// By operation, that of the newest attempt first.
 std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& attempts);
-/// A line for each counted attempt, with a head: "attempt,begun_utc,for,score,median_of_5".
+/// A line for each counted attempt, with a head: "attempt,begun_utc,for,device,guidance,score,median_of_5".
 std::string csv_of(const OperationHistory& history);
 
 class HistoryScreen : public Screen {

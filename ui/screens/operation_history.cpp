@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "ui/screens/history_screen.h"
 #include "ui/screens/words.h"
@@ -20,11 +21,24 @@ std::vector<std::string> names_of(const std::vector<JudgedAttempt>& attempts) {
   return names;
 }
 
-/// The points of the chart; the median runs over the scores that there are.
+/// Medians over the last scores, of each device class for itself.
+class RunningMedians {
+ public:
+  double with(const std::string& device_class, double score) {
+    std::vector<double>& last = last_[device_class];
+    last.push_back(score);
+    if (last.size() > median_window) last.erase(last.begin());
+    return assessment::running_median(last, median_window).back();
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> last_;
+};
+
+/// The points of the chart; the median runs over the scores that there are, those of a guided hand aside.
 void count(OperationHistory& history) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> scores;
-  std::vector<std::size_t> scored;
+  RunningMedians medians;
   for (const JudgedAttempt& attempt : history.attempts) {
     const bool counts = attempt.header.state != database::AttemptState::Void;
     history.numbers.push_back(counts ? static_cast<int>(history.counted.size()) + 1 : 0);
@@ -34,13 +48,11 @@ void count(OperationHistory& history) {
     history.scores.push_back({place, nothing});
     history.medians.push_back({place, nothing});
     if (!attempt.score_milli) continue;
-    scored.push_back(history.scores.size() - 1);
-    scores.push_back(static_cast<double>(*attempt.score_milli) / 1000.0);
-  }
-  const std::vector<double> medians = assessment::running_median(scores, median_window);
-  for (std::size_t number = 0; number < scored.size(); ++number) {
-    history.scores[scored[number]].y = scores[number];
-    history.medians[scored[number]].y = medians[number];
+    const double score = static_cast<double>(*attempt.score_milli) / 1000.0;
+    history.scores.back().y = score;
+    const database::NewAttempt& begun = attempt.header.begun;
+    if (begun.guidance != simulator::Guidance::None) continue;
+    history.medians.back().y = medians.with(begun.device_class, score);
   }
 }
 
@@ -64,11 +76,11 @@ std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& att
 }
 
 std::string csv_of(const OperationHistory& history) {
-  std::string csv = "attempt,begun_utc,for,guidance,score,median_of_5\n";
+  std::string csv = "attempt,begun_utc,for,device,guidance,score,median_of_5\n";
   for (std::size_t number = 0; number < history.counted.size(); ++number) {
     const database::AttemptHeader& header = history.attempts[history.counted[number]].header;
     csv += std::to_string(number + 1) + "," + header.started_utc + "," +
-           std::string(name_of(header.begun.kind)) + "," +
+           std::string(name_of(header.begun.kind)) + "," + header.begun.device_class + "," +
            std::string(database::name_of(header.begun.guidance)) + "," +
            csv_number(history.scores[number].y) + "," + csv_number(history.medians[number].y) +
            "\n";

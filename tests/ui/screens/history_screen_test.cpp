@@ -82,6 +82,50 @@ TEST(History, VoidAttemptsDoNotCountAndUnscoredOnesAreGaps) {
   EXPECT_EQ(history.medians[2].y, 45.0);
 }
 
+TEST(History, TheMedianIsOfOneDeviceClassAndOfUnguidedHands) {
+  const auto attempt = [](const char* device_class, simulator::Guidance guidance,
+                          std::int64_t points) {
+    JudgedAttempt made;
+    made.header.scenario_name = "akin";
+    made.header.begun.device_class = device_class;
+    made.header.begun.guidance = guidance;
+    made.score_milli = 1000 * points;
+    return made;
+  };
+  const OperationHistory history = histories_of({attempt("mouse", simulator::Guidance::None, 40),
+                                                 attempt("mouse", simulator::Guidance::Slot, 99),
+                                                 attempt("mouse", simulator::Guidance::None, 60),
+                                                 attempt("arm", simulator::Guidance::None, 20),
+                                                 attempt("mouse", simulator::Guidance::None, 70)})
+                                       .front();
+  ASSERT_EQ(history.medians.size(), 5U);
+  EXPECT_EQ(history.medians[0].y, 40.0);
+  EXPECT_TRUE(std::isnan(history.medians[1].y));
+  EXPECT_EQ(history.scores[1].y, 99.0) << "its score is shown";
+  EXPECT_EQ(history.medians[2].y, 50.0);
+  EXPECT_EQ(history.medians[3].y, 20.0);
+  EXPECT_EQ(history.medians[4].y, 60.0);
+}
+
+TEST(History, WhoIsCompetentByMouseIsNotYetByAnArm) {
+  std::vector<JudgedAttempt> attempts;
+  const auto pass = [&](const char* device_class) {
+    JudgedAttempt& made = attempts.emplace_back();
+    made.header.scenario_name = "akin";
+    made.header.begun.kind = database::AttemptKind::Assessment;
+    made.header.begun.device_class = device_class;
+    made.pass = assessment::PassAnswer::Reached;
+    made.rubric_version = 1;
+  };
+  for (int run = 0; run < assessment::clean_runs_needed(); ++run) pass("mouse");
+  EXPECT_TRUE(learning_of(attempts, "akin").is_competent);
+  pass("arm");
+  EXPECT_FALSE(learning_of(attempts, "akin").is_competent);
+  EXPECT_EQ(learning_of(attempts, "akin").clean_runs(), 1);
+  pass("mouse");
+  EXPECT_TRUE(learning_of(attempts, "akin").is_competent);
+}
+
 TEST(History, AnOverriddenScoreStandsInPlaceOfTheMachines) {
   SomePublished published;
   database::NewDecision decision;
@@ -105,8 +149,8 @@ TEST(HistoryScreen, AGuidedPracticeIsListedAndCopiedAsOne) {
   Looker looker(published, "ada");
   EXPECT_TRUE(looker.driver().sees("Guided"));
   const std::string csv = csv_of(histories_of(own_of(published, "ada")).front());
-  EXPECT_THAT(csv, HasSubstr(",practice,none,40"));
-  EXPECT_THAT(csv, HasSubstr(",practice,soft,"));
+  EXPECT_THAT(csv, HasSubstr(",practice,scripted,none,40"));
+  EXPECT_THAT(csv, HasSubstr(",practice,scripted,soft,"));
 }
 
 TEST(HistoryScreen, TheFactsAreOfWhatCounts) {
@@ -179,9 +223,9 @@ TEST(HistoryScreen, CopiesTheChartsNumbersByButtonAndByKey) {
   Looker looker(published, "ada");
   looker.driver().press(Key::C, {.control = true});
   const std::string csv = looker.driver().clipboard().read();
-  EXPECT_THAT(csv, HasSubstr("attempt,begun_utc,for,guidance,score,median_of_5\n1,"));
-  EXPECT_THAT(csv, HasSubstr(",practice,none,40.0,40.0\n2,"));
-  EXPECT_THAT(csv, HasSubstr(",assessment,none,,\n"));
+  EXPECT_THAT(csv, HasSubstr("attempt,begun_utc,for,device,guidance,score,median_of_5\n1,"));
+  EXPECT_THAT(csv, HasSubstr(",practice,scripted,none,40.0,40.0\n2,"));
+  EXPECT_THAT(csv, HasSubstr(",assessment,scripted,none,,\n"));
   EXPECT_TRUE(looker.driver().sees("2 attempts copied"));
   looker.driver().clipboard().write("");
   looker.driver().click("history.copy");
