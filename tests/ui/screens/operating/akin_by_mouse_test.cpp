@@ -39,13 +39,7 @@ scenarios::HandSkill exact_hand() {
 class AkinByMouse : public testing::Test {
  protected:
   AkinByMouse() {
-    const std::shared_ptr<Visit> visit = course.visit_of_ada();
-    table = visit->in_turn([&](database::Session&, database::Database& database) {
-      const database::ScenarioText text =
-          database::get_scenario_version(database, course.version());
-      return lay_table(scenarios::parse_scenario(text.json, text.name),
-                       [](const std::string&) { return std::function<bool(double)>(); });
-    });
+    table = *course.table(*course.visit_of_ada());
     const scenarios::KnownBone known(table.bone);
     aimed = scenarios::aim(table.scenario, table.plan, known, exact_hand(), 1);
     person.begin();

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "tests/ui/screens/operating/some_operation.h"
 #include "ui/screens/operating/operation_work.h"
 
@@ -32,30 +29,10 @@ class LooseCable final : public simulator::HapticDevice {
   RigidTransform pose_;
 };
 
-std::function<bool(double)> no_progress(const std::string&) { return {}; }
-
-template <typename Condition>
-bool soon(Condition&& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
-
-std::shared_ptr<const OperatingTable> table_of(OperableCourse& course, Visit& visit) {
-  return visit.in_turn([&](database::Session&, database::Database& database) {
-    const database::ScenarioText text = database::get_scenario_version(database, course.version());
-    return std::make_shared<const OperatingTable>(
-        lay_table(scenarios::parse_scenario(text.json, text.name), no_progress));
-  });
-}
-
 TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
   OperableCourse course("silver");
   const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = table_of(course, *visit);
+  const auto table = course.table(*visit);
   LiveBegin what;
   what.scenario = course.version();
   what.person = visit->person().id;
@@ -91,7 +68,7 @@ TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
 TEST(LiveAttempt, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
   OperableCourse course("silver");
   const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = table_of(course, *visit);
+  const auto table = course.table(*visit);
   LiveBegin what;
   what.scenario = course.version();
   what.person = visit->person().id;
@@ -115,7 +92,7 @@ TEST(LiveAttempt, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
 TEST(LiveAttempt, OfAnAssessmentIsNotBegunWithAGuide) {
   OperableCourse course("silver");
   const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = table_of(course, *visit);
+  const auto table = course.table(*visit);
   LiveBegin what;
   what.scenario = course.version();
   what.person = visit->person().id;

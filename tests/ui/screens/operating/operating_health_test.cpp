@@ -4,9 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "simulator/device/force_output.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "tests/ui/screens/operating/some_operation.h"
@@ -90,26 +87,11 @@ TEST(RecentLimits, AreReadForASecondAndGoAfterTwo) {
   EXPECT_EQ(limits.bits(), 0U);
 }
 
-template <typename Condition>
-bool soon(Condition&& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
-
 /// An attempt that ada makes with a modelled arm of 8 N, held still over the bone.
 struct ArmAttempt {
   ArmAttempt() {
     const std::shared_ptr<Visit> visit = course.visit_of_ada();
-    table = visit->in_turn([&](database::Session&, database::Database& database) {
-      const database::ScenarioText text = get_scenario_version(database, course.version());
-      return std::make_shared<const OperatingTable>(
-          lay_table(scenarios::parse_scenario(text.json, text.name),
-                    [](const std::string&) { return std::function<bool(double)>(); }));
-    });
+    table = course.table(*visit);
     LiveBegin what;
     what.scenario = course.version();
     what.person = visit->person().id;

@@ -83,6 +83,25 @@ database::AttemptHeader OperableCourse::newest_attempt() {
   return newest == all.end() ? database::AttemptHeader{} : *newest;
 }
 
+std::shared_ptr<const OperatingTable> OperableCourse::table(Visit& visit) {
+  return visit.in_turn([&](database::Session&, database::Database& database) {
+    const database::ScenarioText text = database::get_scenario_version(database, version_);
+    return std::make_shared<const OperatingTable>(
+        lay_table(scenarios::parse_scenario(text.json, text.name), no_progress));
+  });
+}
+
+bool soon(const std::function<bool()>& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+std::function<bool(double)> no_progress(const std::string&) { return {}; }
+
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
                    ScenePainter* painter) {
   DriverSetting setting;

@@ -44,12 +44,19 @@ class OperableCourse {
   database::AttemptHeader attempt();
   /// Where there are several.
   database::AttemptHeader newest_attempt();
+  /// Bone and plan, laid out as for whoever operates.
+  std::shared_ptr<const OperatingTable> table(Visit& visit);
 
  private:
   database::SomeCourse course_;
   database::ScenarioVersionId version_;
   std::string vfs_name_;
 };
+
+/// Waits until it holds, at most a minute.
+bool soon(const std::function<bool()>& holds);
+/// For jobs of which nobody hears how far they are.
+std::function<bool(double)> no_progress(const std::string& stage);
 
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for the one that notes;
 /// it must have begun a frame whenever one is made.
