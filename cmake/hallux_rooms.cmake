@@ -31,7 +31,21 @@ function(hallux_room name)
   target_link_libraries(${name} PUBLIC hallux_rules ${ROOM_USES})
 endfunction()
 
-# hallux_test(NAME LABEL fast|slow|machine SOURCES file... USES library...): one GoogleTest program, each case a CTest test.
+# hallux_suites(NAME LABEL TIMEOUT): each suite of a GoogleTest program becomes a CTest test when the program is built.
+function(hallux_suites name label timeout)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
+  add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS "${output}" VERBATIM
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${name}>" "-DOUTPUT=${output}"
+            "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}" "-DLABEL=${label}" "-DTIMEOUT=${timeout}"
+            -P "${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake")
+  set(when_built "${CMAKE_CURRENT_BINARY_DIR}/${name}_when_built.cmake")
+  file(WRITE "${when_built}" "if(EXISTS \"${output}\")\n  include(\"${output}\")\n"
+    "else()\n  add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${when_built}")
+endfunction()
+
+# hallux_test(NAME LABEL fast|slow|machine SOURCES file... USES library...): one GoogleTest program; of a fast one each suite is
+# a CTest test, else each case.
 function(hallux_test name)
   cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
   if(NOT TEST_TIMEOUT)
@@ -39,8 +53,12 @@ function(hallux_test name)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE hallux_rules ${TEST_USES} GTest::gtest_main)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT ${TEST_TIMEOUT})
+  if(TEST_LABEL STREQUAL "fast")
+    hallux_suites(${name} fast ${TEST_TIMEOUT})
+  else()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT ${TEST_TIMEOUT})
+  endif()
 endfunction()
 
 # hallux_embed(TARGET NAMESPACE FUNCTION file...): compiles data files into a table {name, text}.
