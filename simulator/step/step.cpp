@@ -44,12 +44,14 @@ StepOutput Operation::step(const StepInput& input) noexcept {
     faults_ = input.line.device.faults;
     if (faults_ != 0) note(output, CutEventKind::Fault, -1, faults_);
   }
+  place(input.line);
   announce_pieces(output);
   carry_out_waiting(output);
   if (is_running() && faults_ == 0) {
     move(input.line, output);
     ask_for_pieces(output);
   } else {
+    tool_.guided_s = 0.0;  // the hand went on meanwhile: it is led anew, softly
     output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
     // A sample in no kerf ends a sweep, here as for those who follow the record.
     kerfs_.follow(output.sample);
@@ -72,11 +74,7 @@ void Operation::note(StepOutput& output, CutEventKind kind, std::int32_t subject
 
 void Operation::apply_commands(const StepInput& input, StepOutput& output) noexcept {
   for (std::size_t i = 0; i < input.line.command_count && i < commands_per_tick; ++i) {
-    const Command& command = input.line.commands[i];
-    if (command.kind == CommandKind::Start && !is_started_ && !is_over_) {
-      tool_.bone_from_tool = bone_from_world_ * transform_from(input.line.device.world_from_handle);
-    }
-    apply(command, input.job_results[i], output);
+    apply(input.line.commands[i], input.job_results[i], output);
   }
 }
 
@@ -223,6 +221,13 @@ void Operation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
     note(output, CutEventKind::PieceRemoved, piece);
     return;
   }
+}
+
+/// Once started the tool is where the hand is; a fault in that tick does not say where that is, so it waits.
+void Operation::place(const TapeLine& line) noexcept {
+  if (!is_started_ || is_placed_ || faults_ != 0) return;
+  tool_.bone_from_tool = bone_from_world_ * transform_from(line.device.world_from_handle);
+  is_placed_ = true;
 }
 
 void Operation::move(const TapeLine& line, StepOutput& output) noexcept {

@@ -79,6 +79,7 @@ class Operation {
   void pause(bool is_now_paused, const Command& command, StepOutput& output) noexcept;
   void carry_out_waiting(StepOutput& output) noexcept;
   void pick_up(std::int32_t piece, StepOutput& output) noexcept;
+  void place(const TapeLine& line) noexcept;
   void move(const TapeLine& line, StepOutput& output) noexcept;
   void freeze(StepOutput& output) noexcept;
   void report(const ToolOutcome& outcome, StepOutput& output) noexcept;
@@ -126,6 +127,7 @@ class Operation {
   bool is_hinge_waiting_ = false;
   bool is_hinge_closed_ = false;
   bool is_started_ = false;
+  bool is_placed_ = false;  ///< the tool has been put where the hand is
   bool is_paused_ = false;  ///< by the operator
   bool is_in_gap_ = false;  ///< by the loop
   bool is_pause_noted_ = false;

@@ -123,6 +123,27 @@ TEST(GuidedHand, ComesInAnewWithTheNextStep) {
   EXPECT_NEAR(run.force_in_bone_newton().x, -1.2 * 5.5, 0.002);
 }
 
+TEST(GuidedHand, IsLedSoftlyAgainAfterAPauseAGapAndAFault) {
+  const Bone bone = block();
+  OperationRun run(bone, blade_down({5.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
+  const auto expect_led_anew = [&](const char* after) {
+    EXPECT_LT(length(run.force_in_bone_newton()), 0.05) << after;
+    run.hold(600);
+    EXPECT_NEAR(run.force_in_bone_newton().x, -1.2 * 1.5, 0.002) << after;
+  };
+  run.hold(600);
+  for (const std::int32_t by : {paused_by_operator, paused_by_loop}) {
+    run.step({{CommandKind::Pause, by, 0}});
+    run.step({{CommandKind::Resume, by, 0}});
+    expect_led_anew(by == paused_by_loop ? "a gap" : "a pause");
+  }
+  run.faults = static_cast<std::uint32_t>(DeviceFault::Late);
+  run.hold(1);
+  run.faults = 0;
+  run.hold(1);
+  expect_led_anew("a fault");
+}
+
 TEST(GuidedHand, IsLetGoOnceTheTeethHaveAKerfOfTheirOwn) {
   const Bone bone = block();
   const double off_mm = 5.0;

@@ -68,6 +68,33 @@ TEST(Step, PauseHoldsTheToolAndItsForceUntilResume) {
   EXPECT_EQ(run.events(CutEventKind::Resumed).size(), 1U);
 }
 
+TEST(Step, AStartInAFaultPutsTheToolInTheHandOnceTheFaultIsOver) {
+  // What stands on the tape until then is nobody's place: the middle of the bone.
+  Bone bone = tests::cancellous_bone(tests::solid_block({30.0, 8.0, 6.0}));
+  bone.world_from_bone = {};
+  const TissueMap tissue(bone);
+  Operation operation(tissue, bone.world_from_bone, {}, {});
+  const QuantisedPose hand = quantise(blade_down({0.0, above_mm + 3.0, 0.0}));
+  TapeLine line;
+  line.commands[0] = command(CommandKind::Start);
+  line.command_count = 1;
+  line.device = {{}, tests::saw_runs, static_cast<std::uint32_t>(DeviceFault::Lost)};
+  for (int i = 0; i < 3; ++i) {
+    const StepOutput output = operation.step({line, {}});
+    EXPECT_EQ(output.sample.force_mn, (std::array<std::int32_t, 3>{0, 0, 0}));
+    line.command_count = 0;
+    line.tick += line.ticks;
+  }
+  line.device = {hand, tests::saw_runs, 0};
+  for (int i = 0; i < 100; ++i) {
+    const StepOutput output = operation.step({line, {}});
+    EXPECT_EQ(output.sample.world_from_tool, hand) << i;
+    for (const CutEvent& event : output.events) EXPECT_EQ(event.kind, CutEventKind::Fault);
+    line.tick += line.ticks;
+  }
+  EXPECT_EQ(operation.kerfs().count(), 0);
+}
+
 TEST(Step, AGapThatBeganBeforeTheStartIsNoPauseOfTheOperation) {
   const Bone bone = block();
   const TissueMap tissue(bone);
