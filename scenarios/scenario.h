@@ -31,6 +31,7 @@ struct PatientRequest {
   double eminence_mm = 0.0;  ///< of a first metatarsal
   double edge_mm = 0.3;
   std::string origin;
+  double bone_quality = 1.0;  ///< the force that sawing needs, as a share of usual bone's
 };
 
 /// AlongAxis     parallel to an axis between two landmarks, tilted about it, offset from a third

@@ -22,19 +22,21 @@ double resistance_newton_s_mm(const Engagement& engaged, double cycles_per_minut
 
 }  // namespace
 
-double feed_rate_mm_s(const Engagement& engaged, double force_newton,
-                      double cycles_per_minute) noexcept {
+double feed_rate_mm_s(const Engagement& engaged, double force_newton, double cycles_per_minute,
+                      double bone_quality) noexcept {
   if (!(engaged.width_mm() > 0.0)) return feed_rate_limit_mm_s;
-  const double excess_newton = force_newton - threshold_newton(engaged);
+  const double excess_newton = force_newton - bone_quality * threshold_newton(engaged);
   if (!(excess_newton > 0.0)) return 0.0;
-  return std::min(feed_rate_limit_mm_s,
-                  excess_newton / resistance_newton_s_mm(engaged, cycles_per_minute));
+  return std::min(
+      feed_rate_limit_mm_s,
+      excess_newton / (bone_quality * resistance_newton_s_mm(engaged, cycles_per_minute)));
 }
 
-double feed_force_newton(const Engagement& engaged, double rate_mm_s,
-                         double cycles_per_minute) noexcept {
+double feed_force_newton(const Engagement& engaged, double rate_mm_s, double cycles_per_minute,
+                         double bone_quality) noexcept {
   if (!(engaged.width_mm() > 0.0)) return 0.0;
-  return threshold_newton(engaged) + rate_mm_s * resistance_newton_s_mm(engaged, cycles_per_minute);
+  return bone_quality * (threshold_newton(engaged) +
+                         rate_mm_s * resistance_newton_s_mm(engaged, cycles_per_minute));
 }
 
 }  // namespace hallux::simulator

@@ -1,7 +1,8 @@
 /// The feed law: how fast a running saw advances through mixed tissue under a force, and the force a rate needs.
 ///
 /// Per tissue the rate is K (F - F0) (cycles / 12000) / width. Over a tooth line in several tissues the forces add up:
-/// each engaged width carries its own share, so F = F0 + rate * sum(width_i / K_i) * (12000 / cycles).
+/// each engaged width carries its own share, so F = F0 + rate * sum(width_i / K_i) * (12000 / cycles). Bone of another
+/// quality needs so many times that force, at each rate and to begin.
 /// source  docs/haptics.md; calibrated to published micro-saw feeds of 10 to 60 mm/min, not measured by us
 #pragma once
 
@@ -24,11 +25,12 @@ inline constexpr double feed_rate_limit_mm_s = 5.0;
 inline constexpr double law_cycles_per_minute = 12000.0;
 
 /// Advance along the feed direction; the ceiling where no bone is engaged, 0 below the threshold force [mm/s].
-double feed_rate_mm_s(const Engagement& engaged, double force_newton,
-                      double cycles_per_minute) noexcept;
+/// needs   bone_quality > 0; 1 is bone as the constants have it
+double feed_rate_mm_s(const Engagement& engaged, double force_newton, double cycles_per_minute,
+                      double bone_quality = 1.0) noexcept;
 
 /// The force that the rate needs, the inverse of the law below its ceiling; 0 where no bone is engaged [N].
-double feed_force_newton(const Engagement& engaged, double rate_mm_s,
-                         double cycles_per_minute) noexcept;
+double feed_force_newton(const Engagement& engaged, double rate_mm_s, double cycles_per_minute,
+                         double bone_quality = 1.0) noexcept;
 
 }  // namespace hallux::simulator

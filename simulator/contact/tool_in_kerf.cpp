@@ -59,9 +59,8 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
       const double left_mm = push.wanted_mm - done_mm;
       const double force_newton =
           std::min(settings.force_limit_newton, settings.coupling_newton_per_mm * left_mm);
-      const double rate_mm_s = input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton,
-                                                               cutting_cycles_per_minute(settings))
-                                              : 0.0;
+      const double rate_mm_s =
+          input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton, settings) : 0.0;
       step_mm = std::min(left_mm, rate_mm_s * input.duration_s);
       outcome.advance_mm = step_mm;
     }

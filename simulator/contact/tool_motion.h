@@ -27,7 +27,8 @@ namespace hallux::simulator {
 /// Constants of the coupling and of the blade in its slot. source  docs/haptics.md
 struct ContactSettings {
   double cycles_per_minute = 12000.0;
-  double sharpness = 1.0;  ///< of the blade: what it takes in a cycle, as a share of a new one's
+  double sharpness = 1.0;     ///< of the blade: what it takes in a cycle, as a share of a new one's
+  double bone_quality = 1.0;  ///< of the patient: the force that a rate needs, as a share of usual
   double coupling_newton_per_mm = 2.0;
   double force_limit_newton = 30.0;
   double torsion_newton_mm_per_rad = 4000.0;  ///< between hand and tool, as the coupling
@@ -50,9 +51,11 @@ struct ContactSettings {
   GuidePlan guide = {};
 };
 
-/// The rate at which a new blade would cut as this one does.
-inline double cutting_cycles_per_minute(const ContactSettings& settings) noexcept {
-  return settings.cycles_per_minute * settings.sharpness;
+/// The feed law for this blade and this patient's bone [mm/s].
+inline double feed_rate_mm_s(const Engagement& engaged, double force_newton,
+                             const ContactSettings& settings) noexcept {
+  return feed_rate_mm_s(engaged, force_newton, settings.cycles_per_minute * settings.sharpness,
+                        settings.bone_quality);
 }
 
 inline constexpr std::size_t tooth_count = 21;

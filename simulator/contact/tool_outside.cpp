@@ -103,8 +103,7 @@ double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
   const double force_newton =
       std::min(settings.force_limit_newton,
                -settings.coupling_newton_per_mm * glm::dot(walked.proxy.tooth_mm, ahead));
-  const double rate_mm_s =
-      feed_rate_mm_s(outcome.engaged, force_newton, cutting_cycles_per_minute(settings));
+  const double rate_mm_s = feed_rate_mm_s(outcome.engaged, force_newton, settings);
   const double fed_mm = room_ahead_mm(walked.contacts, ahead, rate_mm_s * input.duration_s);
   tool.bone_from_tool.translation_mm += fed_mm * ahead;
   outcome.advance_mm = fed_mm;

@@ -150,6 +150,18 @@ TEST(Scenario, HasABladeAsSharpAsItSaysAndANewOneWhereItSaysNothing) {
   }
 }
 
+TEST(Scenario, HasBoneOfTheQualityItSaysAndUsualBoneWhereItSaysNothing) {
+  for (const EmbeddedText& shipped : shipped_scenarios()) {
+    EXPECT_FALSE(json::parse(shipped.text)["patient"].contains("bone_quality")) << shipped.name;
+    EXPECT_EQ(parse_scenario(shipped.text, shipped.name).patient.bone_quality, 1.0);
+  }
+  json silver = silver_json();
+  for (const double quality : {0.5, 0.8, 1.5}) {
+    silver["patient"]["bone_quality"] = quality;
+    EXPECT_EQ(parse_scenario(silver.dump(), "silver.json").patient.bone_quality, quality);
+  }
+}
+
 TEST(Scenario, TakesABandInPlaceOfALine) {
   json silver = silver_json();
   json& item = silver["rubric"]["items"][0];

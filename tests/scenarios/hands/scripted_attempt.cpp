@@ -28,6 +28,7 @@ simulator::ContactSettings contact_of(const scenarios::Scenario& scenario) {
   simulator::ContactSettings settings;
   settings.cycles_per_minute = scenario.blade.cycles_per_minute;
   settings.sharpness = scenario.blade.sharpness;
+  settings.bone_quality = scenario.patient.bone_quality;
   return settings;
 }
 

@@ -34,6 +34,20 @@ TEST(Feed, IsProportionalToTheSpeedOfTheSaw) {
   EXPECT_NEAR(feed_rate_mm_s({10.0, 0.0}, 10.0, 0.5 * full_speed), 0.5 * 0.2975, 1e-12);
 }
 
+TEST(Feed, OfBoneOfAnotherQualityNeedsThatShareOfTheForce) {
+  const Engagement mixed{3.0, 5.0};
+  for (const double quality : {0.5, 0.8, 1.5}) {
+    EXPECT_NEAR(feed_force_newton(mixed, 0.8, full_speed, quality),
+                quality * feed_force_newton(mixed, 0.8, full_speed), 1e-12);
+    EXPECT_NEAR(feed_rate_mm_s(mixed, quality * 6.0, full_speed, quality),
+                feed_rate_mm_s(mixed, 6.0, full_speed), 1e-12);
+  }
+  // 0.35 / 1.5 (10 - 1.5 x 1.5) / 10
+  EXPECT_NEAR(feed_rate_mm_s({10.0, 0.0}, 10.0, full_speed, 1.5), 0.35 / 1.5 * 7.75 / 10.0, 1e-12);
+  EXPECT_EQ(feed_rate_mm_s({10.0, 0.0}, 2.2, full_speed, 1.5), 0.0);
+  EXPECT_EQ(feed_rate_mm_s(mixed, 6.3, full_speed, 1.0), feed_rate_mm_s(mixed, 6.3, full_speed));
+}
+
 TEST(Feed, NeedsNoForceWhereNothingIsEngaged) {
   EXPECT_EQ(feed_force_newton({0.0, 0.0}, 3.0, full_speed), 0.0);
 }

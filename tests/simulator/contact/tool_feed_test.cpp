@@ -95,6 +95,15 @@ TEST(FeedOnABlock, ADullBladeIsSlowerAndHotterForTheSameWay) {
   EXPECT_GT(dull.hottest_celsius, sharp.hottest_celsius + 10.0);
 }
 
+TEST(FeedOnABlock, OfSoftAndOfHardBoneIsTheLaws) {
+  for (const double quality : {0.5, 1.5}) {
+    const double law_mm_s = 0.35 / quality * (10.0 - quality * 1.5) / 10.0;
+    const Feed feed =
+        feed_under(block(30.0), 10.0, 0.5, 2000, {.settings = {.bone_quality = quality}});
+    EXPECT_NEAR(feed.rate_mm_s, law_mm_s, 0.02 * law_mm_s) << quality;
+  }
+}
+
 TEST(FeedOnABlock, TooWideABladeIsSlower) {
   const Feed narrow = feed_under(block(30.0), 10.0, 0.5, 2000, {.blade = {.width_mm = 7.0}});
   const Feed wide = feed_under(block(30.0), 10.0, 0.5, 2000, {.blade = {.width_mm = 12.0}});
