@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulator/contact/blade_probe.h"
 
@@ -18,6 +19,12 @@ constexpr double turn_worth_asking = 0.0005;
 constexpr double shift_worth_asking_mm = 0.001;
 /// Sliding along the walls is over where the pull is this share of the friction.
 constexpr double rest_share = 0.95;
+/// A handle whose direction is this much or less of it in the plane, 3 degrees from its normal, says none there.
+constexpr double across_plane = 0.05;
+/// A blade drawn back by more than this since its teeth were in bone is on its way out, not through.
+constexpr double drawn_back_limit_mm = 1.0;
+/// So far behind teeth that have just come out at the far side there is bone, also where they came out aslant.
+constexpr double behind_far_side_mm = 1.0;
 
 Vec3 axis_x(const RigidTransform& to_from_tool) noexcept {
   return transform_direction(to_from_tool, Vec3{1.0, 0.0, 0.0});
@@ -38,10 +45,12 @@ double comply(double deviation, double play, double share) noexcept {
   return (deviation < 0.0 ? -1.0 : 1.0) * (play + share * beyond);
 }
 
-/// Where the hand wants the teeth, ahead of where they are, and how far they may go where no bone is in their way.
+/// Where the hand wants the teeth, ahead of where they are, how far they may go where no bone is in their way, and how far
+/// until the collar stands on the bone.
 struct Push {
   double wanted_mm = 0.0;
   double reach_mm = 0.0;
+  double room_mm = 0.0;
 };
 
 /// Advances along the tool's x: freely until the teeth stand on bone, then by the feed law of the whole push.
@@ -49,7 +58,7 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
             const StandingBone& bone, const ContactSettings& settings, TeethMemory& teeth,
             ToolOutcome& outcome) noexcept {
   const Vec3 ahead = axis_x(bone_from_tool);
-  const double free_mm = std::min(push.wanted_mm, push.reach_mm);
+  const double free_mm = std::min({push.wanted_mm, push.reach_mm, push.room_mm});
   double done_mm = 0.0;
   for (int i = 0; i == 0 || (i < walk_steps && done_mm < free_mm); ++i) {
     outcome.engaged = engagement(bone_from_tool, bone, probe_ahead_mm, teeth);
@@ -61,7 +70,7 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
           std::min(settings.force_limit_newton, settings.coupling_newton_per_mm * left_mm);
       const double rate_mm_s =
           input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton, settings) : 0.0;
-      step_mm = std::min(left_mm, rate_mm_s * input.duration_s);
+      step_mm = std::min({left_mm, push.room_mm - done_mm, rate_mm_s * input.duration_s});
       outcome.advance_mm = step_mm;
     }
     bone_from_tool = moved(bone_from_tool, step_mm * ahead);
@@ -89,6 +98,23 @@ Quat rotation_to(const Vec2& direction) noexcept {
   return {half_cos, 0.0, 0.0, direction.y < 0.0 ? -half_sin : half_sin};
 }
 
+/// How far aside a hand is felt: beyond, force and bend are at their greatest.
+double held_aside_mm(double hand_mm, const ContactSettings& settings) noexcept {
+  const double most_mm = settings.slot_play_mm +
+                         settings.force_limit_newton / settings.coupling_newton_per_mm +
+                         settings.force_limit_newton / settings.slot_stiffness_newton_per_mm;
+  return std::clamp(hand_mm, -most_mm, most_mm);
+}
+
+/// The same of a tilt.
+double held_tilt_rad(double hand_rad, const ContactSettings& settings) noexcept {
+  const double grip_share = 1.0 - settings.slot_compliance;
+  const double most_rad =
+      settings.slot_play_rad +
+      settings.torque_limit_newton_mm / (grip_share * settings.torsion_newton_mm_per_rad);
+  return std::clamp(hand_rad, -most_rad, most_rad);
+}
+
 /// How far out of its plane the slot lets a blade that is held there.
 double bent_aside_mm(double held_mm, const ContactSettings& settings) noexcept {
   const double share = settings.coupling_newton_per_mm /
@@ -96,18 +122,58 @@ double bent_aside_mm(double held_mm, const ContactSettings& settings) noexcept {
   return comply(held_mm, settings.slot_play_mm, share);
 }
 
-/// The pose in the kerf's frame from its planar part and the handle's deviation out of the plane.
-RigidTransform bent_pose(const PlanarPose& planar, const RigidTransform& kerf_from_handle,
-                         const ContactSettings& settings) noexcept {
-  const Quat in_plane = rotation_to(planar.direction);
-  Quat tilt = glm::conjugate(in_plane) * kerf_from_handle.rotation;
+/// Out of the kerf's plane: aside, and tilted about the feed direction and about the tooth line.
+struct Bend {
+  double out_mm = 0.0;
+  double tilt_x_rad = 0.0, tilt_y_rad = 0.0;
+};
+
+/// How a pose deviates from the flat blade at a planar pose.
+Bend deviation(const PlanarPose& planar, const RigidTransform& kerf_from_pose) noexcept {
+  Quat tilt = glm::conjugate(rotation_to(planar.direction)) * kerf_from_pose.rotation;
   if (tilt.w < 0.0) tilt = -tilt;
-  const double tilt_x = comply(2.0 * tilt.x, settings.slot_play_rad, settings.slot_compliance);
-  const double tilt_y = comply(2.0 * tilt.y, settings.slot_play_rad, settings.slot_compliance);
-  const double out_mm = bent_aside_mm(kerf_from_handle.translation_mm.z, settings);
+  return {kerf_from_pose.translation_mm.z, 2.0 * tilt.x, 2.0 * tilt.y};
+}
+
+/// What the slot leaves of the hand's deviation.
+Bend bend_under(const Bend& hand, const ContactSettings& settings) noexcept {
+  const auto tilt_rad = [&](double hand_rad) {
+    return comply(held_tilt_rad(hand_rad, settings), settings.slot_play_rad,
+                  settings.slot_compliance);
+  };
+  return {bent_aside_mm(held_aside_mm(hand.out_mm, settings), settings), tilt_rad(hand.tilt_x_rad),
+          tilt_rad(hand.tilt_y_rad)};
+}
+
+double towards(double from, double to, double step) noexcept {
+  return std::abs(to - from) <= step ? to : from + (to < from ? -step : step);
+}
+
+/// From one bend towards another; no point of the blade goes further by any of the three.
+Bend bent_towards(const Bend& from, const Bend& to, double reach_mm, double depth_mm) noexcept {
+  const double reach_rad = reach_mm / depth_mm;
+  return {towards(from.out_mm, to.out_mm, reach_mm),
+          towards(from.tilt_x_rad, to.tilt_x_rad, reach_rad),
+          towards(from.tilt_y_rad, to.tilt_y_rad, reach_rad)};
+}
+
+/// The pose in the kerf's frame from its planar part and its bend.
+RigidTransform bent_pose(const PlanarPose& planar, const Bend& bend) noexcept {
+  const double half_x = 0.5 * bend.tilt_x_rad, half_y = 0.5 * bend.tilt_y_rad;
   // The last part keeps the blade's direction in the plane: two small tilts together would turn it a little each tick.
-  const Quat bend{1.0, 0.5 * tilt_x, 0.5 * tilt_y, -0.25 * tilt_x * tilt_y};
-  return {normalised(in_plane * bend), Vec3{planar.tip_mm.x, planar.tip_mm.y, out_mm}};
+  const Quat tilt{1.0, half_x, half_y, -half_x * half_y};
+  return {normalised(rotation_to(planar.direction) * tilt),
+          Vec3{planar.tip_mm.x, planar.tip_mm.y, bend.out_mm}};
+}
+
+/// Where the hand wants the blade in the plane; a handle that stands across it leaves the blade its direction.
+PlanarPose wanted_in_plane(const KerfPlane& plane, const RigidTransform& bone_from_handle,
+                           const PlanarPose& now) noexcept {
+  PlanarPose wanted = planar_pose(plane, bone_from_handle);
+  const Vec3 ahead = axis_x(bone_from_handle);
+  const double across = glm::dot(ahead, axis_z(plane.bone_from_kerf));
+  if (1.0 - across * across <= across_plane * across_plane) wanted.direction = now.direction;
+  return wanted;
 }
 
 /// The flat blade at a planar pose, in the bone frame.
@@ -165,11 +231,51 @@ void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
   }
 }
 
+/// A way that the blade may go at least before its collar, thicker than a kerf, stands on the original surface; asked anew
+/// where that is below `enough_mm`.
+double collar_room_mm(const RigidTransform& bone_from_tool, const StandingBone& bone,
+                      double enough_mm, CollarMemory& memory) noexcept {
+  const BladeSize& blade = bone.kerfs.blade();
+  double room_mm = std::numeric_limits<double>::infinity(), side = -0.5;
+  for (SurfaceMemory& known : memory) {
+    const Vec3 point_mm =
+        transform_point(bone_from_tool, Vec3{-blade.depth_mm, side * blade.width_mm, 0.0});
+    const Vec3 way_mm = point_mm - known.asked_mm;
+    double least_mm = known.clearance_mm - std::sqrt(glm::dot(way_mm, way_mm));
+    if (!known.is_known || least_mm < enough_mm) {
+      least_mm = bone.original.clearance_mm(point_mm);
+      known = {point_mm, least_mm, true};
+    }
+    room_mm = std::min(room_mm, std::max(0.0, least_mm));
+    side += 0.5;
+  }
+  return room_mm;
+}
+
 bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
   for (const Vec3& point : tooth_points(bone_from_tool, bone.kerfs.blade(), 0.0)) {
     if (bone.original.clearance_mm(point) <= 0.0) return false;
   }
   return true;
+}
+
+/// Whether the blade comes out at the far side by going `ahead_mm` further (negative: back). The last tooth in bone need not
+/// be the last within the bone: beside an earlier stroke the others still stand in its kerf, deeper where the bone is.
+bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
+                    const RigidTransform& bone_from_flat, const StandingBone& bone) noexcept {
+  if (is_engaged) {
+    tool.may_break_through = true;
+    tool.drawn_back_mm = 0.0;
+    return false;
+  }
+  if (!tool.may_break_through) return false;
+  tool.drawn_back_mm = std::max(0.0, tool.drawn_back_mm - ahead_mm);
+  const bool is_out = ahead_mm > 0.0 && teeth_are_outside(bone_from_flat, bone);
+  tool.may_break_through = !is_out && tool.drawn_back_mm <= drawn_back_limit_mm;
+  if (!is_out) return false;
+  // Behind teeth that slid out sideways there is no bone.
+  const double behind_mm = ahead_mm + behind_far_side_mm;
+  return !teeth_are_outside(moved(bone_from_flat, -behind_mm * axis_x(bone_from_flat)), bone);
 }
 
 /// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before it: a hand lays the
@@ -194,8 +300,9 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& b
   const RigidTransform kerf_from_handle =
       bone.kerfs.kerf_from_bone(tool.kerf) * input.bone_from_handle;
   PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
-  const PlanarPose wanted = planar_pose(plane, input.bone_from_handle);
-  const double held_mm = kerf_from_handle.translation_mm.z;
+  const Bend bend = deviation(planar, bone.kerfs.kerf_from_bone(tool.kerf) * tool.bone_from_tool);
+  const PlanarPose wanted = wanted_in_plane(plane, input.bone_from_handle, planar);
+  const double held_mm = held_aside_mm(kerf_from_handle.translation_mm.z, settings);
   const double push_mm = std::abs(held_mm - bent_aside_mm(held_mm, settings));
   const Vec2 target_mm =
       planar.tip_mm + after_friction(wanted.tip_mm - planar.tip_mm, push_mm, settings, tool.slides);
@@ -204,16 +311,20 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& b
 
   const double forward_mm = glm::dot(target_mm - planar.tip_mm, planar.direction);
   RigidTransform flat = flat_pose(plane, planar);
-  const double fed_mm = forward_mm < 0.0 ? std::max(forward_mm, -reach_mm)
-                                         : feed(flat, {forward_mm, reach_mm}, input, bone, settings,
-                                                tool.teeth, outcome);
+  double fed_mm = std::max(forward_mm, -reach_mm);
+  if (forward_mm >= 0.0) {
+    const double room_mm = collar_room_mm(flat, bone, reach_mm + walk_step_mm, tool.collar);
+    const Push push{forward_mm, reach_mm, room_mm};
+    fed_mm = feed(flat, push, input, bone, settings, tool.teeth, outcome);
+  }
   planar.tip_mm += fed_mm * planar.direction;
-  tool.bone_from_tool = plane.bone_from_kerf * bent_pose(planar, kerf_from_handle, settings);
+  const Bend wanted_bend = bend_under(deviation(planar, kerf_from_handle), settings);
+  tool.bone_from_tool =
+      plane.bone_from_kerf *
+      bent_pose(planar, bent_towards(bend, wanted_bend, reach_mm, bone.kerfs.blade().depth_mm));
 
-  const bool is_engaged = outcome.engaged.width_mm() > 0.0;
-  outcome.broke_through = tool.was_engaged && !is_engaged && forward_mm > 0.0 &&
-                          teeth_are_outside(flat_pose(plane, planar), bone);
-  tool.was_engaged = is_engaged;
+  outcome.broke_through = breaks_through(tool, outcome.engaged.width_mm() > 0.0, fed_mm,
+                                         flat_pose(plane, planar), bone);
   if (forward_mm < 0.0 && !blade_is_in_bone(flat_pose(plane, planar), bone)) {
     tool.stage = ToolStage::Free;
     tool.is_held = true;
@@ -237,15 +348,10 @@ std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const Stand
   return -1;
 }
 
-void enter_kerf(ToolState& tool, std::int32_t kerf, const StandingBone& bone,
-                const ContactSettings& settings) noexcept {
-  const KerfPlane& plane = bone.kerfs.plane(kerf);
-  const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * tool.bone_from_tool;
-  const PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
-  tool.bone_from_tool = plane.bone_from_kerf * bent_pose(planar, kerf_from_tool, settings);
+void enter_kerf(ToolState& tool, std::int32_t kerf) noexcept {
   tool.stage = ToolStage::InKerf;
   tool.kerf = kerf;
-  tool.was_engaged = tool.slides = false;
+  tool.may_break_through = tool.slides = false;
 }
 
 }  // namespace hallux::simulator

@@ -118,7 +118,7 @@ ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBon
     move_outside(tool, input, bone, settings, reach, outcome);
     if (outcome.began_contact) {
       const std::int32_t kerf = find_kerf_to_join(tool.bone_from_tool, bone, settings);
-      if (kerf >= 0) enter_kerf(tool, kerf, bone, settings);
+      if (kerf >= 0) enter_kerf(tool, kerf);
     }
   }
   if (tool.stage != ToolStage::Free || tool.is_held) pull_hand(tool, input, settings, outcome);

@@ -8,8 +8,8 @@
 /// A spring pulls the tool towards the handle; where bone stops the tool, the stretched spring is the force on the hand.
 /// Outside a kerf the tool is a proxy (proxy.h): teeth, faces and edges stay out of the bone and slide on it with friction.
 /// Only the tooth line cuts. In a kerf the blade slides along its plane: forward by the feed law, backward freely,
-/// sideways and turned only where its edges meet no standing bone; out of the plane it bends a little. Bone that gives way
-/// lets the tool come after the hand gently. A saw started in bone, or laid on with a corner, kicks the hand (kick.h).
+/// sideways and turned only where its edges meet no standing bone, and no deeper than its collar; out of the plane it bends
+/// a little. Bone that gives way lets the tool come after the hand gently. A saw started in bone, or laid on with a corner, kicks the hand (kick.h).
 #pragma once
 
 #include <array>
@@ -64,16 +64,19 @@ inline constexpr std::size_t tooth_layers = 3;
 /// Where the outer layers lie, as a share of the kerf: a little inside, so that they do not feel the kerf's own walls.
 inline constexpr double tooth_layer_share = 0.45;
 using TeethMemory = std::array<TissueMemory, tooth_count * tooth_layers>;
+/// Of the collar's middle and its two ends.
+using CollarMemory = std::array<SurfaceMemory, 3>;
 
 enum class ToolStage : std::int32_t { Free, Touching, InKerf };
 
 struct ToolState {
   ToolStage stage = ToolStage::Free;
   RigidTransform bone_from_tool;
-  std::int32_t kerf = -1;       ///< in InKerf
-  double touch_depth_mm = 0.0;  ///< in Touching: how far the teeth went in
-  double scratch_mm = 0.0;      ///< in Touching: the deepest so far
-  bool was_engaged = false;     ///< teeth stood in bone at the end of the last tick
+  std::int32_t kerf = -1;          ///< in InKerf
+  double touch_depth_mm = 0.0;     ///< in Touching: how far the teeth went in
+  double scratch_mm = 0.0;         ///< in Touching: the deepest so far
+  bool may_break_through = false;  ///< in InKerf: teeth stood in bone, and the blade went on since
+  double drawn_back_mm = 0.0;      ///< in InKerf: since teeth stood in bone last
   bool is_refused = false;  ///< in Touching: there is no kerf left, the teeth stay where they are
   bool is_held = false;     ///< in Free: bone stretched the spring, and it is not slack again
   bool slides = false;      ///< in InKerf: along the walls
@@ -81,6 +84,7 @@ struct ToolState {
   bool knows_handle = false;
   TeethMemory teeth{};
   BladeMemory points{};
+  CollarMemory collar{};
   ProxyLoad load;
   KickState kick;
   double guided_s = 0.0;  ///< how long the guide at hand has led it
@@ -118,8 +122,7 @@ ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBon
 std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
                                const ContactSettings& settings) noexcept;
 
-/// Holds the tool to a kerf's plane from now on.
-void enter_kerf(ToolState& tool, std::int32_t kerf, const StandingBone& bone,
-                const ContactSettings& settings) noexcept;
+/// Holds the tool to a kerf's plane from now on; it comes there gently.
+void enter_kerf(ToolState& tool, std::int32_t kerf) noexcept;
 
 }  // namespace hallux::simulator

@@ -12,6 +12,17 @@ namespace {
 /// Pieces announced in one step; more wait for the next.
 constexpr std::size_t pieces_per_step = 2;
 
+/// What one line may have to tell; heat and danger zones take the room that is left. Each command one event, but for that which
+/// brings the pieces (each kerf covered) and that which ends the attempt (a scratch as well).
+constexpr std::size_t events_of_commands =
+    (commands_per_tick - 1) + static_cast<std::size_t>(kerf_limit) + 1;
+/// A contact or a saw started in bone with its kick, or such a kick with the plane frozen.
+constexpr std::size_t events_of_motion = 2;
+constexpr std::size_t events_of_fault = 1, events_of_piece_taken = 1;
+static_assert(events_of_commands + events_of_fault + pieces_per_step + events_of_piece_taken +
+                  events_of_motion <=
+              events_per_step);
+
 std::uint32_t bit(ToolStatus status) noexcept { return static_cast<std::uint32_t>(status); }
 
 std::int64_t thousandths(double value) noexcept {
@@ -112,6 +123,9 @@ void Operation::apply(const Command& command, const JobResult* result,
     case CommandKind::Finish:
     case CommandKind::Abandon:
       is_over_ = true;
+      if (tool_.stage == ToolStage::Touching && tool_.scratch_mm > 0.0) {
+        note(output, CutEventKind::Scratch, -1, um_from_mm(tool_.scratch_mm));
+      }
       note(output,
            command.kind == CommandKind::Finish ? CutEventKind::Finished : CutEventKind::Abandoned);
       break;
@@ -295,7 +309,7 @@ void Operation::freeze(StepOutput& output) noexcept {
     has_own_kerf_ = true;
     output.requests.push({next_job_++, JobKind::Contact, kerf, tick_});
   }
-  enter_kerf(tool_, kerf, standing(), settings_);
+  enter_kerf(tool_, kerf);
 }
 
 /// The pieces are asked for when the blade has left a kerf in which it cut, and when it has left the bone behind it.

@@ -40,13 +40,15 @@ struct StepInput {
   std::array<const JobResult*, commands_per_tick> job_results{};
 };
 
+inline constexpr std::size_t events_per_step = 16;
+
 struct StepOutput {
   ToolSample sample;
-  FixedList<CutEvent, 16> events;         ///< before the sample, in order
-  FixedList<JobRequest, 2> requests;      ///< to be run on the state after this step
-  Engagement engaged;                     ///< for displays; not recorded
-  BladeFlex flex;                         ///< likewise
-  double hottest_celsius = body_celsius;  ///< of all bone now; likewise
+  FixedList<CutEvent, events_per_step> events;  ///< before the sample, in order
+  FixedList<JobRequest, 2> requests;            ///< to be run on the state after this step
+  Engagement engaged;                           ///< for displays; not recorded
+  BladeFlex flex;                               ///< likewise
+  double hottest_celsius = body_celsius;        ///< of all bone now; likewise
   /// On the hand about the tool's origin, world frame, for a device that can turn; not recorded.
   Vec3 torque_in_world_newton_mm{0.0, 0.0, 0.0};
 };

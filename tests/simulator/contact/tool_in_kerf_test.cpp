@@ -105,6 +105,51 @@ TEST(ToolInKerf, TheSlotHoldsTheBladeInItsPlane) {
   EXPECT_NEAR(run.bone_from_tool().translation_mm.x, offset_mm, 0.005);
 }
 
+TEST(ToolInKerf, AHandFeelsTheSlotAsTwoSpringsInLine) {
+  const Bone bone = wide_block();
+  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
+  run.glide(blade_down({1.3, top_mm - 6.0, 0.0}), 100);
+  EXPECT_NEAR(run.force_in_bone_newton().x, -(1.3 - 0.3) * 2.0, 0.01);
+  // 2 and 10 N/mm: 1.67 N a millimetre beyond the play.
+  run.glide(blade_down({2.5, top_mm - 6.0, 0.0}), 100);
+  EXPECT_NEAR(run.force_in_bone_newton().x, -2.0 - 1.2 * (20.0 / 12.0), 0.01);
+}
+
+TEST(ToolInKerf, ABladeBendsNoFurtherThanTheGreatestForceBendsIt) {
+  const Bone bone = wide_block();
+  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
+  run.switches = 0;
+  run.glide(blade_down({31.0, top_mm - 6.0, 0.0}), 1000);
+  ASSERT_EQ(run.recording().samples.back().kerf, 0);
+  // The play, and 30 N on 10 N/mm.
+  EXPECT_NEAR(run.bone_from_tool().translation_mm.x, 0.1 + 3.0, 0.002);
+  run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 1000);
+  run.glide(blade_down({0.0, top_mm - 6.0, 0.0}, 0.9), 1000);
+  const Vec3 normal = transform_direction(run.bone_from_tool(), {0.0, 0.0, 1.0});
+  // The play, and a tenth of what nine tenths are at the greatest torque.
+  EXPECT_NEAR(std::abs(normal.z), std::sin(0.0087 + 500.0 / 4000.0 / 9.0), 0.001);
+}
+
+TEST(ToolInKerf, AHandleThatStandsAcrossThePlaneLeavesTheBladeItsDirection) {
+  const Bone bone = thin_block();
+  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 300);
+  run.hold(3000);
+  ASSERT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
+  run.switches = 0;
+  // Almost along the normal; what is left of it in the plane lies along the tooth line.
+  const double aside = 0.01, ahead = std::sqrt(1.0 - aside * aside);
+  RigidTransform across = blade_down({0.0, top_mm - 9.0, 0.0});
+  across.rotation = rotation_from_axes(Vec3{ahead, 0.0, aside}, Vec3{-aside, 0.0, ahead});
+  run.glide(across, 300);
+  run.hold(500);
+  ASSERT_EQ(run.recording().samples.back().kerf, 0);
+  const Vec3 direction = transform_direction(run.bone_from_tool(), {1.0, 0.0, 0.0});
+  EXPECT_LT(std::abs(direction.z), 0.3);
+}
+
 TEST(ToolInKerf, ASecondStrokeInTheSamePlaneOpensTheSameKerf) {
   const Bone bone = wide_block();
   OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
@@ -120,6 +165,38 @@ TEST(ToolInKerf, ABladeOverTheSlotIsCapturedByIt) {
   stroke(run, {0.0, top_mm - 8.0, -4.0});
   stroke(run, {0.4, top_mm - 8.0, 4.0}, 0.035);  // 2 mm overlap, 0.4 mm and 2 degrees off
   EXPECT_EQ(run.events(CutEventKind::PlaneFrozen).size(), 1U);
+}
+
+TEST(ToolInKerf, ACapturedBladeComesToItsSlotAtTwoTenthsOfAMetreASecond) {
+  const Bone bone = wide_block();
+  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  stroke(run, {0.0, top_mm - 8.0, -4.0});
+  const std::size_t first = run.recording().samples.size();
+  stroke(run, {0.6, top_mm - 8.0, 4.0}, 0.08);
+  ASSERT_EQ(run.events(CutEventKind::PlaneFrozen).size(), 1U);
+  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
+  const auto pose_at = [&](std::size_t tick) {
+    return bone_from_world * transform_from(run.recording().samples[tick].world_from_tool);
+  };
+  const auto handle_at = [&](std::size_t tick) {
+    return bone_from_world * transform_from(run.recording().tape[tick].device.world_from_handle);
+  };
+  const double depth_mm = BladeSize{}.depth_mm;
+  double most_mm = 0.0;
+  for (std::size_t tick = first; tick < run.recording().samples.size(); ++tick) {
+    const ProxyMotion hand = motion_between(handle_at(tick - 1), handle_at(tick));
+    const double hand_mm = std::sqrt(glm::dot(hand.way_mm, hand.way_mm)) +
+                           depth_mm * std::sqrt(glm::dot(hand.turn_rad, hand.turn_rad));
+    const RigidTransform before = pose_at(tick - 1), after = pose_at(tick);
+    const double aside_mm = std::abs(after.translation_mm.x - before.translation_mm.x);
+    const Vec3 turned =
+        transform_direction(after, {0.0, 0.0, 1.0}) - transform_direction(before, {0.0, 0.0, 1.0});
+    // Either may take the whole of it; rounded to a micrometre and a millionth.
+    EXPECT_LE(aside_mm, hand_mm + 0.2 + 0.003) << tick;
+    EXPECT_LE(depth_mm * std::abs(turned.z), hand_mm + 0.2 + 0.003) << tick;
+    if (hand_mm < 0.2) most_mm = std::max(most_mm, aside_mm);
+  }
+  EXPECT_GT(most_mm, 0.15) << "it was drawn aside";
 }
 
 TEST(ToolInKerf, WithoutAnOverlapABladeAsFarOffOpensAKerfOfItsOwn) {
@@ -173,6 +250,101 @@ TEST(ToolInKerf, LeavingTheBoneAtTheFarSideIsABreakThrough) {
   const double tip_y_mm = transform_from(through[0].pose).translation_mm.y;
   EXPECT_LT(tip_y_mm, top_mm - 4.0);
   EXPECT_GT(tip_y_mm, top_mm - 5.1);
+}
+
+/// A round bone of 12 mm, wider than a stroke.
+Bone round_bone() {
+  return tests::cancellous_bone(tests::hollow_tube(
+      {.outer_radius_mm = 6.0, .inner_radius_mm = 0.0, .length_mm = 30.0, .segments = 48}));
+}
+
+/// A blade over a round bone, so far aside of its middle.
+RigidTransform beside_middle(double aside_mm, double tip_mm) {
+  return blade_down({0.0, tip_mm, aside_mm});
+}
+
+/// The first stroke, from -6 to 3 mm beside the middle, all the way through and out again.
+OperationRun after_first_stroke(const Bone& bone) {
+  OperationRun run(bone, beside_middle(-2.0, 8.0));
+  run.glide(beside_middle(-2.0, -8.0), 5000);
+  run.hold(2000);
+  run.glide(beside_middle(-2.0, 9.0), 500);
+  run.glide(beside_middle(4.5, 9.0), 200);
+  return run;
+}
+
+TEST(ToolInKerf, EachOfTwoStrokesSideBySideOnARoundBoneBreaksThrough) {
+  const Bone bone = round_bone();
+  OperationRun run = after_first_stroke(bone);
+  ASSERT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
+  // Its last tooth in bone comes out 5 mm deep; those in the first stroke's kerf are out a millimetre later.
+  run.glide(beside_middle(4.5, -8.0), 5000);
+  run.hold(2000);
+  run.glide(beside_middle(4.5, 9.0), 500);
+  ASSERT_EQ(run.events(CutEventKind::PlaneFrozen).size(), 1U);
+  const auto through = run.events(CutEventKind::Breakthrough);
+  ASSERT_EQ(through.size(), 2U);
+  EXPECT_EQ(through[1].subject, 0);
+  EXPECT_NEAR(transform_from(through[1].pose).translation_mm.y, -6.0, 0.35);
+  EXPECT_EQ(run.events(CutEventKind::PieceFreed).size(), 1U);
+}
+
+TEST(ToolInKerf, ATremblingHandBreaksThroughAsWell) {
+  const Bone bone = round_bone();
+  OperationRun run = after_first_stroke(bone);
+  double tip_mm = 8.0;
+  for (int i = 0; tip_mm > -8.0; ++i) {
+    // A light hand: the spring is slack before the blade is out. 0.2 mm to and fro ten times a second.
+    const double tooth_line_mm = run.bone_from_tool().translation_mm.y;
+    tip_mm = std::max(tip_mm - 0.004, tooth_line_mm - 0.6);
+    run.glide(beside_middle(4.5, tip_mm + (i / 50 % 2 == 0 ? 0.1 : -0.1)), 1);
+    ASSERT_LT(i, 60000);
+  }
+  EXPECT_EQ(run.events(CutEventKind::Breakthrough).size(), 2U);
+}
+
+TEST(ToolInKerf, ABladeDrawnBackFromBoneAndLedThroughTheOpenKerfBreaksNothing) {
+  const Bone bone = round_bone();
+  OperationRun run = after_first_stroke(bone);
+  run.glide(beside_middle(4.5, -2.0), 4000);
+  ASSERT_TRUE(has(run.recording().samples.back().status, ToolStatus::Cutting));
+  ASSERT_LT(run.bone_from_tool().translation_mm.y, 2.0);
+  run.glide(beside_middle(4.5, 4.0), 500);
+  run.glide(beside_middle(-2.0, 4.0), 500);
+  run.glide(beside_middle(-2.0, -8.0), 2000);
+  ASSERT_EQ(run.recording().samples.back().kerf, 0) << "never left it";
+  EXPECT_LT(run.bone_from_tool().translation_mm.y, -7.5);
+  EXPECT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
+}
+
+TEST(ToolInKerf, ABladeThatSlidesOutSidewaysBreaksNothing) {
+  const Bone bone = wide_block();
+  OperationRun run(bone, blade_down({0.0, above_mm, 10.0}));
+  run.glide(blade_down({0.0, top_mm - 8.0, 10.0}), 2000);
+  const double tip_mm = run.bone_from_tool().translation_mm.y;
+  ASSERT_LT(tip_mm, top_mm - 2.0);
+  run.switches = 0;
+  run.glide(blade_down({0.0, tip_mm - 0.3, 10.0}), 200);
+  run.glide(blade_down({0.0, tip_mm - 4.0, 22.0}), 1000);
+  ASSERT_GT(run.bone_from_tool().translation_mm.z, 20.5) << "beside the bone";
+  ASSERT_EQ(run.recording().samples.back().kerf, 0) << "and in its plane";
+  EXPECT_TRUE(run.events(CutEventKind::Breakthrough).empty());
+}
+
+TEST(ToolInKerf, ABladeShorterThanTheSectionNeverBreaksThrough) {
+  const Bone bone = wide_block();
+  const auto sawn_with = [&](double depth_mm) {
+    OperationRun run(bone, blade_down({0.0, above_mm, 0.0}), {.depth_mm = depth_mm});
+    run.glide(blade_down({0.0, -top_mm - 8.0, 0.0}), 6000);
+    run.hold(12000);
+    return run;
+  };
+  const OperationRun shorter = sawn_with(15.0);
+  EXPECT_TRUE(shorter.events(CutEventKind::Breakthrough).empty());
+  EXPECT_NEAR(shorter.bone_from_tool().translation_mm.y, top_mm - 15.0, 0.05);
+  EXPECT_GT(shorter.force_in_bone_newton().y, 20.0) << "the collar stands on the bone";
+  const OperationRun longer = sawn_with(30.0);
+  EXPECT_EQ(longer.events(CutEventKind::Breakthrough).size(), 1U);
 }
 
 TEST(ToolInKerf, TheForceDropsAtTheBreakThrough) {

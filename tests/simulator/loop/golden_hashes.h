@@ -14,16 +14,21 @@ struct GoldenHashes {
   std::string_view bone, tape, outputs;
 };
 
-inline constexpr std::int32_t golden_engine_version = 5;
+inline constexpr std::int32_t golden_engine_version = 6;
 
 inline constexpr GoldenHashes golden_tube{
     .bone = "e896492ae9dc6392ccf56bf4f9855c3c0391eae03bae8c511038e15487812285",
     .tape = "eb5f93028a9fd6b3fb37a9887f785bb62bc3933814ccb18c039c24ce9a0c61d1",
-    .outputs = "63897647f60882110b4dc062045e2e019f060da9a1629aeda49ed85a6ae1271b"};
+    .outputs = "9e936fb27377d9b5adaa7d98e1eb058ade24c2c6cff7d4c506025960f1ceb899"};
+
+inline constexpr GoldenHashes golden_guided{
+    .bone = "e896492ae9dc6392ccf56bf4f9855c3c0391eae03bae8c511038e15487812285",
+    .tape = "61e4aa5ad278c5c23bf853ed6804596b0748b1c3acdadc7cd07b5c162ec2cbc3",
+    .outputs = "b62ea0e134a7c1cb74234c96612dc3a37284e38aa470e204f5b5864e802f3c94"};
 
 inline constexpr GoldenHashes golden_silver_expert_1{
     .bone = "8875a39afe43c63726079111fe9504ea0804358329d1d3df6a4594bf10fd622a",
     .tape = "fb7a115297d39294a58e7f579456360552ecffaa66d5e634fe76b0d605806823",
-    .outputs = "d90a745a974eadeec6a5d2dfc3d6bcfe8050c1cfb5fc7cd451b1cc7def9ff9f8"};
+    .outputs = "56e5d2465a9c9ab2d8a23523bd7daba01713873d97a62f0947da9dfaad949ca0"};
 
 }  // namespace hallux::tests

@@ -67,5 +67,48 @@ TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
   tests::expect_golden(bone, recording, tests::golden_tube);
 }
 
+/// Two seconds of a hand that is led: a corner laid on, a saw started on the bone, and a cut begun.
+HandMotion catching_motion(const Bone& bone) {
+  const auto key = [&](std::int64_t tick, const Vec3& tip_mm, std::uint32_t switches) {
+    return HandKey{tick, bone.world_from_bone * tests::blade_down(tip_mm, 0.04), switches};
+  };
+  HandMotion motion;
+  motion.keys = {key(0, {4.7, 4.3, 4.6}, tests::saw_runs),
+                 key(250, {4.6, 2.7, 4.6}, 0),
+                 key(400, {4.8, 4.1, 0.2}, 0),
+                 key(700, {4.7, 1.9, 0.1}, 0),
+                 key(800, {4.6, 1.7, 0.2}, tests::saw_runs),
+                 key(2000, {4.9, -4.3, 0.4}, 0)};
+  motion.commands = {{0, {CommandKind::Start, 0, 0}}, {2000, {CommandKind::Finish, 0, 0}}};
+  return motion;
+}
+
+TEST(Golden, AGuidedHandWithADullBladeThatKicksInSoftBoneGivesTheCommittedHashes) {
+  const Bone bone = tube();
+  const HandMotion motion = catching_motion(bone);
+  ContactSettings contact{.sharpness = 0.5, .bone_quality = 0.8};
+  contact.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 3.0}}};
+  const AttemptSetup setup{.bone = bone,
+                           .blade = {},
+                           .contact = contact,
+                           .commands = motion.commands,
+                           .last_tick = motion.last_tick()};
+  ScriptedDevice device(motion);
+  const Recording recording = tests::record(setup, device).recording;
+  std::vector<std::int32_t> causes;
+  for (const CutEvent& event : recording.events) {
+    if (event.kind == CutEventKind::Kick) causes.push_back(event.subject);
+  }
+  EXPECT_EQ(causes, (std::vector{static_cast<std::int32_t>(KickCause::Corner),
+                                 static_cast<std::int32_t>(KickCause::StartedInBone)}));
+  const auto is_led = [](const ToolSample& sample) {
+    return !has(sample.status, ToolStatus::InContact) && sample.force_mn[0] != 0;
+  };
+  EXPECT_TRUE(std::any_of(recording.samples.begin(), recording.samples.end(), is_led));
+  const auto kinds = tests::kinds_of(recording);
+  EXPECT_NE(std::find(kinds.begin(), kinds.end(), CutEventKind::PlaneFrozen), kinds.end());
+  tests::expect_golden(bone, recording, tests::golden_guided);
+}
+
 }  // namespace
 }  // namespace hallux::simulator

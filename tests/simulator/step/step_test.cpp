@@ -149,6 +149,24 @@ TEST(Step, FinishEndsTheAttemptForGood) {
   EXPECT_EQ(run.events(CutEventKind::Finished).size(), 1U);
 }
 
+TEST(Step, ATouchThatGoesOnAtTheEndIsAScratch) {
+  const Bone bone = block();
+  for (const CommandKind end : {CommandKind::Finish, CommandKind::Abandon}) {
+    OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+    run.glide(blade_down({0.0, top_mm - 0.5, 0.0}), 100);
+    run.hold(50);
+    ASSERT_EQ(run.events(CutEventKind::Contact).size(), 1U);
+    ASSERT_TRUE(run.events(CutEventKind::PlaneFrozen).empty());
+    const double depth_mm = top_mm - run.bone_from_tool().translation_mm.y;
+    run.step({command(end)});
+    const auto scratches = run.events(CutEventKind::Scratch);
+    ASSERT_EQ(scratches.size(), 1U);
+    EXPECT_GT(scratches[0].value, 0);
+    EXPECT_NEAR(static_cast<double>(scratches[0].value), 1000.0 * depth_mm, 25.0);
+    EXPECT_NE(kinds_of(run.recording()).back(), CutEventKind::Scratch) << "told before the end";
+  }
+}
+
 TEST(Step, AbandonEndsItToo) {
   const Bone bone = block();
   OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
