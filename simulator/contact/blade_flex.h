@@ -1,7 +1,7 @@
 /// How far a thin blade bends out of its plane: a cantilever held in the collar, loaded where it enters bone.
 ///
 /// A quantity to report; the tool's motion in a kerf has its own law (tool_motion.h).
-/// source  docs/haptics.md 7
+/// source  docs/haptics.md, How far the blade bends
 #pragma once
 
 #include "simulator/contact/tissue.h"

@@ -5,7 +5,7 @@
 ///
 /// It leads the hand, and the tool follows: the blade is asked where it is, the hand is pushed. It comes in softly, belongs
 /// to the step at hand, and ends once the teeth are in a kerf of their own.
-/// source  docs/haptics.md 1
+/// source  docs/haptics.md, Where the tool is
 #pragma once
 
 #include <array>

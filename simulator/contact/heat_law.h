@@ -4,7 +4,7 @@
 ///     power = wall_share (friction x push x mean tooth speed + work x kerf x width x feed)
 ///
 /// One lump of bone a cell, both walls of the kerf together; no heat flows from cell to cell.
-/// source  docs/haptics.md 6, where each constant has its origin: several are fitted, none was measured by us
+/// source  docs/haptics.md, Heat, where each constant has its origin: several are fitted, none was measured by us
 #pragma once
 
 #include "simulator/contact/tissue.h"

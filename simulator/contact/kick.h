@@ -5,7 +5,7 @@
 ///
 /// The teeth throw the handpiece, and the tool follows the hand by its coupling: a kick moves nothing by itself and opens
 /// nothing. One follows no sooner than a fifth of a second after the one before.
-/// source  docs/haptics.md 1; the two causes are quoted there, every number but the 2 mm is ours and not surgeon-reviewed
+/// source  docs/haptics.md, Where the tool is; the two causes are quoted there, every number but the 2 mm is ours and not surgeon-reviewed
 #pragma once
 
 #include <cstdint>

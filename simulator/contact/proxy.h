@@ -4,7 +4,7 @@
 /// contacts. What is least is the work stored between hand and tool: |way|^2 + grip^2 |turn|^2. Each contact gives a push
 /// along its normal and a hold across it of at most friction times the push; both are said as millimetres of the
 /// coupling's stretch, so that coupling x push is a force.
-/// source  docs/haptics.md 1
+/// source  docs/haptics.md, Where the tool is
 #pragma once
 
 #include <array>

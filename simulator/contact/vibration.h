@@ -4,7 +4,7 @@
 /// renders. So the hand gets half the true rate, within 90 to 150 Hz; sound has the true one (ui/sound). It is part neither
 /// of the recorded force, nor of the step's output, nor of any account of energy: it cannot hold a wall up and must not
 /// be taken for one.
-/// source  docs/haptics.md 9
+/// source  docs/haptics.md, Vibration
 #pragma once
 
 #include <cstdint>

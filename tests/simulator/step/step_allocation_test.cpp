@@ -18,12 +18,23 @@ WoundSettings zones_below() {
                                                      {{-9.0, -5.0, 0.0}, {9.0, -5.0, 0.0}, 1.0})};
 }
 
-/// A hundred thousand lines: a scratch, two cuts through the block, a piece picked up, a pause and a fault; then a blade laid
-/// on what is left, pressed and slid about.
+/// The hand is led to the first cut's plane, half a millimetre beside its way.
+ContactSettings guided() {
+  ContactSettings settings;
+  settings.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 4.0}}};
+  return settings;
+}
+
+/// A hundred thousand lines under a guide: a scratch, a saw started on the bone, two cuts through the block, a piece picked up,
+/// a hinge that is not there, a pause and a fault; then a blade laid on what is left, pressed and slid about.
 Recording eventful_attempt(const Bone& bone) {
-  tests::OperationRun run(bone, blade_down({6.0, 3.0, 0.0}), {}, {}, zones_below());
+  tests::OperationRun run(bone, blade_down({6.0, 3.0, 0.0}), {}, guided(), zones_below());
   run.glide(blade_down({6.0, 0.5, 0.0}), 70);
-  run.glide(blade_down({6.0, 4.0, 0.0}), 60);
+  run.glide(blade_down({6.0, 4.0, 0.0}), 600);
+  run.switches = 0;
+  run.glide(blade_down({6.0, 1.8, 0.0}), 100);
+  run.switches = tests::saw_runs;
+  run.hold(10);
   for (const double x_mm : {6.0, -6.0}) {
     run.glide(blade_down({x_mm, 4.0, 0.0}), 200);
     run.glide(blade_down({x_mm, -8.0, 0.0}), 1000);
@@ -31,6 +42,7 @@ Recording eventful_attempt(const Bone& bone) {
     run.glide(blade_down({x_mm, 4.0, 0.0}), 200);
   }
   run.step({{CommandKind::PickUp, 1, 0}, {CommandKind::Pause, 0, 0}, {CommandKind::Resume, 0, 0}});
+  run.step({{CommandKind::CloseHinge, 0, 0}});
   run.faults = 1;
   run.hold(5);
   run.faults = 0;
@@ -50,7 +62,7 @@ Recording eventful_attempt(const Bone& bone) {
 /// The tape once more through a step of its own; the heap calls of Operation::step alone.
 std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording) {
   const TissueMap tissue{bone};
-  Operation operation(tissue, bone.world_from_bone, {}, {}, zones_below());
+  Operation operation(tissue, bone.world_from_bone, {}, guided(), zones_below());
   ImmediateJobs jobs(bone, {});
   std::uint64_t allocations = 0;
   for (const TapeLine& line : recording.tape) {
@@ -78,9 +90,14 @@ TEST(StepAllocation, AHundredThousandEventfulStepsTakeNothingFromTheHeap) {
         CutEventKind::SectionKnown, CutEventKind::Breakthrough, CutEventKind::SectionCovered,
         CutEventKind::PieceFreed, CutEventKind::PieceRemoved, CutEventKind::StepDone,
         CutEventKind::Paused, CutEventKind::Fault, CutEventKind::BoneHot,
-        CutEventKind::DangerContact, CutEventKind::DangerLeft}) {
+        CutEventKind::DangerContact, CutEventKind::DangerLeft, CutEventKind::Kick,
+        CutEventKind::HingeRefused}) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << static_cast<int>(kind);
   }
+  const auto is_led = [](const ToolSample& sample) {
+    return !has(sample.status, ToolStatus::InContact) && sample.force_mn[0] != 0;
+  };
+  EXPECT_TRUE(std::any_of(recording.samples.begin(), recording.samples.end(), is_led));
   EXPECT_EQ(allocations_of_steps(bone, recording), 0U);
 }
 

@@ -131,6 +131,19 @@ TEST(Wound, AHandThatLeansBendsTheBladeThatStandsOut) {
   EXPECT_GT(std::abs(flex.deflection_mm), 0.1);
 }
 
+TEST(Wound, AThickerBladeBendsLess) {
+  const Bone bone = hard_block();
+  const auto bent_mm = [&](double thickness_mm) {
+    OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, {},
+                     {.blade_thickness_mm = thickness_mm});
+    push_down(run);
+    return std::abs(run.glide(blade_down({1.0, top_mm - 7.5, 0.0}), 50).flex.deflection_mm);
+  };
+  const double thin_mm = bent_mm(0.4);
+  EXPECT_GT(thin_mm, 0.1);
+  EXPECT_NEAR(thin_mm / bent_mm(0.6), 1.5 * 1.5 * 1.5, 1e-6);
+}
+
 TEST(Wound, OfTheStepIsWhatItsRecordTells) {
   const Bone bone = hard_block();
   OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, {}, tendon_beside());
