@@ -3,15 +3,19 @@
 /// | fault | when | recognised after |
 /// |---|---|---|
 /// | Lost | the driver says that the device is gone | at once |
-/// | NotFinite | a part of the pose is no number | at once |
-/// | Jumped | farther than a hand moves in a tick; believed once it stays | at once |
-/// | Late | a device that numbers its packets brought no new one | 3 ticks |
+/// | NotFinite | a part of the pose is no number, or the quaternion is no rotation: of a length outside 0.5 to 2 | at once |
+/// | Jumped | farther than a hand moves or turns in the ticks of the line | at once |
+/// | Late | a device that numbers its packets brought no newer one | 3 ticks |
 /// | Frozen | the same to the last bit for longer than the device says it ever is | the device's word |
+///
+/// Where a device jumped to is believed once it was there for 20 ticks, moving from word to word as a hand does: one that leaps
+/// about is never believed. Packets are counted anew after Lost: a driver that begins again numbers from its beginning.
 ///
 /// A fault stands on the tape as bits, so the step holds the tool and gives no force, and a replay does the same.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "simulator/device/haptic_device.h"
 #include "simulator/record/record.h"
@@ -34,13 +38,15 @@ class DeviceWatchdog {
   std::uint32_t faults_in(bool came, const RawDeviceState& raw, std::int64_t ticks) noexcept;
   bool is_late(const RawDeviceState& raw, std::int64_t ticks) noexcept;
   bool is_frozen(const RawDeviceState& raw, std::int64_t ticks) noexcept;
-  bool has_jumped(const RigidTransform& pose) noexcept;
+  bool has_jumped(const RigidTransform& pose, std::int64_t ticks) noexcept;
 
   DevicePulse pulse_;
   RigidTransform last_good_;
-  RawDeviceState last_;  ///< as it was said, good or not
+  RawDeviceState last_;                         ///< as it was said, good or not
+  RigidTransform jumped_to_;                    ///< the last word of a device that jumped
+  std::optional<std::uint64_t> newest_packet_;  ///< since it was lost
   std::int64_t packet_ticks_ = 0, same_ticks_ = 0;
-  int jumps_ = 0;
+  std::int64_t jumped_ticks_ = 0;  ///< how long it has been where it jumped to
   bool has_pose_ = false;
   bool has_last_ = false;
 };
