@@ -9,6 +9,8 @@
 
 namespace hallux::simulator {
 
+inline constexpr std::int32_t transport_ticks_at_most = 3;
+
 struct DeviceLimits {
   double force_newton = 0.0;             ///< the greatest, for a moment, in any direction
   double continuous_force_newton = 0.0;  ///< that its motors bear for ever
@@ -16,7 +18,7 @@ struct DeviceLimits {
   double stiffness_newton_per_mm = 0.0;  ///< of the stiffest wall that it renders
   double damping_newton_s_per_mm = 0.0;  ///< the greatest that it renders
   double slew_newton_per_s = 500.0;
-  std::int32_t transport_ticks = 0;  ///< from sending a force until it acts; at most 3
+  std::int32_t transport_ticks = 0;  ///< from sending a force until it acts
   bool renders_vibration = false;    ///< its motors follow 90 to 150 Hz
   std::optional<double> force_scale =
       std::nullopt;  ///< device newtons per simulated newton, where it says one

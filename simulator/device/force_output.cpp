@@ -73,7 +73,7 @@ void limit(Vec3& force_newton, const ForceOutputState& state, const ForceOutputS
 
 ForceOutputSettings force_output_settings(const DeviceLimits& limits,
                                           double simulated_spring_newton_per_mm,
-                                          std::int32_t ticks_until_sent) noexcept {
+                                          std::int32_t exchanges_until_sent) noexcept {
   CHECK(is_possible(limits) && simulated_spring_newton_per_mm > 0.0);
   ForceOutputSettings settings;
   settings.scale = force_scale_on(limits, simulated_spring_newton_per_mm);
@@ -81,8 +81,10 @@ ForceOutputSettings force_output_settings(const DeviceLimits& limits,
   settings.slew_newton_per_s = limits.slew_newton_per_s;
   settings.passivity.spring_newton_per_mm = settings.scale * simulated_spring_newton_per_mm;
   settings.passivity.damping_newton_s_per_mm = limits.damping_newton_s_per_mm;
-  settings.passivity.delay_ticks =
-      std::clamp(ticks_until_sent + limits.transport_ticks, 0, delay_ticks_at_most);
+  settings.passivity.exchanges_until_sent =
+      std::clamp(exchanges_until_sent, 0, exchanges_until_sent_at_most);
+  settings.passivity.transport_ticks =
+      std::clamp(limits.transport_ticks, 0, transport_ticks_at_most);
   settings.thermal = {limits.continuous_force_newton, limits.thermal_time_s};
   return settings;
 }
@@ -116,7 +118,7 @@ DeviceForce output_force(ForceOutputState& state, const ForceOutputSettings& set
   limit(force_newton, state, settings, duration_s, output.limits);
   if (!is_finite(force_newton)) return stop(state, ForceLimit::Stopped);
   state.sent_newton = output.force_in_world_newton = force_newton;
-  note_sent(state.account, force_newton - tremble_newton);
+  note_made(state.account, force_newton - tremble_newton);
   return output;
 }
 

@@ -41,11 +41,11 @@ struct ForceOutputSettings {
 };
 
 /// For a device with these limits and a contact whose force is a spring of that stiffness, simulated.
-/// `ticks_until_sent` lie between a force and the exchange that carries it to the device; its transport comes on top.
+/// `exchanges_until_sent` lie between a force and the one that carries it to the device, 0 or 1; its transport comes on top.
 /// needs   limits that are possible: every one of them above 0, damping at least 0
 ForceOutputSettings force_output_settings(const DeviceLimits& limits,
                                           double simulated_spring_newton_per_mm,
-                                          std::int32_t ticks_until_sent) noexcept;
+                                          std::int32_t exchanges_until_sent) noexcept;
 
 struct ForceInput {
   Vec3 simulated_in_world_newton{0.0, 0.0, 0.0};  ///< on the hand

@@ -16,22 +16,30 @@
 #include <cstdint>
 
 #include "simulator/base/vector.h"
+#include "simulator/device/device_limits.h"
 
 namespace hallux::simulator {
 
-inline constexpr std::int32_t delay_ticks_at_most = 4;
+inline constexpr std::int32_t exchanges_until_sent_at_most = 1;
+/// That one line of the loop covers.
+inline constexpr std::int32_t line_ticks_at_most = 3;
 
 struct PassivitySettings {
   bool is_on = true;                   ///< off: the account is kept, nothing is damped
   double spring_newton_per_mm = 1.0;   ///< K, on the device's side
   double damping_newton_s_per_mm = 0;  ///< the greatest that the device renders
-  std::int32_t delay_ticks = 0;        ///< from a force's output until it acts
+  /// Between a force's output and the exchange that carries it: 0 where it is sent at once, else 1. A line may cover several
+  /// ticks, so these are no ticks.
+  std::int32_t exchanges_until_sent = 0;
+  std::int32_t transport_ticks = 0;  ///< from sending a force until it acts
 };
 
 struct EnergyAccount {
   double energy_millijoule = 0.0;
-  /// What was sent, the newest first; what acts now lies at the delay.
-  std::array<Vec3, delay_ticks_at_most + 1> sent_newton{};
+  /// What came out, a value a line, the newest first; what the device was told last lies at the exchanges until sent.
+  std::array<Vec3, exchanges_until_sent_at_most + 1> made_newton{};
+  /// What the device had been told, a value a tick, the newest first; what acts lies at the transport.
+  std::array<Vec3, transport_ticks_at_most + line_ticks_at_most> told_newton{};
   double quiet_s = 0.0;  ///< how long nothing was pushing
 };
 
@@ -41,15 +49,17 @@ struct HandleMotion {
   double duration_s = 0.001;
 
   Vec3 velocity_mm_s() const noexcept { return way_mm / duration_s; }
+  /// Whole ticks of it, from one to three.
+  std::size_t ticks() const noexcept;
 };
 
 /// Counts the tick that has passed, and returns the force that may follow: `wanted_newton`, or less of it, or damping.
-/// needs   0 <= delay_ticks <= 4, duration_s > 0, all of it finite
+/// needs   0 <= exchanges_until_sent <= 1, 0 <= transport_ticks <= 3, duration_s > 0, all of it finite
 /// errors  none: total, allocates nothing
 Vec3 kept_passive(EnergyAccount& account, const PassivitySettings& settings,
                   const HandleMotion& motion, const Vec3& wanted_newton) noexcept;
 
-/// What really goes to the device at this tick.
-void note_sent(EnergyAccount& account, const Vec3& sent_newton) noexcept;
+/// What really goes to the device of this tick's force.
+void note_made(EnergyAccount& account, const Vec3& made_newton) noexcept;
 
 }  // namespace hallux::simulator

@@ -9,8 +9,8 @@ namespace hallux::simulator {
 
 namespace {
 
-/// A force is made at the end of a tick and carried by the exchange of the next.
-constexpr std::int32_t ticks_until_sent = 1;
+/// A force is made at the end of a line and carried by the exchange of the next.
+constexpr std::int32_t exchanges_until_sent = 1;
 /// A weaker simulated force has no direction that a surface could be told from.
 constexpr double least_touch_newton = 0.05;
 
@@ -27,7 +27,7 @@ double vibration_scale_on(const DeviceDescription& device) {
 std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
                                                 double contact_newton_per_mm) {
   if (!device.limits) return std::nullopt;
-  return force_output_settings(*device.limits, contact_newton_per_mm, ticks_until_sent);
+  return force_output_settings(*device.limits, contact_newton_per_mm, exchanges_until_sent);
 }
 
 }  // namespace

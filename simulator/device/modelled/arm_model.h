@@ -8,10 +8,9 @@
 #include <cstdint>
 
 #include "simulator/base/vector.h"
+#include "simulator/device/device_limits.h"
 
 namespace hallux::simulator {
-
-inline constexpr std::size_t transport_ticks_at_most = 3;
 
 /// source  docs/haptics.md, The modelled arm
 struct ArmTraits {
@@ -45,7 +44,7 @@ struct HandGrip {
   Vec3 push_newton{0.0, 0.0, 0.0};  ///< besides
 };
 
-/// The force sent now; it begins to act after the transport.
+/// The force sent at this tick; it begins to act after the transport. A device that was told nothing new sends on what it was told.
 /// needs   0 <= transport_ticks <= 3
 void send_force(ArmState& arm, const Vec3& force_newton) noexcept;
 

@@ -27,8 +27,7 @@ ModelledArm::ModelledArm(HandMotion motion, const ModelledArmSetup& setup)
       wanted_(motion),
       tremor_(setup.seed, setup.hand.tremor_mm),
       gimbal_(setup.seed, "arm.gimbal") {
-  CHECK(setup.arm.transport_ticks >= 0 &&
-        setup.arm.transport_ticks <= static_cast<std::int32_t>(transport_ticks_at_most));
+  CHECK(setup.arm.transport_ticks >= 0 && setup.arm.transport_ticks <= transport_ticks_at_most);
   setup_.limits.transport_ticks = setup.arm.transport_ticks;
   arm_.place_mm = start_of(motion) + tremor_.at(0.0);
 }
@@ -51,7 +50,11 @@ bool ModelledArm::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                       setup_.hand.damping_newton_s_per_mm,
                       wanted.world_from_handle.translation_mm + tremor_.at(second_from_tick(tick)),
                       {0.0, 0.0, 0.0}};
-  for (std::int64_t i = 0; i < ticks; ++i) advance(arm_, setup_.arm, grip);
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    // Transport goes on with the ticks, also of a line that covers several.
+    if (i > 0) send_force(arm_, arm_.sent_newton[0]);
+    advance(arm_, setup_.arm, grip);
+  }
   send_force(arm_, force_in_world_newton);
   state.world_from_handle = {flickered(wanted.world_from_handle.rotation),
                              read_encoders(arm_, setup_.arm)};

@@ -15,18 +15,34 @@ Vec3 along_x(double newton) { return {newton, 0.0, 0.0}; }
 
 TEST(Passivity, CountsTheForceThatActed) {
   EnergyAccount account;
-  note_sent(account, along_x(-1.5));
+  note_made(account, along_x(-1.5));
   kept_passive(account, device, moved(0.2), along_x(-2.0));
   EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.3) << "1.5 N held against over 0.2 mm";
 }
 
 TEST(Passivity, KnowsThatAForceComesLater) {
   PassivitySettings late = device;
-  late.delay_ticks = 2;
+  late.exchanges_until_sent = late.transport_ticks = 1;
   EnergyAccount account;
-  for (const double newton : {-1.0, -2.0, -3.0}) note_sent(account, along_x(newton));
+  for (const double newton : {-1.0, -2.0, -3.0}) {
+    kept_passive(account, late, moved(0.0), along_x(newton));
+    note_made(account, along_x(newton));
+  }
   kept_passive(account, late, moved(0.1), along_x(-4.0));
   EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.1) << "the oldest of three";
+}
+
+TEST(Passivity, CountsWhatActedInEachTickOfALineOfThree) {
+  PassivitySettings late = device;
+  late.exchanges_until_sent = late.transport_ticks = 1;
+  EnergyAccount account;
+  for (const double newton : {-1.0, -2.0, -3.0}) {
+    kept_passive(account, late, moved(0.0), along_x(newton));
+    note_made(account, along_x(newton));
+  }
+  // The device was told -2 N before these three ticks: in the first of them the -1 N before that still act.
+  kept_passive(account, late, {{0.3, 0.0, 0.0}, 0.003}, along_x(-4.0));
+  EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.1 * (1.0 + 2.0 + 2.0));
 }
 
 TEST(Passivity, DampsWhatWouldComeBackUnpaid) {
@@ -53,7 +69,7 @@ TEST(Passivity, WhatIsSawnDoesNotPayForWhatComesLater) {
   EnergyAccount account;
   for (int tick = 0; tick < 1000; ++tick) {
     kept_passive(account, device, moved(0.01), along_x(-2.0));
-    note_sent(account, along_x(-2.0));
+    note_made(account, along_x(-2.0));
   }
   EXPECT_LE(account.energy_millijoule, 2.0 * 2.0 * 2.0 / 2.0) << "twice what the spring may hold";
   kept_passive(account, device, moved(0.01), along_x(0.0));

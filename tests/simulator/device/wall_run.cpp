@@ -25,12 +25,16 @@ WallTrace press(const WallRun& run, const WallLaw& wall, const ForceOutputSettin
   arm.velocity_mm_s.x = run.start_speed_mm_s;
   WallTrace trace;
   double wall_newton = 0.0;
+  simulator::DeviceForce force;
   for (std::int64_t tick = 0; tick < run.ticks; ++tick) {
     const Vec3 read_mm = read_encoders(arm, run.arm);
     if (tick % run.ticks_per_update == 0) wall_newton = wall(read_mm.x);
-    simulator::DeviceForce force{{wall_newton, 0.0, 0.0}, 0};
-    if (output != nullptr) {
-      force = output_force(state, *output, {force.force_in_world_newton, read_mm});
+    if (tick % run.ticks_per_line == 0) force = {{wall_newton, 0.0, 0.0}, 0};
+    if (output != nullptr && tick % run.ticks_per_line == 0) {
+      force = output_force(state, *output,
+                           {.simulated_in_world_newton = force.force_in_world_newton,
+                            .handle_in_world_mm = read_mm,
+                            .duration_s = step_s * static_cast<double>(run.ticks_per_line)});
       trace.limits |= force.limits;
       trace.greatest_heat = std::max(trace.greatest_heat, state.thermal.heat);
     }

@@ -26,6 +26,7 @@ struct WallRun {
   std::uint64_t seed = 1;
   std::int64_t ticks = 3000;
   std::int64_t ticks_per_update = 1;  ///< of the wall
+  std::int64_t ticks_per_line = 1;    ///< of the loop that reads the handle and makes the force
 };
 
 struct WallTrace {
