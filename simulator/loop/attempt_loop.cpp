@@ -18,6 +18,8 @@ constexpr std::chrono::milliseconds tick_time{1};
 /// Beyond this many ticks in one line the attempt pauses instead of jumping on.
 constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
+/// While it waits for room, each of them a tick long.
+constexpr std::int64_t rests_per_progress = 100;
 /// How long the worst lateness is shown.
 constexpr std::int64_t lines_per_lateness = 1000;
 
@@ -53,26 +55,33 @@ class Spread {
 /// The attempt while it runs; one object per call of run_attempt.
 class AttemptRun {
  public:
-  AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels)
+  AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels,
+             const AttemptProgress& progress)
       : setup_(setup),
         device_(device,
                 {setup.contact.coupling_newton_per_mm, setup.blade.kerf_mm,
                  setup.contact.cycles_per_minute, setup.contact.sharpness},
                 setup.force_law),
         channels_(channels),
+        progress_(progress),
         tissue_(setup.bone),
         operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
         step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
         late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
+    if (setup.job_runner != nullptr) {
+      jobs_ = setup.job_runner;
+      return;
+    }
     if (setup.pacing == Pacing::RealTime) {
-      jobs_ =
+      own_jobs_ =
           std::make_unique<ThreadedJobs>(setup.bone, setup.blade, setup.job_delay, setup.bridge);
     } else {
-      jobs_ = std::make_unique<ImmediateJobs>(setup.bone, setup.blade, setup.bridge);
+      own_jobs_ = std::make_unique<ImmediateJobs>(setup.bone, setup.blade, setup.bridge);
     }
+    jobs_ = own_jobs_.get();
   }
 
-  LoopStatistics run(const AttemptProgress& progress) {
+  LoopStatistics run() {
     std::optional<RealTimePriority> priority;
     std::optional<LockedMemory> memory;
     if (setup_.pacing == Pacing::RealTime && setup_.watch != nullptr) {
@@ -82,31 +91,46 @@ class AttemptRun {
     statistics_.has_priority = view_.has_priority = priority && priority->is_granted();
     statistics_.has_locked_memory = view_.has_locked_memory = memory && memory->is_granted();
     statistics_.force_scale = device_.scale();
-    deadline_ = Clock::now() + tick_time;
-    while (tick_ <= setup_.last_tick && !operation_.is_over()) {
-      if (channels_.recorder_failed.load(std::memory_order_relaxed)) {
-        statistics_.end = AttemptEnd::RecorderFailed;
-        break;
-      }
-      const std::int64_t ticks = setup_.pacing == Pacing::RealTime ? wait_for_tick() : 1;
-      advance(ticks);
-      if (jobs_->failure()) break;
-      const bool is_due = statistics_.lines % ticks_per_progress == 0;
-      if (is_due && progress && !progress(fraction_done())) {
-        statistics_.end = AttemptEnd::Cancelled;
-        break;
-      }
+    statistics_.force_law = setup_.force_law;
+    std::exception_ptr failure;
+    try {
+      operate();
+    } catch (...) {
+      failure = std::current_exception();
     }
     device_.let_go();
     if (operation_.is_over()) statistics_.end = AttemptEnd::Finished;
     channels_.closed.store(true, std::memory_order_release);
     if (setup_.watch != nullptr) close_watch();
-    if (const std::exception_ptr failure = jobs_->failure()) std::rethrow_exception(failure);
+    if (!failure) failure = jobs_->failure();
+    if (failure) std::rethrow_exception(failure);
     summarise();
     return statistics_;
   }
 
  private:
+  void operate() {
+    deadline_ = Clock::now() + tick_time;
+    while (tick_ <= setup_.last_tick && !operation_.is_over() && !is_cut_short()) {
+      const std::int64_t ticks = setup_.pacing == Pacing::RealTime ? wait_for_tick() : 1;
+      if (is_cut_short()) return;
+      advance(ticks);
+      if (statistics_.lines % ticks_per_progress == 0) tell_progress();
+    }
+  }
+
+  /// A recorder or a job that failed, or whoever watches the progress, ends it; also while it waits.
+  bool is_cut_short() noexcept {
+    if (channels_.recorder_failed.load(std::memory_order_relaxed)) {
+      statistics_.end = AttemptEnd::RecorderFailed;
+    }
+    return statistics_.end != AttemptEnd::ReachedLastTick || jobs_->failure() != nullptr;
+  }
+
+  void tell_progress() {
+    if (progress_ && !progress_(fraction_done())) statistics_.end = AttemptEnd::Cancelled;
+  }
+
   double fraction_done() const {
     if (setup_.attempt_operator != nullptr) return setup_.attempt_operator->fraction_done();
     return static_cast<double>(tick_) /
@@ -179,9 +203,10 @@ class AttemptRun {
     ++statistics_.pauses;
     is_gap_ = true;
     device_.let_go();
-    while (is_a_ring_nearly_full() && !channels_.recorder_failed.load(std::memory_order_relaxed)) {
+    for (std::int64_t rests = 1; is_a_ring_nearly_full() && !is_cut_short(); ++rests) {
       std::this_thread::sleep_for(tick_time);
       device_.let_go();
+      if (rests % rests_per_progress == 0) tell_progress();
     }
     deadline_ = Clock::now() + tick_time;
     return 1;
@@ -254,9 +279,11 @@ class AttemptRun {
   const AttemptSetup& setup_;
   DeviceLink device_;
   AttemptChannels& channels_;
+  const AttemptProgress& progress_;
   TissueMap tissue_;
   Operation operation_;
-  std::unique_ptr<JobRunner> jobs_;
+  std::unique_ptr<JobRunner> own_jobs_;  ///< none where the setup brings its own
+  JobRunner* jobs_ = nullptr;
   Spread step_times_, late_times_;
   LoopStatistics statistics_;
   LoopView view_;
@@ -272,7 +299,7 @@ class AttemptRun {
 
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
                            AttemptChannels& channels, const AttemptProgress& progress) {
-  return AttemptRun(setup, device, channels).run(progress);
+  return AttemptRun(setup, device, channels, progress).run();
 }
 
 }  // namespace hallux::simulator

@@ -37,6 +37,8 @@ struct AttemptSetup {
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
   AttemptOperator* attempt_operator =
       nullptr;  ///< who answers to what comes out; outlives the attempt
+  /// Where jobs run; outlives the attempt. None: on a thread in RealTime, at once in Virtual.
+  JobRunner* job_runner = nullptr;
 };
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
@@ -54,7 +56,8 @@ struct LoopStatistics {
       false;  ///< the system ran the loop before all else; asked for where it is watched
   bool has_locked_memory = false;  ///< the system kept its memory in place; asked for likewise
   double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
-  std::uint32_t force_limits = 0;  ///< bits of ForceLimit that occurred
+  std::uint32_t force_limits = 0;            ///< bits of ForceLimit that occurred
+  ForceLaw force_law = ForceLaw::Simulated;  ///< what the arm was made to feel
 };
 
 /// Called about ten times a second with the fraction done [0, 1]; returning false cancels the attempt.
@@ -62,7 +65,7 @@ using AttemptProgress = std::function<bool(double)>;
 
 /// Runs the attempt on the calling thread until its end, and closes the channels.
 /// ensures every line of the tape, every sample and every event was pushed; none is dropped
-/// errors  what a job threw (std::bad_alloc), after the channels were closed
+/// errors  what a job (std::bad_alloc) or `progress` threw, after the device was let go and channels and watch were closed
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
                            AttemptChannels& channels, const AttemptProgress& progress = {});
 

@@ -60,8 +60,11 @@ void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
   const bool is_live =
       has(sample.status, ToolStatus::Running) && !has(sample.status, ToolStatus::Faulted);
   if (!is_live) historic_ = {};
-  const Vec3 felt_newton =
-      law_ == ForceLaw::Historic ? historic_newton(simulated_newton, ticks) : simulated_newton;
+  // A guide leads in air too, and a kick outlasts its touch: they are no surface.
+  const bool is_touching = has(sample.status, ToolStatus::InContact);
+  const Vec3 felt_newton = law_ == ForceLaw::Historic
+                               ? historic_newton(simulated_newton, is_touching, ticks)
+                               : simulated_newton;
   const double duration_s = static_cast<double>(ticks) * step_s;
   const double push_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
   force_ =
@@ -88,10 +91,11 @@ Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, do
   return vibration_scale_ * vibrate(vibration_, input) * along_teeth;
 }
 
-Vec3 DeviceLink::historic_newton(const Vec3& simulated_newton, std::int64_t ticks) noexcept {
+Vec3 DeviceLink::historic_newton(const Vec3& simulated_newton, bool is_touching,
+                                 std::int64_t ticks) noexcept {
   const double touch_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
   std::optional<Vec3> normal;
-  if (touch_newton > least_touch_newton) normal = simulated_newton / touch_newton;
+  if (is_touching && touch_newton > least_touch_newton) normal = simulated_newton / touch_newton;
   const HistoricSettings settings{.force_limit_newton = settings_->force_newton};
   const Vec3 handle_mm = watchdog_.last_good().translation_mm;
   return historic_force(historic_, settings, handle_mm, normal, ticks) / settings_->scale;

@@ -22,7 +22,7 @@ namespace hallux::simulator {
 /// What an arm is made to feel. Neither changes what is simulated, recorded and scored.
 enum class ForceLaw {
   Simulated,  ///< the scaled force of the simulation
-  Historic    ///< the thesis's law where the simulation feels bone: for the lesson
+  Historic    ///< the thesis's law where teeth touch bone: for the lesson
 };
 
 /// What the device's force follows besides the steps.
@@ -58,7 +58,7 @@ class DeviceLink {
  private:
   /// What the thesis's law makes of the handle's motion at the surface that the simulated force comes from, in newtons of
   /// the simulation: the output scales them.
-  Vec3 historic_newton(const Vec3& simulated_newton, std::int64_t ticks) noexcept;
+  Vec3 historic_newton(const Vec3& simulated_newton, bool is_touching, std::int64_t ticks) noexcept;
 
   /// How the running saw trembles along its teeth, for an arm that can render it; newtons of the device.
   Vec3 tremble_newton(const StepOutput& output, double push_newton, double duration_s,

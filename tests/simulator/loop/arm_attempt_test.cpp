@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "simulator/device/force_output.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/recorded_run.h"
+#include "tests/simulator/loop/watched_device.h"
+#include "tests/simulator/step/operation_run.h"
 
 namespace hallux::simulator {
 namespace {
@@ -19,50 +20,15 @@ constexpr std::int64_t fault_tick = 650;  ///< in the midst of the bone; through
 
 double length(const Vec3& vector) { return std::sqrt(glm::dot(vector, vector)); }
 
-/// An arm whose words are garbled for a while; remembers what it said at each tick and was given.
-class GarbledArm final : public HapticDevice {
- public:
-  using Garble = std::function<bool(RawDeviceState& state, const RawDeviceState& last_good)>;
-  GarbledArm(const HandMotion& motion, const ModelledArmSetup& setup, std::int64_t ticks,
-             Garble garble)
-      : arm_(motion, setup), end_tick_(fault_tick + ticks), garble_(std::move(garble)) {}
-
-  DeviceDescription description() const override { return arm_.description(); }
-  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
-                RawDeviceState& state) noexcept override {
-    given_newton.push_back(force_in_world_newton);
-    arm_.exchange(force_in_world_newton, tick, state);
-    least_of_wall_millijoule =
-        std::min(least_of_wall_millijoule, -arm_.arm().work.of_motors_millijoule);
-    if (tick < fault_tick) last_good_ = state;
-    return tick >= fault_tick && tick < end_tick_ ? garble_(state, last_good_) : true;
-  }
-  const ArmState& arm() const { return arm_.arm(); }
-
-  std::vector<Vec3> given_newton;         ///< at each exchange
-  double least_of_wall_millijoule = 0.0;  ///< what the hand had paid in, at its least
-
- private:
-  ModelledArm arm_;
-  RawDeviceState last_good_;
-  std::int64_t end_tick_;
-  Garble garble_;
-};
-
 struct ArmAttempt {
-  explicit ArmAttempt(GarbledArm::Garble garble, std::int64_t fault_ticks = 60,
-                      std::int32_t transport_ticks = 1, std::vector<HandCommand> extra = {},
+  explicit ArmAttempt(tests::Garble garble, std::int64_t fault_ticks = 60,
+                      std::int32_t transport_ticks = 1, const std::vector<HandCommand>& extra = {},
                       ForceLaw law = ForceLaw::Simulated)
-      : device(motion, arm_setup(transport_ticks), fault_ticks, std::move(garble)) {
-    extra.insert(extra.begin(), motion.commands.front());
-    extra.push_back(motion.commands.back());
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
-                             .commands = std::move(extra),
-                             .last_tick = last_tick,
-                             .job_delay = {},
-                             .force_law = law};
+      : arm(motion, arm_setup(transport_ticks)),
+        device(arm, {fault_tick, fault_tick + fault_ticks, std::move(garble)}) {
+    AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
+    setup.commands.insert(setup.commands.begin() + 1, extra.begin(), extra.end());
+    setup.force_law = law;
     run = tests::record(setup, device);
   }
   static ModelledArmSetup arm_setup(std::int32_t transport_ticks) {
@@ -76,7 +42,8 @@ struct ArmAttempt {
 
   Bone bone = tests::loop_block();
   HandMotion motion = tests::sawing_motion(bone, last_tick);
-  GarbledArm device;
+  ModelledArm arm;
+  tests::WatchedDevice device;
   tests::RecordedRun run;
 };
 
@@ -111,8 +78,7 @@ void expect_let_go(const ArmAttempt& attempt, DeviceFault fault, std::int64_t fa
 }
 
 /// With each transport that an arm may have.
-void expect_let_go_of(const GarbledArm::Garble& garble, DeviceFault fault,
-                      std::int64_t fault_ticks) {
+void expect_let_go_of(const tests::Garble& garble, DeviceFault fault, std::int64_t fault_ticks) {
   for (std::int32_t transport = 0; transport <= 2; ++transport) {
     SCOPED_TRACE(transport);
     expect_let_go(ArmAttempt(garble, fault_ticks, transport), fault, fault_ticks, transport);
@@ -216,20 +182,25 @@ HandMotion knocking(const Bone& bone) {
   return motion;
 }
 
+/// What the hand has paid in, at its least: below 0, the motors did so much unpaid. All three outlive the attempt.
+void watch_motors(tests::WatchedDevice& device, const ModelledArm& arm, double& least_millijoule) {
+  device.after_exchange = [&](std::int64_t) {
+    least_millijoule = std::min(least_millijoule, -arm.arm().work.of_motors_millijoule);
+  };
+}
+
 TEST(ArmAttempt, ItsMotorsNeverDoMoreThanTheHandHasPaid) {
   const Bone bone = tests::loop_block();
   const HandMotion motion = knocking(bone);
   for (std::int32_t transport = 0; transport <= 2; ++transport) {
-    GarbledArm device(motion, ArmAttempt::arm_setup(transport), 0, says_nothing_wrong);
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
-                             .commands = motion.commands,
-                             .last_tick = last_tick,
-                             .job_delay = {}};
+    ModelledArm arm(motion, ArmAttempt::arm_setup(transport));
+    tests::WatchedDevice device(arm);
+    double least_of_wall_millijoule = 0.0;
+    watch_motors(device, arm, least_of_wall_millijoule);
+    const AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
     tests::record(setup, device);
     // An encoder step at the greatest force.
-    EXPECT_GE(device.least_of_wall_millijoule, -0.015 * 8.0) << transport << " ticks of transport";
+    EXPECT_GE(least_of_wall_millijoule, -0.015 * 8.0) << transport << " ticks of transport";
     EXPECT_GT(length(device.given_newton[2850]), 0.5) << "it was pressed";
   }
 }
@@ -261,6 +232,122 @@ TEST(ArmAttempt, TheHistoricLawIsFeltAndTheSimulatedForceIsRecorded) {
   EXPECT_GT(most_newton, 0.5);
   EXPECT_LE(most_newton, 8.0 + 1.0e-9);
   EXPECT_TRUE(replay(attempt.run.recording, {attempt.bone, {}, {}, {}}).is_identical);
+}
+
+/// An arm held in air with the blade 6 mm beside the planned plane, which leads it like a slot.
+struct LedArm {
+  explicit LedArm(const ModelledArmSetup& held, ForceLaw law = ForceLaw::Simulated)
+      : arm(motion, held), device(arm) {
+    AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
+    setup.contact = contact;
+    setup.force_law = law;
+    watch_motors(device, arm, least_of_wall_millijoule);
+    run = tests::record(setup, device);
+    for (const TapeLine& line : run.recording.tape) {
+      const RigidTransform bone_from_handle =
+          inverse(bone.world_from_bone) * transform_from(line.device.world_from_handle);
+      off_mm.push_back(bone_from_handle.translation_mm.x - plane_mm);
+    }
+  }
+  /// Its hand does not tremble: what moves is the loop's.
+  static ModelledArmSetup held_arm(std::int32_t transport_ticks, double grip_newton_per_mm) {
+    ModelledArmSetup setup = ArmAttempt::arm_setup(transport_ticks);
+    setup.hand.stiffness_newton_per_mm = grip_newton_per_mm;
+    setup.hand.tremor_mm = 0.0;
+    return setup;
+  }
+  static HandMotion held_in_air(const Bone& bone) {
+    const RigidTransform held =
+        bone.world_from_bone * tests::blade_down({plane_mm + start_mm, 10.0, 0.0});
+    return {
+        .keys = {{0, held, 0}, {last_tick, held, 0}},
+        .commands = {{0, {CommandKind::Start, 0, 0}}, {last_tick, {CommandKind::Finish, 0, 0}}}};
+  }
+  /// Since when it is in the guide's play, but for 0.1 mm: there the guide pushes with 0.03 N, and it nears ever more slowly.
+  std::int64_t led_tick() const {
+    const auto in_play = std::find_if(off_mm.begin(), off_mm.end(),
+                                      [](double mm) { return mm <= guide_play_mm + 0.1; });
+    return in_play - off_mm.begin();
+  }
+  double greatest_speed_mm_s() const {
+    double greatest_mm = 0.0;  // in ten ticks: an encoder step is 15 mm/s in one
+    for (std::size_t i = 10; i < off_mm.size(); ++i) {
+      greatest_mm = std::max(greatest_mm, std::abs(off_mm[i] - off_mm[i - 10]));
+    }
+    return 100.0 * greatest_mm;
+  }
+  /// Between the most and the least of the last half second before the end, where it is let go.
+  double range_at_rest_mm() const {
+    const auto [least, most] = std::minmax_element(off_mm.end() - 500, off_mm.end() - 1);
+    return *most - *least;
+  }
+
+  static constexpr double plane_mm = -1.0, start_mm = 6.0;
+  /// Of the arm: six tenths of the coupling's 2 N/mm, scaled by 0.24.
+  static constexpr double stiffness_newton_per_mm = 0.24 * guide_share_of_stiffness * 2.0;
+
+  ContactSettings contact = {
+      .guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), plane_mm}}}};
+  Bone bone = tests::loop_block();
+  HandMotion motion = held_in_air(bone);
+  ModelledArm arm;
+  tests::WatchedDevice device;
+  double least_of_wall_millijoule = 0.0;
+  tests::RecordedRun run;
+  std::vector<double> off_mm;  ///< beside the plane, a value a tick
+};
+
+/// What the guide's spring holds where the hand is 6 mm off.
+constexpr double held_millijoule = 0.5 * LedArm::stiffness_newton_per_mm *
+                                   (LedArm::start_mm - guide_play_mm) *
+                                   (LedArm::start_mm - guide_play_mm);
+
+TEST(GuidedArm, LooselyHeldComesIntoThePlayAndRestsThere) {
+  for (std::int32_t transport = 0; transport <= 2; ++transport) {
+    const LedArm led(LedArm::held_arm(transport, 0.0));
+    EXPECT_LT(led.led_tick(), 1000) << transport;
+    EXPECT_GT(*std::min_element(led.off_mm.begin(), led.off_mm.end()), 0.0) << "and not through it";
+    EXPECT_LT(led.range_at_rest_mm(), 0.1) << transport;
+    // The guide came in by itself: its own spring is what the motors may do, and an encoder step at the greatest force.
+    EXPECT_GE(led.least_of_wall_millijoule, -held_millijoule - 0.015 * 8.0) << transport;
+    EXPECT_TRUE(replay(led.run.recording, {led.bone, {}, led.contact, {}}).is_identical);
+  }
+}
+
+TEST(GuidedArm, ItsControllerLetsItComeHalfAsFast) {
+  // Nobody has paid for a guide that comes in by itself: what it does is what the damper leaves.
+  ModelledArmSetup undamped = LedArm::held_arm(1, 0.0);
+  undamped.limits.damping_newton_s_per_mm = 0.0;
+  const LedArm with(LedArm::held_arm(1, 0.0)), without(undamped);
+  EXPECT_TRUE(has(with.run.statistics.force_limits, ForceLimit::Passivity));
+  EXPECT_FALSE(has(without.run.statistics.force_limits, ForceLimit::Passivity));
+  EXPECT_LT(with.greatest_speed_mm_s(), 0.6 * without.greatest_speed_mm_s());
+  EXPECT_GT(with.least_of_wall_millijoule, 0.6 * without.least_of_wall_millijoule);
+  EXPECT_GT(with.led_tick(), without.led_tick() + 200);
+}
+
+TEST(GuidedArm, HeldFastIsDrawnAsideAndRestsWhereTheForcesAreEqual) {
+  constexpr double grip = 0.3;
+  constexpr double stiffness = LedArm::stiffness_newton_per_mm;
+  const double equal_mm =
+      (grip * LedArm::start_mm + stiffness * guide_play_mm) / (grip + stiffness);
+  for (std::int32_t transport = 0; transport <= 2; ++transport) {
+    const LedArm led(LedArm::held_arm(transport, grip));
+    EXPECT_NEAR(led.off_mm.back(), equal_mm, 0.02 * LedArm::start_mm) << transport;
+    EXPECT_LT(led.range_at_rest_mm(), 0.1) << transport;
+    EXPECT_GE(led.least_of_wall_millijoule, -held_millijoule - 0.015 * 8.0) << transport;
+  }
+}
+
+TEST(GuidedArm, FeelsNothingInAirUnderTheHistoricLaw) {
+  // The guide is no surface, and that law knows surfaces only.
+  const LedArm led(LedArm::held_arm(1, 0.3), ForceLaw::Historic);
+  const auto is_pushed = [](const ToolSample& sample) { return sample.force_mn[0] != 0; };
+  const auto& samples = led.run.recording.samples;
+  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), is_pushed)) << "the step was guided";
+  for (const Vec3& given_newton : led.device.given_newton) {
+    ASSERT_EQ(given_newton, Vec3(0.0, 0.0, 0.0));
+  }
 }
 
 TEST(ArmAttempt, HasNoForceBeforeItBeginsWhileItPausesAndAfterItsEnd) {

@@ -7,6 +7,7 @@
 #include "simulator/contact/vibration.h"
 #include "simulator/device/scripted.h"
 #include "tests/simulator/loop/recorded_run.h"
+#include "tests/simulator/loop/watched_device.h"
 
 namespace hallux::simulator {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::int64_t last_tick = 3000;
 constexpr std::size_t started_tick = 600;  ///< the soft start is over
 
-/// An arm in a hand that nothing moves; remembers what it was given at each tick.
+/// An arm in a hand that nothing moves.
 class HeldArm final : public HapticDevice {
  public:
   HeldArm(const HandMotion& motion, double force_newton, bool renders_vibration)
@@ -27,11 +28,8 @@ class HeldArm final : public HapticDevice {
   DeviceDescription description() const override { return {"held arm", "arm", limits_}; }
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 RawDeviceState& state) noexcept override {
-    given_newton.push_back(force_in_world_newton);
     return hand_.exchange(force_in_world_newton, tick, state);
   }
-
-  std::vector<Vec3> given_newton;
 
  private:
   ScriptedDevice hand_;
@@ -41,14 +39,9 @@ class HeldArm final : public HapticDevice {
 struct TwoArms {
   explicit TwoArms(double force_newton, std::int64_t off_tick = last_tick)
       : motion(motion_until(bone, off_tick)),
-        still(motion, force_newton, false),
-        trembling(motion, force_newton, true) {
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
-                             .commands = motion.commands,
-                             .last_tick = last_tick,
-                             .job_delay = {}};
+        held_still(motion, force_newton, false),
+        held_trembling(motion, force_newton, true) {
+    const AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
     of_still = tests::record(setup, still).recording;
     of_trembling = tests::record(setup, trembling).recording;
   }
@@ -84,7 +77,8 @@ struct TwoArms {
 
   Bone bone = tests::loop_block();
   HandMotion motion;
-  HeldArm still, trembling;
+  HeldArm held_still, held_trembling;
+  tests::WatchedDevice still{held_still}, trembling{held_trembling};
   Recording of_still, of_trembling;
 };
 

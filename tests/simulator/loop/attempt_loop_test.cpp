@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <exception>
+#include <new>
+#include <stdexcept>
 #include <thread>
 
 #include "tests/simulator/loop/recorded_run.h"
@@ -16,12 +19,7 @@ constexpr std::int64_t last_tick = 1100;
 struct VirtualAttempt {
   Bone bone = tests::loop_block();
   HandMotion motion = tests::sawing_motion(bone, last_tick);
-  AttemptSetup setup{.bone = bone,
-                     .blade = {},
-                     .contact = {},
-                     .commands = motion.commands,
-                     .last_tick = last_tick,
-                     .job_delay = {}};
+  AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
   ScriptedDevice device{motion};
 };
 
@@ -191,6 +189,104 @@ TEST(VirtualLoop, ARecorderThatFailsWhileTheRingsAreFullDoesNotHoldTheLoop) {
   const LoopStatistics statistics = run_attempt(attempt.setup, attempt.device, channels);
   EXPECT_EQ(statistics.end, AttemptEnd::RecorderFailed);
   EXPECT_LT(statistics.lines, last_tick);
+  EXPECT_TRUE(channels.closed.load());
+}
+
+/// What a caller relies on however an attempt ends.
+void expect_closed(const AttemptChannels& channels, AttemptWatch& watch) {
+  EXPECT_TRUE(channels.closed.load());
+  EXPECT_TRUE(watch.closed.load());
+  EXPECT_TRUE(watch.view.read().is_over);
+}
+
+TEST(VirtualLoop, AProgressThatThrowsClosesChannelsAndWatchAndIsHeard) {
+  VirtualAttempt attempt;
+  AttemptWatch watch;
+  attempt.setup.watch = &watch;
+  AttemptChannels channels(4096);
+  const auto run = [&] {
+    run_attempt(attempt.setup, attempt.device, channels,
+                [](double) -> bool { throw std::runtime_error("the window is gone"); });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  expect_closed(channels, watch);
+}
+
+/// Jobs on a worker that fell behind: its feed has no room from a line on.
+class StuckJobs : public JobRunner {
+ public:
+  explicit StuckJobs(std::int64_t stuck_line) : stuck_line_(stuck_line) {}
+
+  bool follow(const StepOutput&) override { return ++lines_ <= stuck_line_; }
+  bool has_room() const noexcept override {
+    if (lines_ < stuck_line_) return true;
+    ++asked_;
+    return false;
+  }
+  const JobResult* take_ready() noexcept override { return nullptr; }
+
+ protected:
+  std::int64_t stuck_line_, lines_ = 0;
+  mutable std::int64_t asked_ = 0;  ///< for room that there was not
+};
+
+/// They throw while the loop waits for room.
+class FailingJobs final : public StuckJobs {
+ public:
+  using StuckJobs::StuckJobs;
+  std::exception_ptr failure() const noexcept override {
+    return asked_ < 20 ? nullptr : std::make_exception_ptr(std::bad_alloc());
+  }
+};
+
+/// They throw at once, on the loop's own thread.
+class ThrowingJobs final : public JobRunner {
+ public:
+  bool follow(const StepOutput& output) override {
+    if (output.sample.tick == 100) throw std::bad_alloc();
+    return true;
+  }
+  bool has_room() const noexcept override { return true; }
+  const JobResult* take_ready() noexcept override { return nullptr; }
+};
+
+TEST(VirtualLoop, AJobThatThrowsClosesChannelsAndWatchAndIsHeard) {
+  VirtualAttempt attempt;
+  AttemptWatch watch;
+  ThrowingJobs jobs;
+  attempt.setup.watch = &watch;
+  attempt.setup.job_runner = &jobs;
+  AttemptChannels channels(4096);
+  EXPECT_THROW(run_attempt(attempt.setup, attempt.device, channels), std::bad_alloc);
+  expect_closed(channels, watch);
+}
+
+TEST(RealTimeLoop, AWorkerThatFailsWhileItsFeedIsFullEndsThePause) {
+  VirtualAttempt attempt;
+  AttemptWatch watch;
+  FailingJobs jobs(30);
+  attempt.setup.watch = &watch;
+  attempt.setup.job_runner = &jobs;
+  attempt.setup.pacing = Pacing::RealTime;
+  AttemptChannels channels(4096);
+  EXPECT_THROW(run_attempt(attempt.setup, attempt.device, channels), std::bad_alloc);
+  expect_closed(channels, watch);
+  EXPECT_EQ(watch.view.read().lines, 30) << "nothing is stepped that has no room";
+}
+
+TEST(RealTimeLoop, APauseForAFullFeedCanBeCancelled) {
+  VirtualAttempt attempt;
+  StuckJobs jobs(30);
+  attempt.setup.job_runner = &jobs;
+  attempt.setup.pacing = Pacing::RealTime;
+  AttemptChannels channels(4096);
+  int asked = 0;
+  const LoopStatistics statistics =
+      run_attempt(attempt.setup, attempt.device, channels, [&](double) { return ++asked < 3; });
+  EXPECT_EQ(statistics.end, AttemptEnd::Cancelled);
+  EXPECT_EQ(asked, 3) << "it is asked again and again while it waits";
+  EXPECT_EQ(statistics.lines, 30);
+  EXPECT_GE(statistics.pauses, 1);
   EXPECT_TRUE(channels.closed.load());
 }
 

@@ -1,11 +1,11 @@
 /// What the loop makes of a device that misbehaves, and what it sends to one that does not.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 
 #include "simulator/base/units.h"
 #include "tests/simulator/loop/recorded_run.h"
+#include "tests/simulator/loop/watched_device.h"
 
 namespace hallux::simulator {
 namespace {
@@ -15,41 +15,10 @@ constexpr std::int64_t fault_tick = 200;
 constexpr std::int64_t fault_ticks = 10;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A scripted hand whose words are garbled for a while; remembers the forces it was sent.
-class FaultyDevice final : public HapticDevice {
- public:
-  using Garble = std::function<bool(RawDeviceState&)>;
-  FaultyDevice(const HandMotion& motion, std::int64_t garbled_ticks, Garble garble)
-      : hand_(motion),
-        last_garbled_tick_(fault_tick + garbled_ticks - 1),
-        garble_(std::move(garble)) {}
-
-  DeviceDescription description() const override { return hand_.description(); }
-  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
-                RawDeviceState& state) noexcept override {
-    forces_newton.push_back(force_in_world_newton);
-    hand_.exchange(force_in_world_newton, tick, state);
-    const bool is_garbled = tick >= fault_tick && tick <= last_garbled_tick_;
-    return is_garbled ? garble_(state) : true;
-  }
-
-  std::vector<Vec3> forces_newton;
-
- private:
-  ScriptedDevice hand_;
-  std::int64_t last_garbled_tick_;
-  Garble garble_;
-};
-
 struct FaultyAttempt {
-  explicit FaultyAttempt(FaultyDevice::Garble garble, std::int64_t garbled_ticks = fault_ticks)
-      : device(motion, garbled_ticks, std::move(garble)) {
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
-                             .commands = motion.commands,
-                             .last_tick = last_tick,
-                             .job_delay = {}};
+  explicit FaultyAttempt(tests::Garble garble, std::int64_t garbled_ticks = fault_ticks)
+      : device(hand, {fault_tick, fault_tick + garbled_ticks, std::move(garble)}) {
+    const AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
     recording = tests::record(setup, device).recording;
   }
   const ToolSample& sample(std::int64_t tick) const {
@@ -58,7 +27,8 @@ struct FaultyAttempt {
 
   Bone bone = tests::loop_block();
   HandMotion motion = tests::sawing_motion(bone, last_tick);
-  FaultyDevice device;
+  ScriptedDevice hand{motion};
+  tests::WatchedDevice device;
   Recording recording;
 };
 
@@ -87,11 +57,12 @@ void expect_safe(const FaultyAttempt& attempt, DeviceFault fault) {
 }
 
 TEST(LoopDevice, ALostDeviceIsAFaultWithTheLastGoodPose) {
-  expect_safe(FaultyAttempt([](RawDeviceState&) { return false; }), DeviceFault::Lost);
+  expect_safe(FaultyAttempt([](RawDeviceState&, const RawDeviceState&) { return false; }),
+              DeviceFault::Lost);
 }
 
 TEST(LoopDevice, APositionThatIsNoNumberIsAFault) {
-  const FaultyAttempt attempt([](RawDeviceState& state) {
+  const FaultyAttempt attempt([](RawDeviceState& state, const RawDeviceState&) {
     state.world_from_handle.translation_mm.y = nan;
     return true;
   });
@@ -99,14 +70,14 @@ TEST(LoopDevice, APositionThatIsNoNumberIsAFault) {
 }
 
 TEST(LoopDevice, ARotationThatIsNoNumberIsAFault) {
-  const FaultyAttempt attempt([](RawDeviceState& state) {
+  const FaultyAttempt attempt([](RawDeviceState& state, const RawDeviceState&) {
     state.world_from_handle.rotation.x = std::numeric_limits<double>::infinity();
     return true;
   });
   expect_safe(attempt, DeviceFault::NotFinite);
 }
 
-bool jump_aside(RawDeviceState& state) {
+bool jump_aside(RawDeviceState& state, const RawDeviceState&) {
   state.world_from_handle.translation_mm.x += 100.0;
   return true;
 }
@@ -127,7 +98,7 @@ TEST(LoopDevice, AJumpThatStaysIsBelievedInTheEnd) {
 }
 
 TEST(LoopDevice, ItsPoseIsRoundedBeforeTheStepSeesIt) {
-  const FaultyAttempt attempt([](RawDeviceState&) { return true; });
+  const FaultyAttempt attempt([](RawDeviceState&, const RawDeviceState&) { return true; });
   ScriptedDevice hand(attempt.motion);
   for (const TapeLine& line : attempt.recording.tape) {
     RawDeviceState raw;
@@ -137,15 +108,15 @@ TEST(LoopDevice, ItsPoseIsRoundedBeforeTheStepSeesIt) {
 }
 
 TEST(LoopDevice, IsSentTheForceOfTheStepBefore) {
-  const FaultyAttempt attempt([](RawDeviceState&) { return true; });
-  ASSERT_EQ(attempt.device.forces_newton.size(), attempt.recording.samples.size());
+  const FaultyAttempt attempt([](RawDeviceState&, const RawDeviceState&) { return true; });
+  ASSERT_EQ(attempt.device.given_newton.size(), attempt.recording.samples.size());
   bool was_pushed = false;
   for (std::size_t i = 1; i < attempt.recording.samples.size(); ++i) {
     const auto& force_mn = attempt.recording.samples[i - 1].force_mn;
     const Vec3 expected_newton{newton_from_millinewton(force_mn[0]),
                                newton_from_millinewton(force_mn[1]),
                                newton_from_millinewton(force_mn[2])};
-    EXPECT_EQ(attempt.device.forces_newton[i], expected_newton);
+    EXPECT_EQ(attempt.device.given_newton[i], expected_newton);
     was_pushed = was_pushed || force_mn[1] != 0;
   }
   EXPECT_TRUE(was_pushed);

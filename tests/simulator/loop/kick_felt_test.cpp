@@ -9,6 +9,7 @@
 #include "simulator/device/mouse.h"
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/recorded_run.h"
+#include "tests/simulator/loop/watched_device.h"
 #include "tests/simulator/step/operation_run.h"
 
 namespace hallux::simulator {
@@ -30,30 +31,9 @@ HandMotion started_in_bone(const Bone& bone) {
   return motion;
 }
 
-/// An arm that remembers what it was given.
-class WatchedArm final : public HapticDevice {
- public:
-  WatchedArm(const HandMotion& motion, const ModelledArmSetup& setup) : arm_(motion, setup) {}
-  DeviceDescription description() const override { return arm_.description(); }
-  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
-                RawDeviceState& state) noexcept override {
-    given_newton.push_back(force_in_world_newton);
-    return arm_.exchange(force_in_world_newton, tick, state);
-  }
-  std::vector<Vec3> given_newton;
-
- private:
-  ModelledArm arm_;
-};
-
 struct KickedAttempt {
   explicit KickedAttempt(HapticDevice& device) {
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
-                             .commands = motion.commands,
-                             .last_tick = last_tick,
-                             .job_delay = {}};
+    const AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
     recording = tests::record(setup, device).recording;
   }
   std::int64_t kick_tick() const {
@@ -79,7 +59,8 @@ TEST(KickFelt, ReplaysIdenticalAndIsToldOnce) {
 }
 
 TEST(KickFelt, ByAnArmWithinItsForceAndSlew) {
-  WatchedArm device(started_in_bone(tests::loop_block()), {});
+  ModelledArm arm(started_in_bone(tests::loop_block()), {});
+  tests::WatchedDevice device(arm);
   const KickedAttempt attempt(device);
   const std::int64_t kick_tick = attempt.kick_tick();
   ASSERT_GE(kick_tick, started_tick);

@@ -12,19 +12,16 @@
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/recorded_run.h"
+#include "tests/simulator/loop/watched_device.h"
 
 namespace hallux::simulator {
 namespace {
 
 tests::RecordedRun record_in_real_time(const Bone& bone, std::int64_t last_tick, JobDelay delay) {
   const HandMotion motion = tests::sawing_motion(bone, last_tick);
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = {},
-                           .pacing = Pacing::RealTime,
-                           .commands = motion.commands,
-                           .last_tick = last_tick,
-                           .job_delay = delay};
+  AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
+  setup.pacing = Pacing::RealTime;
+  setup.job_delay = delay;
   ScriptedDevice device(motion);
   return tests::record(setup, device, 65536);
 }
@@ -162,46 +159,24 @@ TEST(RealTimeLoop, AGapDoesNotResumeWhatTheOperatorPaused) {
   EXPECT_FALSE(has(run.recording.samples.back().status, ToolStatus::Running));
 }
 
-/// An arm that keeps the loop waiting once, in the midst of the bone; remembers what it was given.
-class StallingArm final : public HapticDevice {
- public:
-  static constexpr std::int64_t stall_tick = 650;
-
-  explicit StallingArm(const HandMotion& motion) : arm_(motion, {}) {}
-  DeviceDescription description() const override { return arm_.description(); }
-  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
-                RawDeviceState& state) noexcept override {
-    given_newton.push_back(force_in_world_newton);
-    if (stalled_at == 0 && tick >= stall_tick) {
-      stalled_at = given_newton.size() - 1;
-      std::this_thread::sleep_for(std::chrono::milliseconds{50});
-    }
-    return arm_.exchange(force_in_world_newton, tick, state);
-  }
-
-  std::vector<Vec3> given_newton;  ///< at each exchange
-  std::size_t stalled_at = 0;      ///< index of the exchange that waited
-
- private:
-  ModelledArm arm_;
-};
-
 TEST(RealTimeLoop, AfterAGapAnArmIsGivenNothingAtOnceAndThenBeginsSoftly) {
   const Bone bone = tests::loop_block();
   const HandMotion motion = tests::sawing_motion(bone, 1500);
-  StallingArm device(motion);
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = {},
-                           .pacing = Pacing::RealTime,
-                           .commands = motion.commands,
-                           .last_tick = 1500,
-                           .job_delay = {}};
+  ModelledArm arm(motion, {});
+  tests::WatchedDevice device(arm);
+  std::size_t stalled_at = 0;  // the exchange after which the loop waited
+  device.after_exchange = [&](std::int64_t tick) {
+    if (stalled_at > 0 || tick < 650) return;  // in the midst of the bone
+    stalled_at = device.given_newton.size() - 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+  };
+  AttemptSetup setup = tests::setup_for(bone, motion, 1500);
+  setup.pacing = Pacing::RealTime;
   const tests::RecordedRun run = tests::record(setup, device, 65536);
-  ASSERT_GT(device.stalled_at, 0U);
+  ASSERT_GT(stalled_at, 0U);
   EXPECT_GE(run.statistics.pauses, 1);
   const Vec3 nothing(0.0, 0.0, 0.0);
-  EXPECT_EQ(device.given_newton.at(device.stalled_at + 1), nothing);
+  EXPECT_EQ(device.given_newton.at(stalled_at + 1), nothing);
   EXPECT_EQ(device.given_newton.back(), nothing) << "and nothing after the end";
   EXPECT_TRUE(has(run.statistics.force_limits, ForceLimit::SoftStart));
   const auto is_something = [&](const Vec3& force) { return force != nothing; };

@@ -15,6 +15,10 @@ simulator::Bone loop_block();
 /// The hand saws once through loop_block() and lifts the blade, in `last_tick` ticks from Start to Finish.
 simulator::HandMotion sawing_motion(const simulator::Bone& bone, std::int64_t last_tick);
 
+/// That motion in virtual time, with its own commands; borrows the bone.
+simulator::AttemptSetup setup_for(const simulator::Bone& bone, const simulator::HandMotion& motion,
+                                  std::int64_t last_tick);
+
 struct RecordedRun {
   simulator::LoopStatistics statistics;
   simulator::Recording recording;

@@ -19,12 +19,7 @@ constexpr std::size_t sawing_line = 300;
 struct RecordedCut {
   RecordedCut() {
     const HandMotion motion = tests::sawing_motion(bone, last_tick);
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
-                             .commands = motion.commands,
-                             .last_tick = last_tick,
-                             .job_delay = {}};
+    const AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
     ScriptedDevice device(motion);
     recording = tests::record(setup, device).recording;
   }
@@ -66,12 +61,8 @@ TEST(Replay, OfAGuidedCutIsIdenticalWithItsGuideAndDiffersWithoutIt) {
   ContactSettings guided;
   // The hand saws at x = 5: led away from there.
   guided.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 3.0}}};
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = guided,
-                           .commands = motion.commands,
-                           .last_tick = last_tick,
-                           .job_delay = {}};
+  AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
+  setup.contact = guided;
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   const ReplayResult result = replay(recording, {bone, {}, guided, {}});
