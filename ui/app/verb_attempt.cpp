@@ -11,6 +11,7 @@
 #include "ui/app/access.h"
 #include "ui/app/card_json.h"
 #include "ui/app/terminal_text.h"
+#include "ui/app/verb_error.h"
 #include "ui/app/write_json.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/read_small_file.h"
@@ -27,11 +28,28 @@ constexpr std::size_t hand_mebibytes_max = 16;
 
 struct AttemptOptions {
   std::string scenario, hand = "expert", pacing = "virtual", guidance = "none";
+  std::string device = "scripted", force_law = "simulated";
   std::uint64_t seed = 1;
 };
 
+bool is_feeling(const std::string& hand) { return hand == "expert" || hand == "novice"; }
+
+/// errors  VerbError: WrongUsage
+void check_device(const AttemptOptions& options) {
+  if (options.device == "arm" && is_feeling(options.hand)) {
+    throw VerbError(ExitCode::WrongUsage, "--device arm takes a hand from a file: the " +
+                                              options.hand +
+                                              " leads the saw itself; give --hand FILE");
+  }
+  if (options.device != "arm" && options.force_law == "historic") {
+    throw VerbError(ExitCode::WrongUsage,
+                    "--force-law historic is felt by an arm alone; add --device arm");
+  }
+}
+
 /// A hand that is none of the names is a file with a motion.
 ScriptedAttempt attempt_from(const AttemptOptions& options) {
+  check_device(options);
   ScriptedAttempt attempt;
   attempt.scenario = load_scenario(options.scenario);
   attempt.hand = options.hand;
@@ -39,7 +57,8 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   attempt.pacing =
       options.pacing == "real-time" ? simulator::Pacing::RealTime : simulator::Pacing::Virtual;
   attempt.guidance = database::guidance_from(options.guidance).value_or(simulator::Guidance::None);
-  if (options.hand == "expert" || options.hand == "novice") return attempt;
+  if (options.device == "arm") attempt.arm_law = force_law_from(options.force_law);
+  if (is_feeling(options.hand)) return attempt;
   if (!is_utf8(options.hand)) {
     throw scenarios::ScenarioError(
         options.hand + ": the name is not UTF-8, and it is kept with the attempt; rename the file");
@@ -173,6 +192,18 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
       ->add_option("--guidance", options->guidance,
                    "how firmly the planned plane leads the hand: none, soft or slot")
       ->check(CLI::IsMember({"none", "soft", "slot"}))
+      ->capture_default_str();
+  attempt
+      ->add_option(
+          "--device", options->device,
+          "scripted (nothing pushes the hand), or arm: a modelled one, led by the motion of a file")
+      ->check(CLI::IsMember({"scripted", "arm"}))
+      ->capture_default_str();
+  attempt
+      ->add_option(
+          "--force-law", options->force_law,
+          "what the arm is made to feel: simulated, or historic (the thesis's, for the lesson)")
+      ->check(CLI::IsMember({"simulated", "historic"}))
       ->capture_default_str();
   attempt->callback([options, &context] {
     context.chosen = [options, &context] { return run_attempt_verb(context, *options); };

@@ -9,6 +9,8 @@
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/planned_bridge.h"
 #include "scenarios/planned_guide.h"
+#include "simulator/base/check.h"
+#include "simulator/device/modelled/modelled_arm.h"
 #include "simulator/device/scripted.h"
 
 namespace hallux::ui {
@@ -49,6 +51,7 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   begun.hand = attempt.hand;
   begun.seed = attempt.seed;
   begun.guidance = attempt.guidance;
+  if (attempt.arm_law) begun.device_class = "arm";
   begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
   put_bone(database, bone, begun);
   return begun;
@@ -62,6 +65,12 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
   if (attempt.motion) {
     setup.commands = attempt.motion->commands;
     setup.last_tick = attempt.motion->last_tick() + 1;
+    if (attempt.arm_law) {
+      setup.force_law = *attempt.arm_law;
+      simulator::ModelledArmSetup arm;
+      arm.seed = attempt.seed;
+      return std::make_unique<simulator::ModelledArm>(*attempt.motion, arm);
+    }
     return std::make_unique<simulator::ScriptedDevice>(*attempt.motion);
   }
   auto hand = std::make_unique<scenarios::FeelingHand>(
@@ -100,6 +109,7 @@ simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
 
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress) {
+  CHECK(!attempt.arm_law || attempt.motion);
   const simulator::Bone bone = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);

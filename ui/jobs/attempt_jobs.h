@@ -34,6 +34,8 @@ struct ScriptedAttempt {
   std::uint64_t seed = 1;
   simulator::Pacing pacing = simulator::Pacing::Virtual;
   simulator::Guidance guidance = simulator::Guidance::None;
+  /// What a modelled arm that the motion leads is made to feel; none: the hand leads the saw itself, and nothing pushes it.
+  std::optional<simulator::ForceLaw> arm_law;
 };
 
 /// The patient of a scenario.
@@ -54,6 +56,7 @@ struct AttemptOutcome {
 };
 
 /// Makes the patient, runs the hand through loop and recorder, scores what was recorded. The attempt is the robot's.
+/// needs   a motion where there is an arm: the expert and the novice lead the saw themselves
 /// errors  ScenarioError, MeshError, DatabaseError; Cancelled: what was recorded stays, as interrupted
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress);

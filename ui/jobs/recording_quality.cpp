@@ -45,9 +45,20 @@ std::uint32_t limits_from_names(const std::vector<std::string>& found) {
 }  // namespace
 
 Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples) {
-  return {loop.lines,       received_samples,  loop.missed_ticks,      loop.pauses,
-          loop.late_p99_us, loop.has_priority, loop.has_locked_memory, loop.force_scale,
-          loop.force_limits};
+  return {loop.lines,        received_samples,  loop.missed_ticks,      loop.pauses,
+          loop.late_p99_us,  loop.has_priority, loop.has_locked_memory, loop.force_scale,
+          loop.force_limits, loop.force_law};
+}
+
+const char* name_of(simulator::ForceLaw law) noexcept {
+  return law == simulator::ForceLaw::Historic ? "historic" : "simulated";
+}
+
+std::optional<simulator::ForceLaw> force_law_from(const std::string& name) noexcept {
+  for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Historic}) {
+    if (name == name_of(law)) return law;
+  }
+  return std::nullopt;
 }
 
 std::string quality_json(const Quality& quality) {
@@ -60,6 +71,7 @@ std::string quality_json(const Quality& quality) {
                                 {"locked_memory", quality.has_locked_memory},
                                 {"force_scale", quality.force_scale},
                                 {"force_limits", names_of_limits(quality.force_limits)},
+                                {"force_law", name_of(quality.force_law)},
                                 {"complete", quality.is_complete()}}
       .dump();
 }
@@ -79,6 +91,9 @@ std::optional<Quality> quality_from_json(const std::string& json) {
     quality.force_scale = found.value("force_scale", quality.force_scale);
     quality.force_limits =
         limits_from_names(found.value("force_limits", std::vector<std::string>{}));
+    const auto law = force_law_from(found.value("force_law", name_of(quality.force_law)));
+    if (!law) return std::nullopt;
+    quality.force_law = *law;
     return quality;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;  // a number where a word was expected: no object of ours

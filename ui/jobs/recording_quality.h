@@ -17,15 +17,21 @@ struct Quality {
   bool has_priority = false, has_locked_memory = false;  ///< what the system granted the loop
   double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
   std::uint32_t force_limits = 0;  ///< bits of simulator::ForceLimit that occurred
+  simulator::ForceLaw force_law =
+      simulator::ForceLaw::Simulated;  ///< what the arm was made to feel
 
   bool is_complete() const noexcept { return expected_samples == received_samples; }
 };
 
 Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples);
 
+/// The words of a law in JSON and on the command line.
+const char* name_of(simulator::ForceLaw law) noexcept;
+std::optional<simulator::ForceLaw> force_law_from(const std::string& name) noexcept;
+
 std::string quality_json(const Quality& quality);
 /// What quality_json wrote. What an older program did not write yet is as where nobody is pushed back; limits that this one
-/// does not know are left out. Nothing where the text is no such object.
+/// does not know are left out. Nothing where the text is no such object, or its force law is none that is known.
 std::optional<Quality> quality_from_json(const std::string& json);
 
 }  // namespace hallux::ui

@@ -83,6 +83,24 @@ class Attempt(RecordedTest):
         self.assertEqual(self.hallux("report", guided["attempt"], "-o", report).code, DONE)
         self.assertIn("like a slot", report.read_text())
 
+    def test_an_arm_says_what_it_was_made_to_feel_and_replays_identical(self):
+        scenario, hand = self.write("coarse.json", coarse_silver()), self.write("still.json", NO_MOTION)
+        for law in ("simulated", "historic"):
+            felt = self.ask("attempt", scenario, "--hand", hand, "--device", "arm", "--force-law", law)
+            self.assertEqual(felt["quality"]["force_law"], law)
+            self.assertAlmostEqual(felt["quality"]["force_scale"], 0.24)
+            self.assertIs(self.ask("replay", felt["attempt"])["identical"], True)
+        self.assertEqual(self.recorded.json()["quality"]["force_scale"], 1.0, "nothing pushes a scripted hand")
+
+    def test_a_law_or_an_arm_that_nothing_would_feel_is_wrong_usage(self):
+        hand = self.write("still.json", NO_MOTION)
+        for wrong in (("--force-law", "historic", "--hand", hand), ("--device", "arm"), ("--device", "arm", "--hand", "novice"),
+                      ("--device", "falcon", "--hand", hand), ("--device", "arm", "--hand", hand, "--force-law", "of nature")):
+            answer = self.hallux("attempt", "silver", *wrong)
+            self.assertEqual(answer.code, WRONG_USAGE, wrong)
+            self.assertIn("--", answer.err)
+        self.assertEqual([row["attempt"] for row in self.ask("attempts")], [self.attempt])
+
     def test_a_guide_that_nobody_knows_is_wrong_usage(self):
         self.assertEqual(self.hallux("attempt", "silver", "--guidance", "laser").code, WRONG_USAGE)
         self.assertEqual([row["attempt"] for row in self.ask("attempts")], [self.attempt])

@@ -39,6 +39,17 @@ TEST(RecordingQuality, OfAnOlderProgramSaysThatNobodyWasPushedBack) {
   EXPECT_TRUE(read->is_complete());
   EXPECT_DOUBLE_EQ(read->force_scale, 1.0);
   EXPECT_EQ(read->force_limits, 0U);
+  EXPECT_EQ(read->force_law, simulator::ForceLaw::Simulated);
+}
+
+TEST(RecordingQuality, KeepsTheForceLawThatTheHandFelt) {
+  for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Historic}) {
+    simulator::LoopStatistics loop;
+    loop.force_law = law;
+    const auto read = quality_from_json(quality_json(quality_of(loop, 0)));
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->force_law, law);
+  }
 }
 
 TEST(RecordingQuality, LeavesOutALimitThatItDoesNotKnow) {
@@ -51,7 +62,8 @@ TEST(RecordingQuality, LeavesOutALimitThatItDoesNotKnow) {
 TEST(RecordingQuality, IsUnknownWhereTheTextIsNone) {
   for (const char* text :
        {"", "{}", "[]", "7", "not json", R"({"expected_samples": "many", "received_samples": 1})",
-        R"({"expected_samples": 1, "received_samples": 1, "force_limits": 3})"})
+        R"({"expected_samples": 1, "received_samples": 1, "force_limits": 3})",
+        R"({"expected_samples": 1, "received_samples": 1, "force_law": "of nature"})"})
     EXPECT_FALSE(quality_from_json(text).has_value()) << text;
 }
 

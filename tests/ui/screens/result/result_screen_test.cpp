@@ -424,11 +424,14 @@ TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
   driver.frame();
   EXPECT_TRUE(driver.sees("24 %"));
   EXPECT_TRUE(driver.sees("nothing"));
+  EXPECT_TRUE(driver.sees("as simulated"));
+  facts.quality->force_law = simulator::ForceLaw::Historic;
   facts.quality->force_limits = (1U << 7U) - 1U;
   for (const float each : {400.0F, 640.0F, 900.0F, 1400.0F}) {
     width = each;
     driver.frame();
     EXPECT_TRUE(driver.sees("a stop, its speed")) << width;
+    EXPECT_TRUE(driver.sees("historic, of the thesis")) << width;
     EXPECT_THAT(driver.faults(), IsEmpty()) << width;
   }
 }
