@@ -58,10 +58,11 @@ class AttemptRun {
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels,
              const AttemptProgress& progress)
       : setup_(setup),
-        device_(device,
-                {setup.contact.coupling_newton_per_mm, setup.blade.kerf_mm,
-                 setup.contact.cycles_per_minute, setup.contact.sharpness},
-                setup.force_law),
+        device_(
+            device,
+            {setup.contact.coupling_newton_per_mm, setup.blade.kerf_mm,
+             setup.contact.cycles_per_minute, setup.contact.sharpness, setup.contact.bone_quality},
+            setup.force_law),
         channels_(channels),
         progress_(progress),
         tissue_(setup.bone),

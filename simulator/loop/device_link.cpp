@@ -82,9 +82,10 @@ Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, do
   input.cycles_per_minute = saw_.cycles_per_minute;
   input.duration_s = duration_s;
   if (has(sample.status, ToolStatus::Cutting)) {
-    input.cutting_watt = cutting_watt(
-        output.engaged, saw_.kerf_mm,
-        feed_rate_mm_s(output.engaged, push_newton, saw_.cycles_per_minute * saw_.sharpness));
+    input.cutting_watt =
+        cutting_watt(output.engaged, saw_.kerf_mm,
+                     feed_rate_mm_s(output.engaged, push_newton,
+                                    saw_.cycles_per_minute * saw_.sharpness, saw_.bone_quality));
   }
   const Vec3 along_teeth =
       transform_direction(transform_from(sample.world_from_tool), Vec3(0.0, 1.0, 0.0));

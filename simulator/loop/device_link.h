@@ -32,6 +32,7 @@ struct HandledSaw {
   double kerf_mm = 0.0;
   double cycles_per_minute = 0.0;
   double sharpness = 1.0;
+  double bone_quality = 1.0;
 };
 
 class DeviceLink {

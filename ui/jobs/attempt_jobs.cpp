@@ -88,6 +88,7 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
   simulator::ContactSettings settings;
   settings.cycles_per_minute = scenario.blade.cycles_per_minute;
   settings.sharpness = scenario.blade.sharpness;
+  settings.bone_quality = scenario.patient.bone_quality;
   settings.guide = planned_guide(scenario, plan, guidance);
   return settings;
 }

@@ -58,7 +58,9 @@ void write_means(std::ostream& out, const Scenario& scenario) {
   const PatientRequest& patient = scenario.patient;
   out << "\nPatient\n  " << patient.bone << ", length " << number_text(patient.length_mm) << " mm";
   if (patient.eminence_mm > 0.0) out << ", eminence " << number_text(patient.eminence_mm) << " mm";
-  out << ", edge " << number_text(patient.edge_mm) << " mm\n";
+  out << ", edge " << number_text(patient.edge_mm) << " mm";
+  if (patient.bone_quality != 1.0) out << ", bone quality " << number_text(patient.bone_quality);
+  out << "\n";
   write_origin(out, patient.origin);
   const SawBlade& blade = scenario.blade;
   out << "\nBlade\n  " << blade.name << ": width " << number_text(blade.size.width_mm)

@@ -17,10 +17,10 @@ namespace hallux::ui {
 /// The attempts at one operation, and what the chart shows of them. Void attempts do not count and have no number.
 struct OperationHistory {
   std::string scenario_name;
-  std::vector<JudgedAttempt> attempts;      ///< oldest first, the void ones too
-  std::vector<int> numbers;                 ///< of each attempt, from 1; 0: void
-  std::vector<std::size_t> counted;         ///< those with a number, in their order
-  std::vector<ChartPoint> scores;           ///< of the counted ones; a gap where there is none
+  std::vector<JudgedAttempt> attempts;  ///< oldest first, the void ones too
+  std::vector<int> numbers;             ///< of each attempt, from 1; 0: void
+  std::vector<std::size_t> counted;     ///< those with a number, in their order
+  std::vector<ChartPoint> scores;       ///< of the counted ones; a gap where there is none
   /// Of the last five by the same device class; a gap where there is no score and where the planned plane guided the hand.
   std::vector<ChartPoint> medians;
   assessment::LearningState learning;

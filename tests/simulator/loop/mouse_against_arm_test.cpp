@@ -61,13 +61,8 @@ double depth_mm(const Bone& bone, const ToolSample& sample) {
 }
 
 Push pushed_by(HapticDevice& device, const Bone& bone, const HandMotion& motion) {
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = {},
-                           .commands = motion.commands,
-                           .last_tick = last_tick,
-                           .job_delay = {}};
-  const Recording recording = tests::record(setup, device).recording;
+  const Recording recording =
+      tests::record(tests::setup_for(bone, motion, last_tick), device).recording;
   Push push;
   double mean_mm = 0.0, square_mm2 = 0.0;
   constexpr std::int64_t first = 100;  // at rest by then

@@ -23,6 +23,17 @@ TEST(ContactSettingsOfAScenario, AreThoseOfItsBlade) {
   EXPECT_EQ(contact_settings(silver_with_sharpness(0.6), {}, Guidance::None).sharpness, 0.6);
 }
 
+TEST(ContactSettingsOfAScenario, AreThoseOfItsPatientsBone) {
+  nlohmann::json silver = nlohmann::json::parse(scenarios::load_shipped_scenario("silver").text);
+  const auto quality = [&] {
+    const auto scenario = scenarios::parse_scenario(silver.dump(), "soft.json");
+    return contact_settings(scenario, {}, Guidance::None).bone_quality;
+  };
+  EXPECT_EQ(quality(), 1.0);
+  silver["patient"]["bone_quality"] = 0.7;
+  EXPECT_EQ(quality(), 0.7);
+}
+
 TEST(ContactSettingsOfAnAttempt, GuideOnlyWhereItAsksForIt) {
   const scenarios::Scenario silver = scenarios::load_shipped_scenario("silver");
   EXPECT_EQ(contact_settings(silver, {}, Guidance::None).guide.guidance, Guidance::None);

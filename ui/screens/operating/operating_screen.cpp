@@ -295,10 +295,9 @@ void OperatingScreen::let_chips_fly(double step_s) {
     source.emplace();
     source->world_from_tool = transform_from(view.sample.world_from_tool);
     source->width_mm = blade.size.width_mm;
-    const double rate_mm_s =
-        simulator::feed_rate_mm_s(view.engaged, glm::length(force_newton(view.sample)),
-                                  blade.cycles_per_minute * blade.sharpness,
-                                  scenario.patient.bone_quality);
+    const double rate_mm_s = simulator::feed_rate_mm_s(
+        view.engaged, glm::length(force_newton(view.sample)),
+        blade.cycles_per_minute * blade.sharpness, scenario.patient.bone_quality);
     source->removed_mm3_s = rate_mm_s * view.engaged.width_mm() * blade.size.kerf_mm;
     source->is_irrigated = is_irrigated_;
   }
