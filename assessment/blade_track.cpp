@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::assessment {
 
@@ -21,15 +21,6 @@ std::array<Vec3, 3> teeth_at(const ToolSample& sample, const RigidTransform& bon
   return {transform_point(bone_from_tool, Vec3{0.0, -0.5 * width_mm, 0.0}),
           transform_point(bone_from_tool, Vec3{0.0, 0.0, 0.0}),
           transform_point(bone_from_tool, Vec3{0.0, 0.5 * width_mm, 0.0})};
-}
-
-double size_newton(const ToolSample& sample) noexcept {
-  double squares = 0.0;
-  for (const std::int32_t part_mn : sample.force_mn) {
-    const double part_newton = newton_from_millinewton(part_mn);
-    squares += part_newton * part_newton;
-  }
-  return std::sqrt(squares);
 }
 
 }  // namespace
@@ -68,7 +59,7 @@ std::optional<Reach> measure_reach(const Recording& recording, const RebuiltBone
     }
     if (reach->passed_tick || outward_mm <= limit.limit_mm) continue;
     reach->passed_tick = sample.tick;
-    reach->passing_force_newton = size_newton(sample);
+    reach->passing_force_newton = simulator::force_size_newton(sample);
   }
   return reach;
 }

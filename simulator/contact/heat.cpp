@@ -5,6 +5,7 @@
 
 #include "simulator/base/units.h"
 #include "simulator/contact/blade_probe.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::simulator {
 
@@ -48,9 +49,7 @@ Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const StandingBone& b
 double push_newton(const ToolSample& sample) noexcept {
   const Vec3 ahead =
       transform_direction(transform_from(sample.world_from_tool), Vec3{1.0, 0.0, 0.0});
-  const Vec3 on_hand_newton{newton_from_millinewton(sample.force_mn[0]),
-                            newton_from_millinewton(sample.force_mn[1]),
-                            newton_from_millinewton(sample.force_mn[2])};
+  const Vec3 on_hand_newton = force_newton(sample);
   return std::max(0.0, -glm::dot(on_hand_newton, ahead));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::simulator {
 
@@ -50,9 +51,7 @@ DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcep
 
 void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
   const ToolSample& sample = output.sample;
-  const Vec3 simulated_newton{newton_from_millinewton(sample.force_mn[0]),
-                              newton_from_millinewton(sample.force_mn[1]),
-                              newton_from_millinewton(sample.force_mn[2])};
+  const Vec3 simulated_newton = simulator::force_newton(sample);
   if (!settings_) {
     force_ = {simulated_newton, 0};
     return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::simulator {
 
@@ -46,11 +47,9 @@ void Wound::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
   }
   const Vec3 normal =
       transform_direction(transform_from(sample.world_from_tool), Vec3{0.0, 0.0, 1.0});
-  const Vec3 force_newton{newton_from_millinewton(sample.force_mn[0]),
-                          newton_from_millinewton(sample.force_mn[1]),
-                          newton_from_millinewton(sample.force_mn[2])};
+
   flex_.deflection_mm = deflection_mm({flex_.free_length_mm, blade_.width_mm, thickness_mm_},
-                                      glm::dot(force_newton, normal));
+                                      glm::dot(force_newton(sample), normal));
 }
 
 bool Wound::take_event(const KerfSet& kerfs, CutEvent& event) noexcept {

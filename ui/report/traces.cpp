@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::ui {
 
@@ -39,13 +40,6 @@ std::string mark_text(CutEventKind kind) {
 }
 
 }  // namespace
-
-double force_newton_of(const ToolSample& sample) noexcept {
-  const Vec3 force{newton_from_millinewton(sample.force_mn[0]),
-                   newton_from_millinewton(sample.force_mn[1]),
-                   newton_from_millinewton(sample.force_mn[2])};
-  return std::sqrt(glm::dot(force, force));
-}
 
 std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,
                                        const Recording& recording) {
@@ -104,7 +98,7 @@ Traces traces_of(const Recording& recording, const Bone& bone, const assessment:
       traces.points.push_back(point);
     }
     TracePoint& point = traces.points.back();
-    point.force_newton = std::max(point.force_newton, force_newton_of(sample));
+    point.force_newton = std::max(point.force_newton, simulator::force_size_newton(sample));
     const std::optional<double> last_mm = std::exchange(before_mm, std::nullopt);
     if (sample.kerf < 0 || sample.kerf >= kerfs.count()) continue;
     const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);

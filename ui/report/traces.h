@@ -44,9 +44,6 @@ struct ZoneContact {
   double first_s = 0.0;  ///< when it was first touched; 0 where it never was
 };
 
-/// Of the force on the hand, simulated.
-double force_newton_of(const simulator::ToolSample& sample) noexcept;
-
 /// The saw of an operation, in a hand that was guided so.
 assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
                                       simulator::Guidance guidance) noexcept;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::ui {
 
@@ -29,13 +29,6 @@ double approached(double value, double wanted, double time_constant_s) noexcept 
   return value + (wanted - value) / (time_constant_s * sound_rate_hz);
 }
 
-double force_newton(const simulator::ToolSample& sample) noexcept {
-  const Vec3 newton(newton_from_millinewton(sample.force_mn[0]),
-                    newton_from_millinewton(sample.force_mn[1]),
-                    newton_from_millinewton(sample.force_mn[2]));
-  return std::sqrt(glm::dot(newton, newton));
-}
-
 }  // namespace
 
 SawTone saw_tone(const simulator::ToolSample& sample, const simulator::Engagement& engaged,
@@ -45,7 +38,8 @@ SawTone saw_tone(const simulator::ToolSample& sample, const simulator::Engagemen
   if (!(engaged.width_mm() > 0.0)) return tone;
   const double hardness =
       (engaged.cortical_mm + spongy_share * engaged.cancellous_mm) / engaged.width_mm();
-  tone.load = std::clamp(hardness * force_newton(sample) / full_push_newton, 0.0, 1.0);
+  tone.load =
+      std::clamp(hardness * simulator::force_size_newton(sample) / full_push_newton, 0.0, 1.0);
   return tone;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 #include "tests/simulator/step/operation_run.h"
 #include "tests/support/worlds.h"
@@ -41,9 +41,7 @@ struct Block {
     return transform_point(inverse(bone.world_from_bone), world_from_tool.translation_mm);
   }
   double push_newton(const ToolSample& sample) const {
-    const Vec3 on_hand_newton{newton_from_millinewton(sample.force_mn[0]),
-                              newton_from_millinewton(sample.force_mn[1]),
-                              newton_from_millinewton(sample.force_mn[2])};
+    const Vec3 on_hand_newton = simulator::force_newton(sample);
     return transform_direction(inverse(bone.world_from_bone), on_hand_newton).y;
   }
   /// How far the teeth ran on beyond the far side.

@@ -6,6 +6,7 @@
 #include "scenarios/planned_bridge.h"
 #include "simulator/base/units.h"
 #include "simulator/loop/jobs.h"
+#include "simulator/record/sample_force.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::tests {
@@ -15,11 +16,6 @@ namespace {
 using simulator::Operation;
 using simulator::ToolSample;
 using simulator::ToolStatus;
-
-Vec3 force_newton(const ToolSample& sample) {
-  return {newton_from_millinewton(sample.force_mn[0]), newton_from_millinewton(sample.force_mn[1]),
-          newton_from_millinewton(sample.force_mn[2])};
-}
 
 double hottest_celsius(const Operation& operation) {
   constexpr std::int32_t half = simulator::heat_cells / 2;
@@ -46,7 +42,7 @@ class Tracer {
   void follow(const ToolSample& sample, const Operation& operation) {
     const RigidTransform plane_from_tool =
         plane_from_world_ * simulator::transform_from(sample.world_from_tool);
-    const Vec3 force = force_newton(sample);
+    const Vec3 force = simulator::force_newton(sample);
     const double push_newton = std::max(0.0, -transform_direction(plane_from_world_, force).x);
     next_.push_newton = std::max(next_.push_newton, push_newton);
     next_.is_rinsed = next_.is_rinsed || has(sample.status, ToolStatus::Irrigated);

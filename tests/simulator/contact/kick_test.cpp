@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 #include "tests/simulator/step/operation_run.h"
 #include "tests/support/worlds.h"
 
@@ -119,10 +119,7 @@ TEST(KickedHand, WhereTheBladeMeetsBoneWithACorner) {
     EXPECT_EQ(kick.tick, run.events(CutEventKind::Contact).front().tick);
     double most_newton = 0.0;
     for (const ToolSample& sample : run.recording().samples) {
-      const Vec3 newton = transform_direction(inverse(bone.world_from_bone),
-                                              Vec3{newton_from_millinewton(sample.force_mn[0]),
-                                                   newton_from_millinewton(sample.force_mn[1]),
-                                                   newton_from_millinewton(sample.force_mn[2])});
+      const Vec3 newton = transform_direction(inverse(bone.world_from_bone), force_newton(sample));
       most_newton = std::max(most_newton, side * newton.z);
     }
     EXPECT_NEAR(most_newton, kick_peak_newton, 0.3) << "away from the bone";

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 #include "tests/simulator/loop/recorded_run.h"
 #include "tests/simulator/loop/watched_device.h"
 
@@ -112,12 +112,9 @@ TEST(LoopDevice, IsSentTheForceOfTheStepBefore) {
   ASSERT_EQ(attempt.device.given_newton.size(), attempt.recording.samples.size());
   bool was_pushed = false;
   for (std::size_t i = 1; i < attempt.recording.samples.size(); ++i) {
-    const auto& force_mn = attempt.recording.samples[i - 1].force_mn;
-    const Vec3 expected_newton{newton_from_millinewton(force_mn[0]),
-                               newton_from_millinewton(force_mn[1]),
-                               newton_from_millinewton(force_mn[2])};
+    const Vec3 expected_newton = force_newton(attempt.recording.samples[i - 1]);
     EXPECT_EQ(attempt.device.given_newton[i], expected_newton);
-    was_pushed = was_pushed || force_mn[1] != 0;
+    was_pushed = was_pushed || expected_newton.y != 0.0;
   }
   EXPECT_TRUE(was_pushed);
 }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/base/units.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "simulator/device/mouse.h"
+#include "simulator/record/sample_force.h"
 #include "tests/simulator/loop/recorded_run.h"
 #include "tests/simulator/step/operation_run.h"
 
@@ -81,11 +81,8 @@ Push pushed_by(HapticDevice& device, const Bone& bone, const HandMotion& motion)
   push.plunge_mm =
       depth_mm(bone, recording.samples.at(at + 100)) - depth_mm(bone, recording.samples.at(at));
   for (std::size_t tick = 0; tick < at; ++tick) {
-    const auto& force_mn = recording.samples[tick].force_mn;
     push.greatest_newton =
-        std::max(push.greatest_newton, std::hypot(newton_from_millinewton(force_mn[0]),
-                                                  newton_from_millinewton(force_mn[1]),
-                                                  newton_from_millinewton(force_mn[2])));
+        std::max(push.greatest_newton, force_size_newton(recording.samples[tick]));
   }
   return push;
 }

@@ -1,6 +1,6 @@
 #include "tests/simulator/step/operation_run.h"
 
-#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 
 namespace hallux::tests {
 
@@ -99,11 +99,8 @@ RigidTransform OperationRun::bone_from_tool() const {
 }
 
 Vec3 OperationRun::force_in_bone_newton() const {
-  const auto& force_mn = recording_.samples.back().force_mn;
-  return transform_direction(
-      inverse(bone_.world_from_bone),
-      Vec3{newton_from_millinewton(force_mn[0]), newton_from_millinewton(force_mn[1]),
-           newton_from_millinewton(force_mn[2])});
+  return transform_direction(inverse(bone_.world_from_bone),
+                             simulator::force_newton(recording_.samples.back()));
 }
 
 std::vector<CutEventKind> kinds_of(const simulator::Recording& recording) {

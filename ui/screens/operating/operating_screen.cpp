@@ -8,6 +8,7 @@
 #include "database/assets.h"
 #include "scenarios/planned_guide.h"
 #include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/menu.h"
@@ -33,11 +34,6 @@ constexpr std::array<const char*, standard_view_count> view_names{
     "operate.key.view.5", "operate.key.view.6", "operate.key.view.7", "operate.key.view.8"};
 
 std::uint32_t bit(Switch value) noexcept { return static_cast<std::uint32_t>(value); }
-
-Vec3 force_newton(const simulator::ToolSample& sample) noexcept {
-  return {newton_from_millinewton(sample.force_mn[0]), newton_from_millinewton(sample.force_mn[1]),
-          newton_from_millinewton(sample.force_mn[2])};
-}
 
 }  // namespace
 
@@ -296,7 +292,7 @@ void OperatingScreen::let_chips_fly(double step_s) {
     source->world_from_tool = transform_from(view.sample.world_from_tool);
     source->width_mm = blade.size.width_mm;
     const double rate_mm_s = simulator::feed_rate_mm_s(
-        view.engaged, glm::length(force_newton(view.sample)),
+        view.engaged, simulator::force_size_newton(view.sample),
         blade.cycles_per_minute * blade.sharpness, scenario.patient.bone_quality);
     source->removed_mm3_s = rate_mm_s * view.engaged.width_mm() * blade.size.kerf_mm;
     source->is_irrigated = is_irrigated_;
@@ -416,7 +412,7 @@ OperatingHud OperatingScreen::hud(Ui& ui, Shell& shell) {
   hud.is_saw_on = has(last_sample_.status, ToolStatus::SawOn);
   hud.is_irrigated = is_irrigated_;
   hud.is_cutting = has(last_sample_.status, ToolStatus::Cutting);
-  hud.force_newton = glm::length(force_newton(last_sample_));
+  hud.force_newton = simulator::force_size_newton(last_sample_);
   hud.tip = place_on(sight_, transform_from(last_sample_.world_from_tool).translation_mm);
   hud.reading = plan_reading();
   // Like the read-outs of the plan: help while one learns, none in an assessment.

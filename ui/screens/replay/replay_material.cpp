@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/report/traces.h"
 
@@ -52,7 +53,7 @@ void thin_out(ReplayMaterial& material) {
     const std::size_t end = std::min(i + step, material.samples.size());
     double force = 0.0;
     for (std::size_t j = i; j < end; ++j)
-      force = std::max(force, force_newton_of(material.samples[j]));
+      force = std::max(force, simulator::force_size_newton(material.samples[j]));
     const ToolSample& sample = material.samples[i];
     const double time_s = second_from_tick(sample.tick);
     const ToPlan plan =
@@ -132,7 +133,7 @@ HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept {
   hand.world_from_tool = transform_from(sample.world_from_tool);
   hand.is_saw_on = has(sample.status, ToolStatus::SawOn);
   hand.is_paused = !has(sample.status, ToolStatus::Running);
-  hand.force_newton = force_newton_of(sample);
+  hand.force_newton = simulator::force_size_newton(sample);
   const ToolSample& before = material.samples[index - std::min(index, speed_ticks)];
   const Vec3 way =
       hand.world_from_tool.translation_mm - transform_from(before.world_from_tool).translation_mm;

@@ -1,0 +1,23 @@
+/// The force of a sample in newtons.
+#pragma once
+
+#include <cmath>
+
+#include "simulator/base/units.h"
+#include "simulator/base/vector.h"
+#include "simulator/record/record.h"
+
+namespace hallux::simulator {
+
+/// On the hand, in the world [N]; exactly what was recorded.
+inline Vec3 force_newton(const ToolSample& sample) noexcept {
+  return {newton_from_millinewton(sample.force_mn[0]), newton_from_millinewton(sample.force_mn[1]),
+          newton_from_millinewton(sample.force_mn[2])};
+}
+
+inline double force_size_newton(const ToolSample& sample) noexcept {
+  const Vec3 newton = force_newton(sample);
+  return std::sqrt(glm::dot(newton, newton));
+}
+
+}  // namespace hallux::simulator
