@@ -29,15 +29,23 @@ class LooseCable final : public simulator::HapticDevice {
   RigidTransform pose_;
 };
 
-TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
-  OperableCourse course("silver");
-  const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = course.table(*visit);
-  LiveBegin what;
-  what.scenario = course.version();
-  what.person = visit->person().id;
+/// Ada, about to operate.
+class LiveAttempts : public testing::Test {
+ protected:
+  LiveAttempts() {
+    what_.scenario = course_.version();
+    what_.person = visit_->person().id;
+  }
+
+  OperableCourse course_{"silver"};
+  const std::shared_ptr<Visit> visit_ = course_.visit_of_ada();
+  const std::shared_ptr<const OperatingTable> table_ = course_.table(*visit_);
+  LiveBegin what_;
+};
+
+TEST_F(LiveAttempts, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
   const std::unique_ptr<LiveAttempt> live =
-      begin_operation(*visit, table, what, std::make_unique<LooseCable>(start_pose(*table)));
+      begin_operation(*visit_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
   bool was_said = false;
   ASSERT_TRUE(soon([&] {
     const simulator::LoopView& view = live->view();
@@ -50,7 +58,7 @@ TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
   EXPECT_TRUE(live->end()->is_sealed);
   EXPECT_EQ(live->end()->failure, LiveFailure::None);
 
-  const simulator::Recording kept = course.course().trainee("ada").recording(live->attempt());
+  const simulator::Recording kept = course_.course().trainee("ada").recording(live->attempt());
   for (const ToolSample& sample : kept.samples) {
     const bool is_lost = sample.tick >= lost_tick + 3 && sample.tick < found_tick - 3;
     const bool is_there =
@@ -65,46 +73,34 @@ TEST(LiveAttempt, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
   }
 }
 
-TEST(LiveAttempt, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
-  OperableCourse course("silver");
-  const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = course.table(*visit);
-  LiveBegin what;
-  what.scenario = course.version();
-  what.person = visit->person().id;
-  what.guidance = simulator::Guidance::Slot;
-  RigidTransform beside = start_pose(*table);
+TEST_F(LiveAttempts, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
+  what_.guidance = simulator::Guidance::Slot;
+  RigidTransform beside = start_pose(*table_);
   beside.translation_mm += Vec3(20.0, 20.0, 20.0);
   const std::unique_ptr<LiveAttempt> live =
-      begin_operation(*visit, table, what, std::make_unique<LooseCable>(beside));
+      begin_operation(*visit_, table_, what_, std::make_unique<LooseCable>(beside));
   ASSERT_TRUE(soon([&] { return live->view().sample.tick > end_tick; }));
   live->finish();
   ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
-  EXPECT_EQ(course.attempt().begun.guidance, simulator::Guidance::Slot);
+  EXPECT_EQ(course_.attempt().begun.guidance, simulator::Guidance::Slot);
 
-  database::TraineeDesk desk = course.course().trainee("ada");
-  AttemptMaterial material = load_attempt(course.course().database(), desk, live->attempt());
+  database::TraineeDesk desk = course_.course().trainee("ada");
+  AttemptMaterial material = load_attempt(course_.course().database(), desk, live->attempt());
   EXPECT_TRUE(replay_attempt(material, no_progress)->is_identical);
   material.header.begun.guidance = simulator::Guidance::None;
   EXPECT_FALSE(replay_attempt(material, no_progress)->is_identical);
 }
 
-TEST(LiveAttempt, OfAnAssessmentIsNotBegunWithAGuide) {
-  OperableCourse course("silver");
-  const std::shared_ptr<Visit> visit = course.visit_of_ada();
-  const auto table = course.table(*visit);
-  LiveBegin what;
-  what.scenario = course.version();
-  what.person = visit->person().id;
-  what.kind = database::AttemptKind::Assessment;
-  what.guidance = simulator::Guidance::Soft;
+TEST_F(LiveAttempts, OfAnAssessmentIsNotBegunWithAGuide) {
+  what_.kind = database::AttemptKind::Assessment;
+  what_.guidance = simulator::Guidance::Soft;
   try {
-    begin_operation(*visit, table, what, std::make_unique<LooseCable>(start_pose(*table)));
+    begin_operation(*visit_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
     ADD_FAILURE() << "was begun";
   } catch (const database::DatabaseError& error) {
     EXPECT_EQ(error.kind(), database::DatabaseErrorKind::BadInput);
   }
-  EXPECT_TRUE(course.course().trainee("ada").attempts().empty());
+  EXPECT_TRUE(course_.course().trainee("ada").attempts().empty());
 }
 
 }  // namespace
