@@ -20,26 +20,31 @@ TEST(Passivity, CountsTheForceThatActed) {
   EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.3) << "1.5 N held against over 0.2 mm";
 }
 
-TEST(Passivity, KnowsThatAForceComesLater) {
-  PassivitySettings late = device;
-  late.exchanges_until_sent = late.transport_ticks = 1;
-  EnergyAccount account;
+/// A device whose forces are sent an exchange later and act a tick after that.
+constexpr PassivitySettings late = [] {
+  PassivitySettings settings = device;
+  settings.exchanges_until_sent = settings.transport_ticks = 1;
+  return settings;
+}();
+
+/// -1, -2 and -3 N, a tick each, while nothing moves.
+void tell_three(EnergyAccount& account) {
   for (const double newton : {-1.0, -2.0, -3.0}) {
     kept_passive(account, late, moved(0.0), along_x(newton));
     note_made(account, along_x(newton));
   }
+}
+
+TEST(Passivity, KnowsThatAForceComesLater) {
+  EnergyAccount account;
+  tell_three(account);
   kept_passive(account, late, moved(0.1), along_x(-4.0));
   EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.1) << "the oldest of three";
 }
 
 TEST(Passivity, CountsWhatActedInEachTickOfALineOfThree) {
-  PassivitySettings late = device;
-  late.exchanges_until_sent = late.transport_ticks = 1;
   EnergyAccount account;
-  for (const double newton : {-1.0, -2.0, -3.0}) {
-    kept_passive(account, late, moved(0.0), along_x(newton));
-    note_made(account, along_x(newton));
-  }
+  tell_three(account);
   // The device was told -2 N before these three ticks: in the first of them the -1 N before that still act.
   kept_passive(account, late, {{0.3, 0.0, 0.0}, 0.003}, along_x(-4.0));
   EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.1 * (1.0 + 2.0 + 2.0));
