@@ -48,7 +48,8 @@ void configure(Database& database, Access access) {
                               ": the file system has no shared memory (a network share?) or is "
                               "read-only; name a local directory with --data"};
     }
-    connection.exec("PRAGMA synchronous = FULL;");
+    // What is erased is overwritten, not only unlinked.
+    connection.exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON;");
   });
 }
 

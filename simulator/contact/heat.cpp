@@ -54,8 +54,8 @@ double push_newton(const ToolSample& sample) noexcept {
 }
 
 Vec2 middle_of(std::int32_t number) noexcept {
-  const double u = static_cast<double>(number / heat_cells);
-  const double v = static_cast<double>(number % heat_cells);
+  const std::int32_t u = number / heat_cells;
+  const std::int32_t v = number % heat_cells;
   return {(u + 0.5) * heat_cell_mm - reach_mm, (v + 0.5) * heat_cell_mm - reach_mm};
 }
 
@@ -65,6 +65,11 @@ bool is_within(std::int32_t index) noexcept { return index >= 0 && index < heat_
 std::int32_t index_of(double cells) noexcept {
   if (!(cells > -1.0)) return -1;
   return static_cast<std::int32_t>(std::floor(std::min(cells, heat_cells + 1.0)));
+}
+
+/// Where a kerf's cell of that number stands among all cells.
+std::size_t cell_of(std::int32_t kerf, std::int32_t number) noexcept {
+  return static_cast<std::size_t>(kerf) * cells_per_kerf + static_cast<std::size_t>(number);
 }
 
 }  // namespace
@@ -81,7 +86,7 @@ HeatField::HeatField(const BladeSize& blade, const RigidTransform& world_from_bo
 }
 
 HeatField::Cell& HeatField::cell(std::int32_t kerf, std::int32_t number) noexcept {
-  return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)];
+  return cells_[cell_of(kerf, number)];
 }
 
 std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
@@ -93,7 +98,7 @@ std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
 double HeatField::celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
   const std::int32_t number = cell_at(place_mm);
   if (number < 0) return body_celsius;
-  return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)].celsius;
+  return cells_[cell_of(kerf, number)].celsius;
 }
 
 double HeatField::hottest_now_celsius() const noexcept {
@@ -103,7 +108,7 @@ double HeatField::hottest_now_celsius() const noexcept {
 double HeatField::dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
   const std::int32_t number = cell_at(place_mm);
   if (number < 0) return 0.0;
-  return cells_[static_cast<std::size_t>(kerf * cells_per_kerf + number)].dose_min;
+  return cells_[cell_of(kerf, number)].dose_min;
 }
 
 void HeatField::follow(const ToolSample& sample, const StandingBone& bone) noexcept {

@@ -68,6 +68,37 @@ TEST(Migrations, OpenADatabaseOfSchemaTwoWhoseAttemptsNothingGuided) {
       sign_in(database, "ada", secret("saw bone hinge wire")).administrator()->people().size(), 3U);
 }
 
+TEST(Migrations, OpenADatabaseOfSchemaThreeWithItsCourseAndDecisions) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_3.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt WHERE is_valid = 1"), 5);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt WHERE is_valid IS NULL"), 1)
+      << "the interrupted one";
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt WHERE guidance = 'soft'"), 1);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM decision WHERE kind = 'overridden'"), 1);
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.scores, 6);
+  Session kim = sign_in(database, "kim", secret(good_password));
+  EXPECT_EQ(kim.instructor_of(CohortId{1})->help_requests().size(), 1U);
+}
+
+TEST(Migrations, GiveEachDirectoryAnIdentityOfItsOwnForGood) {
+  const TemporaryDirectory first, second;
+  Database one = Database::open(place(first, "schema_3.db"));
+  Database other = Database::open(place(second, "schema_3.db"));
+  const auto identity = [](Database& database) {
+    SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
+    row.executeStep();
+    return row.getColumn(0).getString();
+  };
+  EXPECT_EQ(identity(one).size(), 32U);
+  EXPECT_NE(identity(one), identity(other));
+  EXPECT_THROW(one.connection().exec("UPDATE directory SET uuid = lower(hex(randomblob(16)))"),
+               SQLite::Exception);
+}
+
 TEST(Migrations, LeaveEveryChainOfSchemaOneWhole) {
   const TemporaryDirectory temporary;
   Database database = Database::open(place(temporary, "schema_1.db"));

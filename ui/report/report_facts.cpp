@@ -20,7 +20,7 @@ std::string operator_text(const AttemptHeader& header) {
 }
 
 std::string purpose_text(const AttemptHeader& header) {
-  const std::string kind(database::name_of(header.begun.kind));
+  std::string kind(database::name_of(header.begun.kind));
   switch (header.begun.guidance) {
     case simulator::Guidance::None:
       return kind;

@@ -22,7 +22,7 @@ Vec3 start_of(const HandMotion& motion) {
 
 }  // namespace
 
-ModelledArm::ModelledArm(HandMotion motion, const ModelledArmSetup& setup)
+ModelledArm::ModelledArm(const HandMotion& motion, const ModelledArmSetup& setup)
     : setup_(setup),
       wanted_(motion),
       tremor_(setup.seed, setup.hand.tremor_mm),

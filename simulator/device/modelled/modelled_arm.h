@@ -37,7 +37,7 @@ class ModelledArm final : public HapticDevice {
 
   /// At rest where the motion begins.
   /// needs   at least one key, ticks ascending
-  ModelledArm(HandMotion motion, const ModelledArmSetup& setup);
+  ModelledArm(const HandMotion& motion, const ModelledArmSetup& setup);
 
   const ArmState& arm() const noexcept { return arm_; }
 

@@ -128,6 +128,7 @@ CutAgainstPlan against_plan(const Examination& examination, std::size_t index) {
 /// The card's trees live only as long as the light is laid.
 void light_pieces(std::vector<BoneMesh>& pieces) {
   std::vector<simulator::Bvh> trees;
+  trees.reserve(pieces.size());
   for (const BoneMesh& piece : pieces) trees.emplace_back(piece.solid.mesh);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     // What lies on the other side of a kerf is not looked at: the face is shown opened.
