@@ -25,10 +25,13 @@ struct Examination {
   database::ScoreCard card;
 };
 
+/// `opened`, where it is given, are kept fields of the recording that save stamping them: for showing, never for a score that
+/// is stored, since nothing seals what was kept beside the recording.
 /// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
 /// thread  any; the same arguments give the same card
 Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                    const simulator::Recording& recording, const Progress& progress = {});
+                    const simulator::Recording& recording, const Progress& progress = {},
+                    const OpenedFields* opened = nullptr);
 
 /// The card alone.
 database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,

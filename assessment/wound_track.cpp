@@ -26,7 +26,7 @@ WoundTrack follow_wound(const simulator::Bone& bone, const SawOfRecord& saw,
   const std::size_t count = recording.samples.size();
   open_kerfs(
       kerfs, recording, [](std::int64_t) {},
-      [&](std::size_t index) {
+      [&](std::size_t index, const simulator::FieldWindow&) {
         wound.follow(recording.samples[index], {tissue, kerfs, {}});
         track.greatest_deflection_mm =
             std::max(track.greatest_deflection_mm, std::abs(wound.flex().deflection_mm));

@@ -8,22 +8,30 @@
 
 namespace hallux::assessment {
 
-/// Calls `frozen(tick)` after each plane that begins a kerf, and `swept(index)` after each sample, with `kerfs` as they stood
-/// then. A plane that was refused begins none.
+/// Freezes the planes alone. Calls `frozen(tick)` after each that begins a kerf, and `sampled(index)` for each sample when
+/// its turn comes. A plane that was refused begins none.
 /// needs   samples and events are in the order of their ticks
-template <typename Frozen, typename Swept>
-void open_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
-                Swept&& swept) {
+template <typename Frozen, typename Sampled>
+void freeze_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
+                  Sampled&& sampled) {
   auto event = recording.events.begin();
   for (std::size_t index = 0; index < recording.samples.size(); ++index) {
-    const simulator::ToolSample& sample = recording.samples[index];
-    for (; event != recording.events.end() && event->tick <= sample.tick; ++event) {
+    for (; event != recording.events.end() && event->tick <= recording.samples[index].tick;
+         ++event) {
       if (event->kind != simulator::CutEventKind::PlaneFrozen) continue;
       if (kerfs.freeze(event->pose) >= 0) frozen(event->tick);
     }
-    kerfs.follow(sample);
-    swept(index);
+    sampled(index);
   }
+}
+
+/// The same, and opens them: `swept(index, changed)` is called after each sample, with `kerfs` as they stood then and the
+/// window of nodes that the sample raised.
+template <typename Frozen, typename Swept>
+void open_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
+                Swept&& swept) {
+  freeze_kerfs(kerfs, recording, frozen,
+               [&](std::size_t index) { swept(index, kerfs.follow(recording.samples[index])); });
 }
 
 }  // namespace hallux::assessment

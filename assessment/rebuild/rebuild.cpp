@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "assessment/rebuild/open_kerfs.h"
+#include "simulator/base/check.h"
 #include "simulator/cutting/opened_volume.h"
 
 namespace hallux::assessment {
@@ -33,20 +34,33 @@ void note_cutting(RebuiltBone& rebuilt, const ToolSample& sample) {
   kerf.last_cutting_tick = sample.tick;
 }
 
+RebuiltKerf frozen_at(std::int64_t tick) {
+  RebuiltKerf kerf;
+  kerf.frozen_tick = kerf.first_cutting_tick = kerf.last_cutting_tick = tick;
+  return kerf;
+}
+
 void stamp_kerfs(RebuiltBone& rebuilt, const Recording& recording, const Progress& progress) {
   const auto count = static_cast<double>(recording.samples.size());
   open_kerfs(
       rebuilt.fields, recording,
-      [&](std::int64_t tick) {
-        RebuiltKerf kerf;
-        kerf.frozen_tick = kerf.first_cutting_tick = kerf.last_cutting_tick = tick;
-        rebuilt.kerfs.push_back(std::move(kerf));
-      },
-      [&](std::size_t index) {
+      [&](std::int64_t tick) { rebuilt.kerfs.push_back(frozen_at(tick)); },
+      [&](std::size_t index, const simulator::FieldWindow&) {
         note_cutting(rebuilt, recording.samples[index]);
         if (index % samples_per_report == 0)
           report(progress, stamping_share * static_cast<double>(index) / count);
       });
+}
+
+void put_kerfs(RebuiltBone& rebuilt, const Recording& recording, const OpenedFields& opened) {
+  freeze_kerfs(
+      rebuilt.fields, recording,
+      [&](std::int64_t tick) { rebuilt.kerfs.push_back(frozen_at(tick)); },
+      [&](std::size_t index) { note_cutting(rebuilt, recording.samples[index]); });
+  for (std::size_t kerf = 0; kerf < opened.size(); ++kerf) {
+    rebuilt.fields.put(static_cast<std::int32_t>(kerf), opened[kerf].window,
+                       opened[kerf].inside_mm);
+  }
 }
 
 /// How much of each region the outline takes. What rounding leaves of a region that was taken wholly is nothing.
@@ -118,10 +132,16 @@ double RebuiltKerf::done_fraction() const noexcept {
 bool RebuiltKerf::is_finished() const noexcept { return done_fraction() == 1.0; }
 
 RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& blade,
-                    const simulator::Recording& recording, const Progress& progress) {
+                    const simulator::Recording& recording, const Progress& progress,
+                    const OpenedFields* opened) {
   RebuiltBone rebuilt{
       simulator::KerfSet(blade, bone.world_from_bone), {}, {}, {}, 0.0, 0.0, 0.0, 0};
-  stamp_kerfs(rebuilt, recording, progress);
+  if (opened != nullptr) {
+    CHECK(are_of(*opened, blade, bone.world_from_bone, recording));
+    put_kerfs(rebuilt, recording, *opened);
+  } else {
+    stamp_kerfs(rebuilt, recording, progress);
+  }
   CutSolid solid = simulator::uncut_solid(solid_of(bone));
   rebuilt.input_mm3 = signed_volume_mm3(solid.mesh);
   if (rebuilt.fields.count() > 0) cut_kerfs(solid, rebuilt, progress);

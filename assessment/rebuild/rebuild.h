@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assessment/progress.h"
+#include "assessment/rebuild/opened_fields.h"
 #include "simulator/cutting/commit_patch.h"
 #include "simulator/cutting/cut.h"
 #include "simulator/cutting/kerf_set.h"
@@ -45,9 +46,12 @@ struct RebuiltBone {
 
 /// needs   recording's samples and events are in the order of their ticks
 /// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order they were frozen
+///         `opened` saves the stamping and changes no bit
+/// needs   where `opened` is given, fields of this recording (see are_of)
 /// errors  Cancelled
 /// thread  any
 RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& blade,
-                    const simulator::Recording& recording, const Progress& progress = {});
+                    const simulator::Recording& recording, const Progress& progress = {},
+                    const OpenedFields* opened = nullptr);
 
 }  // namespace hallux::assessment

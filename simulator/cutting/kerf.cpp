@@ -84,6 +84,32 @@ void KerfField::reset() noexcept {
   for (std::uint32_t& tile : tile_revisions_) tile = tile == 0 ? 0 : revision_;
 }
 
+void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm) noexcept {
+  ++revision_;
+  FieldWindow all_changed;
+  auto next = inside_mm.begin();
+  for (std::int32_t u = window.u_first; u < window.u_last; ++u) {
+    NodeSpan changed;
+    for (std::int32_t v = window.v_first; v < window.v_last; ++v) {
+      if (put_node(u, v, *next++)) take_in(changed, v);
+    }
+    if (changed.is_empty()) continue;
+    note_risen(u, changed, all_changed);
+    covers_[static_cast<std::size_t>(u)] = LineCover{};
+  }
+}
+
+/// Whether the value was another one.
+bool KerfField::put_node(std::int32_t u, std::int32_t v, float wanted_mm) noexcept {
+  const float value_mm = wanted_mm > -limit_mm_ ? std::min(wanted_mm, limit_mm_) : -limit_mm_;
+  float& kept_mm = inside_mm_[line_start(u) + static_cast<std::size_t>(v)];
+  if (kept_mm == value_mm) return false;
+  kept_mm = value_mm;
+  open_.put(u, v, value_mm > 0.0F);
+  deep_.put(u, v, value_mm == limit_mm_);
+  return true;
+}
+
 void KerfField::stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
                       FieldWindow& changed) noexcept {
   changed = {};

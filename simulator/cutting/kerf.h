@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "simulator/base/transform.h"
@@ -82,6 +83,13 @@ class KerfField {
   void stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
              FieldWindow& changed) noexcept;
 
+  /// Puts kept values at the nodes of a window, line by line, whatever stood there; limited to what a field holds, and
+  /// closed where a value is no number.
+  /// shape   one value for each node of the window
+  /// needs   a window within the grid
+  /// ensures the field is as if stamps had made it, but for the time the next stamp takes
+  void put(const FieldWindow& window, std::span<const float> inside_mm) noexcept;
+
   // For those who follow the outline. Cell (i, j) lies between nodes (i - 1, j - 1) and (i, j): the first and the last
   // cells reach beyond the grid. Tile (I, J) holds the 32 x 32 cells from (32 I, 32 J) on.
   static constexpr std::int32_t tile_cells = 32;
@@ -100,6 +108,7 @@ class KerfField {
     return static_cast<std::size_t>(u) * static_cast<std::size_t>(grid_.v_count);
   }
   void stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept;
+  bool put_node(std::int32_t u, std::int32_t v, float wanted_mm) noexcept;
   NodeSpan raise_rim(const Rim& rim) noexcept;
   NodeSpan fill_deep(std::int32_t u, const NodeSpan& deep) noexcept;
   void note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept;

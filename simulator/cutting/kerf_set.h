@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "simulator/base/transform.h"
@@ -36,6 +37,12 @@ class KerfSet {
   /// Stamps what this sample opened; the window of nodes that rose (empty where nothing did).
   /// thread  haptic; allocates nothing
   FieldWindow follow(const ToolSample& sample) noexcept;
+
+  /// Opens a frozen kerf as its field was kept: instead of its samples.
+  void put(std::int32_t kerf, const FieldWindow& window,
+           std::span<const float> inside_mm) noexcept {
+    fields_[index(kerf)].put(window, inside_mm);
+  }
 
   /// Whether some kerf's slab is open at this point.
   bool is_open(const Vec3& point_in_bone_mm) const noexcept;

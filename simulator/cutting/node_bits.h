@@ -18,6 +18,13 @@ class NodeBits {
   void set(std::int32_t u, std::int32_t v) noexcept {
     words_[word_of(u, v)] |= std::uint64_t{1} << bit_of(v);
   }
+  void put(std::int32_t u, std::int32_t v, bool is_set) noexcept {
+    if (is_set) {
+      set(u, v);
+    } else {
+      words_[word_of(u, v)] &= ~(std::uint64_t{1} << bit_of(v));
+    }
+  }
   /// Sets the nodes [v_first, v_last) at u.
   void set_span(std::int32_t u, std::int32_t v_first, std::int32_t v_last) noexcept {
     for (std::int32_t v = v_first; v < v_last;) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "simulator/base/elementary.h"
-#include "tests/benchmarks/calibration_work.h"
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/benchmarks/worlds/bone_like.h"
@@ -92,17 +91,6 @@ Spread cost_us(const Bone& bone, const simulator::Recording& recording) {
     jobs.follow(output);
   }
   return spread_of(std::move(times_us));
-}
-
-double calibration_ms() {
-  std::vector<double> times_ms;
-  double sum = 0.0;
-  for (int i = 0; i < 20; ++i) {
-    const Stopwatch watch;
-    sum += million_square_roots();
-    times_ms.push_back(watch.worked_milliseconds());
-  }
-  return sum > 0.0 ? spread_of(std::move(times_ms)).median : 0.0;
 }
 
 Table cost_of_a_step(const std::vector<std::size_t>& sizes) {

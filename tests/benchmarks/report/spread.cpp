@@ -5,6 +5,8 @@
 #include <ctime>
 #include <numeric>
 
+#include "tests/benchmarks/calibration_work.h"
+
 namespace hallux::benchmarks {
 
 namespace {
@@ -37,6 +39,13 @@ Spread spread_of(std::vector<double> values) {
   spread.p99 = at_share(values, 0.99);
   spread.greatest = values.back();
   return spread;
+}
+
+double calibration_ms() {
+  double sum = 0.0;
+  const Spread spread = time_ms(
+      {20, 20, 1.0}, [] { return 0; }, [&](int) { sum += million_square_roots(); });
+  return sum > 0.0 ? spread.median : 0.0;
 }
 
 }  // namespace hallux::benchmarks

@@ -56,4 +56,7 @@ Spread time_ms(const Repetitions& repetitions, Make make, Work work) {
   return spread_of(std::move(times_ms));
 }
 
+/// The processor time of a million square roots in a row, so that the figures of two machines can be compared.
+double calibration_ms();
+
 }  // namespace hallux::benchmarks

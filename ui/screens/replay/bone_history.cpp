@@ -6,7 +6,6 @@
 
 #include "scenarios/planned_bridge.h"
 #include "simulator/cutting/hinge.h"
-#include "simulator/cutting/kerf_set.h"
 #include "ui/screens/bone_stage.h"
 
 namespace hallux::ui {
@@ -15,10 +14,8 @@ namespace {
 
 using namespace simulator;
 
-constexpr std::int64_t note_every_ticks = 20;
-constexpr std::size_t samples_per_report = 4096;
-/// Shares of the time: following the blade, the look of the bone, then the meshes.
-constexpr double follow_share = 0.35, look_share = 0.5;
+/// Shares of the time: the look of the bone, then the meshes.
+constexpr double look_share = 0.25;
 /// A triangle of a piece lies on its surface but for rounding.
 constexpr double on_surface_mm = 1.0e-3;
 constexpr double least_sine = 1.0e-12;
@@ -29,72 +26,20 @@ struct Turn {
   std::int32_t kerf = -1;
 };
 
-/// Follows the recording once, sample by sample, and notes what was opened.
-class GrowthNotes {
- public:
-  GrowthNotes(const HistoryRequest& request, BoneHistory& history)
-      : request_(request), history_(history), kerfs_(request.blade, request.bone.world_from_bone) {}
-
-  std::vector<Turn> follow(const std::function<void(double)>& progress) {
-    const std::vector<ToolSample>& samples = request_.recording.samples;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      freeze_until(samples[i].tick);
-      take(samples[i]);
-      if (progress && i % samples_per_report == 0)
-        progress(static_cast<double>(i) / static_cast<double>(samples.size()));
-    }
-    note(last_growth_tick_);
-    return std::move(turns_);
+/// At each tick the blade is in one kerf.
+std::vector<Turn> turns_of(const std::vector<KerfGrowth>& kerfs) {
+  std::vector<Turn> grown;
+  for (std::size_t kerf = 0; kerf < kerfs.size(); ++kerf) {
+    for (const std::int32_t tick : kerfs[kerf].ticks)
+      grown.push_back({tick, static_cast<std::int32_t>(kerf)});
   }
-
- private:
-  void freeze_until(std::int64_t tick) {
-    const std::vector<CutEvent>& events = request_.recording.events;
-    for (; next_event_ < events.size() && events[next_event_].tick <= tick; ++next_event_) {
-      const CutEvent& event = events[next_event_];
-      if (event.kind != CutEventKind::PlaneFrozen) continue;
-      const std::int32_t kerf = kerfs_.freeze(event.pose);
-      if (kerf < 0) continue;
-      const FieldGrid& grid = kerfs_.field(kerf).grid();
-      history_.kerfs.push_back({kerfs_.plane(kerf), grid, {}, {}});
-      trackers_.push_back(std::make_unique<OutlineTracker>(grid));
-    }
-  }
-
-  void take(const ToolSample& sample) {
-    const bool has_grown = !kerfs_.follow(sample).is_empty();
-    if (has_grown && sample.kerf != growing_) {
-      note(last_growth_tick_);
-      growing_ = sample.kerf;
-      turns_.push_back({sample.tick, growing_});
-    }
-    if (has_grown) {
-      is_unnoted_ = true;
-      last_growth_tick_ = sample.tick;
-    }
-    if (is_unnoted_ && sample.tick - last_noted_tick_ >= note_every_ticks) note(last_growth_tick_);
-  }
-
-  void note(std::int64_t tick) {
-    if (!is_unnoted_) return;
-    const auto index = static_cast<std::size_t>(growing_);
-    trackers_[index]->update(kerfs_.field(growing_));
-    history_.kerfs[index].ticks.push_back(tick);
-    history_.kerfs[index].outlines.push_back(trackers_[index]->outline());
-    is_unnoted_ = false;
-    last_noted_tick_ = tick;
-  }
-
-  const HistoryRequest& request_;
-  BoneHistory& history_;
-  KerfSet kerfs_;
-  std::vector<std::unique_ptr<OutlineTracker>> trackers_;
-  std::vector<Turn> turns_;
-  std::size_t next_event_ = 0;
-  std::int32_t growing_ = -1;
-  std::int64_t last_growth_tick_ = 0, last_noted_tick_ = 0;
-  bool is_unnoted_ = false;
-};
+  std::sort(grown.begin(), grown.end(),
+            [](const Turn& a, const Turn& b) { return a.tick < b.tick; });
+  const auto end = std::unique(grown.begin(), grown.end(),
+                               [](const Turn& a, const Turn& b) { return a.kerf == b.kerf; });
+  grown.erase(end, grown.end());
+  return grown;
+}
 
 /// The bone less the kerfs as they stood at a tick, but for one that is left whole.
 CutSolid cut_at(const HistoryRequest& request, const BoneHistory& history, std::int64_t tick,
@@ -102,12 +47,11 @@ CutSolid cut_at(const HistoryRequest& request, const BoneHistory& history, std::
   CutSolid solid = uncut_solid(solid_of(request.bone));
   for (std::size_t kerf = 0; kerf < history.kerfs.size(); ++kerf) {
     const KerfGrowth& growth = history.kerfs[kerf];
-    const RegionOutline* outline = growth.at(tick);
-    if (static_cast<std::int32_t>(kerf) == but_for || outline == nullptr) continue;
+    if (static_cast<std::int32_t>(kerf) == but_for || growth.grown_at(tick) == 0) continue;
     const Bvh bvh(solid.mesh);
-    solid =
-        cut_kerf(solid, bvh, growth.plane, static_cast<std::int32_t>(kerf), growth.grid, *outline)
-            .solid;
+    solid = cut_kerf(solid, bvh, growth.opened.plane, static_cast<std::int32_t>(kerf),
+                     growth.opened.grid, outline_at(growth.opened, tick))
+                .solid;
   }
   return solid;
 }
@@ -132,7 +76,7 @@ BoneStretch stretch_from(const HistoryRequest& request, const BoneHistory& histo
   const KerfGrowth& growth = history.kerfs[static_cast<std::size_t>(turn.kerf)];
   const Bvh bvh(stretch.mesh.solid.mesh);
   stretch.contact = std::make_unique<const KerfContact>(
-      slice_contact(stretch.mesh.solid, bvh, growth.plane, turn.kerf, growth.grid));
+      slice_contact(stretch.mesh.solid, bvh, growth.opened.plane, turn.kerf, growth.opened.grid));
   return stretch;
 }
 
@@ -227,10 +171,10 @@ std::vector<std::pair<HingeGap, std::size_t>> gaps_at(const HistoryRequest& requ
   const CutSolid whole = uncut_solid(solid_of(request.bone));
   const Bvh bvh(whole.mesh);
   for (std::size_t kerf = 0; kerf < history.kerfs.size(); ++kerf) {
-    const RegionOutline* outline = history.kerfs[kerf].at(tick);
-    if (outline == nullptr) continue;
-    const Section section = slice_section(whole, bvh, history.kerfs[kerf].plane);
-    const auto gap = measure_hinge_gap(section, *outline, bridge.line);
+    const KerfGrowth& growth = history.kerfs[kerf];
+    if (growth.grown_at(tick) == 0) continue;
+    const Section section = slice_section(whole, bvh, growth.opened.plane);
+    const auto gap = measure_hinge_gap(section, outline_at(growth.opened, tick), bridge.line);
     if (gap && gap->is_opened) gaps.emplace_back(*gap, kerf);
   }
   std::stable_sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) {
@@ -249,8 +193,8 @@ void close_halves(const HistoryRequest& request, BoneHistory& history) {
   const auto gaps = gaps_at(request, history, *bridge, event->tick);
   if (gaps.size() < 2) return;
   HingeRequest asked;
-  asked.first = history.kerfs[gaps[0].second].plane;
-  asked.second = history.kerfs[gaps[1].second].plane;
+  asked.first = history.kerfs[gaps[0].second].opened.plane;
+  asked.second = history.kerfs[gaps[1].second].opened.plane;
   asked.first_gap = gaps[0].first;
   asked.second_gap = gaps[1].first;
   asked.line = bridge->line;
@@ -320,10 +264,9 @@ std::array<Vec3, 3> patch_corners(const IndexedMesh& mesh, const SolidPatch& pat
 
 }  // namespace
 
-const RegionOutline* KerfGrowth::at(std::int64_t tick) const noexcept {
+std::size_t KerfGrowth::grown_at(std::int64_t tick) const noexcept {
   const auto next = std::upper_bound(ticks.begin(), ticks.end(), tick);
-  if (next == ticks.begin()) return nullptr;
-  return &outlines[static_cast<std::size_t>(next - ticks.begin()) - 1];
+  return static_cast<std::size_t>(next - ticks.begin());
 }
 
 std::size_t BoneHistory::stretch_at(std::int64_t tick) const noexcept {
@@ -333,18 +276,19 @@ std::size_t BoneHistory::stretch_at(std::int64_t tick) const noexcept {
   return found;
 }
 
-std::shared_ptr<const BoneHistory> build_history(const HistoryRequest& request,
+std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
                                                  const std::function<void(double)>& progress) {
   const auto report = [&](double fraction) {
     if (progress) progress(fraction);
   };
   auto history = std::make_shared<BoneHistory>();
-  std::vector<Turn> turns = GrowthNotes(request, *history).follow([&](double fraction) {
-    report(follow_share * fraction);
-  });
-  history->look = look_of(picture_id("look " + request.name), request.bone, [&](double fraction) {
-    report(follow_share + (look_share - follow_share) * fraction);
-  });
+  for (OpenedField& opened : request.opened) {
+    std::vector<std::int32_t> ticks = opened.ticks();
+    history->kerfs.push_back({std::move(opened), std::move(ticks)});
+  }
+  std::vector<Turn> turns = turns_of(history->kerfs);
+  history->look = look_of(picture_id("look " + request.name), request.bone,
+                          [&](double fraction) { report(look_share * fraction); });
   if (turns.empty()) turns.push_back({0, -1});
   turns.front().tick = 0;
   for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -363,16 +307,16 @@ void BoneMoment::move_to(std::int64_t tick) {
   tick_ = tick;
   const std::size_t stretch = history_.stretch_at(tick);
   const BoneStretch& now = history_.stretches[stretch];
-  const RegionOutline* outline =
-      now.growing < 0 ? nullptr : history_.kerfs[static_cast<std::size_t>(now.growing)].at(tick);
+  const std::size_t grown =
+      now.growing < 0 ? 0 : history_.kerfs[static_cast<std::size_t>(now.growing)].grown_at(tick);
   std::size_t taken = 0;
   while (taken < history_.taken.size() && history_.taken[taken].tick <= tick) ++taken;
   const bool is_same =
-      stretch_ == stretch && outline_ == outline && taken_ == taken && was_closed_ == is_closed();
+      stretch_ == stretch && grown_ == grown && taken_ == taken && was_closed_ == is_closed();
   if (is_same) return;
   if (stretch_ != stretch) builder_.reset();
   stretch_ = stretch;
-  outline_ = outline;
+  grown_ = grown;
   taken_ = taken;
   was_closed_ = is_closed();
   ++revision_;
@@ -381,14 +325,23 @@ void BoneMoment::move_to(std::int64_t tick) {
 
 void BoneMoment::build_patch() {
   const BoneStretch& stretch = history_.stretches[*stretch_];
-  if (outline_ == nullptr) {
+  if (grown_ == 0) {
     patch_ = {};
   } else {
     if (!builder_) builder_ = std::make_unique<PatchBuilder>(*stretch.contact);
-    // A refused outline leaves the patch of the moment before: a twentieth of a second.
-    if (!builder_->build(*outline_, patch_)) return;
+    // A refused outline leaves the patch of the moment before.
+    if (!builder_->build(outline_of_growing(stretch.growing), patch_)) return;
   }
   leave_out_taken();
+}
+
+const RegionOutline& BoneMoment::outline_of_growing(std::int32_t kerf) {
+  if (kerf_ != kerf) {
+    opened_ = std::make_unique<OpenedMoment>(history_.kerfs[static_cast<std::size_t>(kerf)].opened);
+    kerf_ = kerf;
+  }
+  opened_->move_to(tick_);
+  return opened_->outline();
 }
 
 void BoneMoment::leave_out_taken() {

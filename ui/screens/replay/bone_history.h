@@ -1,8 +1,8 @@
 /// The bone at every moment of an attempt, so that any of them can be shown at once.
 ///
-/// What the blade opened is kept as outlines, one each 20 ms in which a kerf grew: a few kilobytes in place of a field of
-/// ten megabytes. In a stretch of time in which only one kerf grows the others stand still: they are cut into a mesh that is
-/// made once, and the one that grows is a patch on it, built from the outline of the moment:
+/// What the blade opened is kept as one field a kerf with the tick at which each node opened: the kerf of a moment is a
+/// threshold of it. In a stretch of time in which only one kerf grows the others stand still: they are cut into a mesh that
+/// is made once, and the one that grows is a patch on it, built from the outline of the moment:
 ///
 ///     time       ---- kerf 0 grows ----|---- kerf 1 grows ----|-- kerf 0 again --
 ///     mesh       the whole bone         bone less kerf 0       bone less kerf 1
@@ -20,7 +20,7 @@
 
 #include "scenarios/plan.h"
 #include "simulator/cutting/kerf_contact.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/opened_field.h"
 #include "simulator/cutting/solid_patch.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
@@ -31,21 +31,19 @@ namespace hallux::ui {
 /// What an attempt was made on and with.
 struct HistoryRequest {
   const simulator::Bone& bone;
-  const simulator::BladeSize& blade;
   const scenarios::Plan& plan;
   const simulator::Recording& recording;
+  std::vector<simulator::OpenedField> opened;  ///< of the recording, one per kerf
   std::string name;  ///< another attempt, or another length of it, has another
 };
 
-/// What a kerf had opened, by the ticks at which that was noted; ascending.
+/// What a kerf opened, and when.
 struct KerfGrowth {
-  simulator::KerfPlane plane;
-  simulator::FieldGrid grid;
-  std::vector<std::int64_t> ticks;
-  std::vector<simulator::RegionOutline> outlines;
+  simulator::OpenedField opened;
+  std::vector<std::int32_t> ticks;  ///< at which something opened, ascending
 
-  /// The outline in force after this tick, or null where nothing was opened yet.
-  const simulator::RegionOutline* at(std::int64_t tick) const noexcept;
+  /// How many of them are not after this tick: the kerf looks the same wherever that is the same.
+  std::size_t grown_at(std::int64_t tick) const noexcept;
 };
 
 /// A stretch of time in which at most one kerf grows.
@@ -84,7 +82,7 @@ struct BoneHistory {
 /// `progress` is told the fraction done and may throw to stop it.
 /// errors  whatever `progress` throws
 /// thread  work's; seconds
-std::shared_ptr<const BoneHistory> build_history(const HistoryRequest& request,
+std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
                                                  const std::function<void(double)>& progress = {});
 
 /// The bone of one moment after the other, as the renderer takes it. Borrows the history.
@@ -107,16 +105,19 @@ class BoneMoment {
 
  private:
   void build_patch();
+  const simulator::RegionOutline& outline_of_growing(std::int32_t kerf);
   void leave_out_taken();
   bool is_closed() const noexcept { return history_.closed && tick_ >= history_.closed->tick; }
 
   const BoneHistory& history_;
   std::int64_t tick_ = -1;
   std::optional<std::size_t> stretch_;
-  const simulator::RegionOutline* outline_ = nullptr;
+  std::size_t grown_ = 0;  ///< of the kerf that grows in the stretch
   std::size_t taken_ = 0;  ///< how many pieces are out
   bool was_closed_ = false;
   std::unique_ptr<simulator::PatchBuilder> builder_;  ///< of the stretch
+  std::int32_t kerf_ = -1;                            ///< whose moment that is:
+  std::unique_ptr<simulator::OpenedMoment> opened_;
   simulator::SolidPatch patch_;
   std::uint64_t revision_ = 0;
 };

@@ -7,6 +7,7 @@
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/kept_fields.h"
 #include "ui/report/traces.h"
 
 namespace hallux::ui {
@@ -17,6 +18,9 @@ using database::Action;
 using simulator::ToolSample;
 using simulator::ToolStatus;
 
+constexpr const char* stopped = "stopped before the bone could be shown";
+/// Of what is left after loading.
+constexpr double follow_share = 0.3;
 constexpr double load_share = 0.1;
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
@@ -79,6 +83,7 @@ struct Loaded {
   AttemptMaterial attempt;
   std::optional<database::StoredScore> score;
   AttemptRights rights;
+  std::filesystem::path directory;
 };
 
 Loaded load_for(Visit& visit, const database::AttemptId& id) {
@@ -86,7 +91,7 @@ Loaded load_for(Visit& visit, const database::AttemptId& id) {
     const database::AttemptHeader header = header_for(session, id);
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, header.id);
     return Loaded{load_attempt(database, *desk, header.id), desk->score(header.id),
-                  rights_to(session, header)};
+                  rights_to(session, header), database.directory()};
   });
 }
 
@@ -104,12 +109,22 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
   measure_bone(*material, attempt.bone);
   const std::string name =
       "replay " + attempt.header.id.text + " " + std::to_string(attempt.recording.samples.size());
-  material->history = build_history(
-      {attempt.bone, attempt.scenario.blade.size, material->plan, attempt.recording, name},
-      [&](double fraction) {
-        if (!report.reached(load_share + (1.0 - load_share) * fraction))
-          throw Cancelled("stopped before the bone could be shown");
-      });
+  const auto reached = [&](double fraction) {
+    return report.reached(load_share + (1.0 - load_share) * fraction);
+  };
+  try {
+    assessment::OpenedFields opened = fields_of(attempt, loaded.directory, [&](double fraction) {
+      return reached(follow_share * fraction);
+    });
+    material->history =
+        build_history({attempt.bone, material->plan, attempt.recording, std::move(opened), name},
+                      [&](double fraction) {
+                        if (!reached(follow_share + (1.0 - follow_share) * fraction))
+                          throw Cancelled(stopped);
+                      });
+  } catch (const assessment::Cancelled&) {
+    throw Cancelled(stopped);
+  }
   material->events = events_of(attempt.recording);
   material->duration_s = duration_s_of(attempt.recording);
   material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);

@@ -8,6 +8,7 @@
 #include "scenarios/scenario_error.h"
 #include "simulator/base/digest.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/kept_fields.h"
 #include "ui/screens/bone_stage.h"
 #include "ui/screens/planned_frame.h"
 
@@ -48,20 +49,29 @@ StageProgress stages_on(WorkReport& report) {
   };
 }
 
-AttemptMaterial load_for(Visit& visit, const database::AttemptId& id) {
+struct Loaded {
+  AttemptMaterial attempt;
+  std::filesystem::path directory;
+};
+
+Loaded load_for(Visit& visit, const database::AttemptId& id) {
   return visit.in_turn([&](database::Session& session, database::Database& database) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
     if (!desk) {
       throw database::DatabaseError(database::DatabaseErrorKind::Refused,
                                     "this account may not see attempts any more");
     }
-    return load_attempt(database, *desk, id);
+    return Loaded{load_attempt(database, *desk, id), database.directory()};
   });
+}
+
+bool is_to_be_scored(const database::AttemptHeader& header) {
+  return !header.score_milli && header.state == AttemptState::Closed;
 }
 
 bool store_where_missing(Visit& visit, const database::AttemptHeader& header,
                          const database::ScoreCard& card) {
-  if (header.score_milli || header.state != AttemptState::Closed) return false;
+  if (!is_to_be_scored(header)) return false;
   return visit.in_turn([&](database::Session& session, auto&) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::StoreScore, header.id);
     if (!desk || !desk->may(Action::StoreScore, header)) return false;
@@ -207,9 +217,13 @@ ResultFacts read_result(Visit& visit, const database::AttemptId& id) {
 
 std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const database::AttemptId& id,
                                                        WorkReport& report) {
-  const AttemptMaterial material = load_for(visit, id);
+  const Loaded loaded = load_for(visit, id);
+  const AttemptMaterial& material = loaded.attempt;
   report.reached(read_share);
-  const Examination examination = score_attempt(material, stages_on(report));
+  // What was kept beside the recording serves to show, never to score.
+  const Examination examination = is_to_be_scored(material.header)
+                                      ? score_attempt(material, stages_on(report))
+                                      : examine_kept(material, loaded.directory, stages_on(report));
   auto examined = std::make_shared<ExaminedAttempt>();
   examined->card = examination.card;
   examined->world_from_bone = material.bone.world_from_bone;

@@ -14,8 +14,12 @@ namespace {
 struct World {
   World() {
     plan = plan_on(operation.scenario, operation.bone);
-    history = build_history(
-        {operation.bone, operation.scenario.blade.size, plan, operation.recording, "test"});
+    history = build_history({operation.bone, plan, operation.recording, opened(), "test"});
+  }
+
+  assessment::OpenedFields opened() const {
+    return assessment::opened_fields(operation.scenario.blade.size, operation.bone.world_from_bone,
+                                     operation.recording);
   }
 
   SomeOperation operation = some_operation();
@@ -60,25 +64,24 @@ double rebuilt_mm3(const World& world, std::int64_t tick) {
                          rebuilt.debris_mm3);
 }
 
-TEST(BoneHistory, HoldsAtEachNotedTickWhatScoringRebuilds) {
+TEST(BoneHistory, HoldsAtEachTickWhatScoringRebuildsButForHalfASpacingBeforeTheTeeth) {
   const World world;
   BoneMoment moment(*world.history);
+  const simulator::BladeSize& blade = world.operation.scenario.blade.size;
+  const double before_teeth_mm3 =
+      0.5 * simulator::FieldGrid{}.spacing_mm * blade.width_mm * blade.kerf_mm;
   ASSERT_EQ(world.history->stretches.size(), 2U) << "two cuts, one after the other";
   for (const KerfGrowth& kerf : world.history->kerfs) {
-    for (std::size_t i = 0; i < kerf.ticks.size(); i += 4) {
-      const std::int64_t tick = kerf.ticks[i];
-      moment.move_to(tick);
-      EXPECT_NEAR(shown_mm3(moment.bones({}).front()), rebuilt_mm3(world, tick), 1.0e-4) << tick;
+    ASSERT_GT(kerf.ticks.size(), 100U);
+    for (std::size_t i = 0; i < kerf.ticks.size(); i += kerf.ticks.size() / 7) {
+      moment.move_to(kerf.ticks[i]);
+      EXPECT_NEAR(shown_mm3(moment.bones({}).front()), rebuilt_mm3(world, kerf.ticks[i]),
+                  before_teeth_mm3)
+          << kerf.ticks[i];
     }
-  }
-}
-
-TEST(BoneHistory, IsNeverOlderThanTwentyMilliseconds) {
-  const World world;
-  for (const KerfGrowth& kerf : world.history->kerfs) {
-    ASSERT_GT(kerf.ticks.size(), 10U);
-    for (std::size_t i = 1; i < kerf.ticks.size(); ++i)
-      EXPECT_LE(kerf.ticks[i] - kerf.ticks[i - 1], 20);
+    moment.move_to(kerf.ticks.back());
+    EXPECT_NEAR(shown_mm3(moment.bones({}).front()), rebuilt_mm3(world, kerf.ticks.back()), 1.0e-4)
+        << "where a kerf's growth ends nothing is in doubt";
   }
 }
 
@@ -138,8 +141,8 @@ TEST(BoneHistory, ARecordingWithoutACutShowsTheWholeBone) {
   World world;
   world.operation.recording.events.clear();
   for (auto& sample : world.operation.recording.samples) sample.kerf = -1;
-  const auto history = build_history({world.operation.bone, world.operation.scenario.blade.size,
-                                      world.plan, world.operation.recording, "uncut"});
+  const auto history = build_history(
+      {world.operation.bone, world.plan, world.operation.recording, world.opened(), "uncut"});
   BoneMoment moment(*history);
   moment.move_to(300);
   const std::vector<BoneInScene> bones = moment.bones({});

@@ -1,0 +1,28 @@
+/// A recording's kerfs as fields with the tick at which each node opened: what a replay is shown from, and what the bone
+/// is rebuilt from without stamping once more.
+#pragma once
+
+#include <vector>
+
+#include "assessment/progress.h"
+#include "simulator/base/transform.h"
+#include "simulator/cutting/opened_field.h"
+#include "simulator/record/record.h"
+
+namespace hallux::assessment {
+
+/// One per kerf, in the order in which they were frozen.
+using OpenedFields = std::vector<simulator::OpenedField>;
+
+/// Follows the recording once.
+/// needs   recording's samples and events are in the order of their ticks
+/// errors  Cancelled
+/// thread  any
+OpenedFields opened_fields(const simulator::BladeSize& blade, const RigidTransform& world_from_bone,
+                           const simulator::Recording& recording, const Progress& progress = {});
+
+/// Whether `fields` are of this recording's planes and kerfs: what was kept of another one is not used.
+bool are_of(const OpenedFields& fields, const simulator::BladeSize& blade,
+            const RigidTransform& world_from_bone, const simulator::Recording& recording);
+
+}  // namespace hallux::assessment
