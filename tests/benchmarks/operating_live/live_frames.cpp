@@ -46,6 +46,25 @@ std::vector<Cell> measure(DrawnOperation& window, const std::string& name, bool 
           spread.p99,   1000.0 / spread.median};
 }
 
+void let_go(DrawnOperation& window) {
+  InputEvent event;
+  event.kind = EventKind::ButtonReleased;
+  event.button = MouseButton::Middle;
+  window.person().driver().send({event});
+  window.press(Key::Digit1);
+}
+
+/// Two rows: in a view that stands still, then in one that turns.
+void add_mode(DrawnOperation& window, Table& table, const std::string& name,
+              const std::filesystem::path& folder) {
+  table.rows.push_back(measure(window, name));
+  window.take(folder, name);
+  table.rows.push_back(measure(window, name + ", turning", true));
+  turn_on(window, frames_before + frames_measured);
+  window.take(folder, name + ", turning");
+  let_go(window);
+}
+
 /// Seen from medial: over the head, down to it, and a push of some millimetres.
 void begin_sawing(DrawnOperation& window) {
   window.press(Key::Enter);
@@ -81,21 +100,11 @@ int run(double edge_mm, const std::filesystem::path& folder) {
       .rows = {},
       .notes = {"pictures a second: 1000 / median; a saw at work, panels drawn, everything "
                 "recorded"}};
-  table.rows.push_back(measure(window, "mono"));
-  window.take(folder, "mono");
-  table.rows.push_back(measure(window, "mono, turning", true));
-  window.take(folder, "turned");
-  InputEvent let_go;
-  let_go.kind = EventKind::ButtonReleased;
-  let_go.button = MouseButton::Middle;
-  window.person().driver().send({let_go});
-  window.press(Key::Digit1);
+  add_mode(window, table, "mono", folder);
   window.press(Key::F9);
-  table.rows.push_back(measure(window, "side by side"));
-  window.take(folder, "side_by_side");
+  add_mode(window, table, "side by side", folder);
   window.press(Key::F9);
-  table.rows.push_back(measure(window, "anaglyph"));
-  window.take(folder, "anaglyph");
+  add_mode(window, table, "anaglyph", folder);
   window.press(Key::F9);
   print_table(std::cout, table);
   print_loop(window);
