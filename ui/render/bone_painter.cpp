@@ -218,6 +218,7 @@ void BonePainter::draw_shapes(const Frame& frame, const PixelBox& part) {
     stencil += 2;
   }
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glDisable(GL_STENCIL_TEST);
   glBindVertexArray(0);
 }
 

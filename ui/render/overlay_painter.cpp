@@ -16,13 +16,10 @@ OverlayPainter::OverlayPainter()
 void OverlayPainter::draw_ground(const Frame& frame) {
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_EQUAL, 0, 0xff);
   ground_.use();
   set_ground(ground_, frame);
   glBindVertexArray(no_attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
 }

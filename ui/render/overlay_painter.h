@@ -10,8 +10,6 @@ class OverlayPainter {
  public:
   OverlayPainter();
 
-  /// Where no bone is.
-  /// needs   the bones' shapes in the stencil
   void draw_ground(const Frame& frame);
   void draw_chips(const Frame& frame);
   /// After everything that is not translucent.

@@ -64,7 +64,8 @@ struct KeptPicture::Still {
 
 struct KeptPicture::Parts {
   std::optional<PictureBuffers> buffers;
-  std::optional<Still> still;  ///< what the buffers show; none: nothing yet
+  std::optional<Still> still;         ///< what the buffers show; none: nothing yet
+  std::optional<StillGround> ground;  ///< likewise
   std::vector<RenderTarget>
       halved;  ///< each half as large as the one before, down to twice the picture's size
 
@@ -76,6 +77,7 @@ void KeptPicture::Parts::make_room(PixelSize size, int scale) {
   const PixelSize large{at_least_one(size).width * scale, at_least_one(size).height * scale};
   if (buffers && buffers->size() == large) return;
   still.reset();
+  ground.reset();
   buffers.reset();
   halved.clear();
   buffers.emplace(large);
@@ -102,7 +104,8 @@ struct Renderer::Parts {
   PixelBox changed_pixels(const Frame& frame, const KeptPicture::Parts& kept,
                           const KeptPicture::Still& now) const;
   void draw_all(const Frame& frame, KeptPicture::Parts& kept);
-  void draw_still(const Frame& frame, const PictureBuffers& buffers, const PixelBox& part);
+  void draw_shapes(const Frame& frame, const PictureBuffers& buffers, const PixelBox& part);
+  void draw_ground(const Frame& frame, KeptPicture::Parts& kept);
   void draw_moving(const Frame& frame);
 };
 
@@ -122,7 +125,8 @@ void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept) {
                          bones.revisions(frame.scene)};
   const PixelBox changed = changed_pixels(frame, kept, now);
   kept.still.reset();  // until all of it is drawn
-  if (!changed.is_empty()) draw_still(frame, *kept.buffers, changed);
+  if (!changed.is_empty()) draw_shapes(frame, *kept.buffers, changed);
+  draw_ground(frame, kept);
   kept.still = std::move(now);
   kept.buffers->copy_still_to_picture();
   draw_moving(frame);
@@ -131,8 +135,8 @@ void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept) {
             pixel_count(changed), bones.uploaded_bytes()};
 }
 
-void Renderer::Parts::draw_still(const Frame& frame, const PictureBuffers& buffers,
-                                 const PixelBox& part) {
+void Renderer::Parts::draw_shapes(const Frame& frame, const PictureBuffers& buffers,
+                                  const PixelBox& part) {
   set_scissor(part);
   glBindFramebuffer(GL_FRAMEBUFFER, buffers.shapes());
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -140,8 +144,16 @@ void Renderer::Parts::draw_still(const Frame& frame, const PictureBuffers& buffe
   constexpr std::array<float, 4> nowhere{};
   glClearBufferfv(GL_COLOR, 0, nowhere.data());
   bones.draw_shapes(frame, part);
-  glBindFramebuffer(GL_FRAMEBUFFER, buffers.still().framebuffer);
+}
+
+/// Behind the bones, too, so that it stays while they are cut or turn: light covers it there.
+void Renderer::Parts::draw_ground(const Frame& frame, KeptPicture::Parts& kept) {
+  const StillGround now = still_ground(frame.scene, frame.view);
+  if (kept.ground == now) return;
+  set_scissor(all_of(frame.target.size));
+  glBindFramebuffer(GL_FRAMEBUFFER, kept.buffers->still().framebuffer);
   overlays.draw_ground(frame);
+  kept.ground = now;
 }
 
 void Renderer::Parts::draw_moving(const Frame& frame) {
@@ -181,13 +193,17 @@ void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& t
 }
 
 void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& target,
-                    KeptPicture& kept) {
+                    KeptPicture& kept, double detail) {
   Parts& parts = *parts_;
-  if (&kept != &parts.passing && !parts.quality.keeps_still) return draw(scene, view, target);
+  if (&kept != &parts.passing && !parts.quality.keeps_still) {
+    parts.passing.parts_->still.reset();
+    return draw(scene, view, target, parts.passing, detail);
+  }
   ++parts.picture;
   KeptPicture::Parts& picture = *kept.parts_;
   picture.make_room(target.size, parts.quality.supersampling);
-  parts.draw_all(frame_of(scene, view, *picture.buffers, parts.quality.supersampling), picture);
+  const double pixel_scale = parts.quality.supersampling * detail;
+  parts.draw_all(frame_of(scene, view, *picture.buffers, pixel_scale), picture);
   copy_by_halves(picture.buffers->picture(), picture.halved, target);
   if (parts.picture > kept_pictures) parts.bones.forget_before(parts.picture - kept_pictures);
 }

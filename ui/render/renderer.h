@@ -62,8 +62,10 @@ class Renderer {
   /// errors  GraphicsError where there is no room for the picture
   /// thread  the context's
   void draw(const Scene& scene, const EyeView& view, const DrawTarget& target);
-  /// The same picture, with what `kept` still has of the one before.
-  void draw(const Scene& scene, const EyeView& view, const DrawTarget& target, KeptPicture& kept);
+  /// The same picture, with what `kept` still has of the one before. `detail`: the target's rows over those it will be shown with;
+  /// lines and marks that are some pixels wide become that much narrower.
+  void draw(const Scene& scene, const EyeView& view, const DrawTarget& target, KeptPicture& kept,
+            double detail = 1.0);
   /// The same as seen by one who looks at the target from the middle.
   void draw(const Scene& scene, const Camera& camera, const DrawTarget& target);
 

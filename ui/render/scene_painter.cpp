@@ -118,21 +118,19 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
   StereoSetting live = setting;
   const std::optional<Camera> before = std::exchange(parts.camera_behind, camera);
   const bool is_moving = before && *before != camera;
-  if (setting.mode != StereoMode::Mono || is_moving) {
-    live.eye_columns = std::min(setting.eye_columns, live_eye_columns());
-  }
-  parts.stage->begin(live, parts.window.size);
+  live.eye_columns = std::min(setting.eye_columns, live_eye_columns());
+  parts.stage->begin(live, parts.window.size, is_moving ? live_moving_detail(setting.mode) : 1.0);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && parts.stage->eye_count() < 2) continue;
     parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye).target(),
-                        parts.stage->kept(eye));
+                        parts.stage->kept(eye), parts.stage->detail());
   }
   parts.has_scene_behind = true;
   parts.last_scene_frame = parts.frame;
 }
 
 bool OpenGlScenePainter::is_coarse() const noexcept {
-  return parts_->has_scene_behind && parts_->stage->panels_come_last();
+  return parts_->has_scene_behind && parts_->stage->is_coarse();
 }
 
 std::size_t OpenGlScenePainter::triangles() const noexcept {
@@ -148,21 +146,10 @@ void OpenGlScenePainter::finish_frame(const std::array<std::uint8_t, 3>& page,
     draw_panels(1.0F);
     return;
   }
-  const auto draw_into = [&](const DrawTarget& target) {
+  for (const DrawTarget& target : parts.stage->pictures_for_panels()) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     draw_panels(static_cast<float>(target.size.width) /
                 static_cast<float>(parts.window.size.width));
-  };
-  if (parts.stage->panels_come_last()) {
-    parts.stage->compose(parts.window);
-    draw_into(parts.window);
-    return;
-  }
-  if (const RenderTarget* panels = parts.stage->panels()) {
-    draw_into(panels->target());
-  } else {
-    draw_into(parts.stage->eye(Eye::Left).target());
-    if (parts.stage->eye_count() > 1) draw_into(parts.stage->eye(Eye::Right).target());
   }
   parts.stage->compose(parts.window);
 }

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <string>
 
 #include "simulator/base/check.h"
 #include "ui/render/headless_context.h"
@@ -16,10 +17,29 @@ void bind_picture(int unit, unsigned texture) {
   glBindTexture(GL_TEXTURE_2D, texture);
 }
 
-void resize(std::optional<RenderTarget>& target, PixelSize size) {
+void resize_to(std::optional<RenderTarget>& target, PixelSize size) {
   if (target && target->size() == size) return;
   target.reset();
   target.emplace(size);
+}
+
+int scaled(int side, double share) { return std::max(static_cast<int>(side * share), 1); }
+
+/// As constants: llvmpipe takes a quarter longer where they are uniforms.
+std::string written(const std::string& name, const Matrix4& matrix) {
+  std::string numbers;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      numbers += (numbers.empty() ? "" : ", ") + std::to_string(matrix[column][row]);
+    }
+  }
+  return "const mat3 " + name + " = mat3(" + numbers + ");\n";
+}
+
+std::string written_matrices() {
+  const AnaglyphMatrices matrices = anaglyph_matrices();
+  return written("left_to_shown", matrices.shown_from_left) +
+         written("right_to_shown", matrices.shown_from_right);
 }
 
 void make_transparent(const RenderTarget& target) {
@@ -45,39 +65,74 @@ AnaglyphMatrices anaglyph_matrices() noexcept {
 
 double live_eye_columns() { return is_software_renderer() ? 0.5 : 1.0; }
 
-StereoStage::StereoStage() : anaglyph_("ground.vert", "anaglyph.frag") {}
+double live_moving_detail(StereoMode mode) {
+  if (!is_software_renderer()) return 1.0;
+  return mode == StereoMode::Mono ? 1.0 / 2.0 : 1.0 / 3.0;
+}
 
-void StereoStage::begin(const StereoSetting& setting, PixelSize window) {
+StereoStage::StereoStage() : anaglyph_("ground.vert", "anaglyph.frag", written_matrices()) {}
+
+void StereoStage::begin(const StereoSetting& setting, PixelSize window, double detail) {
   setting_ = setting;
-  window_ = {std::max(window.width, 1), std::max(window.height, 1)};
-  PixelSize eye = window_;
-  if (setting.mode == StereoMode::SideBySide) eye.width = std::max(window_.width / 2, 1);
-  if (setting.mode != StereoMode::SideBySide) {
-    eye.width = std::max(static_cast<int>(window_.width * setting.eye_columns), 1);
-  }
-  resize(left_, eye);
-  if (setting.mode == StereoMode::Mono) {
-    if (right_) right_kept_ = {};
-    right_.reset();
-  } else {
-    resize(right_, eye);
+  detail_ = detail;
+  window_ = at_least_one(window);
+  resize(left_);
+  if (setting.mode != StereoMode::Mono) {
+    resize(right_);
+  } else if (right_.whole) {
+    right_ = {};
   }
   if (setting.mode == StereoMode::Anaglyph) {
-    resize(panels_, window_);
+    resize_to(panels_, window_);
     make_transparent(*panels_);
   } else {
     panels_.reset();
   }
 }
 
-bool StereoStage::panels_come_last() const noexcept {
-  return setting_.mode == StereoMode::Mono && left_->size() != window_;
+void StereoStage::resize(EyePicture& picture) const {
+  PixelSize whole = window_;
+  if (setting_.mode == StereoMode::SideBySide) whole.width = std::max(window_.width / 2, 1);
+  if (setting_.mode == StereoMode::Anaglyph) {
+    whole.width = scaled(window_.width, setting_.eye_columns);
+  }
+  resize_to(picture.whole, whole);
+  if (!is_coarse()) return;
+  resize_to(picture.coarse, {std::min(whole.width, scaled(window_.width, detail_)),
+                             scaled(window_.height, detail_)});
+}
+
+const StereoStage::EyePicture& StereoStage::picture_of(Eye eye) const {
+  return eye == Eye::Right ? right_ : left_;
+}
+
+const RenderTarget& StereoStage::whole(Eye eye) const {
+  const std::optional<RenderTarget>& target = picture_of(eye).whole;
+  CHECK(target.has_value());
+  return *target;
 }
 
 const RenderTarget& StereoStage::eye(Eye eye) const {
-  const std::optional<RenderTarget>& target = eye == Eye::Right ? right_ : left_;
+  if (!is_coarse()) return whole(eye);
+  const std::optional<RenderTarget>& target = picture_of(eye).coarse;
   CHECK(target.has_value());
   return *target;
+}
+
+KeptPicture& StereoStage::kept(Eye eye) noexcept {
+  EyePicture& picture = eye == Eye::Right ? right_ : left_;
+  return is_coarse() ? picture.kept_coarse : picture.kept_whole;
+}
+
+std::vector<DrawTarget> StereoStage::pictures_for_panels() const {
+  if (panels_) return {panels_->target()};
+  std::vector<DrawTarget> pictures;
+  for (const Eye eye : {Eye::Left, Eye::Right}) {
+    if (eye == Eye::Right && eye_count() == 1) break;
+    if (is_coarse()) copy_picture(this->eye(eye).target(), whole(eye).target());
+    pictures.push_back(whole(eye).target());
+  }
+  return pictures;
 }
 
 EyeView StereoStage::view(Eye eye, const Camera& camera) const noexcept {
@@ -89,7 +144,7 @@ EyeView StereoStage::view(Eye eye, const Camera& camera) const noexcept {
 void StereoStage::compose(const DrawTarget& window) {
   switch (setting_.mode) {
     case StereoMode::Mono:
-      return copy_picture(eye(Eye::Left).target(), window);
+      return copy_picture(whole(Eye::Left).target(), window);
     case StereoMode::SideBySide:
       return copy_halves(window);
     case StereoMode::Anaglyph:
@@ -99,10 +154,10 @@ void StereoStage::compose(const DrawTarget& window) {
 
 void StereoStage::copy_halves(const DrawTarget& window) const {
   DrawTarget half = window;
-  half.size = eye(Eye::Left).size();
-  copy_picture(eye(setting_.is_swapped ? Eye::Right : Eye::Left).target(), half);
+  half.size = whole(Eye::Left).size();
+  copy_picture(whole(setting_.is_swapped ? Eye::Right : Eye::Left).target(), half);
   half.left += window.size.width - half.size.width;
-  copy_picture(eye(setting_.is_swapped ? Eye::Left : Eye::Right).target(), half);
+  copy_picture(whole(setting_.is_swapped ? Eye::Left : Eye::Right).target(), half);
 }
 
 void StereoStage::compose_anaglyph(const DrawTarget& window) {
@@ -122,9 +177,6 @@ void StereoStage::compose_anaglyph(const DrawTarget& window) {
   anaglyph_.set("picture",
                 Float4(window.left, window.bottom, 1.0F / static_cast<float>(window.size.width),
                        1.0F / static_cast<float>(window.size.height)));
-  const AnaglyphMatrices matrices = anaglyph_matrices();
-  anaglyph_.set("left_to_shown", matrices.shown_from_left);
-  anaglyph_.set("right_to_shown", matrices.shown_from_right);
   glBindVertexArray(no_attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
@@ -138,6 +190,7 @@ void StereoStage::draw(Renderer& renderer, const Scene& scene, const Camera& cam
     if (eye == Eye::Right && eye_count() == 1) break;
     renderer.draw(scene, view(eye, camera), this->eye(eye).target(), kept(eye));
   }
+  pictures_for_panels();
   compose(window);
 }
 

@@ -1,9 +1,10 @@
 /// Two eyes' pictures become one: each is drawn into a target of its own, then one pass composes them. Panels are drawn into
-/// each eye's picture; in an anaglyph once, over both.
+/// each eye's picture; in an anaglyph once, over both. What moves may be drawn with fewer pixels, the panels never are.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "ui/render/renderer.h"
 #include "ui/render/shader_program.h"
@@ -20,13 +21,14 @@ struct StereoSetting {
   StereoMode mode = StereoMode::Mono;
   bool is_swapped = false;  ///< the left eye's picture goes to the right eye
   Viewer viewer{};
-  /// Columns of an eye's picture over those of the window, in mono and in an anaglyph: more is too much for a processor.
+  /// Columns of an anaglyph's eyes over those of the window: more is too much for a processor.
   double eye_columns = 1.0;
 };
 
-/// What this machine draws fast enough of two pictures, or of one that is new all over.
+/// What this machine draws fast enough: the columns of an anaglyph's eyes, and the detail of a view that moves.
 /// needs   a current context
 double live_eye_columns();
+double live_moving_detail(StereoMode mode);
 
 /// How the colours of an anaglyph follow from those of its two pictures, in linear light.
 /// source  Dubois 2001, A projection method to generate anaglyph stereo images; the values for LCDs in common use
@@ -39,24 +41,26 @@ class StereoStage {
  public:
   StereoStage();
 
-  /// Prepares the eyes' pictures for a window of this size. In mono there is one eye, Left.
+  /// Prepares the eyes' pictures for a window of this size. In mono there is one eye, Left. With a detail below 1 they are coarse: they
+  /// have that share of the window's rows and columns, and are scaled up when composed.
   /// errors  GraphicsError where there is no room for them
-  void begin(const StereoSetting& setting, PixelSize window);
+  void begin(const StereoSetting& setting, PixelSize window, double detail = 1.0);
   int eye_count() const noexcept { return setting_.mode == StereoMode::Mono ? 1 : 2; }
   /// The picture of one eye; side by side it has half the window's columns, so what is laid out for the window must be
   /// squeezed to it.
   const RenderTarget& eye(Eye eye) const;
   /// What stands still of that eye's picture.
-  KeptPicture& kept(Eye eye) noexcept { return eye == Eye::Right ? right_kept_ : left_kept_; }
-  /// Whether panels belong into the window after all is composed: the one picture has fewer columns than they need.
-  bool panels_come_last() const noexcept;
-  /// Where panels are drawn once for both eyes, transparent until then; nullptr where they belong into each eye's picture or come
-  /// last. They lie in the plane of the screen, where both eyes see the same.
-  const RenderTarget* panels() const noexcept { return panels_ ? &*panels_ : nullptr; }
+  KeptPicture& kept(Eye eye) noexcept;
+  double detail() const noexcept { return detail_; }
+  bool is_coarse() const noexcept { return detail_ < 1.0; }
+  /// Where panels are drawn, before all is composed: each eye's picture, in its whole size; in an anaglyph a transparent one, once for
+  /// both eyes: panels lie in the plane of the screen, where both see the same.
+  /// needs   the eyes' pictures are drawn
+  std::vector<DrawTarget> pictures_for_panels() const;
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;
   /// Composes the eyes' pictures into the window, or wherever else.
-  /// needs   a target of the size that began
+  /// needs   a target of the size that began; pictures_for_panels() was called
   void compose(const DrawTarget& window);
 
   /// All of it, for a scene without panels.
@@ -64,14 +68,23 @@ class StereoStage {
             const StereoSetting& setting, const DrawTarget& window);
 
  private:
+  struct EyePicture {
+    std::optional<RenderTarget> whole, coarse;
+    KeptPicture kept_whole, kept_coarse;
+  };
+
+  void resize(EyePicture& picture) const;
+  const EyePicture& picture_of(Eye eye) const;
+  const RenderTarget& whole(Eye eye) const;
   void copy_halves(const DrawTarget& window) const;
   void compose_anaglyph(const DrawTarget& window);
 
   ShaderProgram anaglyph_;
   GlVertexArray no_attributes_;
-  std::optional<RenderTarget> left_, right_, panels_;
-  KeptPicture left_kept_, right_kept_;
+  EyePicture left_, right_;
+  std::optional<RenderTarget> panels_;
   StereoSetting setting_;
+  double detail_ = 1.0;
   PixelSize window_;
 };
 

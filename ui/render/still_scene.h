@@ -25,16 +25,24 @@ struct StillBone {
   friend bool operator==(const StillBone&, const StillBone&) = default;
 };
 
-struct StillScene {
-  EyeView view;
+/// All that the ground's colours follow from: neither the view nor the bones.
+struct StillGround {
   Ground ground = Ground::Dark;
   Vec2 light_place{0.5, 0.5};
+  double width_over_height = 1.0;
+
+  friend bool operator==(const StillGround&, const StillGround&) = default;
+};
+
+struct StillScene {
+  EyeView view;
   double pixel_scale = 1.0;
   std::vector<StillBone> bones;
 
   friend bool operator==(const StillScene&, const StillScene&) = default;
 };
 
+StillGround still_ground(const Scene& scene, const EyeView& view) noexcept;
 StillScene still_scene(const Scene& scene, const EyeView& view, double pixel_scale);
 
 /// The pixels of a picture of this size where that scene's bones changed.

@@ -82,6 +82,24 @@ TEST_F(Pictures, TheGroundIsCoolAndBrightestWhereItIsLit) {
   EXPECT_NEAR(pixel_at(light, 1, 1).red, 0xC3, 3);
 }
 
+// It is drawn once and kept: whatever it follows from makes it new.
+TEST_F(Pictures, TheGroundIsTheOneOfAFreshRendererWhateverWasDrawnBefore) {
+  Scene scene = world->scene();
+  draw(scene, world->camera());
+  const auto expect_fresh = [&](const char* what) {
+    Renderer fresh(RenderQuality{});
+    const RenderTarget target(size);
+    fresh.draw(scene, world->camera(), target.target());
+    EXPECT_EQ(draw(scene, world->camera()).rgba, target.read().rgba) << what;
+  };
+  scene.ground = Ground::Light;
+  expect_fresh("another ground");
+  scene.light_place = Vec2(0.2, 0.7);
+  expect_fresh("lit elsewhere");
+  scene.bones.clear();
+  expect_fresh("where bones were");
+}
+
 TEST_F(Pictures, TheBladeShadowsTheBone) {
   Scene scene = world->scene();
   scene.bones.pop_back();
@@ -324,7 +342,7 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
     stage.begin({.mode = StereoMode::Anaglyph, .eye_columns = 0.5}, size);
     for (const Eye eye : {Eye::Left, Eye::Right})
       renderer_->draw(world->scene(), stage.view(eye, world->camera()), stage.eye(eye).target());
-    if (has_line) whiten_column(stage.panels()->target(), line);
+    if (has_line) whiten_column(stage.pictures_for_panels().front(), line);
     stage.compose(window.target());
     return window.read();
   };
@@ -342,45 +360,79 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
     }
   }
   stage.begin({.mode = StereoMode::SideBySide}, size);
-  EXPECT_EQ(stage.panels(), nullptr) << "there panels belong into each eye's half";
+  EXPECT_EQ(stage.pictures_for_panels().size(), 2U) << "there panels belong into each eye's half";
 }
 
-// A processor draws a view that moves with fewer columns: for that one frame, and never the panels.
-TEST_F(Pictures, AViewThatMovesIsCoarseUntilItRests) {
-  ASSERT_TRUE(is_software_renderer());
-  const RenderTarget window(size);
-  OpenGlScenePainter painter;
-  constexpr int line = 21;
-  const auto frame = [&](OpenGlScenePainter& with, const Camera& camera, bool has_line = false) {
-    with.begin_frame(window.target());
-    with.draw_behind(world->scene(), camera, {});
+/// Mean difference of green, between two pictures of one size.
+double difference_of(const Pixels& one, const Pixels& other) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < one.rgba.size(); i += 4)
+    sum += std::abs(int{one.rgba[i]} - int{other.rgba[i]});
+  return 4.0 * sum / static_cast<double>(one.rgba.size());
+}
+
+class MovingViews : public Pictures {
+ protected:
+  Pixels frame(OpenGlScenePainter& with, const Camera& camera, int line = -1) {
+    with.begin_frame(window_.target());
+    with.draw_behind(scene_, camera, {.mode = mode_});
     with.finish_frame({0, 0, 0}, [&](float columns) {
-      EXPECT_EQ(columns, 1.0F);
-      if (has_line) whiten_column(bound_target(size), line);
+      EXPECT_EQ(columns, mode_ == StereoMode::SideBySide ? 0.5F : 1.0F);
+      const PixelSize picture{static_cast<int>(size.width * columns), size.height};
+      if (line >= 0) whiten_column(bound_target(picture), line);
     });
-    return window.read();
-  };
-  const Camera turned = orbited(world->camera(), 0.3, -0.1);
-  frame(painter, world->camera());
-  EXPECT_FALSE(painter.is_coarse()) << "nothing moved before the first frame";
-  const Pixels moving = frame(painter, turned, true);
-  EXPECT_TRUE(painter.is_coarse());
-  const Pixels at_rest = frame(painter, turned, true);
-  EXPECT_FALSE(painter.is_coarse());
-  double difference = 0.0;
-  for (int y = 0; y < size.height; ++y) {
-    for (const int x : {line - 1, line, line + 1}) {
-      const Colour colour = pixel_at(moving, x, y);
-      ASSERT_EQ(std::min({colour.red, colour.green, colour.blue}) == 255, x == line);
-    }
-    for (int x = 0; x < size.width; ++x)
-      difference += std::abs(pixel_at(moving, x, y).green - pixel_at(at_rest, x, y).green);
+    return window_.read();
   }
-  difference /= size.width * size.height;
-  EXPECT_GT(difference, 0.05) << "as fine as at rest";
-  EXPECT_LT(difference, 4.0) << "another picture";
-  OpenGlScenePainter never_turned;
-  EXPECT_EQ(frame(never_turned, turned, true).rgba, at_rest.rgba);
+
+  const RenderTarget window_{size};
+  Scene scene_ = world->scene();
+  StereoMode mode_ = StereoMode::Mono;
+  const Camera turned_ = orbited(world->camera(), 0.3, -0.1);
+};
+
+// A processor draws a view that moves with fewer pixels: for that one frame, and never the panels.
+TEST_F(MovingViews, AreCoarseUntilTheyRest) {
+  ASSERT_TRUE(is_software_renderer());
+  constexpr int line = 21;
+  for (const StereoMode mode : {StereoMode::Mono, StereoMode::SideBySide, StereoMode::Anaglyph}) {
+    mode_ = mode;
+    OpenGlScenePainter painter;
+    frame(painter, world->camera());
+    EXPECT_FALSE(painter.is_coarse()) << "nothing moved before the first frame";
+    const Pixels moving = frame(painter, turned_, line);
+    EXPECT_TRUE(painter.is_coarse());
+    const Pixels at_rest = frame(painter, turned_, line);
+    EXPECT_FALSE(painter.is_coarse());
+    for (int y = 0; y < size.height; ++y) {
+      for (const int x : {line - 1, line, line + 1}) {
+        const Colour colour = pixel_at(moving, x, y);
+        ASSERT_EQ(std::min({colour.red, colour.green, colour.blue}) > 250, x == line) << x << y;
+      }
+    }
+    EXPECT_GT(difference_of(moving, at_rest), 0.05) << "as fine as at rest";
+    EXPECT_LT(difference_of(moving, at_rest), 4.0) << "another picture";
+    OpenGlScenePainter never_turned;
+    EXPECT_EQ(frame(never_turned, turned_, line).rgba, at_rest.rgba);
+  }
+}
+
+TEST_F(MovingViews, ShowMarksAsLargeAsAtRest) {
+  scene_ = {};
+  const Camera camera = turned_;
+  scene_.marks = {{camera.target_mm, 30.0, Ink::Harm}};
+  const auto mark = [](const Pixels& picture) {
+    return facts_of(picture,
+                    [](const Colour& colour) { return colour.red > 140 && colour.blue < 120; });
+  };
+  OpenGlScenePainter painter;
+  frame(painter, world->camera());
+  const Facts moving = mark(frame(painter, turned_));
+  ASSERT_TRUE(painter.is_coarse());
+  const Facts at_rest = mark(frame(painter, turned_));
+  ASSERT_GT(at_rest.count, 100U);
+  EXPECT_NEAR(static_cast<double>(moving.count) / static_cast<double>(at_rest.count), 1.0, 0.2);
+  EXPECT_NEAR(moving.x, at_rest.x, 1.0 / size.width);
+  EXPECT_NEAR(moving.y, at_rest.y, 1.0 / size.height);
 }
 
 TEST_F(Pictures, SideBySideShowsTheLeftEyeOnTheLeftUnlessSwapped) {
