@@ -58,8 +58,8 @@ class World {
   double depth_mm() const {
     BladeMemory nothing;
     double depth = 0.0;
-    for (const BladeContact& contact :
-         find_contacts(tool.bone_from_tool, standing(), 0.1, nothing).all()) {
+    const auto contacts = find_contacts(tool.bone_from_tool, standing(), 0.1, nothing);
+    for (const BladeContact& contact : contacts.all()) {
       if (!is_tooth(contact)) depth = std::max(depth, -contact.gap_mm);
     }
     return depth;
