@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/render/scene_painter.h"
 #include "ui/screens/words.h"
 
 namespace hallux::ui {

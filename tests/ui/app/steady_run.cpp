@@ -20,6 +20,7 @@
 #include "tests/ui/render/graphics.h"
 #include "tests/ui/screens/operating/some_operation.h"
 #include "ui/render/imgui_painter.h"
+#include "ui/render/scene_painter.h"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
+#include "ui/render/scene_painter.h"
 #include "ui/screens/briefing_screen.h"
 #include "ui/screens/entry_screen.h"
 #include "ui/screens/operations_screen.h"

@@ -9,6 +9,7 @@
 #include "scenarios/planned_guide.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
+#include "ui/render/scene_painter.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/menu.h"

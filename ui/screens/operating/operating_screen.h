@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "ui/render/stereo.h"
 #include "ui/render/swarf.h"
 #include "ui/screens/operating/bone_being_cut.h"
 #include "ui/screens/operating/operating_hud.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/render/scene_painter.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/marks.h"
 #include "ui/widgets/menu.h"
@@ -110,7 +111,12 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
   hear_shortcuts(ui);
   tell_preferences();
   carry_out(ui);
-  scenes_ = &no_scenes_;
+  scenes_ = nullptr;
+}
+
+void Shell::draw(Ui& ui) {
+  NoScenePainter no_scenes;
+  draw(ui, no_scenes);
 }
 
 Rect Shell::draw_surround(Ui& ui) {

@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "ui/render/scene_painter.h"
 #include "ui/widgets/navigation.h"
 #include "ui/window/shell/background.h"
 #include "ui/window/shell/screen.h"
 
 namespace hallux::ui {
+
+class ScenePainter;
 
 /// A message in the corner. It goes after six seconds; with Bad or Warn it stays until it is closed.
 struct Message {
@@ -94,8 +95,9 @@ class Shell {
   /// Draws the top screen with what surrounds it, and does what was asked for.
   void draw(Ui& ui, ScenePainter& scenes);
   /// The same where there are no graphics.
-  void draw(Ui& ui) { draw(ui, no_scenes_); }
-  /// What draws bones, inside Screen::draw.
+  void draw(Ui& ui);
+  /// What draws bones.
+  /// needs   inside Screen::draw
   ScenePainter& scenes() noexcept { return *scenes_; }
 
  private:
@@ -137,8 +139,7 @@ class Shell {
   float display_scale_ = 1.0F;
   std::optional<Rect> person_menu_;
   bool is_help_shown_ = false;
-  NoScenePainter no_scenes_;
-  ScenePainter* scenes_ = &no_scenes_;  ///< of the frame that is being drawn
+  ScenePainter* scenes_ = nullptr;  ///< of the frame that is being drawn
   Background background_;
 };
 

@@ -9,6 +9,7 @@
 #include "ui/render/headless_context.h"
 #include "ui/render/imgui_painter.h"
 #include "ui/render/picture.h"
+#include "ui/render/scene_painter.h"
 
 namespace hallux::ui {
 

@@ -11,6 +11,7 @@
 #include "tests/database/some_course.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/widgets/driver.h"
+#include "ui/render/scene_painter.h"
 #include "ui/screens/operating/operating_screen.h"
 
 namespace hallux::ui {
