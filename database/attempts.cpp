@@ -5,6 +5,7 @@
 #include <array>
 
 #include "database/audit.h"
+#include "database/certificate_json.h"
 #include "database/chain.h"
 #include "database/simulated_course.h"
 #include "database/sql.h"
@@ -19,7 +20,7 @@ constexpr std::string_view header_columns =
     "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli, a.kind, "
     "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
     "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
-    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance "
+    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance, a.is_valid "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
     "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
@@ -80,6 +81,7 @@ AttemptHeader header_in(SQLite::Statement& row) {
   header.is_complete = row.getColumn(25).getInt() != 0;
   header.order = row.getColumn(26).getInt64();
   header.is_partial = row.getColumn(27).getInt() != 0;
+  if (!row.getColumn(29).isNull()) header.is_valid = row.getColumn(29).getInt() != 0;
   return header;
 }
 
@@ -198,11 +200,13 @@ void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration
     const Digest seal = seal_of(last_link, header);
     SQLite::Statement update{database.connection(),
                              "UPDATE attempt SET state = 'closed', duration_ticks = ?, "
-                             "quality_json = ?, seal = ? WHERE uuid = ? AND state = 'recording'"};
+                             "quality_json = ?, seal = ?, is_valid = ? "
+                             "WHERE uuid = ? AND state = 'recording'"};
     update.bind(1, duration_ticks);
     update.bind(2, quality_json);
     bind_digest(update, 3, seal);
-    update.bind(4, header.id.text);
+    update.bind(4, is_valid_by(quality_json) ? 1 : 0);
+    update.bind(5, header.id.text);
     if (update.exec() != 1) {
       throw DatabaseError{DatabaseErrorKind::NotFound, "could not seal attempt " + id.text +
                                                            " in " + database.file().string() +

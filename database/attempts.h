@@ -33,7 +33,8 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
 /// errors  DatabaseError NotFound naming the id
 AttemptHeader load_header(Database& database, const AttemptId& id);
 
-/// Closes an attempt: state, duration, quality and seal, with an audit row that holds the seal.
+/// Closes an attempt: state, duration, quality and seal, whether it is valid by that quality, with an audit row that holds the
+/// seal.
 /// needs   the writer of the attempt has committed its last window; `last_link` is the link of that
 /// errors  DatabaseError: NotFound where it is not in state recording
 void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,

@@ -81,6 +81,8 @@ class Recorder::Writer {
     if (failure_) std::rethrow_exception(failure_);
     RecorderStatistics statistics = pen_.statistics();
     statistics.cpu_s = cpu_s_;
+    statistics.gaps = gaps_;
+    statistics.duplicates = duplicates_;
     return statistics;
   }
 
@@ -115,10 +117,22 @@ class Recorder::Writer {
     commit_windows(std::nullopt);
   }
 
+  /// The tape covers each tick once, in order; what came beyond `kept` rows is new.
+  void count_breaks(std::size_t kept) noexcept {
+    for (std::size_t i = kept; i < waiting_.tape.size(); ++i) {
+      const simulator::TapeLine& line = waiting_.tape[i];
+      if (line.tick > covered_until_) ++gaps_;
+      if (line.tick < covered_until_) ++duplicates_;
+      covered_until_ = std::max(covered_until_, last_tick(line) + 1);
+    }
+  }
+
   std::size_t drain_rings() {
+    const std::size_t kept = waiting_.tape.size();
     const std::size_t drained = drain_ring(channels_.tape, waiting_.tape) +
                                 drain_ring(channels_.samples, waiting_.samples) +
                                 drain_ring(channels_.events, waiting_.events);
+    count_breaks(kept);
     if (!waiting_.tape.empty()) {
       const simulator::TapeLine& line = waiting_.tape.back();
       newest_tick_ = std::max(newest_tick_, line.tick);
@@ -151,6 +165,8 @@ class Recorder::Writer {
   std::int64_t next_window_ = 0;
   std::int64_t newest_tick_ = 0;
   std::int64_t duration_ticks_ = 0;
+  std::int64_t covered_until_ = 0;  ///< the tick after the last that the tape covers
+  std::int64_t gaps_ = 0, duplicates_ = 0;
   double cpu_s_ = 0.0;
   std::exception_ptr failure_;
   std::jthread thread_;  ///< last: started when all above is ready, joined before any of it goes

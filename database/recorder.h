@@ -29,9 +29,11 @@ struct RecorderStatistics {
   std::int64_t rows = 0;  ///< of the three streams together
   std::int64_t samples = 0;
   std::int64_t commits = 0;
-  double cpu_s = 0.0;         ///< of the recorder's thread, commits included
-  double commit_s = 0.0;      ///< time spent committing, wall clock
-  double commit_max_s = 0.0;  ///< the longest
+  std::int64_t gaps = 0;        ///< places where the tape leaves ticks out
+  std::int64_t duplicates = 0;  ///< lines of the tape for ticks that one before covers
+  double cpu_s = 0.0;           ///< of the recorder's thread, commits included
+  double commit_s = 0.0;        ///< time spent committing, wall clock
+  double commit_max_s = 0.0;    ///< the longest
 };
 
 class Recorder {

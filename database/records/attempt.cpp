@@ -35,7 +35,8 @@ std::optional<simulator::Guidance> guidance_from(std::string_view name) noexcept
 bool is_grade(const AttemptHeader& header) noexcept {
   const bool is_a_persons =
       header.begun.person && header.begun.hand.empty() && !header.is_simulated;
-  const bool is_whole = header.state == AttemptState::Closed && header.is_complete;
+  const bool is_whole =
+      header.state == AttemptState::Closed && header.is_complete && header.is_valid.value_or(false);
   const bool is_stood_for =
       header.decided_milli && (header.decision == DecisionKind::Overridden || !header.is_partial);
   return is_a_persons && is_whole && is_stood_for && header.begun.kind == AttemptKind::Assessment;

@@ -66,17 +66,19 @@ struct AttemptHeader {
   std::optional<std::int64_t> duration_ticks;  ///< once closed
   std::string quality_json;                    ///< once closed
   bool is_complete = false;                    ///< once closed: no sample was lost
-  std::optional<Digest> seal;                  ///< once closed
-  std::optional<std::int64_t> score_milli;     ///< of the machine's score in force, 0 to 100 000
-  bool is_partial = false;                     ///< that score: not all of the rubric was measured
-  std::optional<DecisionKind> decision;  ///< in force; nothing: the machine's score is advisory
+  std::optional<bool>
+      is_valid;  ///< once closed: may be graded, by its certificate; counts for a limit
+  std::optional<Digest> seal;               ///< once closed
+  std::optional<std::int64_t> score_milli;  ///< of the machine's score in force, 0 to 100 000
+  bool is_partial = false;                  ///< that score: not all of the rubric was measured
+  std::optional<DecisionKind> decision;     ///< in force; nothing: the machine's score is advisory
   std::optional<std::int64_t>
       decided_milli;  ///< the score that stands once confirmed or overridden
   bool decision_is_of_score_in_force = false;  ///< false: the machine scored anew since
 };
 
-/// Whether the result counts: an assessment of a person, with every sample, and either confirmed where the whole rubric
-/// was measured, or overridden by an instructor.
+/// Whether the result counts: an assessment of a person, with every sample and valid by its certificate, and either confirmed
+/// where the whole rubric was measured, or overridden by an instructor.
 bool is_grade(const AttemptHeader& header) noexcept;
 
 }  // namespace hallux::database

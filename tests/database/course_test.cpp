@@ -280,6 +280,10 @@ TEST_F(Course, CallsAGradeOnlyWhatAnInstructorStoodFor) {
   AttemptHeader incomplete = desk.header(id);
   incomplete.is_complete = false;
   EXPECT_FALSE(is_grade(incomplete));
+  AttemptHeader not_valid = desk.header(id);
+  EXPECT_EQ(not_valid.is_valid, true);
+  not_valid.is_valid = false;
+  EXPECT_FALSE(is_grade(not_valid));
   desk.decide({id, DecisionKind::Voided, 0, "no"});
   EXPECT_FALSE(is_grade(desk.header(id)));
   const AttemptId practice = scored_by("ada", 61'000);

@@ -29,6 +29,7 @@ TEST(Recorder, KeepsEveryRowOfAProducerInAnotherThread) {
   EXPECT_EQ(statistics.samples, 6300);
   EXPECT_EQ(statistics.rows, 2 * 6300 + static_cast<std::int64_t>(recording.events.size()));
   EXPECT_GT(statistics.bytes, 0);
+  EXPECT_EQ(statistics.gaps + statistics.duplicates, 0);
 }
 
 TEST(Recorder, CutsWindowsByTicksWhateverTheScheduling) {
@@ -129,6 +130,23 @@ TEST(Recorder, BridgesTicksThatWereNeverPushed) {
   recording.events.clear();
   const AttemptId id = record(database, some_attempt(database), recording);
   EXPECT_TRUE(is_same(load_recording(database, id), recording));
+}
+
+TEST(Recorder, CountsTicksThatTheTapeLeavesOutOrHasTwice) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  simulator::Recording recording = some_recording(1200);
+  recording.events.clear();
+  recording.tape[300].ticks = 3;     // 301 and 302 are in it and again on their own
+  recording.tape[1199].tick = 1250;  // 1199 to 1249 are nowhere
+  recording.samples[1199].tick = 1250;
+  simulator::AttemptChannels channels;
+  Recorder recorder{database, create_attempt(database, some_attempt(database)), channels};
+  produce(recording, channels);
+  const RecorderStatistics statistics = recorder.finish("{}");
+  EXPECT_EQ(statistics.duplicates, 2);
+  EXPECT_EQ(statistics.gaps, 1);
+  EXPECT_EQ(load_header(database, recorder.attempt()).is_valid, false) << "nobody vouched for it";
 }
 
 }  // namespace

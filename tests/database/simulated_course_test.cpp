@@ -22,6 +22,7 @@ TEST(SimulatedCourse, MarksEveryAttemptMadeInIt) {
   EXPECT_TRUE(header.is_simulated);
   header.begun.hand = "";
   header.is_complete = true;
+  header.is_valid = true;
   header.decided_milli = 90'000;
   EXPECT_FALSE(is_grade(header));
   header.is_simulated = false;
