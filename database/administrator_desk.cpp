@@ -167,4 +167,17 @@ Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
   return backup;
 }
 
+std::vector<Origin> AdministratorDesk::origins() {
+  require(*database_, holder_, Action::ListOrigins, Relation::Other, "the origins");
+  return list_origins(*database_);
+}
+
+void AdministratorDesk::set_accepted(const DirectoryId& directory, bool is_accepted) {
+  require(*database_, holder_, Action::AcceptOrigin, Relation::Other, "an origin");
+  in_transaction(*database_, "accept an origin", [&] {
+    database::set_accepted(*database_, directory, is_accepted);
+    audit(is_accepted ? "origin_accepted" : "origin_unaccepted", "origin", directory.text);
+  });
+}
+
 }  // namespace hallux::database

@@ -10,6 +10,7 @@
 #include "database/catalogue.h"
 #include "database/desks.h"
 #include "database/one_time_codes.h"
+#include "database/origins.h"
 #include "database/records/audit_line.h"
 
 namespace hallux::database {
@@ -60,6 +61,10 @@ class AdministratorDesk : public AttemptDesk {
   /// Into `directory`, or where that is empty into `backups` of the data directory.
   Backup back_up(const std::filesystem::path& directory = {},
                  const std::function<bool(double)>& progress = {});
+  /// Where imported attempts come from.
+  std::vector<Origin> origins();
+  /// What was imported from there counts from now on, or no longer.
+  void set_accepted(const DirectoryId& directory, bool is_accepted);
 
  private:
   friend class Session;

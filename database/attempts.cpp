@@ -20,9 +20,11 @@ constexpr std::string_view header_columns =
     "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli, a.kind, "
     "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
     "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
-    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance, a.is_valid "
+    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance, a.is_valid, o.directory_uuid, "
+    "o.is_accepted "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
+    "LEFT JOIN origin o ON o.origin_id = a.origin_id "
     "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
     "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL ";
 
@@ -82,6 +84,10 @@ AttemptHeader header_in(SQLite::Statement& row) {
   header.order = row.getColumn(26).getInt64();
   header.is_partial = row.getColumn(27).getInt() != 0;
   if (!row.getColumn(29).isNull()) header.is_valid = row.getColumn(29).getInt() != 0;
+  if (!row.getColumn(30).isNull()) {
+    header.origin = DirectoryId{row.getColumn(30).getString()};
+    header.is_counted = row.getColumn(31).getInt() != 0;
+  }
   return header;
 }
 

@@ -14,7 +14,8 @@ constexpr std::array<std::string_view, action_count> action_names{
     "read_help",       "answer_help",        "decide_result",   "see_cohort",    "change_password",
     "set_password",    "issue_code",         "add_person",      "list_people",   "disable_person",
     "change_role",     "add_cohort",         "list_cohorts",    "enrol",         "list_scenarios",
-    "import_scenario", "publish_scenario",   "retire_scenario", "read_audit",    "back_up"};
+    "import_scenario", "publish_scenario",   "retire_scenario", "read_audit",    "back_up",
+    "list_origins",    "accept_origin"};
 
 /// A desk taken at sign-in may outlive the right to it.
 bool still_holds_role(Database& database, const DeskHolder& holder) {

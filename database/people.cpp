@@ -116,7 +116,10 @@ PersonId create_person_without_password(Database& database, const NewPerson& per
 std::vector<Person> list_people(Database& database) {
   return translating(database, "list the people", [&] {
     SQLite::Statement rows{database.connection(),
-                           std::string{person_columns} + "ORDER BY d.login, p.person_id"};
+                           std::string{person_columns} +
+                               "WHERE d.login IS NOT NULL OR NOT EXISTS (SELECT 1 FROM "
+                               "origin_person o WHERE o.person_id = p.person_id) "
+                               "ORDER BY d.login, p.person_id"};
     std::vector<Person> people;
     while (rows.executeStep()) people.push_back(person_in(rows));
     return people;

@@ -19,7 +19,7 @@ PersonId create_person(Database& database, const NewPerson& person, const Secret
 /// errors  DatabaseError BadInput for a login against the rules or one that is taken
 PersonId create_person_without_password(Database& database, const NewPerson& person);
 
-/// By login.
+/// By login; without the nameless people of imported attempts.
 std::vector<Person> list_people(Database& database);
 bool has_people(Database& database);
 

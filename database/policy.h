@@ -48,9 +48,11 @@ enum class Action : std::uint8_t {
   PublishScenario,
   RetireScenario,
   ReadAudit,
-  BackUp
+  BackUp,
+  ListOrigins,  ///< what was imported from where
+  AcceptOrigin  ///< what came from there counts, or no longer
 };
-inline constexpr std::size_t action_count = 30;
+inline constexpr std::size_t action_count = 32;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
@@ -117,6 +119,8 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::RetireScenario, {{no, no, no, other}}},
       {Action::ReadAudit, {{no, no, no, other}}},
       {Action::BackUp, {{no, no, no, other}}},
+      {Action::ListOrigins, {{no, no, no, other}}},
+      {Action::AcceptOrigin, {{no, no, no, other}}},
   }};
 }
 

@@ -34,7 +34,7 @@ std::optional<simulator::Guidance> guidance_from(std::string_view name) noexcept
 
 bool is_grade(const AttemptHeader& header) noexcept {
   const bool is_a_persons =
-      header.begun.person && header.begun.hand.empty() && !header.is_simulated;
+      header.begun.person && header.begun.hand.empty() && !header.is_simulated && header.is_counted;
   const bool is_whole =
       header.state == AttemptState::Closed && header.is_complete && header.is_valid.value_or(false);
   const bool is_stood_for =

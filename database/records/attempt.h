@@ -75,10 +75,12 @@ struct AttemptHeader {
   std::optional<std::int64_t>
       decided_milli;  ///< the score that stands once confirmed or overridden
   bool decision_is_of_score_in_force = false;  ///< false: the machine scored anew since
+  std::optional<DirectoryId> origin;           ///< of an imported one: where it was made
+  bool is_counted = true;  ///< false: from an origin that no administrator accepted
 };
 
-/// Whether the result counts: an assessment of a person, with every sample and valid by its certificate, and either confirmed
-/// where the whole rubric was measured, or overridden by an instructor.
+/// Whether the result counts: an assessment of a person, with every sample, valid by its certificate and not from an origin
+/// that nobody accepted, and either confirmed where the whole rubric was measured, or overridden by an instructor.
 bool is_grade(const AttemptHeader& header) noexcept;
 
 }  // namespace hallux::database

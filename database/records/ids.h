@@ -42,6 +42,12 @@ struct HelpRequestId {
   friend auto operator<=>(const HelpRequestId&, const HelpRequestId&) = default;
 };
 
+/// The identity of a data directory: 32 hexadecimal digits, made with it.
+struct DirectoryId {
+  std::string text;
+  friend auto operator<=>(const DirectoryId&, const DirectoryId&) = default;
+};
+
 struct DecisionId {
   std::int64_t number = 0;
   friend auto operator<=>(const DecisionId&, const DecisionId&) = default;

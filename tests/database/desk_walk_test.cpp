@@ -255,6 +255,13 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
       case Action::ReadAudit:
         EXPECT_GT(administrator.audit_page({}).total, 0);
         return;
+      case Action::ListOrigins:
+        EXPECT_TRUE(administrator.origins().empty());
+        return;
+      case Action::AcceptOrigin:
+        note_origin(world.database(), {std::string(32, 'a')});
+        administrator.set_accepted({std::string(32, 'a')}, true);
+        return;
       default:
         EXPECT_TRUE(std::filesystem::exists(administrator.back_up().file));
     }

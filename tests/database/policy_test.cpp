@@ -62,6 +62,8 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},    // RetireScenario
       {"-", "-", "-", "x"},    // ReadAudit
       {"-", "-", "-", "x"},    // BackUp
+      {"-", "-", "-", "x"},    // ListOrigins
+      {"-", "-", "-", "x"},    // AcceptOrigin
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {

@@ -1,0 +1,134 @@
+#include "database/origins.h"
+
+#include "database/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+bool is_identity(const std::string& text) noexcept {
+  return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::int64_t number_of(Database& database, const DirectoryId& directory) {
+  SQLite::Statement row{database.connection(),
+                        "SELECT origin_id FROM origin WHERE directory_uuid = ?"};
+  row.bind(1, directory.text);
+  return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+}
+
+std::optional<std::string> erased_utc(Database& database, PersonId person) {
+  SQLite::Statement row{database.connection(),
+                        "SELECT erased_utc FROM erasure WHERE person_id = ?"};
+  row.bind(1, person.number);
+  if (!row.executeStep()) return std::nullopt;
+  return row.getColumn(0).getString();
+}
+
+void check_not_erased(Database& database, PersonId here, PersonId there) {
+  const auto since = erased_utc(database, here);
+  if (!since) return;
+  throw DatabaseError{DatabaseErrorKind::Refused,
+                      "person " + std::to_string(there.number) +
+                          " of that directory was erased in " + database.file().string() + " (" +
+                          since->substr(0, 10) + "); what was erased does not come back"};
+}
+
+PersonId make_nameless_person(Database& database) {
+  SQLite::Statement insert{database.connection(),
+                           "INSERT INTO person (is_administrator, is_disabled, created_utc) "
+                           "VALUES (0, 1, ?)"};
+  insert.bind(1, utc_now(database));
+  insert.exec();
+  return {database.connection().getLastInsertRowid()};
+}
+
+}  // namespace
+
+DirectoryId own_directory(Database& database) {
+  return translating(database, "read the directory's identity", [&] {
+    SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
+    if (row.executeStep()) return DirectoryId{row.getColumn(0).getString()};
+    throw DatabaseError{DatabaseErrorKind::Damaged,
+                        database.file().string() + " has lost its identity; restore a backup"};
+  });
+}
+
+std::vector<Origin> list_origins(Database& database) {
+  return translating(database, "list the origins", [&] {
+    SQLite::Statement rows{database.connection(),
+                           "SELECT o.directory_uuid, o.is_accepted, o.imported_utc, "
+                           "(SELECT count(*) FROM attempt a WHERE a.origin_id = o.origin_id), "
+                           "(SELECT count(*) FROM origin_person p WHERE p.origin_id = o.origin_id) "
+                           "FROM origin o ORDER BY o.origin_id"};
+    std::vector<Origin> origins;
+    while (rows.executeStep()) {
+      origins.push_back({{rows.getColumn(0).getString()},
+                         rows.getColumn(1).getInt() != 0,
+                         rows.getColumn(2).getString(),
+                         rows.getColumn(3).getInt(),
+                         rows.getColumn(4).getInt()});
+    }
+    return origins;
+  });
+}
+
+std::int64_t note_origin(Database& database, const DirectoryId& directory) {
+  if (!is_identity(directory.text)) {
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        "an origin is named by 32 hexadecimal digits; this is no export of ours"};
+  }
+  return in_transaction_of_caller(database, "note an origin", [&] {
+    if (const std::int64_t known = number_of(database, directory)) return known;
+    SQLite::Statement insert{database.connection(),
+                             "INSERT INTO origin (directory_uuid, imported_utc) VALUES (?, ?)"};
+    insert.bind(1, directory.text);
+    insert.bind(2, utc_now(database));
+    insert.exec();
+    return static_cast<std::int64_t>(database.connection().getLastInsertRowid());
+  });
+}
+
+PersonId note_origin_person(Database& database, std::int64_t origin, PersonId there) {
+  return in_transaction_of_caller(database, "note a person of an origin", [&] {
+    SQLite::Statement own{database.connection(),
+                          "SELECT 1 FROM origin JOIN directory ON uuid = directory_uuid "
+                          "WHERE origin_id = ?"};
+    own.bind(1, origin);
+    if (own.executeStep()) check_not_erased(database, there, there);
+    SQLite::Statement known{database.connection(),
+                            "SELECT person_id FROM origin_person WHERE origin_id = ? AND "
+                            "number_there = ?"};
+    known.bind(1, origin);
+    known.bind(2, there.number);
+    if (known.executeStep()) {
+      const PersonId here{known.getColumn(0).getInt64()};
+      check_not_erased(database, here, there);
+      return here;
+    }
+    const PersonId here = make_nameless_person(database);
+    SQLite::Statement insert{database.connection(),
+                             "INSERT INTO origin_person (origin_id, number_there, person_id) "
+                             "VALUES (?, ?, ?)"};
+    insert.bind(1, origin);
+    insert.bind(2, there.number);
+    insert.bind(3, here.number);
+    insert.exec();
+    return here;
+  });
+}
+
+void set_accepted(Database& database, const DirectoryId& directory, bool is_accepted) {
+  in_transaction_of_caller(database, "accept an origin", [&] {
+    SQLite::Statement update{database.connection(),
+                             "UPDATE origin SET is_accepted = ? WHERE directory_uuid = ?"};
+    update.bind(1, is_accepted ? 1 : 0);
+    update.bind(2, directory.text);
+    if (update.exec() == 1) return;
+    throw DatabaseError{DatabaseErrorKind::NotFound,
+                        "nothing was imported into " + database.file().string() + " from '" +
+                            directory.text + "'; `hallux origins` lists what was"};
+  });
+}
+
+}  // namespace hallux::database
