@@ -1,6 +1,7 @@
 #include "database/administrator_desk.h"
 
 #include "database/audit.h"
+#include "database/settings.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -52,6 +53,7 @@ IssuedCode AdministratorDesk::reset(const std::string& login, const PasswordCost
     remove_password(*database_, person.id);
     IssuedCode issued = issue_code(*database_, person.id, *holder_.person, cost);
     audit("password_reset", "person", std::to_string(person.id.number));
+    tell_person(*database_, person.id, NoticeKind::CodeIssued, {holder_.person, {}});
     return issued;
   });
 }
@@ -65,6 +67,9 @@ void AdministratorDesk::set_password(const std::string& login, const SecretText&
     database::set_password(*database_, person.id, password, cost);
     remove_code(*database_, person.id);
     audit("password_set", "person", std::to_string(person.id.number));
+    if (holder_.person != person.id) {
+      tell_person(*database_, person.id, NoticeKind::PasswordSet, {holder_.person, {}});
+    }
   });
 }
 
@@ -85,6 +90,9 @@ void AdministratorDesk::set_administrator(const std::string& login, bool is_admi
     database::set_administrator(*database_, person.id, is_administrator);
     audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
           std::to_string(person.id.number));
+    if (is_administrator && !person.is_administrator) {
+      tell_administrators(*database_, NoticeKind::AdministratorMade, {person.id, {}});
+    }
   });
 }
 
@@ -177,6 +185,33 @@ void AdministratorDesk::set_accepted(const DirectoryId& directory, bool is_accep
   in_transaction(*database_, "accept an origin", [&] {
     database::set_accepted(*database_, directory, is_accepted);
     audit(is_accepted ? "origin_accepted" : "origin_unaccepted", "origin", directory.text);
+  });
+}
+
+std::vector<Notice> AdministratorDesk::notices() {
+  require(*database_, holder_, Action::ReadNotices, Relation::Other, "the notices");
+  return unseen_notices_of_administrators(*database_, *holder_.person);
+}
+
+void AdministratorDesk::acknowledge(NoticeId notice) {
+  const auto audience = audience_of(*database_, notice);
+  const bool is_for_all = audience && !audience->person;
+  require(*database_, holder_, Action::ReadNotices, is_for_all ? Relation::Other : Relation::Own,
+          "notice " + std::to_string(notice.number));
+  acknowledge_notice(*database_, notice, *holder_.person);
+}
+
+void AdministratorDesk::set_idle_lock_min(std::int32_t minutes) {
+  require(*database_, holder_, Action::ChangeSettings, Relation::Other, "the settings");
+  in_transaction(*database_, "change a setting", [&] {
+    store_idle_lock_min(*database_, minutes);
+    append_audit(*database_, {holder_.person,
+                              "setting_changed",
+                              "setting",
+                              "idle_lock_min",
+                              false,
+                              {},
+                              std::to_string(minutes)});
   });
 }
 

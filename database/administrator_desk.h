@@ -65,6 +65,13 @@ class AdministratorDesk : public AttemptDesk {
   std::vector<Origin> origins();
   /// What was imported from there counts from now on, or no longer.
   void set_accepted(const DirectoryId& directory, bool is_accepted);
+  /// What every administrator was told and this one did not acknowledge, newest first.
+  std::vector<Notice> notices();
+  /// errors  DatabaseError Refused where it was told to one person, or there is none
+  void acknowledge(NoticeId notice);
+  /// After how many minutes without a touch a window locks.
+  /// errors  DatabaseError BadInput outside 5 to 60
+  void set_idle_lock_min(std::int32_t minutes);
 
  private:
   friend class Session;

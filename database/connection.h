@@ -27,6 +27,7 @@ struct OpenOptions {
   /// The time that rows are stored with, ISO 8601; empty: the clock's. For simulated courses, which tell of past weeks,
   /// and for tests of what expires.
   std::string pretended_utc = {};
+  std::string pretended_station = {};  ///< what the sign-in guard counts by; empty: this machine's
 };
 
 /// A connection with the settings that every connection has. One thread at a time may use it.
@@ -50,7 +51,9 @@ class Database {
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
   const std::string& pretended_utc() const noexcept { return options_.pretended_utc; }
+  const std::string& pretended_station() const noexcept { return options_.pretended_station; }
   void pretend_it_is(std::string utc) { options_.pretended_utc = std::move(utc); }
+  void pretend_to_be(std::string station) { options_.pretended_station = std::move(station); }
 
  private:
   Database(std::filesystem::path directory, const OpenOptions& options);

@@ -14,6 +14,8 @@
 #include "database/cohorts.h"
 #include "database/decisions.h"
 #include "database/notes.h"
+#include "database/notices.h"
+#include "database/password_proof.h"
 #include "database/people.h"
 #include "database/policy.h"
 #include "database/scores.h"
@@ -78,6 +80,10 @@ class CourseDesk : public AttemptDesk {
  protected:
   using AttemptDesk::AttemptDesk;
 };
+
+/// Whether the proof is the holder's own.
+/// errors  DatabaseError Refused
+void require_proof(const DeskHolder& holder, const PasswordProof& proof);
 
 /// Asks the policy table, and whether the holder still has the role; writes a refusal to the audit.
 /// errors  DatabaseError Refused

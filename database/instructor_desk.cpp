@@ -47,10 +47,25 @@ void InstructorDesk::answer(HelpRequestId request, const std::string& text) {
   });
 }
 
+/// The trainee need not look whether a result still stands.
+void InstructorDesk::tell_of_decision(const NewDecision& decision) {
+  if (decision.kind == DecisionKind::Confirmed) return;
+  const auto trainee = load_header(*database_, decision.attempt).begun.person;
+  if (!trainee) return;
+  tell_person(*database_, *trainee,
+              decision.kind == DecisionKind::Voided ? NoticeKind::ResultVoided
+                                                    : NoticeKind::ResultOverridden,
+              {std::nullopt, decision.attempt});
+}
+
 DecisionId InstructorDesk::decide(const NewDecision& decision) {
   NewDecision allowed = decision;
   allowed.attempt = allowed_header(Action::DecideResult, decision.attempt).id;
-  return database::decide(*database_, allowed, *holder_.person);
+  return in_transaction(*database_, "decide about a result", [&] {
+    const DecisionId id = database::decide(*database_, allowed, *holder_.person);
+    tell_of_decision(allowed);
+    return id;
+  });
 }
 
 }  // namespace hallux::database

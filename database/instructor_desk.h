@@ -27,6 +27,8 @@ class InstructorDesk : public CourseDesk {
   DecisionId decide(const NewDecision& decision);
 
  private:
+  void tell_of_decision(const NewDecision& decision);
+
   friend class Session;
   using CourseDesk::CourseDesk;
 };

@@ -49,10 +49,12 @@ enum class Action : std::uint8_t {
   RetireScenario,
   ReadAudit,
   BackUp,
-  ListOrigins,  ///< what was imported from where
-  AcceptOrigin  ///< what came from there counts, or no longer
+  ListOrigins,    ///< what was imported from where
+  AcceptOrigin,   ///< what came from there counts, or no longer
+  ReadNotices,    ///< and acknowledge them
+  ChangeSettings  ///< of the data directory
 };
-inline constexpr std::size_t action_count = 32;
+inline constexpr std::size_t action_count = 34;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
@@ -121,6 +123,8 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::BackUp, {{no, no, no, other}}},
       {Action::ListOrigins, {{no, no, no, other}}},
       {Action::AcceptOrigin, {{no, no, no, other}}},
+      {Action::ReadNotices, {{no, own, no, other}}},
+      {Action::ChangeSettings, {{no, no, no, other}}},
   }};
 }
 

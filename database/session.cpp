@@ -12,8 +12,9 @@ namespace {
 
 std::string number_text(PersonId id) { return std::to_string(id.number); }
 
-std::int64_t open_session(Database& database, PersonId person) {
+std::int64_t open_session(Database& database, PersonId person, std::string_view login) {
   return in_transaction(database, "sign in", [&] {
+    forget_tries(database, login);
     SQLite::Statement insert{database.connection(),
                              "INSERT INTO session (person_id, started_utc) VALUES (?, ?)"};
     insert.bind(1, person.number);
@@ -25,39 +26,56 @@ std::int64_t open_session(Database& database, PersonId person) {
   });
 }
 
+/// Written alike for somebody who is known and for somebody who is not, so that the time tells nothing.
+void note_refusal(Database& database, const std::string& action, std::string_view login) {
+  in_transaction(database, "note a refusal", [&] {
+    const std::optional<Person> known = known_person(database, login);
+    append_audit(database, {std::nullopt,
+                            action,
+                            known ? "person" : "login",
+                            known ? number_text(known->id) : std::string{},
+                            true,
+                            {},
+                            ""});
+    if (known) tell_of_refused_sign_in(database, known->id);
+  });
+}
+
 }  // namespace
 
 Session sign_in(Database& database, std::string_view login, const SecretText& password,
                 const PasswordCost& cost) {
+  count_try(database, login);
   std::optional<Person> person = verify_person(database, login, password, cost);
   if (!person) {
-    append_audit(database, {std::nullopt, "signed_in", "login", "", true, {}, std::string{login}});
+    note_refusal(database, "signed_in", login);
     throw DatabaseError{DatabaseErrorKind::Refused,
                         "could not sign in as '" + std::string{login} +
                             "': the login or the password is wrong, or the person is disabled"};
   }
-  const std::int64_t number = open_session(database, person->id);
+  const std::int64_t number = open_session(database, person->id, login);
   return {database, std::move(*person), number};
 }
 
 Session redeem_code(Database& database, std::string_view login, const SecretText& code,
                     const SecretText& new_password, const PasswordCost& cost) {
+  count_try(database, login);
   const std::optional<Person> person = verify_code(database, login, code, cost);
   if (!person) {
-    append_audit(database,
-                 {std::nullopt, "code_redeemed", "login", "", true, {}, std::string{login}});
+    note_refusal(database, "code_redeemed", login);
     throw DatabaseError{DatabaseErrorKind::Refused,
                         "could not sign in as '" + std::string{login} +
                             "': the login or the code is wrong, the code has expired or was used, "
                             "or the person is disabled; an administrator can issue another code"};
   }
+  forget_tries(database, login);
   in_transaction(database, "redeem a one-time code", [&] {
     set_password(database, person->id, new_password, cost);
     remove_code(database, person->id);
     append_audit(database,
                  {person->id, "code_redeemed", "person", number_text(person->id), false, {}, ""});
   });
-  const std::int64_t number = open_session(database, person->id);
+  const std::int64_t number = open_session(database, person->id, login);
   return {database, load_person(database, person->id), number};
 }
 
@@ -117,13 +135,46 @@ std::optional<AttemptDesk> Session::desk_for(Action action, const AttemptId& id)
   return held.front();
 }
 
+/// Guarded like a sign-in: a window left open is no place to guess at.
+bool Session::is_own_password(const SecretText& password, const std::string& action,
+                              const PasswordCost& cost) {
+  count_try(*database_, person_.login);
+  if (!verify_person(*database_, person_.login, password, cost)) {
+    append_audit(*database_, {person_.id, action, "person", number_text(person_.id), true, {}, ""});
+    return false;
+  }
+  forget_tries(*database_, person_.login);
+  return true;
+}
+
+PasswordProof Session::prove(const SecretText& password, const PasswordCost& cost) {
+  if (is_own_password(password, "password_asked", cost)) return PasswordProof{person_.id};
+  throw DatabaseError{DatabaseErrorKind::Refused, "the password is wrong"};
+}
+
+std::vector<Notice> Session::notices() {
+  std::vector<Notice> told;
+  if (auto desk = trainee()) told = desk->notices();
+  if (auto desk = administrator()) {
+    for (Notice& notice : desk->notices()) told.push_back(std::move(notice));
+  }
+  std::sort(told.begin(), told.end(), [](const Notice& a, const Notice& b) { return b.id < a.id; });
+  return told;
+}
+
+void Session::acknowledge(const Notice& notice) {
+  if (auto desk = administrator(); desk && notice.is_for_administrators) {
+    desk->acknowledge(notice.id);
+  } else if (auto own = trainee()) {
+    own->acknowledge(notice.id);
+  }
+}
+
 void Session::change_password(const SecretText& old_password, const SecretText& new_password,
                               const PasswordCost& cost) {
   const DeskHolder holder{Role::Trainee, person_.id, std::nullopt};
   require(*database_, holder, Action::ChangePassword, Relation::Own, "your password");
-  if (!verify_person(*database_, person_.login, old_password, cost)) {
-    append_audit(*database_,
-                 {person_.id, "password_changed", "person", number_text(person_.id), true, {}, ""});
+  if (!is_own_password(old_password, "password_changed", cost)) {
     throw DatabaseError{DatabaseErrorKind::Refused,
                         "could not change the password: the old password is wrong"};
   }

@@ -8,6 +8,7 @@
 #include "database/administrator_desk.h"
 #include "database/desks.h"
 #include "database/instructor_desk.h"
+#include "database/sign_in_guard.h"
 #include "database/trainee_desk.h"
 
 namespace hallux::database {
@@ -36,9 +37,18 @@ class Session {
   /// errors  DatabaseError NotFound
   std::optional<AttemptDesk> desk_for(Action action, const AttemptId& id);
 
-  /// errors  DatabaseError: Refused where the old password is wrong; BadInput for a weak new one
+  /// errors  DatabaseError: Refused where the old password is wrong; TooSoon; BadInput for a weak new one
   void change_password(const SecretText& old_password, const SecretText& new_password,
                        const PasswordCost& cost = {});
+  /// The person at the window is still the one who signed in: for what a passer-by must not be able to do, and to open a
+  /// locked window. Refusals are counted and written to the audit as those of a sign-in.
+  /// errors  DatabaseError Refused where the password is wrong; TooSoon
+  PasswordProof prove(const SecretText& password, const PasswordCost& cost = {});
+
+  /// What this person was told and did not acknowledge: to them, and to every administrator where they are one.
+  std::vector<Notice> notices();
+  /// errors  DatabaseError Refused where it was told to others
+  void acknowledge(const Notice& notice);
   void sign_out();
 
  private:
@@ -48,20 +58,23 @@ class Session {
                              const SecretText& new_password, const PasswordCost& cost);
   Session(Database& database, Person person, std::int64_t number)
       : database_(&database), person_(std::move(person)), number_(number) {}
+  bool is_own_password(const SecretText& password, const std::string& action,
+                       const PasswordCost& cost);
 
   Database* database_;
   Person person_;
   std::int64_t number_ = 0;
 };
 
-/// Takes as long for an unknown login as for a wrong password, and says the same. Both are written to the audit.
-/// errors  DatabaseError Refused
+/// Takes as long for an unknown login as for a wrong password, and says the same. Both are written to the audit, without what
+/// was typed: a password often lands in the wrong field.
+/// errors  DatabaseError Refused; TooSoon
 Session sign_in(Database& database, std::string_view login, const SecretText& password,
                 const PasswordCost& cost = {});
 
 /// Signs in with a one-time code, which is then gone, and sets the password chosen with it. An unknown login, a wrong and
 /// an expired code are answered alike, and written to the audit.
-/// errors  DatabaseError: Refused; BadInput for a weak password, which leaves the code as it is
+/// errors  DatabaseError: Refused; TooSoon; BadInput for a weak password, which leaves the code as it is
 Session redeem_code(Database& database, std::string_view login, const SecretText& code,
                     const SecretText& new_password, const PasswordCost& cost = {});
 

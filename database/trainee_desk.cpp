@@ -33,4 +33,17 @@ std::vector<HelpRequest> TraineeDesk::help_requests() {
   return list_help_requests(*database_, {holder_.person, std::nullopt, false});
 }
 
+std::vector<Notice> TraineeDesk::notices() {
+  require(*database_, holder_, Action::ReadNotices, Relation::Own, "the notices");
+  return unseen_notices(*database_, *holder_.person);
+}
+
+void TraineeDesk::acknowledge(NoticeId notice) {
+  const auto audience = audience_of(*database_, notice);
+  const bool is_own = audience && audience->person == holder_.person;
+  require(*database_, holder_, Action::ReadNotices, is_own ? Relation::Own : Relation::Other,
+          "notice " + std::to_string(notice.number));
+  acknowledge_notice(*database_, notice, *holder_.person);
+}
+
 }  // namespace hallux::database

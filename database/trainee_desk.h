@@ -21,6 +21,10 @@ class TraineeDesk : public CourseDesk {
   HelpRequestId ask_for_help(const NewHelpRequest& request);
   /// The own ones: open first, then the answered, newest first.
   std::vector<HelpRequest> help_requests();
+  /// What this person was told and did not acknowledge, newest first.
+  std::vector<Notice> notices();
+  /// errors  DatabaseError Refused where it was told to somebody else, or there is none
+  void acknowledge(NoticeId notice);
 
  private:
   friend class Session;

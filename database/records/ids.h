@@ -53,4 +53,9 @@ struct DecisionId {
   friend auto operator<=>(const DecisionId&, const DecisionId&) = default;
 };
 
+struct NoticeId {
+  std::int64_t number = 0;
+  friend auto operator<=>(const NoticeId&, const NoticeId&) = default;
+};
+
 }  // namespace hallux::database

@@ -262,10 +262,33 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
         note_origin(world.database(), {std::string(32, 'a')});
         administrator.set_accepted({std::string(32, 'a')}, true);
         return;
+      case Action::ChangeSettings:
+        administrator.set_idle_lock_min(20);
+        return;
       default:
         EXPECT_TRUE(std::filesystem::exists(administrator.back_up().file));
     }
   });
+}
+
+/// Of notices those told to the subject, and at an administrator's desk those told to all administrators.
+Outcome about_notices(Walk& world, TriedDesk& desk, const Subject& subject) {
+  if (subject.login.empty()) return Outcome::NotOffered;
+  const PersonId told = world.id_of(subject.login);
+  if (desk.trainee) {
+    tell_person(world.database(), told, NoticeKind::PasswordSet);
+    const NoticeId notice = unseen_notices(world.database(), told).front().id;
+    return refused_or_done([&] { desk.trainee->acknowledge(notice); });
+  }
+  if (!desk.administrator) return Outcome::NotOffered;
+  if (subject.relation == Relation::Own) {
+    tell_person(world.database(), told, NoticeKind::PasswordSet);
+    const NoticeId notice = unseen_notices(world.database(), told).front().id;
+    return refused_or_done([&] { desk.administrator->acknowledge(notice); });
+  }
+  tell_administrators(world.database(), NoticeKind::BackupSkipped);
+  return refused_or_done(
+      [&] { desk.administrator->acknowledge(desk.administrator->notices().front().id); });
 }
 
 Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subject) {
@@ -299,6 +322,8 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
     case Action::ChangeRole:
     case Action::Enrol:
       return about_person(world, desk, action, subject);
+    case Action::ReadNotices:
+      return about_notices(world, desk, subject);
     default:
       return about_directory(world, desk, action, subject);
   }

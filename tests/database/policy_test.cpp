@@ -64,6 +64,8 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},    // BackUp
       {"-", "-", "-", "x"},    // ListOrigins
       {"-", "-", "-", "x"},    // AcceptOrigin
+      {"-", "o", "-", "x"},    // ReadNotices
+      {"-", "-", "-", "x"},    // ChangeSettings
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {
