@@ -96,6 +96,17 @@ void AdministratorDesk::set_administrator(const std::string& login, bool is_admi
   });
 }
 
+ErasedPieces AdministratorDesk::erase_person(const EraseRequest& request,
+                                             const PasswordProof& proof,
+                                             const std::function<bool(double)>& progress) {
+  const Person person = find_person(*database_, request.login);
+  require(*database_, holder_, Action::ErasePerson, relation_to_person(person),
+          "the person " + request.login);
+  require_proof(holder_, proof);
+  return database::erase_person(*database_, {person.id, request.with_recordings, request.reason},
+                                holder_.person, progress);
+}
+
 std::vector<Cohort> AdministratorDesk::cohorts() {
   require(*database_, holder_, Action::ListCohorts, Relation::Other, "the cohorts");
   return list_cohorts(*database_);

@@ -9,6 +9,7 @@
 #include "database/backup.h"
 #include "database/catalogue.h"
 #include "database/desks.h"
+#include "database/erasures.h"
 #include "database/one_time_codes.h"
 #include "database/origins.h"
 #include "database/records/audit_line.h"
@@ -18,6 +19,12 @@ namespace hallux::database {
 struct AddedPerson {
   PersonId id;
   IssuedCode issued;
+};
+
+struct EraseRequest {
+  std::string login;
+  std::string reason;
+  bool with_recordings = false;
 };
 
 /// errors  DatabaseError: Refused, NotFound; and as in the files that are included
@@ -38,6 +45,11 @@ class AdministratorDesk : public AttemptDesk {
   void set_disabled(const std::string& login, bool is_disabled);
   /// errors  DatabaseError Refused where it would take the role from the last administrator who can sign in
   void set_administrator(const std::string& login, bool is_administrator);
+  /// Takes all that names them away, for good.
+  /// errors  DatabaseError: Refused for oneself, and where the proof is not the administrator's; as in
+  ///         database/erasures.h; ErasureStopped
+  ErasedPieces erase_person(const EraseRequest& request, const PasswordProof& proof,
+                            const std::function<bool(double)>& progress = {});
 
   // Cohorts.
   std::vector<Cohort> cohorts();

@@ -9,13 +9,15 @@ namespace hallux::database {
 namespace {
 
 constexpr std::array<std::string_view, action_count> action_names{
-    "begin_attempt",   "list_attempts",      "view_attempt",    "store_score",    "list_operations",
-    "read_notes",      "read_private_notes", "write_note",      "reply_to_note",  "ask_for_help",
-    "read_help",       "answer_help",        "decide_result",   "see_cohort",     "change_password",
-    "set_password",    "issue_code",         "add_person",      "list_people",    "disable_person",
-    "change_role",     "add_cohort",         "list_cohorts",    "enrol",          "list_scenarios",
-    "import_scenario", "publish_scenario",   "retire_scenario", "read_audit",     "back_up",
-    "list_origins",    "accept_origin",      "read_notices",    "change_settings"};
+    "begin_attempt",   "list_attempts",   "view_attempt",       "store_score",
+    "list_operations", "read_notes",      "read_private_notes", "write_note",
+    "reply_to_note",   "ask_for_help",    "read_help",          "answer_help",
+    "decide_result",   "see_cohort",      "change_password",    "set_password",
+    "issue_code",      "add_person",      "list_people",        "disable_person",
+    "change_role",     "add_cohort",      "list_cohorts",       "enrol",
+    "list_scenarios",  "import_scenario", "publish_scenario",   "retire_scenario",
+    "read_audit",      "back_up",         "list_origins",       "accept_origin",
+    "read_notices",    "change_settings", "erase_person"};
 
 /// A desk taken at sign-in may outlive the right to it.
 bool still_holds_role(Database& database, const DeskHolder& holder) {

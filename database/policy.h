@@ -49,12 +49,13 @@ enum class Action : std::uint8_t {
   RetireScenario,
   ReadAudit,
   BackUp,
-  ListOrigins,    ///< what was imported from where
-  AcceptOrigin,   ///< what came from there counts, or no longer
-  ReadNotices,    ///< and acknowledge them
-  ChangeSettings  ///< of the data directory
+  ListOrigins,     ///< what was imported from where
+  AcceptOrigin,    ///< what came from there counts, or no longer
+  ReadNotices,     ///< and acknowledge them
+  ChangeSettings,  ///< of the data directory
+  ErasePerson      ///< for good
 };
-inline constexpr std::size_t action_count = 34;
+inline constexpr std::size_t action_count = 35;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
@@ -125,6 +126,7 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::AcceptOrigin, {{no, no, no, other}}},
       {Action::ReadNotices, {{no, own, no, other}}},
       {Action::ChangeSettings, {{no, no, no, other}}},
+      {Action::ErasePerson, {{no, no, no, other}}},
   }};
 }
 

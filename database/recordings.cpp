@@ -2,6 +2,7 @@
 
 #include "database/attempts.h"
 #include "database/chain.h"
+#include "database/erased_recordings.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -89,10 +90,19 @@ void check_seal(const Database& database, const AttemptHeader& header, const Dig
                           "were taken away; restore a backup"};
 }
 
+void refuse_erased(Database& database, const AttemptId& id) {
+  const auto erased = erased_recording(database, id);
+  if (!erased) return;
+  throw DatabaseError{DatabaseErrorKind::NotFound,
+                      "the recording of attempt " + id.text + " in " + database.file().string() +
+                          " was erased on " + erased->erased_utc + "; its score stays"};
+}
+
 }  // namespace
 
 simulator::Recording load_recording(Database& database, const AttemptId& id) {
   const AttemptHeader header = load_header(database, id);
+  refuse_erased(database, header.id);
   return translating(database, "read attempt " + header.id.text, [&] {
     simulator::Recording recording;
     recording.engine = header.begun.engine;
@@ -107,6 +117,10 @@ simulator::Recording load_recording(Database& database, const AttemptId& id) {
 
 std::int64_t check_recording(Database& database, const AttemptId& id) {
   const AttemptHeader header = load_header(database, id);
+  if (const auto erased = erased_recording(database, header.id)) {
+    check_seal(database, header, erased->last_link);
+    return 0;
+  }
   return translating(database, "check attempt " + header.id.text, [&] {
     std::int64_t chunk_count = 0;
     const Digest last_link = walk_chain(

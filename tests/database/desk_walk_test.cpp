@@ -215,6 +215,11 @@ Outcome about_person(Walk& world, TriedDesk& desk, Action action, const Subject&
       return refused_or_done([&] { administrator.set_disabled(login, false); });
     case Action::ChangeRole:
       return refused_or_done([&] { administrator.set_administrator(login, login == "root"); });
+    case Action::ErasePerson:
+      return refused_or_done([&] {
+        administrator.erase_person({login, "asked for it", true},
+                                   desk.session->prove(secret(good_password), cheap));
+      });
     default:
       return refused_or_done([&] {
         administrator.enrol(world.autumn(), login, CohortRole::Trainee);
@@ -320,6 +325,7 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
     case Action::IssueCode:
     case Action::DisablePerson:
     case Action::ChangeRole:
+    case Action::ErasePerson:
     case Action::Enrol:
       return about_person(world, desk, action, subject);
     case Action::ReadNotices:

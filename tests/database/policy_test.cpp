@@ -66,6 +66,7 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},    // AcceptOrigin
       {"-", "o", "-", "x"},    // ReadNotices
       {"-", "-", "-", "x"},    // ChangeSettings
+      {"-", "-", "-", "x"},    // ErasePerson
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {
