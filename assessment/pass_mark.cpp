@@ -1,29 +1,17 @@
 #include "assessment/pass_mark.h"
 
-#include <algorithm>
-
 namespace hallux::assessment {
 
-namespace {
-
-constexpr const char* safety_group = "safety";
-
-bool is_safe(const database::GroupScore& group) noexcept {
-  return static_cast<double>(group.earned_milli) >=
-         safety_pass_share * static_cast<double>(group.measured_milli);
+PassAnswer pass_answer(const database::PassFacts& facts, std::int64_t standing_milli) noexcept {
+  if (facts.is_gated) return PassAnswer::NotReached;
+  if (facts.measured_milli < facts.rubric_milli) return PassAnswer::NotDecided;
+  const bool is_safe = static_cast<double>(facts.safety_earned_milli) >=
+                       safety_pass_share * static_cast<double>(facts.safety_measured_milli);
+  return standing_milli >= pass_milli && is_safe ? PassAnswer::Reached : PassAnswer::NotReached;
 }
 
-}  // namespace
-
 PassAnswer pass_answer(const database::ScoreCard& card, std::int64_t standing_milli) noexcept {
-  const bool is_gated = std::any_of(card.gates.begin(), card.gates.end(),
-                                    [](const auto& gate) { return gate.is_triggered; });
-  if (is_gated) return PassAnswer::NotReached;
-  if (card.measured_milli < card.rubric_milli) return PassAnswer::NotDecided;
-  const bool is_all_safe =
-      std::all_of(card.groups.begin(), card.groups.end(),
-                  [](const auto& group) { return group.name != safety_group || is_safe(group); });
-  return standing_milli >= pass_milli && is_all_safe ? PassAnswer::Reached : PassAnswer::NotReached;
+  return pass_answer(pass_facts_of(card), standing_milli);
 }
 
 }  // namespace hallux::assessment

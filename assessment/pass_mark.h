@@ -18,6 +18,7 @@ enum class PassAnswer { Reached, NotReached, NotDecided };
 /// `standing_milli` is the score that stands, the machine's or an instructor's.
 /// ensures a partial card is never reached: what was not measured may hold a gate or a loss of safety. It is not reached
 ///         where what was measured says so already
+PassAnswer pass_answer(const database::PassFacts& facts, std::int64_t standing_milli) noexcept;
 PassAnswer pass_answer(const database::ScoreCard& card, std::int64_t standing_milli) noexcept;
 
 }  // namespace hallux::assessment

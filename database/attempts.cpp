@@ -28,6 +28,14 @@ constexpr std::string_view header_columns =
     "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
     "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL ";
 
+constexpr std::string_view of_cohort =
+    "a.person_id IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";
+/// The newest attempts are of those who made one last: a cohort has few of them, and attempts without end.
+constexpr std::string_view newest_of_cohort =
+    "a.person_id IN (SELECT t.person_id FROM membership m JOIN standing t USING (person_id) "
+    "WHERE m.cohort_id = ?2 AND m.role = 'trainee' GROUP BY t.person_id "
+    "ORDER BY max(t.last_started_utc) DESC LIMIT ?3)";
+
 AttemptId random_attempt_id() {
   std::array<unsigned char, 16> bytes{};
   randombytes_buf(bytes.data(), bytes.size());
@@ -158,11 +166,7 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
     where += (where.empty() ? "WHERE " : " OR ") + std::string{condition};
   };
   if (filter.person) either("a.person_id = ?1");
-  if (filter.cohort) {
-    either(
-        "a.person_id IN (SELECT person_id FROM membership WHERE cohort_id = ?2 "
-        "AND role = 'trainee')");
-  }
+  if (filter.cohort) either(filter.count_max ? newest_of_cohort : of_cohort);
   if (filter.of_nobody) either("a.person_id IS NULL");
   return translating(database, "list the attempts", [&] {
     SQLite::Statement rows{database.connection(),

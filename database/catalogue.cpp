@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "database/audit.h"
-#include "database/cohorts.h"
 #include "database/sql.h"
+#include "database/standings.h"
 
 namespace hallux::database {
 

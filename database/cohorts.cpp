@@ -1,6 +1,5 @@
 #include "database/cohorts.h"
 
-#include "database/attempts.h"
 #include "database/people.h"
 #include "database/sql.h"
 
@@ -32,15 +31,6 @@ CohortRole role_from(const std::string& name) noexcept {
       "there is no " + what + " in " + database.file().string() + "; look at the list of cohorts"};
 }
 
-std::int32_t open_help_requests_of(Database& database, PersonId person) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT count(*) FROM help_request WHERE asker_person_id = ? "
-                        "AND answered_utc IS NULL"};
-  row.bind(1, person.number);
-  row.executeStep();
-  return row.getColumn(0).getInt();
-}
-
 }  // namespace
 
 CohortId create_cohort(Database& database, const std::string& name) {
@@ -66,7 +56,7 @@ void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role
         database.connection(),
         "INSERT INTO membership (cohort_id, person_id, role, enrolled_utc) VALUES (?, ?, ?, ?) "
         "ON CONFLICT (cohort_id, person_id) DO UPDATE SET role = excluded.role, "
-        "enrolled_utc = excluded.enrolled_utc"};
+        "enrolled_utc = excluded.enrolled_utc WHERE role <> excluded.role"};
     insert.bind(1, cohort.number);
     insert.bind(2, person.number);
     insert.bind(3, role == CohortRole::Trainee ? "trainee" : "instructor");
@@ -152,49 +142,6 @@ std::vector<Membership> memberships_of(Database& database, PersonId person) {
     }
     return memberships;
   });
-}
-
-std::vector<OperationStanding> operation_standings(Database& database, PersonId person) {
-  return translating(database, "gather how a person stands", [&] {
-    SQLite::Statement rows{
-        database.connection(),
-        "WITH result AS (SELECT v.name AS name, a.started_utc AS started_utc, CASE WHEN a.state <> "
-        "'void' THEN coalesce(r.score_milli, s.score_milli) END AS milli "
-        "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
-        "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
-        "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL "
-        "WHERE a.person_id = ?) "
-        "SELECT name, count(*), max(milli), max(started_utc), (SELECT o.milli FROM result o "
-        "WHERE o.name = result.name AND o.milli IS NOT NULL ORDER BY o.started_utc DESC LIMIT 1) "
-        "FROM result GROUP BY name ORDER BY name"};
-    rows.bind(1, person.number);
-    std::vector<OperationStanding> standings;
-    while (rows.executeStep()) {
-      OperationStanding standing;
-      standing.scenario_name = rows.getColumn(0).getString();
-      standing.attempts = rows.getColumn(1).getInt();
-      if (!rows.getColumn(2).isNull()) standing.best_milli = rows.getColumn(2).getInt64();
-      standing.last_started_utc = rows.getColumn(3).getString();
-      if (!rows.getColumn(4).isNull()) standing.last_milli = rows.getColumn(4).getInt64();
-      standings.push_back(std::move(standing));
-    }
-    return standings;
-  });
-}
-
-std::vector<TraineeStanding> list_standings(Database& database, CohortId cohort,
-                                            std::int32_t attempts_max) {
-  std::vector<TraineeStanding> standings;
-  for (const CohortMember& member : list_members(database, cohort)) {
-    if (member.role != CohortRole::Trainee) continue;
-    AttemptFilter newest;
-    newest.person = member.id;
-    newest.count_max = attempts_max;
-    standings.push_back({member.id, member.login, member.display_name, member.is_disabled,
-                         operation_standings(database, member.id), list_attempts(database, newest),
-                         open_help_requests_of(database, member.id)});
-  }
-  return standings;
 }
 
 }  // namespace hallux::database

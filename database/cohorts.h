@@ -1,4 +1,4 @@
-/// Cohorts: who is trainee and instructor in which, and how their trainees stand. The desks decide who may call what.
+/// Cohorts: who is trainee and instructor in which. The desks decide who may call what.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ Cohort load_cohort(Database& database, CohortId id);
 /// Instructors first, then by login.
 std::vector<CohortMember> list_members(Database& database, CohortId id);
 
-/// Puts a person into a cohort, or changes what they are there.
+/// Puts a person into a cohort, or changes what they are there. Who is that already keeps the day of their enrolment.
 /// errors  DatabaseError NotFound
 void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role);
 /// Takes a person out; their attempts stay theirs.
@@ -31,11 +31,5 @@ void remove_from_cohort(Database& database, CohortId cohort, PersonId person);
 std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person);
 /// By name of the cohort.
 std::vector<Membership> memberships_of(Database& database, PersonId person);
-
-/// The trainees of the cohort by login, disabled ones too, each with at most `attempts_max` of their newest attempts.
-std::vector<TraineeStanding> list_standings(Database& database, CohortId cohort,
-                                            std::int32_t attempts_max);
-/// By name of the operation.
-std::vector<OperationStanding> operation_standings(Database& database, PersonId person);
 
 }  // namespace hallux::database

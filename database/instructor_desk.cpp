@@ -1,6 +1,7 @@
 #include "database/instructor_desk.h"
 
 #include "database/sql.h"
+#include "database/standings.h"
 
 namespace hallux::database {
 
@@ -12,6 +13,20 @@ Cohort InstructorDesk::cohort() {
 std::vector<TraineeStanding> InstructorDesk::trainees(std::int32_t attempts_max) {
   require(*database_, holder_, Action::SeeCohort, Relation::Cohort, "the cohort");
   return list_standings(*database_, *holder_.cohort, attempts_max);
+}
+
+TraineeStanding InstructorDesk::trainee(PersonId id, std::int32_t attempts_max) {
+  require(*database_, holder_, Action::SeeCohort, relation_to(id),
+          "person " + std::to_string(id.number));
+  return load_standing(*database_, *holder_.cohort, id, attempts_max);
+}
+
+std::vector<AttemptHeader> InstructorDesk::newest_attempts(std::int32_t count) {
+  require(*database_, holder_, Action::SeeCohort, Relation::Cohort, "the cohort");
+  AttemptFilter filter;
+  filter.cohort = holder_.cohort;
+  filter.count_max = count;
+  return list_attempts(*database_, filter);
 }
 
 std::vector<AttemptHeader> InstructorDesk::attempts_of(PersonId trainee) {

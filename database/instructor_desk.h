@@ -15,7 +15,11 @@ class InstructorDesk : public CourseDesk {
  public:
   Cohort cohort();
   /// By login, each with at most `attempts_max` of their newest attempts.
-  std::vector<TraineeStanding> trainees(std::int32_t attempts_max = 5);
+  std::vector<TraineeStanding> trainees(std::int32_t attempts_max = 0);
+  /// One of them.
+  TraineeStanding trainee(PersonId id, std::int32_t attempts_max = 0);
+  /// The newest of the whole cohort, newest first.
+  std::vector<AttemptHeader> newest_attempts(std::int32_t count);
   /// Those of one trainee, newest first.
   std::vector<AttemptHeader> attempts_of(PersonId trainee);
 

@@ -9,13 +9,22 @@ namespace hallux::database {
 
 namespace {
 
+/// Kept beside the card, so that whether a result passes is known without reading it.
+void bind_pass_facts(SQLite::Statement& insert, int first, const PassFacts& facts) {
+  insert.bind(first, facts.rubric_milli);
+  insert.bind(first + 1, facts.is_gated ? 1 : 0);
+  insert.bind(first + 2, facts.safety_measured_milli);
+  insert.bind(first + 3, facts.safety_earned_milli);
+}
+
 std::int64_t insert_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                           const std::string& json) {
   SQLite::Statement insert{
       database.connection(),
       "INSERT INTO score (attempt_id, scenario_version, rubric_version, engine_version, "
-      "score_milli, measured_weight_milli, card_json, stored_utc, superseded_by) "
-      "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
+      "score_milli, measured_weight_milli, card_json, stored_utc, rubric_milli, is_gated, "
+      "safety_measured_milli, safety_earned_milli) "
+      "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
   insert.bind(1, card.scenario_version);
   insert.bind(2, card.rubric_version);
   insert.bind(3, card.engine);
@@ -23,7 +32,8 @@ std::int64_t insert_score(Database& database, const AttemptId& attempt, const Sc
   insert.bind(5, card.measured_milli);
   insert.bind(6, json);
   insert.bind(7, utc_now(database));
-  insert.bind(9, attempt.text);
+  bind_pass_facts(insert, 8, pass_facts_of(card));
+  insert.bind(12, attempt.text);
   insert.exec();
   return database.connection().getLastInsertRowid();
 }

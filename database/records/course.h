@@ -10,6 +10,7 @@
 #include "database/records/attempt.h"
 #include "database/records/ids.h"
 #include "database/records/person.h"
+#include "database/records/score.h"
 
 namespace hallux::database {
 
@@ -34,13 +35,29 @@ struct Membership {
   CohortRole role = CohortRole::Trainee;
 };
 
-/// How one person stands in one operation, over all its versions. Void attempts and those without a score count as
-/// attempts only. Never the robot's.
+/// A scored assessment that counts, as learning is judged by it.
+struct AssessedRun {
+  std::int64_t begun_s = 0;  ///< of the calendar, since 1970
+  std::int32_t rubric_version = 0;
+  std::int64_t standing_milli = 0;  ///< the decided score where there is one
+  PassFacts pass;
+};
+
+/// By one kind of device: what is done by mouse says little about an arm.
+struct DeviceRuns {
+  std::string device_class;
+  std::vector<AssessedRun> runs;  ///< oldest first
+};
+
+/// How one person stands in one operation, over all its versions. Attempts that are void, not valid, of a directory that is
+/// not accepted, or without a score count as attempts only. Never the robot's.
 struct OperationStanding {
   std::string scenario_name;
   std::int32_t attempts = 0;
   std::optional<std::int64_t> best_milli, last_milli;  ///< the decided score where there is one
   std::string last_started_utc;
+  std::int32_t assessments = 0;            ///< of the attempts those for a grade that count
+  std::vector<DeviceRuns> by_device = {};  ///< those with scored assessments, by name
 };
 
 struct TraineeStanding {

@@ -28,6 +28,13 @@ struct LedgerLine {
   std::string text;  ///< one sentence with the number, the target and the loss
 };
 
+/// What decides whether a result passes (assessment/pass_mark.h), without the rest of the card.
+struct PassFacts {
+  std::int64_t measured_milli = 0, rubric_milli = 0;
+  std::int64_t safety_measured_milli = 0, safety_earned_milli = 0;
+  bool is_gated = false;  ///< a gate is triggered
+};
+
 struct GroupScore {
   std::string name;
   std::int64_t weight_milli = 0;    ///< in the whole rubric
@@ -61,5 +68,7 @@ struct ScoreCard {
   std::int32_t scenario_version = 0, rubric_version = 0, engine = 0;
   bool is_reviewed = false;  ///< a surgeon signed the scenario's version
 };
+
+PassFacts pass_facts_of(const ScoreCard& card) noexcept;
 
 }  // namespace hallux::database

@@ -99,7 +99,7 @@ AttemptId record(Database& database, const NewAttempt& attempt,
   simulator::AttemptChannels channels{4096};
   Recorder recorder{database, create_attempt(database, attempt), channels};
   produce(recording, channels);
-  recorder.finish("{}");
+  recorder.finish(R"({"complete": true})");
   return recorder.attempt();
 }
 

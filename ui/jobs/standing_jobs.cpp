@@ -1,6 +1,8 @@
 #include "ui/jobs/standing_jobs.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "database/assets.h"
 
@@ -17,11 +19,12 @@ database::TraineeDesk own_desk(database::Session& session) {
   return *desk;
 }
 
-/// With the score that stands, and whether it passes; without where it is void or has none.
+/// With the score that stands, and whether it passes; without where it is void, not valid or has none.
 JudgedAttempt judged(database::CourseDesk& desk, database::AttemptHeader header) {
   JudgedAttempt attempt;
   attempt.header = std::move(header);
-  const bool counts = attempt.header.state != database::AttemptState::Void;
+  const bool counts = attempt.header.state != database::AttemptState::Void &&
+                      attempt.header.is_valid.value_or(true) && attempt.header.is_counted;
   if (!counts || !attempt.header.score_milli) return attempt;
   if (const auto score = desk.score(attempt.header.id)) {
     attempt.rubric_version = score->card.rubric_version;
@@ -46,6 +49,29 @@ OwnOperation standing_in(database::Database& database, database::Operation publi
   return own;
 }
 
+/// What a run says about learning.
+struct RunAnswer {
+  std::string_view device_class;
+  std::int32_t rubric_version = 0;
+  assessment::PassAnswer pass = assessment::PassAnswer::NotDecided;
+};
+
+/// `runs` are oldest first.
+assessment::LearningState learning_by(const std::vector<RunAnswer>& runs) {
+  std::int32_t newest_rubric = 0;
+  for (const RunAnswer& run : runs) newest_rubric = std::max(newest_rubric, run.rubric_version);
+  const auto decides = [&](const RunAnswer& run) {
+    return run.rubric_version == newest_rubric && run.pass != assessment::PassAnswer::NotDecided;
+  };
+  const auto last = std::find_if(runs.rbegin(), runs.rend(), decides);
+  std::vector<bool> passed;
+  for (const RunAnswer& run : runs) {
+    if (decides(run) && run.device_class == last->device_class)
+      passed.push_back(run.pass == assessment::PassAnswer::Reached);
+  }
+  return assessment::learning_state(passed);
+}
+
 /// What cannot be read comes last.
 int rank_of(const OwnOperation& operation) noexcept {
   return operation.scenario ? difficulty_of(*operation.scenario) : 6;
@@ -68,26 +94,17 @@ std::vector<JudgedAttempt> own_attempts(database::Session& session) {
   return own;
 }
 
-TraineeProgress trainee_progress(database::InstructorDesk& desk,
-                                 database::TraineeStanding standing) {
-  std::vector<JudgedAttempt> attempts;
-  for (database::AttemptHeader& header : desk.attempts_of(standing.id)) {
-    // Practice says nothing about competence, and there is much of it.
-    if (header.begun.kind == database::AttemptKind::Assessment)
-      attempts.push_back(judged(desk, std::move(header)));
-  }
-  std::reverse(attempts.begin(), attempts.end());
+TraineeProgress progress_in(database::TraineeStanding standing) {
   TraineeProgress progress{std::move(standing), {}};
   for (const database::OperationStanding& operation : progress.standing.operations)
-    progress.learning.push_back(learning_of(attempts, operation.scenario_name));
+    progress.learning.push_back(learning_in(operation));
   return progress;
 }
 
-std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk,
-                                         std::int32_t attempts_max) {
+std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk) {
   std::vector<TraineeProgress> trainees;
-  for (database::TraineeStanding& standing : desk.trainees(attempts_max))
-    trainees.push_back(trainee_progress(desk, std::move(standing)));
+  for (database::TraineeStanding& standing : desk.trainees())
+    trainees.push_back(progress_in(std::move(standing)));
   return trainees;
 }
 
@@ -118,28 +135,33 @@ int difficulty_of(const scenarios::Scenario& scenario) noexcept {
   return std::clamp(static_cast<int>(scenario.cuts.size()), 1, 5);
 }
 
-assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
-                                      const std::string& scenario_name) {
-  std::int32_t newest_rubric = 0;
-  for (const JudgedAttempt& attempt : attempts) {
-    if (attempt.header.scenario_name == scenario_name)
-      newest_rubric = std::max(newest_rubric, attempt.rubric_version);
-  }
-  std::vector<const JudgedAttempt*> judged;
-  for (const JudgedAttempt& attempt : attempts) {
-    const database::AttemptHeader& header = attempt.header;
-    if (header.scenario_name == scenario_name && attempt.rubric_version == newest_rubric &&
-        header.begun.kind == database::AttemptKind::Assessment &&
-        attempt.pass != assessment::PassAnswer::NotDecided) {
-      judged.push_back(&attempt);
+assessment::LearningState learning_in(const database::OperationStanding& standing) {
+  std::vector<std::pair<std::int64_t, RunAnswer>> begun;
+  for (const database::DeviceRuns& device : standing.by_device) {
+    for (const database::AssessedRun& run : device.runs) {
+      begun.push_back({run.begun_s,
+                       {device.device_class, run.rubric_version,
+                        assessment::pass_answer(run.pass, run.standing_milli)}});
     }
   }
-  std::vector<bool> passed;
-  for (const JudgedAttempt* attempt : judged) {
-    if (attempt->header.begun.device_class == judged.back()->header.begun.device_class)
-      passed.push_back(attempt->pass == assessment::PassAnswer::Reached);
+  std::stable_sort(begun.begin(), begun.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<RunAnswer> runs;
+  for (const auto& [begun_s, run] : begun) runs.push_back(run);
+  return learning_by(runs);
+}
+
+assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
+                                      const std::string& scenario_name) {
+  std::vector<RunAnswer> runs;
+  for (const JudgedAttempt& attempt : attempts) {
+    const database::AttemptHeader& header = attempt.header;
+    if (header.scenario_name != scenario_name) continue;
+    const bool is_assessment = header.begun.kind == database::AttemptKind::Assessment;
+    runs.push_back({header.begun.device_class, attempt.rubric_version,
+                    is_assessment ? attempt.pass : assessment::PassAnswer::NotDecided});
   }
-  return assessment::learning_state(passed);
+  return learning_by(runs);
 }
 
 }  // namespace hallux::ui

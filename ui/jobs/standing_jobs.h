@@ -17,7 +17,7 @@ namespace hallux::ui {
 struct JudgedAttempt {
   database::AttemptHeader header;
   std::optional<std::int64_t>
-      score_milli;  ///< that stands: an instructor's before the machine's; nothing: not scored, or void
+      score_milli;  ///< that stands: an instructor's before the machine's; nothing: not scored, not valid, or void
   assessment::PassAnswer pass = assessment::PassAnswer::NotDecided;
   std::int32_t rubric_version = 0;  ///< 0: not scored
 };
@@ -32,14 +32,11 @@ struct TraineeProgress {
   std::vector<assessment::LearningState> learning;  ///< as the standing's operations
 };
 
-/// needs   the trainee is of the desk's cohort
-/// errors  DatabaseError: Refused; storage failures
-TraineeProgress trainee_progress(database::InstructorDesk& desk,
-                                 database::TraineeStanding standing);
+TraineeProgress progress_in(database::TraineeStanding standing);
 
-/// By login, each with at most `attempts_max` of their newest attempts.
+/// By login.
 /// errors  DatabaseError: Refused; storage failures
-std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk, std::int32_t attempts_max);
+std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk);
 
 /// A published operation and how the person stands in it.
 struct OwnOperation {
@@ -70,5 +67,7 @@ int difficulty_of(const scenarios::Scenario& scenario) noexcept;
 /// needs   attempts are oldest first
 assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
                                       const std::string& scenario_name);
+/// The same of what is kept of them.
+assessment::LearningState learning_in(const database::OperationStanding& standing);
 
 }  // namespace hallux::ui

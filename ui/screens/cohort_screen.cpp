@@ -30,8 +30,8 @@ constexpr float person_width = 190.0F, least_person = 140.0F, least_cell = 92.0F
 /// So many operations stand beside each other before their names are shown whole.
 constexpr int columns_wanted = 3;
 constexpr int idle_days = 14;
-constexpr std::size_t listed_attempts = 6, listed_requests = 4;
-constexpr std::int32_t attempts_read = 5;
+constexpr std::size_t listed_requests = 4;
+constexpr std::int32_t listed_attempts = 6;
 
 /// How a trainee stands in one operation.
 struct StandingIn {
@@ -87,27 +87,28 @@ CohortScreen::Glance CohortScreen::look(database::Session& session, database::Co
   database::InstructorDesk desk = instructor_of(session, cohort);
   Glance glance;
   glance.cohort = desk.cohort();
-  glance.trainees = trainees_of(desk, attempts_read);
+  glance.trainees = trainees_of(desk);
   glance.open_requests = desk.help_requests(true);
   glance.now_utc = utc_now_text();
   std::set<std::string> operations;
   for (const database::Operation& operation : trainee_of(session).operations())
     operations.insert(operation.name);
   for (const TraineeProgress& progress : glance.trainees) {
-    const TraineeStanding& trainee = progress.standing;
-    const std::string name = shown_name_of(trainee.login, trainee.display_name);
-    for (const OperationStanding& standing : trainee.operations) {
+    for (const OperationStanding& standing : progress.standing.operations) {
       operations.insert(standing.scenario_name);
       glance.attempts += standing.attempts;
     }
-    for (const database::AttemptHeader& attempt : trainee.last_attempts)
-      glance.last_attempts.push_back({attempt, name, hue_of(trainee.id)});
   }
   glance.operations.assign(operations.begin(), operations.end());
-  std::sort(
-      glance.last_attempts.begin(), glance.last_attempts.end(),
-      [](const LastAttempt& a, const LastAttempt& b) { return b.header.order < a.header.order; });
-  if (glance.last_attempts.size() > listed_attempts) glance.last_attempts.resize(listed_attempts);
+  for (database::AttemptHeader& attempt : desk.newest_attempts(listed_attempts)) {
+    const database::PersonId person = attempt.begun.person.value_or(database::PersonId{});
+    const auto trainee = std::find_if(
+        glance.trainees.begin(), glance.trainees.end(),
+        [&](const TraineeProgress& progress) { return progress.standing.id == person; });
+    if (trainee == glance.trainees.end()) continue;  // enrolled in between
+    const std::string name = shown_name_of(trainee->standing.login, trainee->standing.display_name);
+    glance.last_attempts.push_back({std::move(attempt), name, hue_of(person)});
+  }
   return glance;
 }
 

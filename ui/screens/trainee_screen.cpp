@@ -72,8 +72,7 @@ TraineeScreen::File TraineeScreen::read(database::Session& session, database::Co
   File file;
   file.cohort_name = desk.cohort().name;
   file.attempts = desk.attempts_of(trainee);  // refuses one who is not of the cohort
-  for (database::TraineeStanding& standing : desk.trainees(1))
-    if (standing.id == trainee) file.progress = trainee_progress(desk, std::move(standing));
+  file.progress = progress_in(desk.trainee(trainee));
   file.now_utc = utc_now_text();
   return file;
 }

@@ -320,10 +320,10 @@ struct BothSides {
   explicit BothSides(SomePublished& published) {
     database::InstructorDesk desk =
         published.course().instructor("kim", published.course().autumn());
-    for (const TraineeProgress& each : trainees_of(desk, 1)) {
+    for (const TraineeProgress& each : trainees_of(desk)) {
       if (each.standing.login != "ada") continue;
       grid = competence_of(each.standing.operations.front(), each.learning.front(), now);
-      page = trainee_progress(desk, each.standing).learning.front().is_competent;
+      page = progress_in(desk.trainee(each.standing.id)).learning.front().is_competent;
     }
     database::Session session = published.course().sign_in_as("ada");
     history = histories_of(own_attempts(session)).front().learning.is_competent;
