@@ -1,13 +1,11 @@
-/// Rows of the record as bytes, without loss: column by column differences, varints, zstd.
+/// Rows of the record as the bytes that are kept, without loss.
 ///
-///   bytes    = format (1 byte, now 1), one zstd frame with checksum whose content is the payload
-///   payload  = column 0 of all rows, column 1 of all rows, ... (the columns of simulator/record/record.h)
-///   a column = for each row the difference to the row before (the first to 0, modulo 2^64), zigzag, then base-128 varint,
-///              low seven bits first, in as few bytes as can be
+///   bytes = format (1 byte), one zstd frame with content size and checksum whose content is
+///           format 1: the payload itself (database/columns.h)      format 2: the columns as coded (database/column_coding.h)
 ///
-/// The payload is canonical: the same rows give the same payload, another payload means other rows. The hash chain is
-/// taken over it, so neither the compressor nor its level matters to what was sealed.
-/// source  docs/data_format.md; measured choice: 6 to 7 bytes a sample
+/// The smaller of the two is written; format 1 alone is what programs wrote before, and is read for ever. The hash chain is taken over
+/// the payload, so it does not matter to what was sealed in which format a chunk is kept.
+/// source  docs/data_format.md; measured in tests/benchmarks/record
 #pragma once
 
 #include <cstddef>
@@ -16,33 +14,19 @@
 #include <span>
 #include <vector>
 
-#include "database/database_error.h"
-#include "simulator/record/record.h"
+#include "database/columns.h"
 
 struct ZSTD_CCtx_s;
+struct ZSTD_DCtx_s;
 
 namespace hallux::database {
 
 enum class Stream : std::int32_t { Tape = 0, Sample = 1, Event = 2 };
 
-/// No chunk holds more rows: what a bounded reader may believe.
-inline constexpr std::size_t rows_per_chunk_max = 65536;
+/// 0 for a number that is none of the streams.
+std::size_t columns_in(Stream stream) noexcept;
 
-std::vector<std::byte> payload_from(std::span<const simulator::TapeLine> rows);
-std::vector<std::byte> payload_from(std::span<const simulator::ToolSample> rows);
-std::vector<std::byte> payload_from(std::span<const simulator::CutEvent> rows);
-
-/// Appends the rows that `payload` means.
-/// needs   row_count <= rows_per_chunk_max
-/// errors  DatabaseError Damaged where the payload is not exactly that many rows of that type; then nothing is appended
-void append_rows(std::span<const std::byte> payload, std::size_t row_count,
-                 std::vector<simulator::TapeLine>& rows);
-void append_rows(std::span<const std::byte> payload, std::size_t row_count,
-                 std::vector<simulator::ToolSample>& rows);
-void append_rows(std::span<const std::byte> payload, std::size_t row_count,
-                 std::vector<simulator::CutEvent>& rows);
-
-/// Packs payloads into chunk bytes; keeps the compressor's memory between calls.
+/// Packs columns into chunk bytes; keeps the compressor's memory between calls.
 /// thread  one at a time
 class ChunkPacker {
  public:
@@ -50,16 +34,44 @@ class ChunkPacker {
   ChunkPacker(ChunkPacker&&) noexcept;
   ChunkPacker& operator=(ChunkPacker&&) noexcept;
   ~ChunkPacker();
-  std::vector<std::byte> pack(std::span<const std::byte> payload);
+  /// needs   at least one row; `payload` is that of the columns; `tape`, where there is one, is what the chunk of the tape
+  ///         in the same window holds
+  std::vector<std::byte> pack(const Columns& columns, std::span<const std::byte> payload,
+                              const Columns* tape = nullptr);
 
  private:
+  std::vector<std::byte> framed(std::byte format, std::span<const std::byte> content);
+
   std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> context_;
+  std::vector<std::byte> content_;
 };
 
-/// The payload in chunk bytes of a stream.
-/// errors  DatabaseError Damaged: unknown format, not one whole frame, checksum, more than `row_count` rows could need
-std::vector<std::byte> unpack_payload(std::span<const std::byte> bytes, Stream stream,
-                                      std::size_t row_count);
+/// What chunk bytes claim to hold.
+struct ChunkShape {
+  Stream stream = Stream::Tape;
+  std::size_t row_count = 0;
+};
+
+/// Reads chunk bytes; keeps its memory between calls.
+/// thread  one at a time
+class ChunkUnpacker {
+ public:
+  ChunkUnpacker();
+  ChunkUnpacker(ChunkUnpacker&&) noexcept;
+  ChunkUnpacker& operator=(ChunkUnpacker&&) noexcept;
+  ~ChunkUnpacker();
+  /// Reads `bytes` into `columns`. `tape`: what the chunk of the tape in the same window holds, where there is one.
+  /// errors  DatabaseError Damaged: unknown format, not one whole frame, checksum, not exactly as many rows as claimed
+  void unpack(std::span<const std::byte> bytes, const ChunkShape& shape, const Columns* tape,
+              Columns& columns);
+
+ private:
+  std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> context_;
+  std::vector<std::byte> content_;
+};
+
+/// False for format 1, which does not look at the tape.
+bool may_need_tape(std::span<const std::byte> bytes) noexcept;
 
 /// Reads `bytes` as a chunk of any stream; for fuzzers: whatever the bytes, it returns or throws DatabaseError.
 void read_any_chunk(std::span<const std::byte> bytes);

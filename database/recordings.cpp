@@ -1,85 +1,20 @@
 #include "database/recordings.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "database/attempts.h"
-#include "database/chain.h"
 #include "database/erased_recordings.h"
+#include "database/recorder.h"
 #include "database/sql.h"
+#include "database/stored_chunks.h"
 
 namespace hallux::database {
 
 namespace {
 
-struct StoredChunk {
-  std::int64_t number = 0;
-  ChunkPlace place;
-  std::span<const std::byte> bytes;
-  std::optional<Digest> link;
-};
-
-std::string_view name_of(Stream stream) noexcept {
-  if (stream == Stream::Tape) return "tape";
-  return stream == Stream::Sample ? "samples" : "events";
-}
-
-[[noreturn]] void fail_chunk(const Database& database, const AttemptId& id,
-                             const StoredChunk& chunk, std::string_view reason) {
-  throw DatabaseError{DatabaseErrorKind::Damaged,
-                      "chunk " + std::to_string(chunk.number) + " (" +
-                          std::string{name_of(chunk.place.stream)} + " of window " +
-                          std::to_string(chunk.place.seq) + " of attempt " + id.text + ") in " +
-                          database.file().string() +
-                          " was altered or damaged: " + std::string{reason} + "; restore a backup"};
-}
-
-StoredChunk chunk_in(SQLite::Statement& row) {
-  StoredChunk chunk;
-  chunk.number = row.getColumn(0).getInt64();
-  chunk.place = {static_cast<Stream>(row.getColumn(1).getInt()), row.getColumn(2).getInt64(),
-                 row.getColumn(3).getInt64(), row.getColumn(4).getInt64()};
-  const SQLite::Column bytes = row.getColumn(5);
-  chunk.bytes = {static_cast<const std::byte*>(bytes.getBlob()),
-                 static_cast<std::size_t>(bytes.getBytes())};
-  chunk.link = digest_in(row.getColumn(6));
-  return chunk;
-}
-
-void append_payload(const StoredChunk& chunk, std::span<const std::byte> payload,
-                    simulator::Recording& recording) {
-  const auto row_count = static_cast<std::size_t>(chunk.place.row_count);
-  switch (chunk.place.stream) {
-    case Stream::Tape:
-      return append_rows(payload, row_count, recording.tape);
-    case Stream::Sample:
-      return append_rows(payload, row_count, recording.samples);
-    case Stream::Event:
-      return append_rows(payload, row_count, recording.events);
-  }
-}
-
-/// Calls `visit`, which may find the payload damaged, for each chunk in the order of the chain; returns the last link.
-template <typename Visit>
-Digest walk_chain(Database& database, const AttemptId& id, Visit&& visit) {
-  SQLite::Statement rows{
-      database.connection(),
-      "SELECT c.chunk_id, c.stream, c.seq, c.first_tick, c.row_count, c.bytes, c.link FROM chunk c "
-      "JOIN attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream"};
-  rows.bind(1, id.text);
-  Digest link;
-  while (rows.executeStep()) {
-    const StoredChunk chunk = chunk_in(rows);
-    std::vector<std::byte> payload;
-    try {
-      payload = unpack_payload(chunk.bytes, chunk.place.stream,
-                               static_cast<std::size_t>(chunk.place.row_count));
-      link = link_of(link, id, chunk.place, payload);
-      visit(chunk, payload);
-    } catch (const DatabaseError& error) {
-      fail_chunk(database, id, chunk, error.what());
-    }
-    if (link != chunk.link) fail_chunk(database, id, chunk, "its link does not fit the chain");
-  }
-  return link;
-}
+constexpr WindowRange all_windows{0, std::numeric_limits<std::int64_t>::max()};
+constexpr std::int64_t windows_checked_at_once = 240;
 
 void check_seal(const Database& database, const AttemptHeader& header, const Digest& last_link) {
   if (!header.seal) return;
@@ -98,6 +33,91 @@ void refuse_erased(Database& database, const AttemptId& id) {
                           " was erased on " + erased->erased_utc + "; its score stays"};
 }
 
+/// needs   the chunks were read and checked
+Digest last_link(const ChunkRun& run) {
+  return run.chunks.empty() ? run.before : run.chunks.back().link.value_or(Digest{});
+}
+
+/// One number that a query about an attempt answers with.
+std::optional<std::int64_t> number_of(Database& database, const char* sql, const AttemptId& id,
+                                      std::int64_t bound) {
+  SQLite::Statement query{database.connection(), sql};
+  query.bind(1, id.text);
+  query.bind(2, bound);
+  if (!query.executeStep() || query.getColumn(0).isNull()) return std::nullopt;
+  return query.getColumn(0).getInt64();
+}
+
+std::optional<std::int64_t> window_from(Database& database, const AttemptId& id,
+                                        std::int64_t first) {
+  return number_of(database,
+                   "SELECT min(c.seq) FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid "
+                   "= ? AND c.seq >= ?",
+                   id, first);
+}
+
+/// The last window of which a row stands before `end_tick`; first ticks rise with the windows in each stream.
+std::optional<std::int64_t> last_window_before(Database& database, const AttemptId& id,
+                                               std::int64_t end_tick) {
+  return number_of(
+      database,
+      "SELECT max((SELECT c.seq FROM chunk c WHERE c.attempt_id = a.attempt_id AND c.stream = "
+      "s.column1 AND c.first_tick < ?2 ORDER BY c.first_tick DESC LIMIT 1)) FROM attempt a, "
+      "(VALUES (0), (1), (2)) s WHERE a.uuid = ?1",
+      id, end_tick);
+}
+
+/// A row never stands in an earlier window than its last tick; in older records a line of the tape stands by its first.
+WindowRange windows_around(Database& database, const AttemptId& id, const TickRange& ticks) {
+  const std::int64_t first =
+      std::max<std::int64_t>(std::max<std::int64_t>(ticks.first, 0) / window_ticks - 1, 0);
+  const std::int64_t last = last_window_before(database, id, ticks.end).value_or(-1);
+  return {first, std::max(last + 1, first)};
+}
+
+/// Zeros before the first chunk, as in the chain.
+Digest link_before(Database& database, const AttemptId& id, std::int64_t window) {
+  SQLite::Statement row{
+      database.connection(),
+      "SELECT c.link FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq < ? "
+      "ORDER BY c.seq DESC, c.stream DESC LIMIT 1"};
+  row.bind(1, id.text);
+  row.bind(2, window);
+  if (!row.executeStep()) return {};
+  return digest_in(row.getColumn(0)).value_or(Digest{});
+}
+
+/// The chunk after `run`, or the seal, must go on from its last link.
+void check_end(Database& database, const AttemptHeader& header, const ChunkRun& run,
+               std::int64_t end_window) {
+  const auto next_window = window_from(database, header.id, end_window);
+  if (!next_window) return check_seal(database, header, last_link(run));
+  const std::vector<StoredChunk> next =
+      load_chunks(database, header.id, {*next_window, *next_window + 1});
+  if (next.empty()) return;
+  try {
+    ChunkReader{header.id}.read_checked(next.front(), nullptr, last_link(run));
+  } catch (const DatabaseError& error) {
+    fail_chunk(database, header.id, next.front(), error.what());
+  }
+}
+
+template <typename Row, typename IsInside>
+void keep(std::vector<Row>& rows, IsInside&& is_inside) {
+  std::erase_if(rows, [&](const Row& row) { return !is_inside(row); });
+}
+
+void keep_ticks(const TickRange& ticks, simulator::Recording& recording) {
+  const auto is_inside = [&](const auto& row) {
+    return row.tick >= ticks.first && row.tick < ticks.end;
+  };
+  keep(recording.tape, [&](const simulator::TapeLine& line) {
+    return line.tick + line.ticks > ticks.first && line.tick < ticks.end;
+  });
+  keep(recording.samples, is_inside);
+  keep(recording.events, is_inside);
+}
+
 }  // namespace
 
 simulator::Recording load_recording(Database& database, const AttemptId& id) {
@@ -106,11 +126,27 @@ simulator::Recording load_recording(Database& database, const AttemptId& id) {
   return translating(database, "read attempt " + header.id.text, [&] {
     simulator::Recording recording;
     recording.engine = header.begun.engine;
-    const Digest last_link = walk_chain(
-        database, header.id, [&](const StoredChunk& chunk, std::span<const std::byte> payload) {
-          append_payload(chunk, payload, recording);
-        });
-    check_seal(database, header, last_link);
+    const std::vector<StoredChunk> chunks = load_chunks(database, header.id, all_windows);
+    const ChunkRun run{chunks, {}};
+    append_run(database, header.id, run, recording);
+    check_seal(database, header, last_link(run));
+    return recording;
+  });
+}
+
+simulator::Recording load_recording_part(Database& database, const AttemptId& id,
+                                         const TickRange& ticks) {
+  const AttemptHeader header = load_header(database, id);
+  refuse_erased(database, header.id);
+  return translating(database, "read a part of attempt " + header.id.text, [&] {
+    simulator::Recording recording;
+    recording.engine = header.begun.engine;
+    const WindowRange windows = windows_around(database, header.id, ticks);
+    const std::vector<StoredChunk> chunks = load_chunks(database, header.id, windows);
+    const ChunkRun run{chunks, link_before(database, header.id, windows.first)};
+    append_run(database, header.id, run, recording);
+    check_end(database, header, run, windows.end);
+    keep_ticks(ticks, recording);
     return recording;
   });
 }
@@ -123,13 +159,19 @@ std::int64_t check_recording(Database& database, const AttemptId& id) {
   }
   return translating(database, "check attempt " + header.id.text, [&] {
     std::int64_t chunk_count = 0;
-    const Digest last_link = walk_chain(
-        database, header.id, [&](const StoredChunk& chunk, std::span<const std::byte> payload) {
-          simulator::Recording one_chunk;
-          append_payload(chunk, payload, one_chunk);
-          ++chunk_count;
-        });
-    check_seal(database, header, last_link);
+    Digest link;
+    auto window = window_from(database, header.id, 0);
+    while (window) {
+      const WindowRange windows{*window, *window + windows_checked_at_once};
+      const std::vector<StoredChunk> chunks = load_chunks(database, header.id, windows);
+      const ChunkRun run{chunks, link};
+      simulator::Recording some_windows;
+      append_run(database, header.id, run, some_windows);
+      link = last_link(run);
+      chunk_count += static_cast<std::int64_t>(chunks.size());
+      window = window_from(database, header.id, windows.end);
+    }
+    check_seal(database, header, link);
     return chunk_count;
   });
 }

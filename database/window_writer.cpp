@@ -25,9 +25,10 @@ void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
   const auto start = std::chrono::steady_clock::now();
   try {
     in_transaction(database_, "record half a second of attempt " + attempt_.text, [&] {
-      insert_chunk<simulator::TapeLine>(Stream::Tape, seq, rows.tape);
-      insert_chunk<simulator::ToolSample>(Stream::Sample, seq, rows.samples);
-      insert_chunk<simulator::CutEvent>(Stream::Event, seq, rows.events);
+      const Columns tape = columns_from(std::span{rows.tape});
+      insert_chunk(Stream::Tape, seq, tape, nullptr);
+      insert_chunk(Stream::Sample, seq, columns_from(std::span{rows.samples}), &tape);
+      insert_chunk(Stream::Event, seq, columns_from(std::span{rows.events}), nullptr);
     });
   } catch (...) {
     last_link_ = link_before;
@@ -41,13 +42,13 @@ void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
   statistics_.commit_max_s = std::max(statistics_.commit_max_s, spent_s.count());
 }
 
-template <typename Row>
-void WindowWriter::insert_chunk(Stream stream, std::int64_t seq, std::span<const Row> rows) {
-  if (rows.empty()) return;
-  const std::vector<std::byte> payload = payload_from(rows);
-  const std::vector<std::byte> bytes = packer_.pack(payload);
-  const auto row_count = static_cast<std::int64_t>(rows.size());
-  const ChunkPlace place{stream, seq, rows.front().tick, row_count};
+void WindowWriter::insert_chunk(Stream stream, std::int64_t seq, const Columns& columns,
+                                const Columns* tape) {
+  if (columns.row_count() == 0) return;
+  const std::span<const std::byte> payload = payload_in(payload_, columns);
+  const std::vector<std::byte> bytes = packer_.pack(columns, payload, tape);
+  const auto row_count = static_cast<std::int64_t>(columns.row_count());
+  const ChunkPlace place{stream, seq, columns.column(0).front(), row_count};
   last_link_ = link_of(last_link_, attempt_, place, payload);
   SQLite::Statement insert{database_.connection(),
                            "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "

@@ -32,13 +32,13 @@ class WindowWriter {
   const RecorderStatistics& statistics() const noexcept { return statistics_; }
 
  private:
-  template <typename Row>
-  void insert_chunk(Stream stream, std::int64_t seq, std::span<const Row> rows);
+  void insert_chunk(Stream stream, std::int64_t seq, const Columns& columns, const Columns* tape);
 
   Database database_;
   AttemptId attempt_;
   std::int64_t attempt_number_ = 0;
   ChunkPacker packer_;
+  std::vector<std::byte> payload_;
   Digest last_link_;
   RecorderStatistics statistics_;
 };

@@ -1,0 +1,67 @@
+/// For the sources of this room only: the chunks of an attempt as they are stored, and what is in them.
+///
+/// The link of a chunk binds it to the one before, and every link is stored: so each chunk can be checked by itself, in any
+/// order and on any thread, and all of them together are the chain.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "database/chain.h"
+#include "database/connection.h"
+#include "simulator/record/record.h"
+
+namespace hallux::database {
+
+struct StoredChunk {
+  std::int64_t number = 0;  ///< its row in the database
+  ChunkPlace place;
+  std::vector<std::byte> bytes;
+  std::optional<Digest> link;
+};
+
+/// Windows by their numbers, from `first` up to and not with `end`.
+struct WindowRange {
+  std::int64_t first = 0, end = 0;
+};
+
+/// In the order of the chain.
+/// errors  DatabaseError
+std::vector<StoredChunk> load_chunks(Database& database, const AttemptId& id,
+                                     const WindowRange& windows);
+
+/// Reads chunks of one attempt and checks their links.
+/// thread  one at a time
+class ChunkReader {
+ public:
+  explicit ChunkReader(AttemptId attempt) : attempt_(std::move(attempt)) {}
+
+  /// What `chunk` holds, without a look at its link; valid until the next call.
+  /// errors  DatabaseError Damaged
+  const Columns& read(const StoredChunk& chunk, const Columns* tape);
+  /// What it holds, checked against the stored link before it; valid until the next call.
+  /// errors  DatabaseError Damaged
+  const Columns& read_checked(const StoredChunk& chunk, const Columns* tape, const Digest& before);
+
+ private:
+  AttemptId attempt_;
+  ChunkUnpacker unpacker_;
+  Columns columns_;
+  std::vector<std::byte> payload_;
+};
+
+/// Chunks in the order of the chain, the first of which stands at the beginning of a window.
+struct ChunkRun {
+  std::span<const StoredChunk> chunks;
+  Digest before;  ///< the link before the first of them
+};
+
+/// All rows of the run, its links checked, appended to `recording`: of many chunks on two threads.
+/// errors  DatabaseError Damaged naming the first chunk that does not fit
+void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
+                simulator::Recording& recording);
+
+[[noreturn]] void fail_chunk(const Database& database, const AttemptId& id,
+                             const StoredChunk& chunk, std::string_view reason);
+
+}  // namespace hallux::database
