@@ -182,23 +182,29 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
   });
 }
 
-AttemptHeader load_header(Database& database, const AttemptId& id) {
+std::vector<AttemptHeader> headers_that_begin_with(Database& database, const AttemptId& id) {
   return translating(database, "look for an attempt", [&] {
     std::vector<AttemptHeader> found;
-    if (is_uuid_start(id.text)) {
-      SQLite::Statement row{database.connection(), std::string{header_columns} +
-                                                       "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g' "
-                                                       "LIMIT 2"};
-      row.bind(1, id.text);
-      while (row.executeStep()) found.push_back(header_in(row));
-    }
-    if (found.size() == 1) return found.front();
-    throw DatabaseError{
-        DatabaseErrorKind::NotFound,
-        (found.empty() ? "there is no attempt '" : "more than one attempt begins with '") +
-            id.text + "' in " + database.file().string() +
-            "; `hallux attempts` lists those there are"};
+    if (!is_uuid_start(id.text)) return found;
+    SQLite::Statement row{database.connection(), std::string{header_columns} +
+                                                     "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'"};
+    row.bind(1, id.text);
+    while (row.executeStep()) found.push_back(header_in(row));
+    return found;
   });
+}
+
+AttemptHeader the_one_of(Database& database, std::vector<AttemptHeader> found,
+                         const AttemptId& id) {
+  if (found.size() == 1) return std::move(found.front());
+  throw DatabaseError{
+      DatabaseErrorKind::NotFound,
+      (found.empty() ? "there is no attempt '" : "more than one attempt begins with '") + id.text +
+          "' in " + database.file().string() + "; `hallux attempts` lists those there are"};
+}
+
+AttemptHeader load_header(Database& database, const AttemptId& id) {
+  return the_one_of(database, headers_that_begin_with(database, id), id);
 }
 
 void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,

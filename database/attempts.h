@@ -33,6 +33,12 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
 /// errors  DatabaseError NotFound naming the id
 AttemptHeader load_header(Database& database, const AttemptId& id);
 
+/// All whose uuid is `id` or begins with it; none where it is no beginning of a uuid.
+std::vector<AttemptHeader> headers_that_begin_with(Database& database, const AttemptId& id);
+/// The only one that was found.
+/// errors  DatabaseError NotFound where there is none, or more than one
+AttemptHeader the_one_of(Database& database, std::vector<AttemptHeader> found, const AttemptId& id);
+
 /// Closes an attempt: state, duration, quality and seal, whether it is valid by that quality, with an audit row that holds the
 /// seal.
 /// needs   the writer of the attempt has committed its last window; `last_link` is the link of that

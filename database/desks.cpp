@@ -19,6 +19,27 @@ constexpr std::array<std::string_view, action_count> action_names{
     "read_audit",      "back_up",         "list_origins",       "accept_origin",
     "read_notices",    "change_settings", "erase_person"};
 
+std::string_view name_of(Action action) noexcept {
+  return action_names[static_cast<std::size_t>(action)];
+}
+
+/// A replay reads its attempt piece by piece: one line for all that is read within a minute.
+bool was_viewed_lately(Database& database, PersonId viewer, const AttemptId& attempt) {
+  return translating(database, "look into the audit", [&] {
+    SQLite::Statement row{
+        database.connection(),
+        "SELECT EXISTS (SELECT 1 FROM audit WHERE audit_id > (SELECT max(audit_id) FROM audit) - "
+        "100 "
+        "AND actor_person_id = ?1 AND action = 'attempt_viewed' AND subject_id = ?2 "
+        "AND at_utc BETWEEN strftime('%Y-%m-%dT%H:%M:%fZ', ?3, '-1 minute') AND ?3)"};
+    row.bind(1, viewer.number);
+    row.bind(2, attempt.text);
+    row.bind(3, utc_now(database));
+    row.executeStep();
+    return row.getColumn(0).getInt() != 0;
+  });
+}
+
 /// A desk taken at sign-in may outlive the right to it.
 bool still_holds_role(Database& database, const DeskHolder& holder) {
   if (!holder.person) return holder.role == Role::House;
@@ -35,7 +56,7 @@ bool still_holds_role(Database& database, const DeskHolder& holder) {
 void require(Database& database, const DeskHolder& holder, Action action, Relation relation,
              const std::string& subject) {
   if (allows(holder.role, action, relation) && still_holds_role(database, holder)) return;
-  const std::string name{action_names[static_cast<std::size_t>(action)]};
+  const std::string name{name_of(action)};
   append_audit(database, {holder.person, name, "desk", "", true, {}, subject});
   throw DatabaseError{DatabaseErrorKind::Refused, "you may not do this (" + name + ") to " +
                                                       subject +
@@ -56,11 +77,45 @@ Relation AttemptDesk::relation_to(const std::optional<PersonId>& owner) {
   return Relation::Other;
 }
 
+std::optional<AttemptHeader> AttemptDesk::seen_header(const AttemptId& id) {
+  std::vector<AttemptHeader> found = headers_that_begin_with(*database_, id);
+  std::erase_if(found,
+                [&](const AttemptHeader& header) { return !may(Action::ViewAttempt, header); });
+  if (found.empty()) return std::nullopt;
+  return the_one_of(*database_, std::move(found), id);
+}
+
 AttemptHeader AttemptDesk::allowed_header(Action action, const AttemptId& id) {
-  AttemptHeader header = load_header(*database_, id);
-  require(*database_, holder_, action, relation_to(header.begun.person),
-          "attempt " + header.id.text);
-  return header;
+  std::optional<AttemptHeader> header = seen_header(id);
+  if (!header) {
+    refuse_unseen(action, "attempt '" + id.text + "'",
+                  !headers_that_begin_with(*database_, id).empty());
+  }
+  require(*database_, holder_, action, relation_to(header->begun.person),
+          "attempt " + header->id.text);
+  return *std::move(header);
+}
+
+void AttemptDesk::refuse_unseen(Action action, const std::string& subject, bool is_there) {
+  // What somebody typed is no place to fill the audit from.
+  const std::string named = subject.substr(0, 80);
+  append_audit(*database_, {holder_.person,
+                            std::string{name_of(action)},
+                            "desk",
+                            "",
+                            true,
+                            {},
+                            named + (is_there ? "" : ", which is not there")});
+  throw DatabaseError{DatabaseErrorKind::Refused,
+                      "there is no " + named +
+                          " that you may see; `hallux attempts` lists those "
+                          "you may, and --as says who you are"};
+}
+
+void AttemptDesk::note_view(const AttemptHeader& header) {
+  if (!header.begun.person || header.begun.person == holder_.person) return;
+  if (was_viewed_lately(*database_, *holder_.person, header.id)) return;
+  audit("attempt_viewed", "attempt", header.id.text);
 }
 
 void AttemptDesk::audit(const std::string& action, const char* subject_kind,
@@ -84,14 +139,14 @@ AttemptHeader AttemptDesk::header(const AttemptId& id) {
 
 simulator::Recording AttemptDesk::recording(const AttemptId& id) {
   const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
-  if (header.begun.person && header.begun.person != holder_.person) {
-    audit("attempt_viewed", "attempt", header.id.text);
-  }
+  note_view(header);
   return load_recording(*database_, header.id);
 }
 
 std::optional<StoredScore> AttemptDesk::score(const AttemptId& id) {
-  return load_score(*database_, allowed_header(Action::ViewAttempt, id).id);
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
+  note_view(header);
+  return load_score(*database_, header.id);
 }
 
 std::vector<Decision> AttemptDesk::decisions(const AttemptId& id) {
@@ -120,15 +175,19 @@ std::vector<Note> CourseDesk::notes(const AttemptId& id) {
       allows(holder_.role, Action::ReadPrivateNotes, relation_to(header.begun.person)));
 }
 
+void CourseDesk::check_may_reply(NoteId note) {
+  const std::optional<Note> replied = find_note(*database_, note);
+  const std::optional<AttemptHeader> header =
+      replied ? seen_header(replied->attempt) : std::nullopt;
+  const bool may_read =
+      header && may(replied->is_private ? Action::ReadPrivateNotes : Action::ReadNotes, *header);
+  const std::string subject = "note " + std::to_string(note.number);
+  if (!may_read) refuse_unseen(Action::ReplyToNote, subject, replied.has_value());
+  require(*database_, holder_, Action::ReplyToNote, relation_to(header->begun.person), subject);
+}
+
 void CourseDesk::reply(NoteId note, const std::string& text) {
-  const Note replied = load_note(*database_, note);
-  const AttemptHeader header = allowed_header(Action::ReplyToNote, replied.attempt);
-  if (replied.is_private &&
-      !allows(holder_.role, Action::ReadPrivateNotes, relation_to(header.begun.person))) {
-    throw DatabaseError{
-        DatabaseErrorKind::NotFound,
-        "there is no note " + std::to_string(note.number) + " in " + database_->file().string()};
-  }
+  check_may_reply(note);
   in_transaction(*database_, "reply to a note", [&] {
     add_reply(*database_, note, text, *holder_.person);
     audit("note_replied", "note", std::to_string(note.number));

@@ -32,12 +32,13 @@ struct DeskHolder {
   std::optional<CohortId> cohort;  ///< the instructor's
 };
 
-/// Reading attempts: the same for every role, with other rows.
+/// Reading attempts: the same for every role, with other rows. An attempt that this desk may not view and one that does not
+/// exist are refused alike.
 class AttemptDesk {
  public:
   /// Those the table lets this desk list, newest first.
   std::vector<AttemptHeader> attempts();
-  /// errors  DatabaseError: NotFound, Refused; of the other methods as well
+  /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
@@ -48,12 +49,21 @@ class AttemptDesk {
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
 
  protected:
+  friend class Session;
   AttemptDesk(Database& database, DeskHolder holder) : database_(&database), holder_(holder) {}
   WriterLease begin(const NewAttempt& attempt);
   /// What this desk's holder is to an attempt of `owner`.
   Relation relation_to(const std::optional<PersonId>& owner);
+  /// The attempt that `id` names or begins, of those this desk may view: what it may not is as if it were not there.
+  /// errors  DatabaseError NotFound where it begins more than one of them
+  std::optional<AttemptHeader> seen_header(const AttemptId& id);
   /// The header, once the table allowed `action` on it.
+  /// errors  DatabaseError Refused, in the same words where there is no such attempt
   AttemptHeader allowed_header(Action action, const AttemptId& id);
+  /// Refuses what is not there and what may not be seen in the same words and with the same work; the audit knows which.
+  [[noreturn]] void refuse_unseen(Action action, const std::string& subject, bool is_there);
+  /// Writes to the audit that the holder saw the attempt of another person, once in a minute.
+  void note_view(const AttemptHeader& header);
   /// An audit row of something done by the holder.
   void audit(const std::string& action, const char* subject_kind, std::string subject_id);
 
@@ -74,11 +84,12 @@ class CourseDesk : public AttemptDesk {
  public:
   /// By moment, with their replies; private ones for those whom the table lets read them.
   std::vector<Note> notes(const AttemptId& id);
-  /// errors  DatabaseError: NotFound, also for a private note that this desk may not read; BadInput for the text
+  /// errors  DatabaseError: Refused, alike for a note that this desk may not read and for none; BadInput for the text
   void reply(NoteId note, const std::string& text);
 
  protected:
   using AttemptDesk::AttemptDesk;
+  void check_may_reply(NoteId note);
 };
 
 /// Whether the proof is the holder's own.

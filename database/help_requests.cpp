@@ -78,16 +78,23 @@ std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter
   });
 }
 
-HelpRequest load_help_request(Database& database, HelpRequestId id) {
-  return translating(database, "read a help request", [&] {
+std::optional<HelpRequest> find_help_request(Database& database, HelpRequestId id) {
+  return translating(database, "read a help request", [&]() -> std::optional<HelpRequest> {
     SQLite::Statement row{database.connection(),
                           std::string{help_columns} + "WHERE h.help_request_id = ?"};
     row.bind(1, id.number);
-    if (row.executeStep()) return request_in(row);
-    throw DatabaseError{DatabaseErrorKind::NotFound, "there is no help request " +
-                                                         std::to_string(id.number) + " in " +
-                                                         database.file().string()};
+    if (!row.executeStep()) return std::nullopt;
+    return request_in(row);
   });
+}
+
+HelpRequest load_help_request(Database& database, HelpRequestId id) {
+  if (std::optional<HelpRequest> request = find_help_request(database, id)) {
+    return *std::move(request);
+  }
+  throw DatabaseError{
+      DatabaseErrorKind::NotFound,
+      "there is no help request " + std::to_string(id.number) + " in " + database.file().string()};
 }
 
 void answer_help_request(Database& database, HelpRequestId id, const std::string& answer,

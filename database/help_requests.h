@@ -23,6 +23,7 @@ struct HelpFilter {
 /// Open ones first, oldest first among them; then the answered, newest first.
 std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter& filter);
 
+std::optional<HelpRequest> find_help_request(Database& database, HelpRequestId id);
 /// errors  DatabaseError NotFound
 HelpRequest load_help_request(Database& database, HelpRequestId id);
 

@@ -53,9 +53,12 @@ std::vector<HelpRequest> InstructorDesk::help_requests(bool open_only) {
 }
 
 void InstructorDesk::answer(HelpRequestId request, const std::string& text) {
-  const HelpRequest asked = load_help_request(*database_, request);
-  require(*database_, holder_, Action::AnswerHelp, relation_to(asked.asker),
-          "help request " + std::to_string(request.number));
+  const std::optional<HelpRequest> asked = find_help_request(*database_, request);
+  const std::string subject = "help request " + std::to_string(request.number);
+  if (!asked || !allows(holder_.role, Action::ReadHelp, relation_to(asked->asker))) {
+    refuse_unseen(Action::AnswerHelp, subject, asked.has_value());
+  }
+  require(*database_, holder_, Action::AnswerHelp, relation_to(asked->asker), subject);
   in_transaction(*database_, "answer a help request", [&] {
     answer_help_request(*database_, request, text, *holder_.person);
     audit("help_answered", "help_request", std::to_string(request.number));

@@ -105,19 +105,21 @@ std::vector<Note> list_notes(Database& database, const AttemptId& attempt, bool 
   });
 }
 
-Note load_note(Database& database, NoteId id) {
-  return translating(database, "read a note", [&] {
+std::optional<Note> find_note(Database& database, NoteId id) {
+  return translating(database, "read a note", [&]() -> std::optional<Note> {
     SQLite::Statement row{database.connection(), std::string{note_columns} + "WHERE n.note_id = ?"};
     row.bind(1, id.number);
-    if (!row.executeStep()) {
-      throw DatabaseError{
-          DatabaseErrorKind::NotFound,
-          "there is no note " + std::to_string(id.number) + " in " + database.file().string()};
-    }
+    if (!row.executeStep()) return std::nullopt;
     Note note = note_in(row);
     note.replies = replies_to(database, id);
     return note;
   });
+}
+
+Note load_note(Database& database, NoteId id) {
+  if (std::optional<Note> note = find_note(database, id)) return *std::move(note);
+  throw DatabaseError{DatabaseErrorKind::NotFound, "there is no note " + std::to_string(id.number) +
+                                                       " in " + database.file().string()};
 }
 
 void add_reply(Database& database, NoteId note, const std::string& text, PersonId author) {

@@ -15,6 +15,7 @@ NoteId add_note(Database& database, const NewNote& note, PersonId author);
 /// By moment. `with_private`: also what is for instructors only.
 std::vector<Note> list_notes(Database& database, const AttemptId& attempt, bool with_private);
 
+std::optional<Note> find_note(Database& database, NoteId id);
 /// errors  DatabaseError NotFound
 Note load_note(Database& database, NoteId id);
 

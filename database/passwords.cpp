@@ -14,34 +14,25 @@ namespace hallux::database {
 namespace {
 
 /// Twelve characters or more, because shorter ones are refused anyway.
-constexpr std::array<std::string_view, 28> common_passwords{"123456789012",
-                                                            "1234567890123",
-                                                            "012345678901",
-                                                            "987654321098",
-                                                            "password1234",
-                                                            "passwordpassword",
-                                                            "password12345",
-                                                            "passwort1234",
-                                                            "passwortpasswort",
-                                                            "qwertyuiop12",
-                                                            "qwertyuiop123",
-                                                            "qwertyuiopasdf",
-                                                            "qwertyuiopas",
-                                                            "qwertzuiop12",
-                                                            "1q2w3e4r5t6y",
-                                                            "1qaz2wsx3edc",
-                                                            "abcdefghijkl",
-                                                            "abcdefghijklm",
-                                                            "administrator",
-                                                            "administrator1",
-                                                            "letmeinletmein",
-                                                            "iloveyou1234",
-                                                            "welcome12345",
-                                                            "trustno1trustno1",
-                                                            "changemechangeme",
-                                                            "correcthorsebatterystaple",
-                                                            "correct horse battery staple",
-                                                            "correct-horse-battery-staple"};
+// clang-format off
+constexpr std::array<std::string_view, 78> common_passwords{
+    "123456789012", "1234567890123", "012345678901", "987654321098", "password1234",
+    "passwordpassword", "password12345", "passwort1234", "passwortpasswort", "qwertyuiop12",
+    "qwertyuiop123", "qwertyuiopasdf", "qwertyuiopas", "qwertzuiop12", "1q2w3e4r5t6y",
+    "1qaz2wsx3edc", "abcdefghijkl", "abcdefghijklm", "administrator", "administrator1",
+    "letmeinletmein", "iloveyou1234", "welcome12345", "trustno1trustno1", "changemechangeme",
+    "correcthorsebatterystaple", "correct horse battery staple", "correct-horse-battery-staple",
+    "123123123123", "121212121212", "112233445566", "111222333444", "123456123456",
+    "abc123abc123", "abcd1234abcd", "abcdefgh1234", "password2024", "password2025",
+    "password2026", "password!234", "password123!", "adminadmin12", "adminadminadmin",
+    "administrator123", "administrateur", "letmein12345", "letmeinplease", "welcomewelcome",
+    "willkommen123", "iloveyouiloveyou", "sunshine1234", "footballfootball", "qwertyqwerty",
+    "qwerty123456", "asdfghjkl123", "asdfasdfasdf", "zxcvbnm12345", "zaq12wsxcde3",
+    "secretsecret", "geheimgeheim", "passphrase12", "thisismypassword", "mypassword12",
+    "newpassword1", "changeme1234", "default12345", "testtesttest", "trainee12345",
+    "instructor12", "hallux valgus", "halluxvalgus", "halluxhallux", "osteotomy123",
+    "podiatry1234", "orthopaedics", "footsurgery1", "student12345", "university12"};
+// clang-format on
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw DatabaseError{DatabaseErrorKind::BadInput, sentence};
@@ -56,9 +47,18 @@ bool is_same_but_for_case(std::string_view a, std::string_view b) noexcept {
                     [](char x, char y) { return lower_case(x) == lower_case(y); });
 }
 
+/// The login once, or again and again.
+bool is_only(std::string_view text, std::string_view login) noexcept {
+  if (login.empty() || text.size() % login.size() != 0) return false;
+  for (std::size_t place = 0; place < text.size(); place += login.size()) {
+    if (!is_same_but_for_case(text.substr(place, login.size()), login)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-void check_password_rules(const SecretText& password) {
+void check_password_rules(const SecretText& password, std::string_view login) {
   const std::size_t count = password.code_point_count();
   if (count < password_code_points_min) {
     refuse("the password has " + std::to_string(count) + " characters; it must have at least 12");
@@ -74,6 +74,7 @@ void check_password_rules(const SecretText& password) {
       std::any_of(common_passwords.begin(), common_passwords.end(),
                   [text](std::string_view common) { return is_same_but_for_case(text, common); });
   if (is_common) refuse("the password is one that everybody tries first; choose another");
+  if (is_only(text, login)) refuse("the password is the login; choose another");
 }
 
 std::string hash_password(const SecretText& password, const PasswordCost& cost) {

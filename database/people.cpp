@@ -98,7 +98,7 @@ PersonId insert_new_person(Database& database, const NewPerson& person) {
 PersonId create_person(Database& database, const NewPerson& person, const SecretText& password,
                        const PasswordCost& cost) {
   check_login_rules(person.login);
-  check_password_rules(password);
+  check_password_rules(password, person.login);
   const std::string argon2id = hash_password(password, cost);
   return in_transaction_of_caller(database, "add a person", [&] {
     const PersonId id = insert_new_person(database, person);
@@ -186,10 +186,9 @@ std::optional<Person> verify_person(Database& database, std::string_view login,
 
 void set_password(Database& database, PersonId id, const SecretText& password,
                   const PasswordCost& cost) {
-  check_password_rules(password);
+  check_password_rules(password, load_person(database, id).login);
   const std::string argon2id = hash_password(password, cost);
   in_transaction_of_caller(database, "set a password", [&] {
-    load_person(database, id);
     store_hash(database, id, argon2id);
   });
 }

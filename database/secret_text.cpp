@@ -3,6 +3,7 @@
 #include <sodium.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace hallux::database {
@@ -16,8 +17,23 @@ SecretText SecretText::take(std::string& source) {
   return secret;
 }
 
+namespace {
+
+char* locked_bytes(std::size_t size) {
+  // Once for the program; again it does nothing.
+  if (sodium_init() < 0) throw std::bad_alloc{};
+  auto* bytes = static_cast<char*>(sodium_malloc(size));
+  if (bytes == nullptr) throw std::bad_alloc{};
+  return bytes;
+}
+
+}  // namespace
+
+/// Overwrites before it frees.
+void SecretText::Freed::operator()(char* bytes) const noexcept { sodium_free(bytes); }
+
 SecretText::SecretText(std::string_view text)
-    : bytes_(std::make_unique<char[]>(text.size() + 1)), size_(text.size()) {
+    : bytes_(locked_bytes(text.size() + 1)), size_(text.size()) {
   std::copy(text.begin(), text.end(), bytes_.get());
 }
 
@@ -43,7 +59,6 @@ std::size_t SecretText::code_point_count() const noexcept {
 }
 
 void SecretText::wipe() noexcept {
-  if (bytes_) sodium_memzero(bytes_.get(), size_);
   bytes_.reset();
   size_ = 0;
 }

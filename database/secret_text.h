@@ -1,4 +1,4 @@
-/// A password on its way: never copied, wiped when it goes.
+/// A password on its way: never copied, kept out of the swap file and of core dumps, wiped when it goes.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,11 @@ class SecretText {
   explicit SecretText(std::string_view text);
   void wipe() noexcept;
 
-  std::unique_ptr<char[]> bytes_;
+  /// Memory of its own pages, locked where the system allows it.
+  struct Freed {
+    void operator()(char* bytes) const noexcept;
+  };
+  std::unique_ptr<char, Freed> bytes_;
   std::size_t size_ = 0;
 };
 

@@ -126,10 +126,10 @@ std::vector<AttemptHeader> Session::attempts() {
 }
 
 std::optional<AttemptDesk> Session::desk_for(Action action, const AttemptId& id) {
-  const AttemptHeader header = load_header(*database_, id);
   std::vector<AttemptDesk> held = desks();
   for (AttemptDesk& desk : held) {
-    if (desk.may(action, header)) return desk;
+    const std::optional<AttemptHeader> header = desk.seen_header(id);
+    if (header && desk.may(action, *header)) return desk;
   }
   if (held.empty()) return std::nullopt;
   return held.front();

@@ -32,9 +32,10 @@ class Session {
   std::vector<AttemptDesk> desks();
   /// What they may list from any of them, each attempt once, newest first.
   std::vector<AttemptHeader> attempts();
-  /// The first of this person's desks from which the table allows `action` on that attempt; the trainee's where none does, which refuses; nothing for a person disabled
-  /// since. Looking for it is not written to the audit.
-  /// errors  DatabaseError NotFound
+  /// The first of this person's desks from which the table allows `action` on that attempt; where none does, or there is no
+  /// such attempt, the trainee's, which refuses; nothing for a person disabled since. Looking for it is not written to the
+  /// audit.
+  /// errors  DatabaseError NotFound where `id` begins more than one that they may see
   std::optional<AttemptDesk> desk_for(Action action, const AttemptId& id);
 
   /// errors  DatabaseError: Refused where the old password is wrong; TooSoon; BadInput for a weak new one

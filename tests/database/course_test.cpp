@@ -130,7 +130,7 @@ TEST_F(Course, NeverShowsATraineeAPrivateNote) {
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_EQ(seen[0].id, open);
   EXPECT_EQ(kind_thrown([&] { trainee("ada").reply(hidden, "which one?"); }),
-            DatabaseErrorKind::NotFound);
+            DatabaseErrorKind::Refused);
   const auto all = desk.notes(id);
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].id, hidden) << "by moment";

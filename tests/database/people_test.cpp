@@ -122,6 +122,19 @@ TEST(Passwords, MustBeLongAndUncommon) {
                DatabaseError);
 }
 
+TEST(Passwords, AreNotTheLogin) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  EXPECT_NO_THROW(check_password_rules(secret("adalovelace and more"), "adalovelace"));
+  EXPECT_THROW(check_password_rules(secret("adalovelace1"), "adalovelace1"), DatabaseError);
+  EXPECT_THROW(check_password_rules(secret("AdaLovelace1"), "adalovelace1"), DatabaseError);
+  EXPECT_THROW(check_password_rules(secret("lovelovelove"), "love"), DatabaseError);
+  const PersonId id = add(database, "lovelace.ada");
+  EXPECT_THROW(set_password(database, id, secret("lovelace.ada"), cheap), DatabaseError);
+  EXPECT_THROW(create_person(database, {"ada.lovelace", "", false}, secret("ada.lovelace"), cheap),
+               DatabaseError);
+}
+
 TEST(Passwords, AreCountedInCharactersNotBytes) {
   // Six characters of two bytes each are no twelve.
   EXPECT_THROW(check_password_rules(secret("\xC3\xA4\xC3\xB6\xC3\xBC\xC3\x9F\xC3\xA9\xC3\xA8")),
