@@ -52,7 +52,32 @@ def check_foreign(table, path, header):
     return f"<{header}> may not be included here"
 
 
-def check_file(table, root, file, arrows, findings):
+DECLARED = re.compile(r"^(?!#|//|using|namespace|struct|class|enum|friend|extern|inline constexpr|constexpr)"
+                      r"[\w:<>,&* ]+?[ &*](\w+)\(", re.MULTILINE)
+
+
+def guarded_functions(table, root):
+    """Of each header of a guarded room the free functions that it declares: they stand at the line's beginning."""
+    functions = {}
+    for room in table.guarded_rooms():
+        for header in sorted((root / room).glob("*.h")):
+            path = header.relative_to(root).as_posix()
+            for name in DECLARED.findall(header.read_text(errors="replace")):
+                functions.setdefault(name, set()).add(path)
+    return functions
+
+
+def check_doors(table, functions, path, line):
+    """Why this line of `path` goes past the doors of a guarded room, or None: a header in reach may bring others along."""
+    for match in re.finditer(r"(?<![\w.>:])(?:database::(\w+)\(|(\w+)\(\*?\w*database_?[,)])", line):
+        name = match.group(1) or match.group(2)
+        headers = functions.get(name, ())
+        if headers and not any(table.is_open(path, header) for header in headers):
+            return f"{name}() of {min(headers)} is behind a desk; ask the desk, or name this file in [doors]"
+    return None
+
+
+def check_file(table, root, file, arrows, findings, functions):
     path = file.relative_to(root).as_posix()
     is_test = lies_in(path, "tests")
     unit = "tests" if is_test else table.unit_of(path)
@@ -62,6 +87,9 @@ def check_file(table, root, file, arrows, findings):
     for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
         match = INCLUDE.match(line)
         if not match:
+            past = None if is_test or not functions else check_doors(table, functions, path, line)
+            if past:
+                findings.append((f"{path}:{number}", past))
             continue
         header = match.group(2)
         if match.group(1) == "<":
@@ -70,6 +98,8 @@ def check_file(table, root, file, arrows, findings):
             wrong = None if (root / header).is_file() else f'"{header}" is not a file from the root'
         else:
             wrong = check_own(table, root, unit, header)
+            if not wrong and not table.is_open(path, header):
+                wrong = f"{header} is behind a desk; ask the desk, or name this file in [doors]"
             arrows.setdefault(unit, set()).add(table.unit_of(header) or header)
         if wrong:
             findings.append((f"{path}:{number}", wrong))
@@ -84,8 +114,9 @@ def main():
     table_file = arguments.table or root / "tests/architecture/arrows.txt"
     table = read_arrow_table(table_file)
     findings, arrows, count = [], {}, 0
+    functions = guarded_functions(table, root)
     for file in source_files(root):
-        check_file(table, root, file, arrows, findings)
+        check_file(table, root, file, arrows, findings, functions)
         count += 1
     allowed = {unit: table.targets(unit) for unit in table.arrows}
     used = {unit: others - {unit} for unit, others in arrows.items()}

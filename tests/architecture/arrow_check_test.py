@@ -45,6 +45,29 @@ class ArrowCheck(PlantedTree):
         self.plant("ui/app/main.cpp", "#include <boost/any.hpp>\n")
         self.expect_violation("ui/app/main.cpp:1", "does not name", "arrow_check.py")
 
+    def test_lets_doors_be_used_by_whom_they_are_for(self):
+        self.plant("database/session.h", "Session sign_in(Database& database);\n")
+        self.plant("database/records/note.h", "")
+        self.plant("ui/jobs/come_in.cpp", '#include "database/session.h"\n#include "database/records/note.h"\n'
+                   "void come(Database& database) { database::sign_in(database); desk.load_note(database); }\n")
+        self.expect_clean("arrow_check.py")
+
+    def test_refuses_a_header_behind_a_desk(self):
+        self.plant("database/notes.h", "")
+        self.plant("ui/jobs/read.cpp", '#include "database/notes.h"\n')
+        self.expect_violation("ui/jobs/read.cpp:1", "behind a desk", "arrow_check.py")
+
+    def test_refuses_a_function_behind_a_desk_that_another_header_brings_along(self):
+        self.plant("database/notes.h", "std::vector<Note> list_notes(Database& database,\n    AttemptId id);\n")
+        for call in ("database::list_notes(opened, id)", "list_notes(database, id)", "list_notes(*database_, id)"):
+            self.plant("ui/jobs/read.cpp", f"auto read() {{ return {call}; }}\n")
+            self.expect_violation("ui/jobs/read.cpp:1", "list_notes() of database/notes.h", "arrow_check.py")
+
+    def test_refuses_a_door_that_is_for_another_file(self):
+        self.plant("database/verify.h", "void verify(Database& database);\n")
+        self.plant("ui/jobs/read.cpp", '#include "database/verify.h"\n')
+        self.expect_violation("ui/jobs/read.cpp:1", "behind a desk", "arrow_check.py")
+
     def test_refuses_a_cycle_in_the_table(self):
         self.plant("tests/architecture/arrows.txt", "[arrows]\nsimulator/a: simulator/b\nsimulator/b: simulator/a\n")
         self.expect_violation("arrows.txt", "simulator/a -> simulator/b -> simulator/a", "arrow_check.py")

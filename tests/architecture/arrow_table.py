@@ -9,6 +9,7 @@ class ArrowTable:
     arrows: dict = field(default_factory=dict)     # unit -> list of units or room/*
     foreign: dict = field(default_factory=dict)    # header prefix -> list of units
     libraries: dict = field(default_factory=dict)  # library -> list of units
+    doors: dict = field(default_factory=dict)      # header of a guarded room -> units and files that may include it
 
     def unit_of(self, path):
         """The longest unit that holds `path` (from the root, with /), or None."""
@@ -20,6 +21,16 @@ class ArrowTable:
             return True
         return any(other == allowed or (allowed.endswith("/*") and lies_in(other, allowed[:-2]))
                    for allowed in self.arrows[unit])
+
+    def guarded_rooms(self):
+        return {header.split("/", 1)[0] for header in self.doors}
+
+    def is_open(self, path, header):
+        """Whether the file `path` may include `header` of a guarded room: its plain records are everybody's."""
+        room = header.split("/", 1)[0]
+        if room not in self.guarded_rooms() or lies_in(path, room) or lies_in(header, room + "/records"):
+            return True
+        return any(lies_in(path, unit) for unit in self.doors.get(header, ()))
 
     def targets(self, unit):
         return [other for other in self.arrows if other != unit and self.may_include(unit, other)]
