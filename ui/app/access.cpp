@@ -13,6 +13,8 @@ namespace hallux::ui {
 
 namespace {
 
+constexpr std::size_t line_bytes = 4096;
+
 /// Keeps the terminal from showing what is typed while it lives.
 class SilentTerminal {
  public:
@@ -67,6 +69,7 @@ database::Database open_to_record(const VerbContext& context) {
 database::SecretText ask_password(const VerbContext& context, const std::string& prompt) {
   const bool is_terminal = isatty(STDIN_FILENO) != 0;
   std::string line;
+  line.reserve(line_bytes);  // so that it stays where it is, and nothing is left where it was
   if (is_terminal) {
     context.notes << prompt << ": " << std::flush;
     const SilentTerminal silent;

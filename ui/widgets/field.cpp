@@ -4,6 +4,7 @@
 
 #include "ui/widgets/shapes.h"
 #include "ui/widgets/text_layout.h"
+#include "ui/widgets/wipe.h"
 
 namespace hallux::ui {
 namespace {
@@ -98,14 +99,16 @@ bool press_line_key(TextEdit& edit, const Layout& layout, Chord chord) {
 bool apply_events(Ui& ui, const std::string& id, TextEdit& edit, std::string& text,
                   const FieldSpec& spec, float width) {
   const EditRules rules{spec.max_bytes, spec.lines > 1, spec.is_secret};
-  const std::string before = text;
+  std::string before = text;
   for (const FieldEvent& event : ui.field_events(id)) {
     if (event.character != 0)
       type_character(edit, text, event.character, rules);
     else if (!press_line_key(edit, lay_out(ui, text, spec, width), event.chord))
       press_edit_key(edit, text, event.chord, rules, ui.clipboard());
   }
-  return text != before;
+  const bool is_changed = text != before;
+  if (spec.is_secret) wipe(before);
+  return is_changed;
 }
 
 void apply_pointer(Ui& ui, const Response& response, TextEdit& edit, std::string_view text,

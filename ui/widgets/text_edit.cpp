@@ -1,13 +1,19 @@
 #include "ui/widgets/text_edit.h"
 
 #include "ui/widgets/text_layout.h"
+#include "ui/widgets/wipe.h"
 
 namespace hallux::ui {
 namespace {
 
 constexpr std::size_t max_past = 100;
 
-void remember(TextEdit& edit, const std::string& text, bool is_typing) {
+// A secret has no past: what was undone would stay in memory.
+void remember(TextEdit& edit, std::string& text, bool is_typing, const EditRules& rules) {
+  if (rules.is_secret) {
+    make_room_for_secret(text, rules.max_bytes);
+    return;
+  }
   if (is_typing && edit.is_typing) return;
   edit.past.push_back({text, edit.cursor});
   if (edit.past.size() > max_past) edit.past.erase(edit.past.begin());
@@ -40,9 +46,9 @@ std::size_t word_after(std::string_view text, std::size_t place) {
   return place;
 }
 
-void erase_towards(TextEdit& edit, std::string& text, std::size_t place) {
+void erase_towards(TextEdit& edit, std::string& text, std::size_t place, const EditRules& rules) {
   if (!edit.cursor.has_selection() && place == edit.cursor.caret) return;
-  remember(edit, text, false);
+  remember(edit, text, false, rules);
   if (!edit.cursor.has_selection()) edit.cursor.anchor = place;
   erase_selection(edit, text);
 }
@@ -64,6 +70,12 @@ void copy(const TextEdit& edit, const std::string& text, const EditRules& rules,
       std::string_view(text).substr(edit.cursor.begin(), edit.cursor.end() - edit.cursor.begin()));
 }
 
+void paste(TextEdit& edit, std::string& text, const EditRules& rules, Clipboard& clipboard) {
+  std::string pasted = clipboard.read();
+  insert_text(edit, text, pasted, rules);
+  if (rules.is_secret) wipe(pasted);
+}
+
 bool press_control_key(TextEdit& edit, std::string& text, Chord chord, const EditRules& rules,
                        Clipboard& clipboard) {
   switch (chord.key) {
@@ -76,10 +88,10 @@ bool press_control_key(TextEdit& edit, std::string& text, Chord chord, const Edi
     case Key::X:
       copy(edit, text, rules, clipboard);
       if (edit.cursor.has_selection() && !rules.is_secret)
-        erase_towards(edit, text, edit.cursor.caret);
+        erase_towards(edit, text, edit.cursor.caret, rules);
       return true;
     case Key::V:
-      insert_text(edit, text, clipboard.read(), rules);
+      paste(edit, text, rules, clipboard);
       return true;
     case Key::Z:
       if (chord.modifiers.shift)
@@ -121,7 +133,7 @@ void type_character(TextEdit& edit, std::string& text, char32_t character, const
   append_code_point(typed, character);
   if (text.size() - (edit.cursor.end() - edit.cursor.begin()) + typed.size() > rules.max_bytes)
     return;
-  remember(edit, text, !edit.cursor.has_selection());
+  remember(edit, text, !edit.cursor.has_selection(), rules);
   erase_selection(edit, text);
   text.insert(edit.cursor.caret, typed);
   edit.cursor.caret += typed.size();
@@ -131,9 +143,10 @@ void type_character(TextEdit& edit, std::string& text, char32_t character, const
 void insert_text(TextEdit& edit, std::string& text, std::string_view inserted,
                  const EditRules& rules) {
   if (inserted.empty()) return;
-  remember(edit, text, false);
+  remember(edit, text, false, rules);
   erase_selection(edit, text);
   std::string kept;
+  if (rules.is_secret) kept.reserve(rules.max_bytes);
   for (std::size_t place = 0; place < inserted.size();) {
     char32_t letter = next_code_point(inserted, place);
     if (letter == U'\n' && !rules.is_multiline) letter = U' ';
@@ -146,6 +159,7 @@ void insert_text(TextEdit& edit, std::string& text, std::string_view inserted,
   text.insert(edit.cursor.caret, kept);
   edit.cursor.caret += kept.size();
   edit.cursor.anchor = edit.cursor.caret;
+  if (rules.is_secret) wipe(kept);
 }
 
 void move_caret(TextEdit& edit, std::size_t place, bool is_selecting) noexcept {
@@ -188,10 +202,12 @@ bool press_edit_key(TextEdit& edit, std::string& text, Chord chord, const EditRu
       move_caret(edit, by_word ? text.size() : line_end(text, caret), is_selecting);
       return true;
     case Key::Backspace:
-      erase_towards(edit, text, by_word ? word_before(text, caret) : previous_place(text, caret));
+      erase_towards(edit, text, by_word ? word_before(text, caret) : previous_place(text, caret),
+                    rules);
       return true;
     case Key::Delete:
-      erase_towards(edit, text, by_word ? word_after(text, caret) : following_place(text, caret));
+      erase_towards(edit, text, by_word ? word_after(text, caret) : following_place(text, caret),
+                    rules);
       return true;
     case Key::Enter:
       if (!rules.is_multiline || by_word) return false;

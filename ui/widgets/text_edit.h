@@ -38,7 +38,7 @@ struct TextEdit {
 struct EditRules {
   std::size_t max_bytes = 200;
   bool is_multiline = false;  ///< Enter makes a new line
-  bool is_secret = false;     ///< nothing of it may be copied
+  bool is_secret = false;  ///< nothing of it may be copied or undone, and no copy stays in memory
 };
 
 /// The text that the rest of the desktop shares with us.

@@ -72,6 +72,19 @@ TEST(TextEdit, ASecretIsNeverCopied) {
   EXPECT_EQ(editing.text, "geheim");
 }
 
+TEST(TextEdit, ASecretHasNoPastAndNeverMoves) {
+  Editing editing;
+  editing.rules.is_secret = true;
+  editing.type("g");
+  const char* place = editing.text.data();
+  editing.type("eheim, und noch viel laenger als ein kurzer Text");
+  EXPECT_EQ(editing.text.data(), place);
+  editing.press(Key::Backspace, {.control = true}).press(Key::Z, {.control = true});
+  EXPECT_EQ(editing.text, "geheim, und noch viel laenger als ein kurzer ");
+  EXPECT_TRUE(editing.edit.past.empty());
+  EXPECT_TRUE(editing.edit.undone.empty());
+}
+
 TEST(TextEdit, LettersInARowAreUndoneTogether) {
   Editing editing;
   editing.type("abc").press(Key::Left).type("xy");
