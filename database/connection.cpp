@@ -5,7 +5,9 @@
 #include <system_error>
 #include <vector>
 
+#include "database/file_system.h"
 #include "database/files.h"
+#include "database/log_size.h"
 #include "database/migrations.h"
 #include "database/sql.h"
 #include "database/writer_lease.h"
@@ -50,6 +52,8 @@ void configure(Database& database, Access access) {
     }
     // What is erased is overwritten, not only unlinked.
     connection.exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON;");
+    // SQLite leaves its log as long as it ever was; a slow reader must not fill the disk for good.
+    connection.exec("PRAGMA journal_size_limit = " + std::to_string(log_bytes_kept));
   });
 }
 
@@ -83,6 +87,7 @@ void mark_interrupted_attempts(Database& database) {
 Database::Database(std::filesystem::path directory, const OpenOptions& options)
     : directory_(std::move(directory)), file_(directory_ / "hallux.db"), options_(options) {
   if (options.access == Access::ReadWrite) {
+    check_file_system(directory_, options.file_system);
     make_private_directory(directory_);
     make_private_file(file_);
   } else if (std::error_code error; !std::filesystem::exists(file_, error)) {

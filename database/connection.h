@@ -28,6 +28,8 @@ struct OpenOptions {
   /// and for tests of what expires.
   std::string pretended_utc = {};
   std::string pretended_station = {};  ///< what the sign-in guard counts by; empty: this machine's
+  /// The file system that the directory is on, as a mount table names it; empty: what this system's says. For tests.
+  std::string file_system = {};
 };
 
 /// A connection with the settings that every connection has. One thread at a time may use it.
@@ -35,6 +37,7 @@ class Database {
  public:
   /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600), migrates the
   /// schema, and marks as interrupted the attempts whose writer is gone.
+  /// A network share is refused for writing: the log needs memory that all who write share.
   /// ensures  WAL, synchronous FULL, foreign keys, busy timeout, no trusted schema; a newer file is not touched
   /// errors   DatabaseError: ReadOnly, Full, InputOutput, Damaged, Newer, Locked; NotFound where reading finds no file
   static Database open(const std::filesystem::path& directory, const OpenOptions& options = {});
@@ -50,6 +53,7 @@ class Database {
   SQLite::Database& connection() noexcept { return *connection_; }
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
+  int busy_timeout_ms() const noexcept { return options_.busy_timeout_ms; }
   const std::string& pretended_utc() const noexcept { return options_.pretended_utc; }
   const std::string& pretended_station() const noexcept { return options_.pretended_station; }
   void pretend_it_is(std::string utc) { options_.pretended_utc = std::move(utc); }

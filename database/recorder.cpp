@@ -1,6 +1,7 @@
 #include "database/recorder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <exception>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "database/log_size.h"
 #include "database/window_writer.h"
 #include "simulator/base/check.h"
 
@@ -16,6 +18,8 @@ namespace hallux::database {
 namespace {
 
 constexpr std::chrono::milliseconds pause_between_passes{10};
+/// Somebody frees space by hand; a commit that fails costs a few milliseconds.
+constexpr std::chrono::milliseconds pause_between_tries{200};
 
 double thread_cpu_s() noexcept {
   timespec time{};
@@ -70,11 +74,17 @@ std::optional<std::int64_t> first_window(const WindowRows& rows) {
 
 class Recorder::Writer {
  public:
-  Writer(Database database, WriterLease lease, simulator::AttemptChannels& channels)
+  Writer(Database database, WriterLease lease, simulator::AttemptChannels& channels,
+         FullDisk full_disk)
       : lease_(std::move(lease)),
         channels_(channels),
+        full_disk_(full_disk),
         pen_(std::move(database), lease_.attempt()),
         thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+  ~Writer() { is_stopping_.store(true, std::memory_order_relaxed); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
 
   RecorderStatistics drain() {
     if (thread_.joinable()) thread_.join();
@@ -87,8 +97,11 @@ class Recorder::Writer {
   }
 
   void seal(const std::string& quality_json) {
-    seal_attempt(pen_.database(), lease_.attempt(), duration_ticks_, quality_json,
-                 pen_.last_link());
+    when_there_is_room([&] {
+      seal_attempt(pen_.database(), lease_.attempt(), duration_ticks_, quality_json,
+                   pen_.last_link());
+    });
+    shorten_log(pen_.database());
   }
   const AttemptId& attempt() const noexcept { return lease_.attempt(); }
 
@@ -115,6 +128,28 @@ class Recorder::Writer {
       if (!is_hurried && !is_last_pass) std::this_thread::sleep_for(pause_between_passes);
     }
     commit_windows(std::nullopt);
+  }
+
+  /// Does `write`, again and again where the disk is full and that is waited for. What waits meanwhile is bounded: the loop
+  /// pauses within a tick of the flag, and in virtual time the producer waits for room in its rings.
+  template <typename Write>
+  void when_there_is_room(Write&& write) {
+    for (bool is_done = false; !is_done;) {
+      try {
+        write();
+        is_done = true;
+      } catch (const DatabaseError& error) {
+        if (error.kind() != DatabaseErrorKind::Full || !may_wait()) throw;
+        channels_.storage_full.store(true, std::memory_order_release);
+        std::this_thread::sleep_for(pause_between_tries);
+      }
+    }
+    channels_.storage_full.store(false, std::memory_order_release);
+  }
+
+  bool may_wait() const noexcept {
+    return full_disk_ == FullDisk::IsWaitedFor && !is_stopping_.load(std::memory_order_relaxed) &&
+           !channels_.gives_up.load(std::memory_order_relaxed);
   }
 
   /// The tape covers each tick once, in order; what came beyond `kept` rows is new.
@@ -153,13 +188,15 @@ class Recorder::Writer {
       if (safe_tick && end_tick > *safe_tick) return;
       WindowRows rows{take_before(waiting_.tape, end_tick), take_before(waiting_.samples, end_tick),
                       take_before(waiting_.events, end_tick)};
-      pen_.commit(window, rows);
+      when_there_is_room([&] { pen_.commit(window, rows); });
       next_window_ = window + 1;
     }
   }
 
   WriterLease lease_;
   simulator::AttemptChannels& channels_;
+  FullDisk full_disk_;
+  std::atomic<bool> is_stopping_{false};  ///< the recorder goes away: nothing is waited for
   WindowWriter pen_;
   WindowRows waiting_;
   std::int64_t next_window_ = 0;
@@ -173,8 +210,9 @@ class Recorder::Writer {
 };
 
 Recorder::Recorder(const Database& database, WriterLease lease,
-                   simulator::AttemptChannels& channels)
-    : writer_(std::make_unique<Writer>(database.open_again(), std::move(lease), channels)) {}
+                   simulator::AttemptChannels& channels, FullDisk full_disk)
+    : writer_(
+          std::make_unique<Writer>(database.open_again(), std::move(lease), channels, full_disk)) {}
 
 Recorder::~Recorder() = default;
 

@@ -36,12 +36,19 @@ struct RecorderStatistics {
   double commit_max_s = 0.0;    ///< the longest
 };
 
+/// What a recorder does where the disk is full.
+enum class FullDisk {
+  Fails,  ///< as with any other failure: for those who nobody watches
+  IsWaitedFor  ///< keeps what is not committed, says so in channels.storage_full, tries again until there is room
+};
+
 class Recorder {
  public:
   /// Starts the thread with its own connection to the file of `database`.
   /// needs   `channels` outlives the recorder; nobody else pops from them
   /// errors  DatabaseError where the second connection cannot be opened
-  Recorder(const Database& database, WriterLease lease, simulator::AttemptChannels& channels);
+  Recorder(const Database& database, WriterLease lease, simulator::AttemptChannels& channels,
+           FullDisk full_disk = FullDisk::Fails);
   /// Stops without sealing: what was drained is committed, the attempt is found interrupted at the next opening.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -49,12 +56,13 @@ class Recorder {
 
   const AttemptId& attempt() const noexcept;
 
-  /// Waits until the producer has set channels.closed and all it pushed is committed.
+  /// Waits until the producer has set channels.closed and all it pushed is committed; for room on a full disk, where that is
+  /// waited for, until channels.gives_up.
   /// errors  DatabaseError: why channels.recorder_failed was set; what was committed before stays
   /// thread  the one that made the recorder
   RecorderStatistics drain();
 
-  /// Drains, then closes and seals the attempt with its quality (a JSON text) and gives the lease back.
+  /// Drains, then closes and seals the attempt with its quality (a JSON text), and brings SQLite's log into the file.
   /// errors  DatabaseError
   /// thread  the one that made the recorder
   RecorderStatistics finish(const std::string& quality_json);

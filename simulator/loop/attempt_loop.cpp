@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
 
@@ -129,6 +130,7 @@ class AttemptRun {
   }
 
   void tell_progress() {
+    if (setup_.pacing == Pacing::RealTime) clocks_.see(read_clocks());
     if (progress_ && !progress_(fraction_done())) statistics_.end = AttemptEnd::Cancelled;
   }
 
@@ -140,6 +142,8 @@ class AttemptRun {
 
   void summarise() {
     statistics_.ticks = tick_;
+    statistics_.unseen_us = std::chrono::duration_cast<std::chrono::microseconds>(unseen_).count();
+    statistics_.clock_steps = clocks_.steps();
     step_times_.summarise(statistics_.step_p50_us, statistics_.step_p99_us,
                           statistics_.step_max_us);
     late_times_.summarise(statistics_.late_p50_us, statistics_.late_p99_us,
@@ -153,22 +157,28 @@ class AttemptRun {
     late_times_.add(late);
     late_max_us_ = std::max(late_max_us_, microseconds(late));
     const std::int64_t missed = late / tick_time;
-    if (missed >= ticks_per_line || is_a_ring_nearly_full()) return pause_gap();
+    if (missed >= ticks_per_line || must_wait()) return pause_gap();
     deadline_ += tick_time * (1 + missed);
     statistics_.missed_ticks += missed;
     return 1 + missed;
   }
 
-  bool is_a_ring_nearly_full() const noexcept {
-    return fullest_ring_share() > 0.875 || !jobs_->has_room();
+  /// Somebody who follows has no room left.
+  bool must_wait() noexcept {
+    return is_storage_full() || fullest_ring_share() > 0.875 || !jobs_->has_room();
   }
 
-  double fullest_ring_share() const noexcept {
+  bool is_storage_full() const noexcept {
+    return channels_.storage_full.load(std::memory_order_relaxed);
+  }
+
+  double fullest_ring_share() noexcept {
     const auto share = [](const auto& ring) {
       return static_cast<double>(ring.size()) / static_cast<double>(ring.capacity());
     };
     const double recorder =
         std::max({share(channels_.tape), share(channels_.samples), share(channels_.events)});
+    statistics_.ring_share_max = std::max(statistics_.ring_share_max, recorder);
     return setup_.watch == nullptr ? recorder : std::max(recorder, share(setup_.watch->feed));
   }
 
@@ -204,13 +214,28 @@ class AttemptRun {
     ++statistics_.pauses;
     is_gap_ = true;
     device_.let_go();
-    for (std::int64_t rests = 1; is_a_ring_nearly_full() && !is_cut_short(); ++rests) {
+    Clock::duration for_storage{};
+    for (std::int64_t rests = 1; must_wait() && !is_cut_short(); ++rests) {
+      const Clock::time_point before = Clock::now();
+      const bool is_for_storage = is_storage_full();
+      show_storage(is_for_storage);
       std::this_thread::sleep_for(tick_time);
       device_.let_go();
+      if (is_for_storage) for_storage += Clock::now() - before;
       if (rests % rests_per_progress == 0) tell_progress();
     }
-    deadline_ = Clock::now() + tick_time;
+    show_storage(false);
+    const Clock::time_point now = Clock::now();
+    unseen_ += now - deadline_ - for_storage;
+    deadline_ = now + tick_time;
     return 1;
+  }
+
+  /// No line is made meanwhile that could show it.
+  void show_storage(bool is_full) noexcept {
+    if (view_.is_storage_full == is_full) return;
+    view_.is_storage_full = is_full;
+    if (setup_.watch != nullptr) setup_.watch->view.write(view_);
   }
 
   void advance(std::int64_t ticks) {
@@ -228,6 +253,8 @@ class AttemptRun {
     device_.give(output, ticks);
     if (setup_.attempt_operator != nullptr) setup_.attempt_operator->see(output);
     statistics_.force_limits |= device_.limits();
+    const bool is_running = has(output.sample.status, ToolStatus::Running);
+    if (line.device.faults != 0 && is_running) statistics_.faulted_ticks += ticks;
     push(channels_.tape, line);
     for (const CutEvent& event : output.events) push(channels_.events, event);
     push(channels_.samples, output.sample);
@@ -290,6 +317,8 @@ class AttemptRun {
   LoopView view_;
   double late_max_us_ = 0.0;  ///< since the view showed it last
   Clock::time_point deadline_;
+  Clock::duration unseen_{};  ///< that the hand moved in gaps
+  ClockWatch clocks_;
   std::int64_t tick_ = 0;
   std::size_t next_command_ = 0;
   bool is_gap_ = false;

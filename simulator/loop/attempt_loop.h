@@ -49,7 +49,11 @@ struct LoopStatistics {
   std::int64_t lines = 0;         ///< steps taken
   std::int64_t ticks = 0;         ///< simulated milliseconds
   std::int64_t missed_ticks = 0;  ///< RealTime: ticks that came in one line with the next
-  std::int64_t pauses = 0;        ///< RealTime: gaps beyond three ticks, or a full ring
+  std::int64_t pauses = 0;        ///< RealTime: gaps beyond three ticks, a full ring or disk
+  std::int64_t unseen_us = 0;    ///< RealTime: how long they took, waiting for a full disk left out
+  std::int64_t clock_steps = 0;  ///< RealTime: see ClockWatch
+  std::int64_t faulted_ticks = 0;  ///< with a fault of the device while the attempt's clock ran
+  double ring_share_max = 0.0;     ///< RealTime: of the fullest ring towards the recorder
   double step_p50_us = 0.0, step_p99_us = 0.0, step_max_us = 0.0;
   double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;  ///< RealTime
   bool has_priority =

@@ -25,13 +25,14 @@ struct LoopView {
   double hottest_celsius = body_celsius;  ///< of all bone, by the model
   std::int64_t lines = 0;                 ///< steps taken; 0: none yet
   std::int64_t missed_ticks = 0;          ///< that came in one line with the next
-  std::int64_t pauses = 0;                ///< by the loop: gaps beyond three ticks, or a full ring
-  double late_us = 0.0;                   ///< the most of the last whole second
-  double ring_share = 0.0;                ///< of the fullest ring towards recorder and geometry
+  std::int64_t pauses = 0;  ///< by the loop: gaps beyond three ticks, a full ring or disk
+  double late_us = 0.0;     ///< the most of the last whole second
+  double ring_share = 0.0;  ///< of the fullest ring towards recorder and geometry
   Vec3 device_force_newton{0.0, 0.0, 0.0};  ///< that the device is given next, in the world
   std::uint32_t force_limits = 0;  ///< bits of ForceLimit: what made it another than simulated
   bool has_priority = false;       ///< the system runs the loop before all else
   bool has_locked_memory = false;  ///< the system keeps its memory in place
+  bool is_storage_full = false;    ///< it pauses until the recorder has room on the disk
   bool is_over = false;
 };
 

@@ -23,6 +23,10 @@ struct AttemptChannels {
   std::atomic<bool> closed{false};
   /// Set by the recorder when it cannot write any more; the loop pauses the attempt and says so.
   std::atomic<bool> recorder_failed{false};
+  /// Set by the recorder while it waits for room on a full disk; in real time the loop pauses for as long.
+  std::atomic<bool> storage_full{false};
+  /// Set by whoever operates: the recorder waits for room no longer, and fails.
+  std::atomic<bool> gives_up{false};
 };
 
 }  // namespace hallux::simulator

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "database/recordings.h"
 #include "database/verify.h"
@@ -93,6 +96,113 @@ INSTANTIATE_TEST_SUITE_P(StorageFailure, FailureWhileRecording,
                                          Failure{SQLITE_READONLY, DatabaseErrorKind::ReadOnly},
                                          Failure{SQLITE_IOERR_WRITE,
                                                  DatabaseErrorKind::InputOutput}));
+
+/// Some seconds at most; the recorder tries again five times a second.
+bool becomes(const std::atomic<bool>& flag, bool expected) {
+  for (int i = 0; i < 1000 && flag.load() != expected; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  }
+  return flag.load() == expected;
+}
+
+TEST(StorageFailure, AFullDiskIsWaitedForAndNothingIsLost) {
+  const TemporaryDirectory temporary;
+  tests::FaultyVfs vfs{"waited_for"};
+  const simulator::Recording recording = some_recording(4000);
+  Database database = Database::open(temporary.data(), through(vfs));
+  simulator::AttemptChannels channels;
+  Recorder recorder{database, create_attempt(database, some_attempt(database)), channels,
+                    FullDisk::IsWaitedFor};
+  vfs.fail_after(5, SQLITE_FULL);
+  produce(recording, channels);
+  ASSERT_TRUE(becomes(channels.storage_full, true));
+  EXPECT_FALSE(channels.recorder_failed.load());
+  vfs.heal();
+  ASSERT_TRUE(becomes(channels.storage_full, false));
+  const RecorderStatistics statistics = recorder.finish("{\"complete\": true}");
+  EXPECT_EQ(statistics.samples, 4000);
+  EXPECT_EQ(statistics.commits, 8);
+  EXPECT_TRUE(is_same(load_recording(database, recorder.attempt()), recording));
+  EXPECT_EQ(load_header(database, recorder.attempt()).state, AttemptState::Closed);
+  EXPECT_TRUE(verify(database).is_whole());
+}
+
+TEST(StorageFailure, SealingWaitsForAFullDiskToo) {
+  const TemporaryDirectory temporary;
+  tests::FaultyVfs vfs{"sealing_waits"};
+  Database database = Database::open(temporary.data(), through(vfs));
+  simulator::AttemptChannels channels;
+  Recorder recorder{database, create_attempt(database, some_attempt(database)), channels,
+                    FullDisk::IsWaitedFor};
+  produce(some_recording(700), channels);
+  recorder.drain();
+  vfs.fail_after(0, SQLITE_FULL);
+  const std::jthread somebody_with_a_broom{[&] {
+    becomes(channels.storage_full, true);
+    vfs.heal();
+  }};
+  recorder.finish("{}");
+  EXPECT_EQ(load_header(database, recorder.attempt()).state, AttemptState::Closed);
+}
+
+TEST(StorageFailure, WhoGivesUpOnAFullDiskKeepsWhatWasCommitted) {
+  const TemporaryDirectory temporary;
+  tests::FaultyVfs vfs{"given_up"};
+  Database database = Database::open(temporary.data(), through(vfs));
+  AttemptId id;
+  {
+    simulator::AttemptChannels channels;
+    Recorder recorder{database, create_attempt(database, some_attempt(database)), channels,
+                      FullDisk::IsWaitedFor};
+    id = recorder.attempt();
+    vfs.fail_after(5, SQLITE_FULL);
+    produce(some_recording(4000), channels);
+    ASSERT_TRUE(becomes(channels.storage_full, true));
+    channels.gives_up.store(true);
+    try {
+      recorder.drain();
+      ADD_FAILURE() << "the recorder went on";
+    } catch (const DatabaseError& error) {
+      EXPECT_EQ(error.kind(), DatabaseErrorKind::Full) << error.what();
+    }
+    EXPECT_TRUE(channels.recorder_failed.load());
+  }
+  vfs.heal();
+  Database healed = Database::open(temporary.data(), through(vfs));
+  EXPECT_EQ(load_header(healed, id).state, AttemptState::Interrupted);
+  EXPECT_EQ(load_recording(healed, id).samples.size() % 500, 0U);
+}
+
+TEST(StorageFailure, ARecorderThatGoesAwayDoesNotWaitForAFullDisk) {
+  const TemporaryDirectory temporary;
+  tests::FaultyVfs vfs{"goes_away"};
+  Database database = Database::open(temporary.data(), through(vfs));
+  simulator::AttemptChannels channels;
+  {
+    const Recorder recorder{database, create_attempt(database, some_attempt(database)), channels,
+                            FullDisk::IsWaitedFor};
+    vfs.fail_after(0, SQLITE_FULL);
+    produce(some_recording(700), channels);
+    ASSERT_TRUE(becomes(channels.storage_full, true));
+  }
+  EXPECT_TRUE(channels.recorder_failed.load());
+}
+
+TEST(StorageFailure, OnlyAFullDiskIsWaitedFor) {
+  for (const int code : {SQLITE_READONLY, SQLITE_IOERR_WRITE}) {
+    const TemporaryDirectory temporary;
+    tests::FaultyVfs vfs{"not_waited_for"};
+    Database database = Database::open(temporary.data(), through(vfs));
+    simulator::AttemptChannels channels;
+    Recorder recorder{database, create_attempt(database, some_attempt(database)), channels,
+                      FullDisk::IsWaitedFor};
+    vfs.fail_after(0, code);
+    produce(some_recording(700), channels);
+    EXPECT_THROW(recorder.drain(), DatabaseError);
+    EXPECT_FALSE(channels.storage_full.load());
+    EXPECT_TRUE(channels.recorder_failed.load());
+  }
+}
 
 TEST(StorageFailure, AWriterThatKeepsTheFileBusyIsSaid) {
   const TemporaryDirectory temporary;

@@ -133,7 +133,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   }
   // A hand that is done early, or between two reports, is done.
   if (operating) operating(1.0);
-  outcome.quality = quality_of(outcome.loop, outcome.recorder.samples);
+  outcome.quality = quality_of(outcome.loop, outcome.recorder);
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
   outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress).card;
   desk.store_score(outcome.attempt, outcome.card);

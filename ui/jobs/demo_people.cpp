@@ -173,8 +173,7 @@ DemoPeople::Kept DemoPeople::keep(const OperatedAttempt& operated) {
   simulator::AttemptChannels channels;
   database::Recorder recorder(database_, desk.begin_attempt(begun), channels);
   push_all(operated.recording, channels);
-  const std::int64_t received = recorder.drain().samples;
-  recorder.finish(quality_json({operated.loop.lines, received, 0, 0, 0.0}));
+  recorder.finish(quality_json(quality_of(operated.loop, recorder.drain())));
   desk.store_score(recorder.attempt(), operated.card);
   session.sign_out();
 

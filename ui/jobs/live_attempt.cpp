@@ -47,7 +47,8 @@ LiveAttempt::LiveAttempt(std::shared_ptr<const OperatingTable> table,
       guidance_(guidance),
       device_(std::move(device)),
       force_scale_(force_scale_of(*device_, *table_, guidance_)),
-      attempt_(lease.attempt()) {
+      attempt_(lease.attempt()),
+      directory_(database.directory()) {
   say({simulator::CommandKind::Start, 0, 0});
   thread_ = std::jthread([this, own = database.open_again(), lease = std::move(lease)]() mutable {
     run(std::move(own), std::move(lease));
@@ -67,11 +68,22 @@ void mark_interrupted(const database::Database& database) noexcept {
 
 }  // namespace
 
-LiveAttempt::~LiveAttempt() { is_stopping_.store(true, std::memory_order_relaxed); }
+LiveAttempt::~LiveAttempt() {
+  is_stopping_.store(true, std::memory_order_relaxed);
+  channels_.gives_up.store(true, std::memory_order_relaxed);
+}
 
 void LiveAttempt::abandon() {
   is_abandoned_.store(true, std::memory_order_release);
+  channels_.gives_up.store(true, std::memory_order_relaxed);
   say({simulator::CommandKind::Abandon, 0, 0});
+}
+
+/// While the loop waits for a full disk it hears no command, so who abandons then is heard here.
+bool LiveAttempt::is_left() const noexcept {
+  const bool is_deaf = channels_.storage_full.load(std::memory_order_relaxed);
+  return is_stopping_.load(std::memory_order_relaxed) ||
+         (is_deaf && is_abandoned_.load(std::memory_order_relaxed));
 }
 
 /// A person gives a command a second; the loop takes a thousand lines in that time.
@@ -113,14 +125,13 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch_;
-  end_.loop = run_attempt(setup, *device_, channels_,
-                          [this](double) { return !is_stopping_.load(std::memory_order_relaxed); });
+  end_.loop = run_attempt(setup, *device_, channels_, [this](double) { return !is_left(); });
   end_.end = end_.loop.end;
   end_.recorder = recorder.drain();
   const bool is_finished = end_.end == simulator::AttemptEnd::Finished ||
                            end_.end == simulator::AttemptEnd::ReachedLastTick;
   if (!is_finished || is_abandoned_.load(std::memory_order_acquire)) return;
-  end_.recorder = recorder.finish(quality_json(quality_of(end_.loop, end_.recorder.samples)));
+  end_.recorder = recorder.finish(quality_json(quality_of(end_.loop, end_.recorder)));
   end_.is_sealed = true;
 }
 

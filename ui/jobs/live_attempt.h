@@ -5,7 +5,8 @@
 ///                                                recorder's thread -> database
 ///
 /// What was recorded is kept, however it ends: finished it is sealed; abandoned, cut off with its window or stopped by a
-/// failure it stays as it is and is found interrupted.
+/// failure it stays as it is and is found interrupted. A full disk stops nothing: the operation pauses and goes on by itself
+/// when there is room (view().is_storage_full); also the sealing waits for it.
 #pragma once
 
 #include <atomic>
@@ -91,6 +92,13 @@ class LiveAttempt {
   /// Kept as interrupted, never scored.
   void abandon();
 
+  /// The recorder waits for room on the disk, while operating or while sealing.
+  /// thread  window
+  bool is_storage_full() const noexcept {
+    return channels_.storage_full.load(std::memory_order_relaxed);
+  }
+  const std::filesystem::path& directory() const noexcept { return directory_; }
+
   /// The newest view of the loop.
   /// thread  window
   const simulator::LoopView& view() noexcept { return watch_.view.read(); }
@@ -105,6 +113,7 @@ class LiveAttempt {
 
  private:
   void say(const simulator::Command& command);
+  bool is_left() const noexcept;
   void run(database::Database database, database::WriterLease lease) noexcept;
   void operate(const database::Database& database, database::WriterLease lease);
   void fail(LiveFailure failure, const char* reason) noexcept;
@@ -116,7 +125,8 @@ class LiveAttempt {
   simulator::AttemptChannels channels_;
   simulator::AttemptWatch watch_;
   database::AttemptId attempt_;
-  LiveEnd end_;  ///< the thread's until is_over_
+  std::filesystem::path directory_;  ///< that is recorded into
+  LiveEnd end_;                      ///< the thread's until is_over_
   std::atomic<bool> is_stopping_{false}, is_abandoned_{false}, is_over_{false};
   std::jthread thread_;  ///< last: joined before any of it goes
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "database/certificate_json.h"
 #include "simulator/device/force_output.h"
 
 namespace hallux::ui {
@@ -44,10 +45,29 @@ std::uint32_t limits_from_names(const std::vector<std::string>& found) {
 
 }  // namespace
 
-Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples) {
-  return {loop.lines,        received_samples,  loop.missed_ticks,      loop.pauses,
-          loop.late_p99_us,  loop.has_priority, loop.has_locked_memory, loop.force_scale,
-          loop.force_limits, loop.force_law};
+Quality quality_of(const simulator::LoopStatistics& loop,
+                   const database::RecorderStatistics& recorder) {
+  Quality quality;
+  database::RecordingCertificate& certificate = quality.certificate;
+  certificate.expected_samples = loop.lines;
+  certificate.received_samples = recorder.samples;
+  certificate.gaps = recorder.gaps;
+  certificate.duplicates = recorder.duplicates;
+  certificate.missed_ticks = loop.missed_ticks;
+  certificate.pauses = loop.pauses;
+  certificate.unseen_us = loop.unseen_us;
+  certificate.clock_steps = loop.clock_steps;
+  certificate.faulted_ticks = loop.faulted_ticks;
+  certificate.late_p50_us = loop.late_p50_us;
+  certificate.late_p99_us = loop.late_p99_us;
+  certificate.late_max_us = loop.late_max_us;
+  certificate.ring_share_max = loop.ring_share_max;
+  certificate.has_priority = loop.has_priority;
+  certificate.has_locked_memory = loop.has_locked_memory;
+  quality.force_scale = loop.force_scale;
+  quality.force_limits = loop.force_limits;
+  quality.force_law = loop.force_law;
+  return quality;
 }
 
 const char* name_of(simulator::ForceLaw law) noexcept {
@@ -62,32 +82,19 @@ std::optional<simulator::ForceLaw> force_law_from(const std::string& name) noexc
 }
 
 std::string quality_json(const Quality& quality) {
-  return nlohmann::ordered_json{{"expected_samples", quality.expected_samples},
-                                {"received_samples", quality.received_samples},
-                                {"missed_ticks", quality.missed_ticks},
-                                {"pauses", quality.pauses},
-                                {"late_p99_us", quality.late_p99_us},
-                                {"priority", quality.has_priority},
-                                {"locked_memory", quality.has_locked_memory},
-                                {"force_scale", quality.force_scale},
-                                {"force_limits", names_of_limits(quality.force_limits)},
-                                {"force_law", name_of(quality.force_law)},
-                                {"complete", quality.is_complete()}}
-      .dump();
+  auto json = nlohmann::ordered_json::parse(database::json_from_certificate(quality.certificate));
+  json["force_scale"] = quality.force_scale;
+  json["force_limits"] = names_of_limits(quality.force_limits);
+  json["force_law"] = name_of(quality.force_law);
+  return json.dump();
 }
 
 std::optional<Quality> quality_from_json(const std::string& json) {
+  const auto certificate = database::certificate_from_json(json);
+  if (!certificate) return std::nullopt;
   const nlohmann::json found = nlohmann::json::parse(json, nullptr, false);
-  if (!found.is_object()) return std::nullopt;
   try {
-    Quality quality;
-    found.at("expected_samples").get_to(quality.expected_samples);
-    found.at("received_samples").get_to(quality.received_samples);
-    quality.missed_ticks = found.value("missed_ticks", quality.missed_ticks);
-    quality.pauses = found.value("pauses", quality.pauses);
-    quality.late_p99_us = found.value("late_p99_us", quality.late_p99_us);
-    quality.has_priority = found.value("priority", quality.has_priority);
-    quality.has_locked_memory = found.value("locked_memory", quality.has_locked_memory);
+    Quality quality{*certificate};
     quality.force_scale = found.value("force_scale", quality.force_scale);
     quality.force_limits =
         limits_from_names(found.value("force_limits", std::vector<std::string>{}));

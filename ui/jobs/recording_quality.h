@@ -5,32 +5,30 @@
 #include <optional>
 #include <string>
 
+#include "database/recorder.h"
+#include "database/records/certificate.h"
 #include "simulator/loop/attempt_loop.h"
 
 namespace hallux::ui {
 
 /// How much of what happened was kept. An attempt with gaps is stored with their count.
 struct Quality {
-  std::int64_t expected_samples = 0, received_samples = 0;
-  std::int64_t missed_ticks = 0, pauses = 0;
-  double late_p99_us = 0.0;
-  bool has_priority = false, has_locked_memory = false;  ///< what the system granted the loop
+  database::RecordingCertificate certificate;
   double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
   std::uint32_t force_limits = 0;  ///< bits of simulator::ForceLimit that occurred
   simulator::ForceLaw force_law =
       simulator::ForceLaw::Simulated;  ///< what the arm was made to feel
-
-  bool is_complete() const noexcept { return expected_samples == received_samples; }
 };
 
-Quality quality_of(const simulator::LoopStatistics& loop, std::int64_t received_samples);
+Quality quality_of(const simulator::LoopStatistics& loop,
+                   const database::RecorderStatistics& recorder);
 
 /// The words of a law in JSON and on the command line.
 const char* name_of(simulator::ForceLaw law) noexcept;
 std::optional<simulator::ForceLaw> force_law_from(const std::string& name) noexcept;
 
 std::string quality_json(const Quality& quality);
-/// What quality_json wrote. What an older program did not write yet is as where nobody is pushed back; limits that this one
+/// What quality_json wrote, the verdict left out. What an older program did not write yet is as where nobody is pushed back; limits that this one
 /// does not know are left out. Nothing where the text is no such object, or its force law is none that is known.
 std::optional<Quality> quality_from_json(const std::string& json);
 

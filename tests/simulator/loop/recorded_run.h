@@ -29,6 +29,11 @@ RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice
                    std::size_t ring_capacity = 4096,
                    const simulator::AttemptProgress& progress = {});
 
+/// The same through channels of the caller, who may set their flags meanwhile.
+RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
+                   simulator::AttemptChannels& channels,
+                   const simulator::AttemptProgress& progress = {});
+
 /// The digest of every column of the input tape.
 Digest digest_of_tape(const simulator::Recording& recording) noexcept;
 

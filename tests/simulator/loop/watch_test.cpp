@@ -84,5 +84,33 @@ TEST(WatchedLoop, AFeedThatNobodyEmptiesPausesInRealTimeAndNothingIsLost) {
   EXPECT_TRUE(again.is_identical) << again.difference;
 }
 
+TEST(WatchedLoop, AFullDiskPausesForAsLongAndIsShown) {
+  WatchedAttempt attempt;
+  attempt.setup.pacing = Pacing::RealTime;
+  attempt.setup.last_tick = 300;
+  ASSERT_TRUE(attempt.watch.commands.push({CommandKind::Start, 0, 0}));
+  AttemptChannels channels;
+  const std::jthread disk([&] {
+    const auto look = [&](bool is_full) {
+      while (attempt.watch.view.read().is_storage_full != is_full) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    };
+    while (attempt.watch.view.read().lines < 100) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    channels.storage_full.store(true);
+    look(true);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    channels.storage_full.store(false);
+    look(false);
+  });
+  const tests::RecordedRun run = tests::record(attempt.setup, attempt.device, channels);
+  EXPECT_GE(run.statistics.pauses, 1);
+  EXPECT_LT(run.statistics.unseen_us, 500'000) << "the tool is safe while the disk is waited for";
+  const ReplayResult again = replay(run.recording, {attempt.bone, {}, {}, {}});
+  EXPECT_TRUE(again.is_identical) << again.difference;
+}
+
 }  // namespace
 }  // namespace hallux::simulator

@@ -12,7 +12,16 @@ using simulator::ForceLimit;
 std::uint32_t bit(ForceLimit limit) { return static_cast<std::uint32_t>(limit); }
 
 TEST(RecordingQuality, IsReadAsItWasWritten) {
-  Quality quality{12'000, 11'999, 3, 2, 65.25, true, false, 0.24, 0};
+  simulator::LoopStatistics loop;
+  loop.lines = 12'000;
+  loop.missed_ticks = 3;
+  loop.pauses = 2;
+  loop.late_p99_us = 65.25;
+  loop.has_priority = true;
+  loop.force_scale = 0.24;
+  database::RecorderStatistics recorder;
+  recorder.samples = 11'999;
+  Quality quality = quality_of(loop, recorder);
   for (const ForceLimit limit :
        {ForceLimit::Stopped, ForceLimit::TooFast, ForceLimit::SoftStart, ForceLimit::Passivity,
         ForceLimit::Heat, ForceLimit::Greatest, ForceLimit::Slew}) {
@@ -22,21 +31,21 @@ TEST(RecordingQuality, IsReadAsItWasWritten) {
     EXPECT_EQ(read->force_limits, bit(limit));
   }
   const auto read = quality_from_json(quality_json(quality));
-  EXPECT_EQ(read->expected_samples, 12'000);
-  EXPECT_EQ(read->received_samples, 11'999);
-  EXPECT_EQ(read->missed_ticks, 3);
-  EXPECT_EQ(read->pauses, 2);
-  EXPECT_DOUBLE_EQ(read->late_p99_us, 65.25);
-  EXPECT_TRUE(read->has_priority);
-  EXPECT_FALSE(read->has_locked_memory);
+  EXPECT_EQ(read->certificate.expected_samples, 12'000);
+  EXPECT_EQ(read->certificate.received_samples, 11'999);
+  EXPECT_EQ(read->certificate.missed_ticks, 3);
+  EXPECT_EQ(read->certificate.pauses, 2);
+  EXPECT_DOUBLE_EQ(read->certificate.late_p99_us, 65.25);
+  EXPECT_TRUE(read->certificate.has_priority);
+  EXPECT_FALSE(read->certificate.has_locked_memory);
   EXPECT_DOUBLE_EQ(read->force_scale, 0.24);
-  EXPECT_FALSE(read->is_complete());
+  EXPECT_FALSE(read->certificate.is_complete());
 }
 
 TEST(RecordingQuality, OfAnOlderProgramSaysThatNobodyWasPushedBack) {
   const auto read = quality_from_json(R"({"expected_samples": 7, "received_samples": 7})");
   ASSERT_TRUE(read.has_value());
-  EXPECT_TRUE(read->is_complete());
+  EXPECT_TRUE(read->certificate.is_complete());
   EXPECT_DOUBLE_EQ(read->force_scale, 1.0);
   EXPECT_EQ(read->force_limits, 0U);
   EXPECT_EQ(read->force_law, simulator::ForceLaw::Simulated);
@@ -46,7 +55,7 @@ TEST(RecordingQuality, KeepsTheForceLawThatTheHandFelt) {
   for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Historic}) {
     simulator::LoopStatistics loop;
     loop.force_law = law;
-    const auto read = quality_from_json(quality_json(quality_of(loop, 0)));
+    const auto read = quality_from_json(quality_json(quality_of(loop, {})));
     ASSERT_TRUE(read.has_value());
     EXPECT_EQ(read->force_law, law);
   }

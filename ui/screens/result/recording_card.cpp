@@ -45,6 +45,7 @@ void add_arm_lines(std::vector<RecordingLine>& lines, const Texts& texts, const 
 
 std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts) {
   const Quality& quality = *facts.quality;
+  const database::RecordingCertificate& certificate = quality.certificate;
   const auto granted = [&](bool is_granted) {
     return std::string(texts.text(is_granted ? "operate.yes" : "operate.no"));
   };
@@ -52,13 +53,13 @@ std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts
   std::vector<RecordingLine> lines{
       {texts.text("result.recording.device"), facts.header.begun.device_class},
       {texts.text("result.recording.samples"),
-       texts.say("result.recording.samples.of", {{"kept", count(quality.received_samples)},
-                                                 {"all", count(quality.expected_samples)}})},
-      {texts.text("result.recording.missed"), count(quality.missed_ticks)},
-      {texts.text("result.recording.pauses"), count(quality.pauses)},
-      {texts.text("result.recording.late"), grouped(std::lround(quality.late_p99_us)) + " µs"},
-      {texts.text("result.recording.priority"), granted(quality.has_priority)},
-      {texts.text("result.recording.memory"), granted(quality.has_locked_memory)}};
+       texts.say("result.recording.samples.of", {{"kept", count(certificate.received_samples)},
+                                                 {"all", count(certificate.expected_samples)}})},
+      {texts.text("result.recording.missed"), count(certificate.missed_ticks)},
+      {texts.text("result.recording.pauses"), count(certificate.pauses)},
+      {texts.text("result.recording.late"), grouped(std::lround(certificate.late_p99_us)) + " µs"},
+      {texts.text("result.recording.priority"), granted(certificate.has_priority)},
+      {texts.text("result.recording.memory"), granted(certificate.has_locked_memory)}};
   add_arm_lines(lines, texts, quality);
   return lines;
 }

@@ -416,7 +416,13 @@ TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
     draw_recording_card(ui, {0.0F, 0.0F, width, recording_card_height(ui, facts, width)}, facts);
   });
   EXPECT_TRUE(driver.sees("How it was recorded is not known"));
-  facts.quality = Quality{12'000, 11'999, 3, 2, 65.25, true, false, 1.0, 0};
+  facts.quality = Quality{};
+  facts.quality->certificate.expected_samples = 12'000;
+  facts.quality->certificate.received_samples = 11'999;
+  facts.quality->certificate.missed_ticks = 3;
+  facts.quality->certificate.pauses = 2;
+  facts.quality->certificate.late_p99_us = 65.25;
+  facts.quality->certificate.has_priority = true;
   driver.frame();
   EXPECT_TRUE(driver.sees("nobody was pushed back"));
   EXPECT_FALSE(driver.sees("Held back by"));
