@@ -1,5 +1,6 @@
 #include "ui/app/course.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ui/screens/account_screen.h"
@@ -7,6 +8,8 @@
 #include "ui/screens/briefing_screen.h"
 #include "ui/screens/entry_screen.h"
 #include "ui/screens/history_screen.h"
+#include "ui/screens/lock_screen.h"
+#include "ui/screens/notice_words.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/operations_screen.h"
 #include "ui/screens/questions_screen.h"
@@ -39,6 +42,19 @@ void Course::welcome(std::shared_ptr<Visit> visit) {
   answer_drafts_ = std::make_shared<InboxScreen::Drafts>();
   count_questions();
   show_place(shell_.visitor()->places.front().id);
+  shell_.on_idle(visit_->idle_lock_s(), [this] { lock(); });
+  tell_notices();
+}
+
+void Course::lock() {
+  if (!visit_) return;
+  shell_.lock(std::make_unique<LockScreen>(
+      visit_,
+      [this] {
+        shell_.unlock();
+        sign_out();
+      },
+      cost_));
 }
 
 Visitor Course::visitor_of(const Visit& visit) const {
@@ -103,6 +119,29 @@ void Course::show_replay(const database::AttemptId& attempt, double moment_s) {
 void Course::show_account() {
   if (shell_.top()->navigation_id() == AccountScreen::account_place) return;
   shell_.push(std::make_unique<AccountScreen>(visit_, cost_));
+}
+
+// The newest few; those that were not acknowledged are told again at the next sign-in.
+void Course::tell_notices() {
+  constexpr std::size_t told_max = 3;
+  const std::vector<database::Notice>& notices = visit_->notices();
+  for (std::size_t i = std::min(notices.size(), told_max); i > 0; --i) {
+    const database::Notice notice = notices[i - 1];
+    shell_.say({Meaning::Warn, notice_text(texts_, notice),
+                texts_.say("notice.at", {{"moment", moment_text(notice.at_utc)}}),
+                std::string(texts_.text("notice.seen")),
+                [this, notice, visit = visit_] { acknowledge(visit, notice); }});
+  }
+}
+
+void Course::acknowledge(std::shared_ptr<Visit> visit, const database::Notice& notice) {
+  shell_.background().start(
+      std::string(texts_.text("notice.noting")),
+      [visit = std::move(visit), notice](WorkReport&) {
+        visit->in_turn([&](database::Session& session, auto&) { session.acknowledge(notice); });
+      },
+      // Where that failed it is told again.
+      [](WorkEnd, const std::string&) {});
 }
 
 // The end of the session is written beside the window: other work may hold the visit for a moment.

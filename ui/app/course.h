@@ -42,6 +42,10 @@ class Course : public Places {
   /// The screen of a place of the navigation.
   void show_place(const std::string& id);
   void show_account();
+  /// What the person was told since they were here last.
+  void tell_notices();
+  void acknowledge(std::shared_ptr<Visit> visit, const database::Notice& notice);
+  void lock();
   void sign_out();
 
   const Texts& texts_;

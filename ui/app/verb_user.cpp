@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "database/recovery.h"
 #include "ui/app/access.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_error.h"
@@ -20,6 +21,7 @@ struct UserOptions {
   std::string login, display_name;
   bool is_administrator = false;
   bool enable = false;
+  bool with_code = false;
 };
 
 /// The desk of an administrator who signed in, kept together with the session that it depends on.
@@ -103,9 +105,18 @@ ExitCode list_on(const VerbContext& context) {
   return ExitCode::Done;
 }
 
-ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
+ExitCode redeem_on(const VerbContext& context, const std::string& login) {
   database::Database database = open_kept(context);
+  const database::SecretText code = ask_password(context, "One-time code of " + login);
+  database::redeem_code(database, login, code, ask_password(context, "New password for " + login));
+  say(context, login, "password changed");
+  return ExitCode::Done;
+}
+
+ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
   const std::string login = options.login.empty() ? context.login : options.login;
+  if (options.with_code) return redeem_on(context, login);
+  database::Database database = open_kept(context);
   if (login == context.login || context.login.empty()) {
     VerbContext own = context;
     own.login = login;
@@ -125,6 +136,24 @@ ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
   AdministratorVisit administrator = visit(context, database);
   administrator.desk.set_disabled(options.login, !options.enable);
   say(context, options.login, options.enable ? "enabled" : "disabled");
+  return ExitCode::Done;
+}
+
+/// The code goes to stdout, for it is what was asked for; it is shown once.
+ExitCode recover_on(const VerbContext& context, const UserOptions& options) {
+  database::Database database = open_kept(context);
+  const database::IssuedCode issued = database::recover_administrator(database, options.login);
+  const std::string code{issued.code.view()};
+  if (context.json) {
+    write_json(
+        context.out,
+        ordered_json{{"login", options.login}, {"code", code}, {"expires", issued.expires_utc}});
+  } else {
+    context.out << code << "\n";
+    context.notes << "Choose a password for " << options.login << " with this one-time code before "
+                  << issued.expires_utc << ", in the window or by `hallux user passwd "
+                  << options.login << " --code`. Every administrator is told.\n";
+  }
   return ExitCode::Done;
 }
 
@@ -157,6 +186,8 @@ void add_user_verb(CLI::App& app, VerbContext& context) {
   CLI::App* passwd =
       user->add_subcommand("passwd", "change your password, or set another person's");
   passwd->add_option("login", options->login, "whose; your own without it");
+  passwd->add_flag("--code", options->with_code,
+                   "with a one-time code in place of the old password");
   choose(passwd, passwd_on);
 
   CLI::App* disable =
@@ -164,6 +195,13 @@ void add_user_verb(CLI::App& app, VerbContext& context) {
   disable->add_option("login", options->login, "who")->required();
   disable->add_flag("--enable", options->enable, "let the person sign in again");
   choose(disable, disable_on);
+
+  CLI::App* recover = user->add_subcommand(
+      "recover",
+      "a one-time code for an administrator who forgot the password; for the owner of the data "
+      "directory, without --as");
+  recover->add_option("login", options->login, "which administrator")->required();
+  choose(recover, recover_on);
 }
 
 }  // namespace hallux::ui

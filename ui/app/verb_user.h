@@ -1,4 +1,4 @@
-/// `hallux user add | list | passwd | disable`.
+/// `hallux user add | list | passwd | disable | recover`.
 #pragma once
 
 #include "ui/app/verb.h"

@@ -12,7 +12,7 @@ struct Deed {
 };
 
 /// What is done, and (second part) what may be refused: the names of the policy's actions.
-constexpr std::array<Deed, 63> deeds{{
+constexpr auto deeds = std::to_array<Deed>({
     {"signed_in", "audit.signed_in"},
     {"signed_out", "audit.signed_out"},
     {"code_redeemed", "audit.code_redeemed"},
@@ -76,7 +76,12 @@ constexpr std::array<Deed, 63> deeds{{
     {"retire_scenario", "audit.retire_scenario"},
     {"read_audit", "audit.read_audit"},
     {"back_up", "audit.back_up"},
-}};
+    {"password_asked", "audit.password_asked"},
+    {"administrator_recovered", "audit.administrator_recovered"},
+    {"setting_changed", "audit.setting_changed"},
+    {"read_notices", "audit.read_notices"},
+    {"change_settings", "audit.change_settings"},
+});
 
 /// Kinds of subjects that have a number, not a name.
 constexpr std::array<Deed, 7> kinds{{

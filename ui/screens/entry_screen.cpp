@@ -168,7 +168,8 @@ void draw_entry_field(Ui& ui, Rect& column, std::string& text, const EntryField&
 
 }  // namespace
 
-void EntryScreen::draw_fault(Ui& ui, Rect& column) const {
+void EntryScreen::draw_fault(Ui& ui, Rect& column) {
+  wait_.replace(ui, fault_);
   if (fault_.empty()) return;
   const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
   const Rect line = take_top(column, height, field_gap);
@@ -178,10 +179,10 @@ void EntryScreen::draw_fault(Ui& ui, Rect& column) const {
 }
 
 bool EntryScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                              bool is_ready) const {
+                              bool is_ready) {
   take_top(column, 6.0F);
   ButtonSpec spec{label, ButtonLook::Primary};
-  spec.is_enabled = is_ready;
+  spec.is_enabled = is_ready && wait_.left_s(ui) == 0;
   spec.is_busy = is_busy_;
   return button(ui, id, take_top(column, large_button_height, 20.0F), spec);
 }
@@ -201,6 +202,10 @@ void EntryScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
       !is_busy_) {
     show(Form::Code);
   }
+  const std::string_view shared = ui.text("entry.shared");
+  const Rect foot{column.x, column.y + 48.0F, column.w,
+                  ui.paragraph_height(Type::Small, shared, column.w)};
+  ui.canvas().paragraph(foot, {Type::Small, ui.theme().text_caption}, shared);
 }
 
 void EntryScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
@@ -260,7 +265,9 @@ void EntryScreen::come_in(Ui& ui, Shell& shell, Work work) {
   is_busy_ = true;
   shell.background().start(
       std::string(ui.text("entry.signing_in")),
-      [this, work](WorkReport&) { visit_ = work(data_directory_, words_, cost_); },
+      [this, work](WorkReport&) {
+        wait_.noting([&] { visit_ = work(data_directory_, words_, cost_); });
+      },
       [this, &shell](WorkEnd end, const std::string& reason) {
         is_busy_ = false;
         words_ = {};

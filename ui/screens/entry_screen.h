@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "ui/screens/patient_pictures.h"
+#include "ui/screens/sign_in_wait.h"
 #include "ui/screens/visit.h"
 #include "ui/window/shell/shell.h"
 
@@ -35,9 +36,9 @@ class EntryScreen : public Screen {
   void draw_code(Ui& ui, Rect& column, Shell& shell);
   void draw_first_administrator(Ui& ui, Rect& column, Shell& shell);
   void draw_head(Ui& ui, Rect& column, std::string_view title, std::string_view sentence) const;
-  void draw_fault(Ui& ui, Rect& column) const;
+  void draw_fault(Ui& ui, Rect& column);
   bool draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                   bool is_ready) const;
+                   bool is_ready);
   void come_in(Ui& ui, Shell& shell, Work work);
   void come_in_with_new_password(Ui& ui, Shell& shell, Work work);
   void forget_secrets();
@@ -54,7 +55,8 @@ class EntryScreen : public Screen {
   bool is_busy_ = false;
   std::string login_, name_, code_, password_, password_again_;
   std::string fault_;  ///< why it did not go; a sentence
-  EntryWords words_;   ///< of the work that runs
+  SignInWait wait_;
+  EntryWords words_;  ///< of the work that runs
   std::shared_ptr<Visit> visit_;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "database/people.h"
+#include "database/settings.h"
 #include "database/simulated_course.h"
 #include "simulator/base/check.h"
 #include "ui/jobs/course_jobs.h"
@@ -16,7 +17,17 @@ Visit::Visit(database::Database opened,
       session_(come_in(database_)),
       person_(session_.person()),
       memberships_(session_.memberships()),
+      notices_(session_.notices()),
+      idle_lock_s_(60.0 * database::read_idle_lock_min(database_)),
       is_simulated_(database::is_simulated_course(database_)) {}
+
+Visit::~Visit() {
+  try {
+    session_.sign_out();
+  } catch (const std::exception&) {
+    // The disk is gone or full: the session stays open in what is kept, which grants nothing.
+  }
+}
 
 std::vector<database::Membership> Visit::taught() const {
   std::vector<database::Membership> taught;

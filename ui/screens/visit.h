@@ -21,12 +21,16 @@ class Visit {
   /// needs   opens signs in to the database it is given
   Visit(database::Database opened,
         const std::function<database::Session(database::Database&)>& come_in);
+  /// Ends the session in what is kept, too.
+  ~Visit();
   Visit(const Visit&) = delete;
   Visit& operator=(const Visit&) = delete;
 
   // As they were at the sign-in.
   const database::Person& person() const noexcept { return person_; }
   const std::vector<database::Membership>& memberships() const noexcept { return memberships_; }
+  const std::vector<database::Notice>& notices() const noexcept { return notices_; }
+  double idle_lock_s() const noexcept { return idle_lock_s_; }
   bool is_simulated() const noexcept { return is_simulated_; }  ///< the course, with all in it
   /// The cohorts that the person teaches.
   std::vector<database::Membership> taught() const;
@@ -45,6 +49,8 @@ class Visit {
   database::Session session_;
   database::Person person_;
   std::vector<database::Membership> memberships_;
+  std::vector<database::Notice> notices_;
+  double idle_lock_s_ = 0.0;
   bool is_simulated_ = false;
 };
 

@@ -114,6 +114,8 @@ class Ui {
   Rect display() const noexcept { return display_; }
   double time_s() const noexcept { return time_s_; }
   Point pointer() const noexcept { return pointer_; }
+  /// Since anybody last moved, pressed or typed anything.
+  double untouched_s() const noexcept { return time_s_ - touched_s_; }
   /// What took the person's hands away since the last frame: the pointer left the window, keys go elsewhere.
   bool has_pointer_left() const noexcept { return has_pointer_left_; }
   bool has_lost_keys() const noexcept { return has_lost_keys_; }
@@ -213,7 +215,7 @@ class Ui {
   std::unique_ptr<Canvas> canvas_;
 
   Rect display_;
-  double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0;
+  double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0, touched_s_ = 0.0;
   bool is_settling_ = false, has_waiting_events_ = false;
   FrameContent shown_, building_;
   std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;

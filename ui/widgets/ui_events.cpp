@@ -36,6 +36,11 @@ bool is_edit_key(Chord chord) noexcept {
   return is_arrow(chord.key) || chord.key == Key::Backspace || chord.key == Key::Delete;
 }
 
+// The window loses keys and pointer by itself, too.
+bool is_of_a_hand(EventKind kind) noexcept {
+  return kind != EventKind::PointerLeft && kind != EventKind::FocusLost;
+}
+
 // What a press meets may depend on what was typed before it: a form's button waits for its fields.
 bool meets_what_was_typed(const InputEvent& event) noexcept {
   if (event.kind == EventKind::ButtonPressed || event.kind == EventKind::ButtonReleased)
@@ -60,6 +65,7 @@ void Ui::take_events(EventQueue& queue) {
     if (!edits_.empty() && !queue.is_empty() && meets_what_was_typed(*queue.oldest())) break;
     const std::optional<InputEvent> event = queue.take();
     if (!event) break;
+    if (is_of_a_hand(event->kind)) touched_s_ = time_s_;
     is_settling_ = apply(*event);
     if (key_) take_repeats(queue);
   }

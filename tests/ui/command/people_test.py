@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """People and their passwords: from stdin only, never from the arguments, and never shown."""
 
+import time
 import unittest
 
 from hallux_command import BAD_INPUT, DONE, REFUSED, WRONG_USAGE, CommandTest, RecordedTest
@@ -55,6 +56,27 @@ class People(CommandTest):
         unknown = self.hallux("user", "list", "--as", "eve", stdin=lines("not the password"))
         self.assertEqual((wrong.code, unknown.code), (REFUSED, REFUSED))
         self.assertEqual(wrong.err.replace("ada", "eve"), unknown.err)
+
+    def test_the_fourth_wrong_password_in_a_row_waits_and_says_how_long(self):
+        for _ in range(3):
+            self.expect_refused("attempts", "--as", "ada", stdin=lines("not the password"), says=["wrong"])
+        self.expect_refused("attempts", "--as", "ada", stdin=lines(ADMINISTRATOR), says=["try again in 1 second"])
+        time.sleep(1.1)
+        self.expect_signs_in("ada", ADMINISTRATOR)
+
+    def test_the_owner_of_the_directory_recovers_an_administrator(self):
+        recovered = self.ask("user", "recover", "ada")
+        self.expect_signs_in("ada", ADMINISTRATOR)
+        said = self.hallux("user", "passwd", "ada", "--code", stdin=lines(recovered["code"], LATER))
+        self.assertEqual(said.code, DONE, said)
+        self.expect_signs_in("ada", LATER)
+        self.expect_refused("attempts", "--as", "ada", stdin=lines(ADMINISTRATOR))
+        self.assertEqual(self.query("SELECT kind FROM notice WHERE person_id IS NULL"), [("recovered",)])
+
+    def test_only_an_administrator_is_recovered(self):
+        self.add_ben()
+        self.expect_refusal(BAD_INPUT, ["ben", "administrator"], "user", "recover", "ben")
+        self.expect_refusal(BAD_INPUT, ["eve"], "user", "recover", "eve")
 
     def test_no_password_at_all_is_refused(self):
         self.expect_refused("user", "list", "--as", "ada", says=["stdin"])

@@ -52,6 +52,10 @@ OperatingScreen::~OperatingScreen() {
   begun_.reset();
 }
 
+void OperatingScreen::leave(Shell& /*shell*/) {
+  if (phase_ == Phase::Operating) set_paused(true);
+}
+
 void OperatingScreen::draw(Ui& ui, const Rect& /*content*/, Shell& shell) {
   sight_.display = ui.display();
   switch (phase_) {

@@ -36,6 +36,8 @@ class OperatingScreen : public Screen {
 
   Surround surround() const override { return Surround::Badge; }
   std::string_view why_not_leave() const override { return why_not_leave_; }
+  /// Covered by another screen, or by the lock: nobody holds the saw.
+  void leave(Shell& shell) override;
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

@@ -77,6 +77,33 @@ void Shell::carry_out(Ui& ui) {
   ui.want_frame_in_s(0.0);
 }
 
+void Shell::lock(std::unique_ptr<Screen> screen) {
+  if (is_locked()) return;
+  lock_ = std::move(screen);
+  person_menu_.reset();
+  is_help_shown_ = false;
+  is_unlocking_ = false;
+  if (top() != nullptr) top()->leave(*this);
+}
+
+// What ended meanwhile goes on below, unseen.
+void Shell::draw_locked(Ui& ui) {
+  ui.canvas().fill(ui.display(), ui.theme().page);
+  lock_->draw(ui, ui.display(), *this);
+  if (!is_unlocking_) return;
+  lock_.reset();
+  if (top() != nullptr) top()->enter(*this);
+  ui.want_frame_in_s(0.0);
+}
+
+void Shell::watch_idle(Ui& ui) {
+  if (!visitor_ || idle_s_ <= 0.0 || !on_idle_) return;
+  const double left_s = idle_s_ - ui.untouched_s();
+  if (left_s > 0.0) return ui.want_frame_in_s(left_s);
+  on_idle_();
+  ui.want_frame_in_s(0.0);
+}
+
 void Shell::apply_preferences(Ui& ui) {
   if (ui.theme().name != preferences_.theme) ui.set_theme(preferences_.theme);
   ui.set_reduced_motion(preferences_.is_motion_reduced);
@@ -98,6 +125,12 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
   apply_preferences(ui);
   background_.collect();
   carry_out(ui);
+  if (is_locked()) {
+    draw_locked(ui);
+    carry_out(ui);
+    scenes_ = nullptr;
+    return;
+  }
   if (top() == nullptr || top()->surround() != Surround::Badge)
     ui.canvas().fill(ui.display(), ui.theme().page);
   if (top() != nullptr) {
@@ -109,6 +142,7 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
   if (is_help_shown_) draw_help(ui);
   draw_messages(ui);
   hear_shortcuts(ui);
+  watch_idle(ui);
   tell_preferences();
   carry_out(ui);
   scenes_ = nullptr;
@@ -167,11 +201,12 @@ void Shell::draw_badge(Ui& ui) {
 void Shell::draw_person_menu(Ui& ui) {
   if (!person_menu_) return;
   const bool is_dark = preferences_.theme == ThemeName::Dark;
-  const std::array<MenuItem, 4> items{{
+  const std::array<MenuItem, 5> items{{
       {ui.text(is_dark ? "person.light" : "person.dark"), is_dark ? Icon::Light : Icon::Dark},
       {ui.text("person.help"), Icon::Help, "F1"},
       {ui.text("person.account"), Icon::People},
       {ui.text("person.sign_out"), Icon::SignOut},
+      {ui.text("person.lock"), Icon::Lock},
   }};
   const float height = menu_height(items);
   const int chosen = menu(ui, "person", {person_menu_->x, person_menu_->y - height - 8.0F}, items);
@@ -181,6 +216,7 @@ void Shell::draw_person_menu(Ui& ui) {
   if (chosen == 1) is_help_shown_ = true;
   if (chosen == 2 && may_leave(ui) && on_account_) on_account_();
   if (chosen == 3) sign_out(ui);
+  if (chosen == 4 && on_idle_) on_idle_();
 }
 
 // Work that runs stands below the messages, in the same corner. Returns the height it takes.

@@ -76,6 +76,18 @@ class Shell {
   /// Called when the person asked for their own account; not while the screen says why it may not be left.
   void on_account(std::function<void()> action) { on_account_ = std::move(action); }
 
+  // -- the lock: one screen instead of all others, which stay as they are
+  /// Called once nobody touched anything for so long while somebody is signed in; 0: never.
+  void on_idle(double idle_s, std::function<void()> action) {
+    idle_s_ = idle_s;
+    on_idle_ = std::move(action);
+  }
+  /// Until unlock(), this screen alone is drawn and heard. The one below is told to leave(), as if it lay above it.
+  void lock(std::unique_ptr<Screen> screen);
+  /// After the frame in which it was asked for.
+  void unlock() noexcept { is_unlocking_ = true; }
+  bool is_locked() const noexcept { return lock_ != nullptr; }
+
   // -- messages and work
   void say(Message message);
   Background& background() noexcept { return background_; }
@@ -126,12 +138,17 @@ class Shell {
   void apply_preferences(Ui& ui);
   void tell_preferences();
   void carry_out(Ui& ui);
+  void draw_locked(Ui& ui);
+  void watch_idle(Ui& ui);
 
   std::vector<std::unique_ptr<Screen>> screens_;
   std::vector<Request> requests_;
   std::optional<Visitor> visitor_;
   std::function<void(const std::string&)> on_navigate_;
-  std::function<void()> on_sign_out_, on_account_;
+  std::function<void()> on_sign_out_, on_account_, on_idle_;
+  double idle_s_ = 0.0;
+  std::unique_ptr<Screen> lock_;
+  bool is_unlocking_ = false;
   std::vector<ShownMessage> messages_;
   int next_message_ = 0;
   Preferences preferences_, told_preferences_;
