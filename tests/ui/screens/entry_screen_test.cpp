@@ -7,7 +7,9 @@
 
 #include "database/people.h"
 #include "tests/database/some_course.h"
+#include "tests/support/own_memory.h"
 #include "tests/ui/screens/some_visitor.h"
+#include "ui/widgets/wipe.h"
 
 namespace hallux::ui {
 namespace {
@@ -108,6 +110,39 @@ TEST(EntryScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
     }
   }
   EXPECT_EQ(seen[0], seen[1]);
+}
+
+TEST(EntryScreen, CountsDownAfterWrongPasswords) {
+  database::SomeCourse course;
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  for (int i = 0; i < 4; ++i) {
+    arrival.fill("entry.password", "not the right phrase");
+    arrival.press("entry.sign_in");
+  }
+  arrival.fill("entry.password", good_password);
+  EXPECT_TRUE(arrival.driver().sees("You can try again in 1 second"));
+  EXPECT_FALSE(arrival.driver().widget("entry.sign_in").is_enabled);
+  arrival.driver().wait(1.5);
+  EXPECT_TRUE(arrival.driver().widget("entry.sign_in").is_enabled);
+}
+
+TEST(EntryScreen, LeavesNoPasswordInMemory) {
+  database::SomeCourse course;
+  const PlantedSecret planted;
+  std::string spelled = planted.spelled();
+  const auto taken = [&] {
+    std::string copy = planted.spelled();
+    return database::SecretText::take(copy);
+  };
+  course.administrator().set_password("ada", taken(), cheap);
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  arrival.fill("entry.password", spelled);
+  wipe(spelled);
+  arrival.press("entry.sign_in");
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(planted.places_in_memory(), 0U);
 }
 
 TEST(EntryScreen, AOneTimeCodeChoosesAPassword) {

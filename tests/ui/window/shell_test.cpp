@@ -71,6 +71,52 @@ class ShellJourney : public testing::Test {
   Driver driver{texts, [this](Ui& ui) { shell.draw(ui); }};
 };
 
+/// What stands in front of everything.
+class PlainLock : public Screen {
+ public:
+  void draw(Ui& ui, const Rect& content, Shell& shell) override {
+    if (button(ui, "lock.open", {content.x + 32.0F, 120.0F, 160.0F, 38.0F}, {"Open"}))
+      shell.unlock();
+  }
+};
+
+TEST_F(ShellJourney, ALockStandsInFrontOfAllAndChangesNothing) {
+  events.clear();
+  shell.lock(std::make_unique<PlainLock>());
+  driver.frame();
+  driver.settle();
+  EXPECT_THAT(events, ElementsAre("leave first"));
+  EXPECT_FALSE(driver.sees("first"));
+  EXPECT_FALSE(driver.has("nav.history"));
+  driver.press(Key::Digit2, {.control = true});
+  driver.press(Key::F1);
+  driver.press(Key::Escape);
+  EXPECT_THAT(events, ElementsAre("leave first"));
+  // What work that ends meanwhile brings up is not seen before.
+  shell.push(std::make_unique<PlainScreen>("second", events));
+  driver.frame();
+  EXPECT_FALSE(driver.sees("second"));
+  driver.click("lock.open");
+  EXPECT_FALSE(shell.is_locked());
+  EXPECT_TRUE(driver.sees("second"));
+}
+
+TEST_F(ShellJourney, WhoTouchesNothingIsIdle) {
+  int idle = 0;
+  shell.on_idle(60.0, [&] { ++idle; });
+  driver.move_to({40.0F, 40.0F});
+  driver.wait(50.0);
+  driver.press(Key::Tab);
+  driver.wait(50.0);
+  EXPECT_EQ(idle, 0);
+  driver.frame(11.0);
+  EXPECT_GE(idle, 1);
+  shell.set_visitor(std::nullopt);
+  idle = 0;
+  driver.frame(1000.0);
+  EXPECT_EQ(idle, 0) << "nobody is there to be locked out";
+}
+
 TEST_F(ShellJourney, ScreensComeAndGoInOrder) {
   driver.press(Key::Enter);
   EXPECT_TRUE(driver.sees("second"));

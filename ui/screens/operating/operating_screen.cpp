@@ -53,7 +53,9 @@ OperatingScreen::~OperatingScreen() {
 }
 
 void OperatingScreen::leave(Shell& /*shell*/) {
-  if (phase_ == Phase::Operating) set_paused(true);
+  if (phase_ != Phase::Operating || is_paused_) return;
+  set_paused(true);
+  paused_by_ = "operate.paused.locked";
 }
 
 void OperatingScreen::draw(Ui& ui, const Rect& /*content*/, Shell& shell) {

@@ -190,6 +190,19 @@ TEST_F(WithTheSawRunning, AWindowThatStoodStillPauses) {
   expect_interrupted("The window stood still");
 }
 
+/// Opens by itself with the next frame.
+class BriefLock : public Screen {
+ public:
+  void draw(Ui& /*ui*/, const Rect& /*content*/, Shell& shell) override { shell.unlock(); }
+};
+
+TEST_F(WithTheSawRunning, ALockPausesBeforeAnythingIsDrawn) {
+  person.shell().lock(std::make_unique<BriefLock>());
+  EXPECT_TRUE(person.shell().is_locked());
+  person.make_frames(3);
+  expect_interrupted("The window was locked");
+}
+
 TEST_F(WithTheSawRunning, GoOnIsAButtonToo) {
   person.driver().send({event_of(EventKind::FocusLost)});
   person.make_frames(2);
