@@ -178,12 +178,8 @@ AuditPage AdministratorDesk::audit_page(const AuditRequest& request) {
 Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
                                   const std::function<bool(double)>& progress) {
   require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
-  Backup backup = database::back_up(
-      *database_, directory.empty() ? database_->directory() / "backups" : directory, progress);
-  append_audit(
-      *database_,
-      {holder_.person, "backup_made", "database", "", false, {}, backup.file.filename().string()});
-  return backup;
+  return keep_backup(*database_, directory.empty() ? database_->directory() / "backups" : directory,
+                     holder_.person, {progress, {}});
 }
 
 std::vector<Origin> AdministratorDesk::origins() {

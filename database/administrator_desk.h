@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/backup.h"
+#include "database/backup_rotation.h"
 #include "database/catalogue.h"
 #include "database/desks.h"
 #include "database/erasures.h"
@@ -70,7 +70,7 @@ class AdministratorDesk : public AttemptDesk {
 
   // The directory.
   AuditPage audit_page(const AuditRequest& request);
-  /// Into `directory`, or where that is empty into `backups` of the data directory.
+  /// Into `directory`, or where that is empty into `backups` of the data directory; lets go of old ones (rotation).
   Backup back_up(const std::filesystem::path& directory = {},
                  const std::function<bool(double)>& progress = {});
   /// Where imported attempts come from.

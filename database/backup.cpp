@@ -3,10 +3,19 @@
 #include <SQLiteCpp/Backup.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <system_error>
 
+#include "database/backup_folder.h"
+#include "database/backup_manifest.h"
+#include "database/durable_file.h"
+#include "database/erased_recordings.h"
+#include "database/erasures.h"
 #include "database/files.h"
+#include "database/migrations.h"
+#include "database/recordings.h"
 #include "database/sql.h"
+#include "database/table_copy.h"
 
 namespace hallux::database {
 
@@ -14,24 +23,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 4 MiB between two questions whether to go on.
-constexpr int pages_between_reports = 1024;
+/// Recordings take the most of a first backup, tables that of the later ones; a bar that moves is enough.
+constexpr double part_of_recordings = 0.7, part_of_tables = 0.95;
 
-/// Gone where the backup ends before it is complete.
-class PartialFile {
+class Progress {
  public:
-  explicit PartialFile(fs::path file) : file_(std::move(file)) {}
-  ~PartialFile() {
-    std::error_code ignored;
-    fs::remove(file_, ignored);
-    fs::remove(file_.string() + "-journal", ignored);
+  explicit Progress(const std::function<bool(double)>& told) : told_(told) {}
+  bool goes_on() {
+    is_stopped_ = is_stopped_ || (told_ && !told_(part_));
+    return !is_stopped_;
   }
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-  const fs::path& file() const noexcept { return file_; }
+  void reach(double part) {
+    part_ = part;
+    if (!goes_on()) throw BackupStopped{"the backup was stopped; none was left"};
+  }
 
  private:
-  fs::path file_;
+  const std::function<bool(double)>& told_;
+  double part_ = 0.0;
+  bool is_stopped_ = false;
 };
 
 std::int64_t size_of(Database& database) {
@@ -43,77 +53,197 @@ std::int64_t size_of(Database& database) {
   });
 }
 
-void check_room(const Database& database, const fs::path& directory, std::int64_t bytes) {
+void check_room(const Database& database, const fs::path& folder, std::int64_t bytes,
+                const BackupOptions& options) {
   std::error_code error;
-  const fs::space_info space = fs::space(directory, error);
-  if (error || space.available >= 2 * static_cast<std::uintmax_t>(bytes)) return;
-  throw DatabaseError{DatabaseErrorKind::Full, "no backup of " + database.file().string() +
-                                                   " was made: " + directory.string() +
-                                                   " has less than twice its size free; free some "
-                                                   "space or name another directory"};
+  const std::uintmax_t there = fs::space(folder, error).available;
+  const std::uintmax_t available = options.pretended_free_bytes.value_or(error ? 0 : there);
+  if (available >= 2 * static_cast<std::uintmax_t>(bytes)) return;
+  throw DatabaseError{DatabaseErrorKind::Full,
+                      "no backup of " + database.file().string() + " was made: " + folder.string() +
+                          " has less than twice its size free (" +
+                          std::to_string(bytes / 1'000'000 + 1) +
+                          " MB to write); free some space or name another directory"};
 }
 
-/// "hallux-20260301-142500.db", and with a number where that is taken.
-fs::path free_name(Database& database, const fs::path& directory) {
-  const std::string utc = utc_now(database);
-  const std::string stem = "hallux-" + utc.substr(0, 4) + utc.substr(5, 2) + utc.substr(8, 2) +
-                           "-" + utc.substr(11, 2) + utc.substr(14, 2) + utc.substr(17, 2);
-  fs::path file = directory / (stem + ".db");
-  for (int number = 2; fs::exists(file); ++number) {
-    file = directory / (stem + "-" + std::to_string(number) + ".db");
+/// Sealed, and not erased: their chunks never change any more.
+std::vector<AttemptId> closed_recordings(Database& database) {
+  return translating(database, "list the closed recordings", [&] {
+    SQLite::Statement rows{database.connection(),
+                           "SELECT uuid FROM attempt a WHERE seal IS NOT NULL AND NOT EXISTS "
+                           "(SELECT 1 FROM erased_recording e WHERE e.attempt_id = a.attempt_id) "
+                           "ORDER BY attempt_id"};
+    std::vector<AttemptId> attempts;
+    while (rows.executeStep()) attempts.push_back({rows.getColumn(0).getString()});
+    return attempts;
+  });
+}
+
+class BackupWriter {
+ public:
+  BackupWriter(Database source, const fs::path& path, const BackupOptions& options)
+      : source_(std::move(source)), folder_(path), options_(options), progress_(options.progress) {
+    manifest_.made_utc = utc_now(source_);
+    manifest_.name = folder_.free_name(manifest_.made_utc);
+    manifest_.directory = directory_uuid(source_);
   }
-  return file;
-}
 
-/// needs   `source` reads from one snapshot: without it, each commit of a writer would begin the copy anew
-void copy_pages(SQLite::Database& source, SQLite::Database& target,
-                const std::function<bool(double)>& progress) {
-  SQLite::Backup backup{target, source};
-  while (backup.executeStep(pages_between_reports) != SQLITE_DONE) {
-    const double total = static_cast<double>(backup.getTotalPageCount());
-    const double left = static_cast<double>(backup.getRemainingPageCount());
-    if (progress && total > 0.0 && !progress(0.9 * (1.0 - left / total))) {
-      throw BackupStopped{"the backup was stopped; no file was left"};
+  Backup write() {
+    const std::int64_t there = folder_.recording_bytes();
+    check_room(source_, folder_.path(), std::max<std::int64_t>(size_of(source_) - there, 0),
+               options_);
+    write_recordings();
+    write_tables();
+    progress_.reach(part_of_tables);
+    const fs::path file = folder_.path() / (manifest_.name + ".json");
+    add_to_journal(journal_in(folder_.path()), known_erasures());
+    write_manifest(file, manifest_);
+    if (options_.progress) options_.progress(1.0);
+    Backup backup{file, manifest_.made_utc, manifest_.directory, manifest_.tables_bytes};
+    backup.new_bytes = manifest_.tables_bytes + folder_.recording_bytes() - there;
+    backup.recordings = static_cast<std::int64_t>(manifest_.recordings.size());
+    for (const KeptRecording& kept : manifest_.recordings) backup.bytes += kept.bytes;
+    backup.damaged = static_cast<std::int64_t>(manifest_.damaged.size());
+    return backup;
+  }
+
+ private:
+  /// Before the snapshot, so that it stays short; what is sealed meanwhile goes with the tables.
+  void write_recordings() {
+    const std::vector<AttemptId> attempts = closed_recordings(source_);
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      progress_.reach(part_of_recordings * static_cast<double>(i) /
+                      static_cast<double>(attempts.size()));
+      keep(attempts[i]);
+    }
+    progress_.reach(part_of_recordings);
+  }
+
+  void keep(const AttemptId& attempt) {
+    try {
+      std::error_code error;
+      // One that is there was checked when it was written.
+      if (!fs::exists(recording_file(folder_.path(), attempt), error)) {
+        check_recording(source_, attempt);
+        // Erased in the meantime: the tables say so.
+        if (erased_recording(source_, attempt)) return;
+      }
+      manifest_.recordings.push_back(keep_recording(source_, attempt, folder_.path()));
+    } catch (const DatabaseError& error) {
+      if (error.kind() != DatabaseErrorKind::Damaged) throw;
+      manifest_.damaged.push_back(attempt);
     }
   }
-}
 
-/// One file without a log beside it, and whole.
-void finish_file(SQLite::Database& copy) {
-  copy.exec("PRAGMA journal_mode = DELETE");
-  SQLite::Statement check{copy, "PRAGMA quick_check(1)"};
-  check.executeStep();
-  const std::string answer = check.getColumn(0).getString();
-  if (answer == "ok") return;
-  throw DatabaseError{DatabaseErrorKind::Damaged,
-                      copy.getFilename() + " was not copied well (" + answer +
-                          "); check the disk, and the database with `hallux verify`"};
+  /// Inside the snapshot: what was erased since its file was written does not belong to this backup.
+  std::vector<AttemptId> left_out() {
+    const std::vector<AttemptId> closed = closed_recordings(source_);
+    const auto is_gone = [&](const KeptRecording& kept) {
+      return std::find(closed.begin(), closed.end(), kept.attempt) == closed.end();
+    };
+    std::erase_if(manifest_.recordings, is_gone);
+    std::vector<AttemptId> attempts;
+    for (const KeptRecording& kept : manifest_.recordings) attempts.push_back(kept.attempt);
+    return attempts;
+  }
+
+  void write_tables() {
+    const fs::path file = folder_.path() / (manifest_.name + ".tables");
+    const fs::path unfinished = file.string() + ".part";
+    copy_tables(
+        source_, unfinished, [this] { return left_out(); }, [this] { return progress_.goes_on(); });
+    progress_.reach(part_of_recordings);
+    const DigestedFile written = digest_of_file(unfinished);
+    manifest_.tables = written.digest;
+    manifest_.tables_bytes = written.bytes;
+    sync_file(unfinished);
+    put_in_place(unfinished, file);
+  }
+
+  std::vector<JournalLine> known_erasures() {
+    std::vector<JournalLine> lines = read_journal(journal_in(source_.directory() / "backups"));
+    for (const JournalLine& line : list_erasures(source_)) {
+      const auto is_same = [&](const JournalLine& known) {
+        return known.person == line.person && known.directory == line.directory;
+      };
+      if (std::none_of(lines.begin(), lines.end(), is_same)) lines.push_back(line);
+    }
+    return lines;
+  }
+
+  Database source_;
+  BackupFolder folder_;
+  const BackupOptions& options_;
+  Progress progress_;
+  BackupManifest manifest_;
+};
+
+std::optional<Backup> backup_in(const fs::path& file) {
+  const std::string moment = moment_in_name(file.stem().string());
+  if (moment.empty()) return std::nullopt;
+  Backup backup{file, moment};
+  std::error_code error;
+  if (file.extension() == ".db") {
+    const std::uintmax_t bytes = fs::file_size(file, error);
+    backup.bytes = error ? 0 : static_cast<std::int64_t>(bytes);
+    return backup;
+  }
+  if (file.extension() != ".json") return std::nullopt;
+  try {
+    const BackupManifest manifest = read_manifest(file);
+    backup.recordings = static_cast<std::int64_t>(manifest.recordings.size());
+    backup.damaged = static_cast<std::int64_t>(manifest.damaged.size());
+    backup.directory = manifest.directory;
+    backup.bytes = manifest.tables_bytes;
+    for (const KeptRecording& kept : manifest.recordings) backup.bytes += kept.bytes;
+    return backup;
+  } catch (const DatabaseError&) {
+    return std::nullopt;  // what is no complete backup is not offered as one
+  }
 }
 
 }  // namespace
 
-Backup back_up(Database& database, const fs::path& directory,
-               const std::function<bool(double)>& progress) {
-  Database source = database.open_again();
-  make_private_directory(directory);
-  const std::int64_t bytes = size_of(source);
-  check_room(source, directory, bytes);
-  const fs::path file = free_name(source, directory);
-  const PartialFile partial{file.string() + ".part"};
-  make_private_file(partial.file());
-  translating(source, "back up", [&] {
-    SQLite::Transaction snapshot{source.connection()};
-    SQLite::Statement begin{source.connection(), "SELECT count(*) FROM sqlite_schema"};
-    begin.executeStep();
-    SQLite::Database target{partial.file().string(), SQLite::OPEN_READWRITE};
-    copy_pages(source.connection(), target, progress);
-    finish_file(target);
-  });
+Backup back_up(Database& database, const fs::path& folder, const BackupOptions& options) {
+  return BackupWriter{database.open_again(), folder, options}.write();
+}
+
+std::vector<Backup> list_backups(const fs::path& folder) {
+  std::vector<Backup> backups;
   std::error_code error;
-  fs::rename(partial.file(), file, error);
-  if (error) throw file_error(file, "name the backup", error.value());
-  if (progress) progress(1.0);
-  return {file, bytes};
+  for (fs::directory_iterator entry{folder, error}, end; !error && entry != end;
+       entry.increment(error)) {
+    if (auto backup = backup_in(entry->path())) backups.push_back(std::move(*backup));
+  }
+  std::sort(backups.begin(), backups.end(), [](const Backup& a, const Backup& b) {
+    return std::pair{a.made_utc, a.file} > std::pair{b.made_utc, b.file};
+  });
+  return backups;
+}
+
+void back_up_before_migration(Database& database) {
+  const fs::path folder = database.directory() / "backups";
+  const BackupFolder locked{folder, BackupFolder::Wait::Yes};
+  if (!is_of_older_schema(database)) return;
+  const std::int64_t bytes = size_of(database);
+  check_room(database, folder, bytes, {});
+  const fs::path file = folder / (locked.free_name(utc_now(database)) + ".db");
+  const fs::path unfinished = file.string() + ".part";
+  make_private_file(unfinished);
+  translating(database, "copy the database", [&] {
+    SQLite::Database target{unfinished.string(), SQLite::OPEN_READWRITE, 0, database.vfs_name()};
+    {
+      SQLite::Backup backup{target, database.connection()};
+      if (backup.executeStep(-1) != SQLITE_DONE) {
+        throw DatabaseError{DatabaseErrorKind::Locked,
+                            "could not copy " + database.file().string() +
+                                ": another program keeps it busy; close that program"};
+      }
+    }
+    target.exec("PRAGMA journal_mode = DELETE");
+  });
+  sync_file(unfinished);
+  put_in_place(unfinished, file);
 }
 
 void copy_whole(Database& source, Database& target) {

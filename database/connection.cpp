@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "database/backup.h"
 #include "database/file_system.h"
 #include "database/files.h"
 #include "database/log_size.h"
@@ -82,6 +83,18 @@ void mark_interrupted_attempts(Database& database) {
   }
 }
 
+void back_up_first(Database& database) {
+  if (!is_of_older_schema(database)) return;
+  try {
+    back_up_before_migration(database);
+  } catch (const DatabaseError& error) {
+    throw DatabaseError{error.kind(), "the schema of " + database.file().string() +
+                                          " is older and was not migrated, because no copy of it "
+                                          "could be made before: " +
+                                          error.what()};
+  }
+}
+
 }  // namespace
 
 Database::Database(std::filesystem::path directory, const OpenOptions& options)
@@ -106,6 +119,7 @@ Database Database::open(const std::filesystem::path& directory, const OpenOption
   check_schema_is_known(database);
   configure(database, options.access);
   if (options.access == Access::ReadWrite) {
+    if (options.backs_up_before_migration) back_up_first(database);
     translating(database, "migrate the schema", [&] { migrate(database); });
     mark_interrupted_attempts(database);
   }

@@ -30,6 +30,9 @@ struct OpenOptions {
   std::string pretended_station = {};  ///< what the sign-in guard counts by; empty: this machine's
   /// The file system that the directory is on, as a mount table names it; empty: what this system's says. For tests.
   std::string file_system = {};
+  /// A copy of an older database goes into `backups` before its schema is migrated; where it cannot be made, the
+  /// migration is refused.
+  bool backs_up_before_migration = true;
 };
 
 /// A connection with the settings that every connection has. One thread at a time may use it.
@@ -54,6 +57,7 @@ class Database {
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
   int busy_timeout_ms() const noexcept { return options_.busy_timeout_ms; }
+  const std::string& vfs_name() const noexcept { return options_.vfs_name; }
   const std::string& pretended_utc() const noexcept { return options_.pretended_utc; }
   const std::string& pretended_station() const noexcept { return options_.pretended_station; }
   void pretend_it_is(std::string utc) { options_.pretended_utc = std::move(utc); }

@@ -14,10 +14,29 @@ namespace hallux::database {
 
 namespace {
 
+constexpr std::size_t bytes_at_once = std::size_t{1} << 20U;
+
 int opened(const std::filesystem::path& file, int flags, const char* tried) {
   const int descriptor = ::open(file.c_str(), flags | O_CLOEXEC, 0600);
   if (descriptor < 0) throw file_error(file, tried, errno);
   return descriptor;
+}
+
+/// Every piece of the file, in order.
+template <typename Work>
+DigestedFile digested(const std::filesystem::path& file, Work&& work) {
+  DurableFile read = DurableFile::open_to_read(file);
+  std::vector<std::byte> buffer(bytes_at_once);
+  Digester digester;
+  DigestedFile result;
+  for (std::size_t count = read.read(buffer); count > 0; count = read.read(buffer)) {
+    const auto piece = std::span{buffer}.first(count);
+    digester.add_bytes(piece);
+    work(piece);
+    result.bytes += static_cast<std::int64_t>(count);
+  }
+  result.digest = digester.finish();
+  return result;
 }
 
 }  // namespace
@@ -89,6 +108,10 @@ std::int64_t DurableFile::bytes() const {
   return facts.st_size;
 }
 
+void DurableFile::skip_to(std::int64_t bytes) {
+  if (::lseek(descriptor_, bytes, SEEK_SET) != bytes) throw file_error(file_, "read", errno);
+}
+
 void DurableFile::cut_to(std::int64_t bytes) {
   if (::ftruncate(descriptor_, bytes) != 0) throw file_error(file_, "cut", errno);
 }
@@ -121,6 +144,23 @@ std::vector<std::byte> read_plain_file(const std::filesystem::path& file, std::i
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   bytes.resize(opened_file.read(bytes));
   return bytes;
+}
+
+void sync_file(const std::filesystem::path& file) {
+  const int descriptor = opened(file, O_RDWR, "write");
+  const int answer = ::fsync(descriptor);
+  const int error_number = errno;
+  ::close(descriptor);
+  if (answer != 0) throw file_error(file, "write", error_number);
+}
+
+DigestedFile digest_of_file(const std::filesystem::path& file) {
+  return digested(file, [](std::span<const std::byte>) {});
+}
+
+DigestedFile copy_digested(const std::filesystem::path& from, const std::filesystem::path& to) {
+  DurableFile written = DurableFile::create(to);
+  return digested(from, [&](std::span<const std::byte> piece) { written.write(piece); });
 }
 
 }  // namespace hallux::database

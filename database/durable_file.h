@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "database/database_error.h"
+#include "simulator/base/digest.h"
 
 namespace hallux::database {
 
@@ -30,6 +31,8 @@ class DurableFile {
   /// How many bytes came: fewer than asked for at the end of the file only.
   std::size_t read(std::span<std::byte> bytes);
   std::int64_t bytes() const;
+  /// Where the next read begins.
+  void skip_to(std::int64_t bytes);
   void cut_to(std::int64_t bytes);
   /// Returns when the disk says that it holds what was written.
   void sync();
@@ -43,8 +46,19 @@ class DurableFile {
 /// The name stands for the whole new content from now on, also after a power cut.
 void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& file);
 void sync_directory(const std::filesystem::path& directory);
+void sync_file(const std::filesystem::path& file);
 
 /// errors  DatabaseError: as open_to_read; BadInput where it is larger than `bytes_max`
 std::vector<std::byte> read_plain_file(const std::filesystem::path& file, std::int64_t bytes_max);
+
+struct DigestedFile {
+  std::int64_t bytes = 0;
+  Digest digest;
+};
+
+/// errors  DatabaseError: as open_to_read
+DigestedFile digest_of_file(const std::filesystem::path& file);
+/// Copies the bytes that are digested: who exchanges the file meanwhile changes nothing.
+DigestedFile copy_digested(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace hallux::database

@@ -21,6 +21,7 @@ Meaning meaning_of(int error_number) {
   switch (error_number) {
     case ENOSPC:
     case EDQUOT:
+    case EFBIG:
       return {DatabaseErrorKind::Full, "the disk is full; free some space"};
     case EROFS:
     case EACCES:

@@ -45,6 +45,13 @@ void check_schema_is_known(Database& database) {
   });
 }
 
+bool is_of_older_schema(Database& database) {
+  return translating(database, "read the schema version", [&] {
+    const std::int32_t found = pragma_number(database, "PRAGMA user_version");
+    return found > 0 && found < newest_schema();
+  });
+}
+
 void migrate(Database& database) {
   const auto files = schema_files();
   if (pragma_number(database, "PRAGMA user_version") == newest_schema()) return;

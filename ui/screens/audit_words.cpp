@@ -11,7 +11,7 @@ struct Deed {
   std::string_view code, text_id;
 };
 
-/// What is done, and (second part) what may be refused: the names of the policy's actions.
+/// What was done.
 constexpr auto deeds = std::to_array<Deed>({
     {"signed_in", "audit.signed_in"},
     {"signed_out", "audit.signed_out"},
@@ -46,6 +46,21 @@ constexpr auto deeds = std::to_array<Deed>({
     {"result_overridden", "audit.result_overridden"},
     {"result_voided", "audit.result_voided"},
     {"backup_made", "audit.backup_made"},
+    {"password_asked", "audit.password_asked"},
+    {"administrator_recovered", "audit.administrator_recovered"},
+    {"setting_changed", "audit.setting_changed"},
+    {"backup_removed", "audit.backup_removed"},
+    {"backup_restored", "audit.backup_restored"},
+    {"person_erased", "audit.person_erased"},
+    {"recording_erased", "audit.recording_erased"},
+    {"person_exported", "audit.person_exported"},
+    {"rotation_changed", "audit.rotation_changed"},
+    {"retention_changed", "audit.retention_changed"},
+    {"retention_applied", "audit.retention_applied"},
+});
+
+/// What may be refused: the names of the policy's actions.
+constexpr auto tries = std::to_array<Deed>({
     {"begin_attempt", "audit.begin_attempt"},
     {"list_attempts", "audit.list_attempts"},
     {"view_attempt", "audit.view_attempt"},
@@ -76,11 +91,11 @@ constexpr auto deeds = std::to_array<Deed>({
     {"retire_scenario", "audit.retire_scenario"},
     {"read_audit", "audit.read_audit"},
     {"back_up", "audit.back_up"},
-    {"password_asked", "audit.password_asked"},
-    {"administrator_recovered", "audit.administrator_recovered"},
-    {"setting_changed", "audit.setting_changed"},
     {"read_notices", "audit.read_notices"},
     {"change_settings", "audit.change_settings"},
+    {"erase_person", "audit.erase_person"},
+    {"export_person", "audit.export_person"},
+    {"retain", "audit.retain"},
 });
 
 /// Kinds of subjects that have a number, not a name.
@@ -116,7 +131,8 @@ std::string named_subject(const Texts& texts, const database::AuditLine& line) {
 }  // namespace
 
 std::string deed_text(const Texts& texts, const database::AuditLine& line) {
-  const std::string_view id = text_id_in(deeds, line.action);
+  const std::string_view done = text_id_in(deeds, line.action);
+  const std::string_view id = done.empty() ? text_id_in(tries, line.action) : done;
   if (!id.empty()) return std::string(texts.text(id));
   // Written by a version that knows more.
   std::string words = line.action;
@@ -134,6 +150,7 @@ std::string subject_text(const Texts& texts, const database::AuditLine& line) {
 std::vector<std::string_view> known_deeds() {
   std::vector<std::string_view> codes;
   for (const Deed& deed : deeds) codes.push_back(deed.code);
+  for (const Deed& tried : tries) codes.push_back(tried.code);
   return codes;
 }
 

@@ -42,17 +42,9 @@ std::string bytes_text(std::int64_t bytes) {
 }
 
 std::optional<RecordsScreen::LastBackup> RecordsScreen::find_last_backup(const fs::path& folder) {
-  std::optional<LastBackup> last;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (backup_moment(name).empty() || entry.path().extension() != ".db") continue;
-    if (last && name < last->file.filename().string()) continue;
-    std::error_code unknown;
-    const auto bytes = entry.file_size(unknown);
-    last = LastBackup{entry.path(), unknown ? 0 : static_cast<std::int64_t>(bytes)};
-  }
-  return last;  // a folder that is not there holds none
+  const std::vector<database::Backup> backups = database::list_backups(folder);
+  if (backups.empty()) return std::nullopt;
+  return LastBackup{backups.front().file, backups.front().bytes};
 }
 
 void RecordsScreen::read(Ui& ui, Shell& shell) {
