@@ -107,6 +107,17 @@ ErasedPieces AdministratorDesk::erase_person(const EraseRequest& request,
                                 holder_.person, progress);
 }
 
+PersonExport AdministratorDesk::export_person(const std::string& login,
+                                              const std::filesystem::path& directory,
+                                              const std::function<bool(double)>& progress) {
+  const Person person = find_person(*database_, login);
+  require(*database_, holder_, Action::ExportPerson, relation_to_person(person),
+          "the data of " + login);
+  const PersonExport made = database::export_person(*database_, person.id, directory, progress);
+  audit("person_exported", "person", std::to_string(person.id.number));
+  return made;
+}
+
 std::vector<Cohort> AdministratorDesk::cohorts() {
   require(*database_, holder_, Action::ListCohorts, Relation::Other, "the cohorts");
   return list_cohorts(*database_);
@@ -220,6 +231,48 @@ void AdministratorDesk::set_idle_lock_min(std::int32_t minutes) {
                               {},
                               std::to_string(minutes)});
   });
+}
+
+std::vector<Backup> AdministratorDesk::backups() {
+  require(*database_, holder_, Action::BackUp, Relation::Other, "the backups");
+  return list_backups(database_->directory() / "backups");
+}
+
+RotationRule AdministratorDesk::rotation() {
+  require(*database_, holder_, Action::BackUp, Relation::Other, "how many backups are kept");
+  return load_rotation(*database_);
+}
+
+void AdministratorDesk::set_rotation(const RotationRule& rule) {
+  require(*database_, holder_, Action::ChangeSettings, Relation::Other,
+          "how many backups are kept");
+  in_transaction(*database_, "set how many backups are kept", [&] {
+    store_rotation(*database_, rule);
+    audit("rotation_changed", "database", "");
+  });
+}
+
+RetentionRules AdministratorDesk::retention() {
+  require(*database_, holder_, Action::Retain, Relation::Other, "how long what is kept");
+  return load_retention(*database_);
+}
+
+void AdministratorDesk::set_retention(const RetentionRules& rules) {
+  require(*database_, holder_, Action::ChangeSettings, Relation::Other, "how long what is kept");
+  in_transaction(*database_, "set how long what is kept", [&] {
+    store_retention(*database_, rules);
+    audit("retention_changed", "database", "");
+  });
+}
+
+std::vector<RetentionPiece> AdministratorDesk::retention_plan() {
+  require(*database_, holder_, Action::Retain, Relation::Other, "what need not be kept");
+  return plan_retention(*database_);
+}
+
+RetentionDone AdministratorDesk::retain(const std::function<bool(double)>& progress) {
+  require(*database_, holder_, Action::Retain, Relation::Other, "what need not be kept");
+  return apply_retention(*database_, holder_.person, progress);
 }
 
 }  // namespace hallux::database

@@ -12,7 +12,9 @@
 #include "database/erasures.h"
 #include "database/one_time_codes.h"
 #include "database/origins.h"
+#include "database/person_export.h"
 #include "database/records/audit_line.h"
+#include "database/retention.h"
 
 namespace hallux::database {
 
@@ -50,6 +52,9 @@ class AdministratorDesk : public AttemptDesk {
   ///         database/erasures.h; ErasureStopped
   ErasedPieces erase_person(const EraseRequest& request, const PasswordProof& proof,
                             const std::function<bool(double)>& progress = {});
+  /// All that is kept of them, for them (database/person_export.h).
+  PersonExport export_person(const std::string& login, const std::filesystem::path& directory,
+                             const std::function<bool(double)>& progress = {});
 
   // Cohorts.
   std::vector<Cohort> cohorts();
@@ -84,6 +89,15 @@ class AdministratorDesk : public AttemptDesk {
   /// After how many minutes without a touch a window locks.
   /// errors  DatabaseError BadInput outside 5 to 60
   void set_idle_lock_min(std::int32_t minutes);
+  /// Of `backups` in the data directory.
+  std::vector<Backup> backups();
+  RotationRule rotation();
+  void set_rotation(const RotationRule& rule);
+  RetentionRules retention();
+  void set_retention(const RetentionRules& rules);
+  /// A dry run: exactly what would go now.
+  std::vector<RetentionPiece> retention_plan();
+  RetentionDone retain(const std::function<bool(double)>& progress = {});
 
  private:
   friend class Session;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <tuple>
 
 #include "database/backup_folder.h"
 #include "database/backup_manifest.h"
@@ -216,7 +217,10 @@ std::vector<Backup> list_backups(const fs::path& folder) {
     if (auto backup = backup_in(entry->path())) backups.push_back(std::move(*backup));
   }
   std::sort(backups.begin(), backups.end(), [](const Backup& a, const Backup& b) {
-    return std::pair{a.made_utc, a.file} > std::pair{b.made_utc, b.file};
+    // "-2" and "-10" behind a name count those of one second.
+    const std::string name_a = a.file.stem().string(), name_b = b.file.stem().string();
+    return std::tuple{a.made_utc, name_a.size(), name_a} >
+           std::tuple{b.made_utc, name_b.size(), name_b};
   });
   return backups;
 }

@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, action_count> action_names{
     "change_role",     "add_cohort",      "list_cohorts",       "enrol",
     "list_scenarios",  "import_scenario", "publish_scenario",   "retire_scenario",
     "read_audit",      "back_up",         "list_origins",       "accept_origin",
-    "read_notices",    "change_settings", "erase_person"};
+    "read_notices",    "change_settings", "erase_person",       "export_person",
+    "retain"};
 
 std::string_view name_of(Action action) noexcept {
   return action_names[static_cast<std::size_t>(action)];

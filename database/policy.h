@@ -53,9 +53,11 @@ enum class Action : std::uint8_t {
   AcceptOrigin,    ///< what came from there counts, or no longer
   ReadNotices,     ///< and acknowledge them
   ChangeSettings,  ///< of the data directory
-  ErasePerson      ///< for good
+  ErasePerson,     ///< for good
+  ExportPerson,    ///< all that is kept of them
+  Retain           ///< let go of what need not be kept
 };
-inline constexpr std::size_t action_count = 35;
+inline constexpr std::size_t action_count = 37;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
@@ -127,6 +129,8 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::ReadNotices, {{no, own, no, other}}},
       {Action::ChangeSettings, {{no, no, no, other}}},
       {Action::ErasePerson, {{no, no, no, other}}},
+      {Action::ExportPerson, {{no, own, no, own_other}}},
+      {Action::Retain, {{no, no, no, other}}},
   }};
 }
 

@@ -1,11 +1,5 @@
 #include "database/restore.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -16,7 +10,7 @@
 #include "database/backup_manifest.h"
 #include "database/durable_file.h"
 #include "database/erasures.h"
-#include "database/files.h"
+#include "database/fresh_directory.h"
 #include "database/sql.h"
 #include "database/table_copy.h"
 #include "database/verify.h"
@@ -30,67 +24,6 @@ namespace fs = std::filesystem;
 constexpr double part_of_tables = 0.1, part_of_recordings = 0.6, part_of_checks = 0.98;
 /// The first schema in which a directory has a uuid.
 constexpr int schema_with_identity = 4;
-
-fs::path without_slash(const fs::path& path) {
-  return path.has_filename() ? path : path.parent_path();
-}
-
-/// The directory while it is made: a hidden one beside the place it gets, gone where it is not finished. Its lock tells
-/// one that is being made from one that a kill left.
-class Workplace {
- public:
-  explicit Workplace(const fs::path& directory)
-      : target_(without_slash(fs::absolute(directory))),
-        path_(target_.parent_path() / ("." + target_.filename().string() + ".restoring")),
-        lock_file_(path_.string() + ".lock") {
-    check_target_is_free();
-    if (target_.has_parent_path()) fs::create_directories(target_.parent_path());
-    lock_ = ::open(lock_file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (lock_ < 0) throw file_error(lock_file_, "make the lock file", errno);
-    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-      ::close(lock_);
-      throw DatabaseError{DatabaseErrorKind::Locked,
-                          "a backup is being restored into " + target_.string() + " already"};
-    }
-    clear();
-    make_private_directory(path_);
-  }
-
-  ~Workplace() {
-    clear();
-    std::error_code ignored;
-    fs::remove(lock_file_, ignored);
-    ::close(lock_);
-  }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-
-  const fs::path& path() const noexcept { return path_; }
-
-  /// Once more asked: something may have been put there meanwhile.
-  void finish() const {
-    check_target_is_free();
-    put_in_place(path_, target_);
-  }
-
- private:
-  void check_target_is_free() const {
-    std::error_code error;
-    const fs::file_status status = fs::symlink_status(target_, error);
-    if (!fs::exists(status) || (fs::is_directory(status) && fs::is_empty(target_, error))) return;
-    throw DatabaseError{DatabaseErrorKind::Refused,
-                        "nothing was restored: " + target_.string() +
-                            " holds something already; name a directory that is new or empty"};
-  }
-
-  void clear() const noexcept {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  fs::path target_, path_, lock_file_;
-  int lock_ = -1;
-};
 
 /// What was asked for: a manifest, a whole database, or the newest of a folder.
 fs::path chosen_backup(const fs::path& asked) {
@@ -261,7 +194,7 @@ class Restorer {
 
   const RestoreOrder& order_;
   const std::function<bool(double)>& progress_;
-  Workplace workplace_;
+  FreshDirectory workplace_;
   Restored restored_;
   std::optional<BackupManifest> manifest_;
   bool had_identity_ = true;

@@ -46,4 +46,12 @@ void TraineeDesk::acknowledge(NoticeId notice) {
   acknowledge_notice(*database_, notice, *holder_.person);
 }
 
+PersonExport TraineeDesk::export_own(const std::filesystem::path& directory,
+                                     const std::function<bool(double)>& progress) {
+  require(*database_, holder_, Action::ExportPerson, Relation::Own, "your data");
+  const PersonExport made = export_person(*database_, *holder_.person, directory, progress);
+  audit("person_exported", "person", std::to_string(holder_.person->number));
+  return made;
+}
+
 }  // namespace hallux::database

@@ -6,6 +6,7 @@
 #include "database/catalogue.h"
 #include "database/desks.h"
 #include "database/help_requests.h"
+#include "database/person_export.h"
 
 namespace hallux::database {
 
@@ -25,6 +26,9 @@ class TraineeDesk : public CourseDesk {
   std::vector<Notice> notices();
   /// errors  DatabaseError Refused where it was told to somebody else, or there is none
   void acknowledge(NoticeId notice);
+  /// All that is kept of this person (database/person_export.h).
+  PersonExport export_own(const std::filesystem::path& directory,
+                          const std::function<bool(double)>& progress = {});
 
  private:
   friend class Session;

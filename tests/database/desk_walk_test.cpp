@@ -62,6 +62,10 @@ class Walk : public SomeCourse {
     return std::nullopt;
   }
 
+  std::filesystem::path new_directory() {
+    return database().directory() / ("new-" + std::to_string(++directories_));
+  }
+
   Outcome try_at(Role role, const std::function<Outcome(TriedDesk&)>& work) {
     if (role == Role::House) {
       HouseDesk desk{database()};
@@ -100,6 +104,7 @@ class Walk : public SomeCourse {
     rows_[login] = rows;
   }
 
+  int directories_ = 0;
   std::map<std::string, Subject> rows_;
   Subject robot_;
 };
@@ -215,6 +220,8 @@ Outcome about_person(Walk& world, TriedDesk& desk, Action action, const Subject&
       return refused_or_done([&] { administrator.set_disabled(login, false); });
     case Action::ChangeRole:
       return refused_or_done([&] { administrator.set_administrator(login, login == "root"); });
+    case Action::ExportPerson:
+      return refused_or_done([&] { administrator.export_person(login, world.new_directory()); });
     case Action::ErasePerson:
       return refused_or_done([&] {
         administrator.erase_person({login, "asked for it", true},
@@ -257,6 +264,11 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
       case Action::RetireScenario:
         administrator.retire_scenario(world.published());
         return;
+      case Action::Retain:
+        EXPECT_TRUE(administrator.retention_plan().empty());
+        EXPECT_FALSE(administrator.retention().practice_days);
+        administrator.retain();
+        return;
       case Action::ReadAudit:
         EXPECT_GT(administrator.audit_page({}).total, 0);
         return;
@@ -269,9 +281,13 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
         return;
       case Action::ChangeSettings:
         administrator.set_idle_lock_min(20);
+        administrator.set_rotation({3, 2, 1, 0});
+        administrator.set_retention({30, {}, {}, {}});
         return;
       default:
         EXPECT_TRUE(std::filesystem::exists(administrator.back_up().file));
+        EXPECT_EQ(administrator.backups().size(), 1U);
+        EXPECT_EQ(administrator.rotation().newest, 10);
     }
   });
 }
@@ -327,6 +343,11 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
     case Action::ChangeRole:
     case Action::ErasePerson:
     case Action::Enrol:
+      return about_person(world, desk, action, subject);
+    case Action::ExportPerson:
+      if (desk.trainee && subject.relation == Relation::Own) {
+        return refused_or_done([&] { desk.trainee->export_own(world.new_directory()); });
+      }
       return about_person(world, desk, action, subject);
     case Action::ReadNotices:
       return about_notices(world, desk, subject);

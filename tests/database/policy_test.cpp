@@ -67,6 +67,8 @@ TEST(Policy, IsThis) {
       {"-", "o", "-", "x"},    // ReadNotices
       {"-", "-", "-", "x"},    // ChangeSettings
       {"-", "-", "-", "x"},    // ErasePerson
+      {"-", "o", "-", "ox"},   // ExportPerson
+      {"-", "-", "-", "x"},    // Retain
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {

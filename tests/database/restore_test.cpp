@@ -199,7 +199,7 @@ TEST(Restore, StoppedAnywhereLeavesNothing) {
 
 TEST(Restore, ClearsWhatAKillLeft) {
   BackedUpCourse course;
-  const fs::path left = course.target().parent_path() / ".again.restoring";
+  const fs::path left = course.target().parent_path() / ".again.unfinished";
   fs::create_directories(left / "backups");
   write(left / "hallux.db", "half of one");
   EXPECT_EQ(restore({course.manifest(), course.target(), {}}).attempts, 2);

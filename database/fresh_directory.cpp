@@ -1,0 +1,71 @@
+#include "database/fresh_directory.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "database/durable_file.h"
+#include "database/files.h"
+
+namespace hallux::database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path without_slash(const fs::path& path) {
+  return path.has_filename() ? path : path.parent_path();
+}
+
+}  // namespace
+
+FreshDirectory::FreshDirectory(const fs::path& directory)
+    : target_(without_slash(fs::absolute(directory))),
+      path_(target_.parent_path() / ("." + target_.filename().string() + ".unfinished")),
+      lock_file_(path_.string() + ".lock") {
+  check_target_is_free();
+  std::error_code error;
+  fs::create_directories(target_.parent_path(), error);
+  if (error) throw file_error(target_.parent_path(), "make the directory", error.value());
+  lock_ = ::open(lock_file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (lock_ < 0) throw file_error(lock_file_, "make the lock file", errno);
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(lock_);
+    throw DatabaseError{DatabaseErrorKind::Locked,
+                        "another process is making " + target_.string() + " already"};
+  }
+  clear();
+  make_private_directory(path_);
+}
+
+FreshDirectory::~FreshDirectory() {
+  clear();
+  std::error_code ignored;
+  fs::remove(lock_file_, ignored);
+  ::close(lock_);
+}
+
+void FreshDirectory::finish() const {
+  check_target_is_free();
+  put_in_place(path_, target_);
+}
+
+void FreshDirectory::check_target_is_free() const {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(target_, error);
+  if (!fs::exists(status) || (fs::is_directory(status) && fs::is_empty(target_, error))) return;
+  throw DatabaseError{DatabaseErrorKind::Refused,
+                      target_.string() +
+                          " holds something already, and nothing was written; name a directory "
+                          "that is new or empty"};
+}
+
+void FreshDirectory::clear() const noexcept {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,32 @@
+/// A directory that gets its name when all of it is there: what is restored, what is exported.
+#pragma once
+
+#include <filesystem>
+
+namespace hallux::database {
+
+/// While it is made it is a hidden one beside the place it gets, ".NAME.unfinished"; gone where it is not finished. A lock
+/// tells one that is being made from one that a kill left, which is cleared.
+class FreshDirectory {
+ public:
+  /// errors  DatabaseError: Refused where the directory holds something; Locked where another process makes it; storage
+  ///         failures
+  explicit FreshDirectory(const std::filesystem::path& directory);
+  ~FreshDirectory();
+  FreshDirectory(const FreshDirectory&) = delete;
+  FreshDirectory& operator=(const FreshDirectory&) = delete;
+
+  /// Where to write, 0700.
+  const std::filesystem::path& path() const noexcept { return path_; }
+  /// Gives it its name. Asks once more: something may have been put there meanwhile.
+  void finish() const;
+
+ private:
+  void check_target_is_free() const;
+  void clear() const noexcept;
+
+  std::filesystem::path target_, path_, lock_file_;
+  int lock_ = -1;
+};
+
+}  // namespace hallux::database
