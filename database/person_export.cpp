@@ -26,7 +26,8 @@ struct KeptTable {
   const char* sql;
 };
 
-constexpr std::array<KeptTable, 12> kept_tables{{
+/// What somebody is and did.
+constexpr std::array<KeptTable, 5> tables_of_deeds{{
     {"person",
      "Who you are here: your login, the name shown, and what you may do. Kept so that you can sign "
      "in, until you are "
@@ -71,6 +72,10 @@ constexpr std::array<KeptTable, 12> kept_tables{{
      "s.engine_version, s.score_milli, "
      "s.measured_weight_milli, s.superseded_by IS NULL AS is_in_force, s.card_json FROM score s "
      "JOIN attempt a USING (attempt_id) WHERE a.person_id = ?1 ORDER BY s.score_id"},
+}};
+
+/// What was said about it, and by them, and who did what.
+constexpr std::array<KeptTable, 7> tables_of_words{{
     {"decisions", "What instructors decided about your results, and why.",
      "SELECT a.uuid AS attempt, r.kind, r.score_milli, r.reason, d.display_name AS decided_by, "
      "r.decided_utc, "
@@ -171,14 +176,16 @@ class PersonWriter {
     std::string explanation = beginning;
     translating(database_, "export a person", [&] {
       const SQLite::Transaction snapshot{database_.connection()};
-      for (std::size_t i = 0; i < kept_tables.size(); ++i) {
-        const double part = static_cast<double>(i) / static_cast<double>(kept_tables.size());
+      double part = 0.0;
+      const auto add = [&](const KeptTable& table) {
         if (progress && !progress(part))
           throw ExportStopped{"the export was stopped; nothing was left"};
-        write_table(kept_tables[i]);
-        explanation +=
-            std::string{kept_tables[i].name} + ".csv\r\n  " + kept_tables[i].meaning + "\r\n\r\n";
-      }
+        write_table(table);
+        explanation += std::string{table.name} + ".csv\r\n  " + table.meaning + "\r\n\r\n";
+        part += 1.0 / static_cast<double>(tables_of_deeds.size() + tables_of_words.size());
+      };
+      for (const KeptTable& table : tables_of_deeds) add(table);
+      for (const KeptTable& table : tables_of_words) add(table);
     });
     write_file("person.json",
                all_.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");

@@ -96,7 +96,7 @@ std::vector<RetentionPiece> accounts_due(Database& database, const RetentionRule
 }
 
 std::string utc_of(fs::file_time_type written) {
-  const auto moment = std::chrono::clock_cast<std::chrono::system_clock>(written);
+  const auto moment = fs::file_time_type::clock::to_sys(written);
   const auto day = std::chrono::floor<std::chrono::days>(moment);
   const std::chrono::year_month_day date{day};
   std::string text = std::to_string(static_cast<int>(date.year()));

@@ -14,7 +14,6 @@ namespace hallux::ui {
 
 namespace {
 
-namespace fs = std::filesystem;
 using database::AuditLine;
 
 enum Field { When, Who, Did, What, Entry, ColumnCount };
@@ -41,12 +40,6 @@ std::string bytes_text(std::int64_t bytes) {
   return text.data();
 }
 
-std::optional<RecordsScreen::LastBackup> RecordsScreen::find_last_backup(const fs::path& folder) {
-  const std::vector<database::Backup> backups = database::list_backups(folder);
-  if (backups.empty()) return std::nullopt;
-  return LastBackup{backups.front().file, backups.front().bytes};
-}
-
 void RecordsScreen::read(Ui& ui, Shell& shell) {
   database::AuditRequest request;
   request.before = before_.back();
@@ -61,10 +54,11 @@ void RecordsScreen::read(Ui& ui, Shell& shell) {
 
 void RecordsScreen::read_last_backup(Ui& ui, Shell& shell) {
   last_backup_.start(ui, shell, ui.text("records.backup.looking"), [visit = visit_](WorkReport&) {
-    const fs::path folder = visit->in_turn([](database::Session&, database::Database& database) {
-      return database.directory() / "backups";
+    return visit->in_turn([](database::Session& session, auto&) -> std::optional<LastBackup> {
+      const std::vector<database::Backup> backups = administrator_of(session).backups();
+      if (backups.empty()) return std::nullopt;
+      return LastBackup{backups.front().file, backups.front().bytes};
     });
-    return find_last_backup(folder);
   });
 }
 

@@ -28,7 +28,6 @@ class RecordsScreen : public Screen {
 
   void read(Ui& ui, Shell& shell);
   void read_last_backup(Ui& ui, Shell& shell);
-  static std::optional<LastBackup> find_last_backup(const std::filesystem::path& folder);
   void draw_audit(Ui& ui, const Rect& rect);
   void draw_table(Ui& ui, const Rect& content);
   void draw_cell(Ui& ui, const database::AuditLine& line, int field, const Rect& cell) const;
