@@ -284,10 +284,13 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
         administrator.set_rotation({3, 2, 1, 0});
         administrator.set_retention({30, {}, {}, {}});
         return;
-      default:
+      case Action::BackUp:
         EXPECT_TRUE(std::filesystem::exists(administrator.back_up().file));
         EXPECT_EQ(administrator.backups().size(), 1U);
         EXPECT_EQ(administrator.rotation().newest, 10);
+        return;
+      default:
+        FAIL() << "no try was written for action " << static_cast<int>(action);
     }
   });
 }

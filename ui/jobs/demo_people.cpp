@@ -272,6 +272,13 @@ void DemoPeople::decide(const Kept& kept) {
   desk.recording(kept.id);
   desk.decide(decision);
   ++course_.decisions;
+  if (kept.trainee == 1) acknowledge_all(trainee_login(kept.trainee));
+}
+
+/// This one was here since; what the others were told waits for them.
+void DemoPeople::acknowledge_all(const std::string& login) {
+  database::Session session = sign_in(login);
+  for (const database::Notice& notice : session.notices()) session.acknowledge(notice);
 }
 
 }  // namespace hallux::ui

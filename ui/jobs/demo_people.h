@@ -35,6 +35,7 @@ class DemoPeople {
 
   void set_time(std::int64_t minute);
   database::Session sign_in(const std::string& login);
+  void acknowledge_all(const std::string& login);
   database::InstructorDesk desk_of_instructor(int trainee);
   void add_people(database::AdministratorDesk& desk);
   void add_cohorts(database::AdministratorDesk& desk);

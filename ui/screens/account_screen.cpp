@@ -1,16 +1,29 @@
 #include "ui/screens/account_screen.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "ui/screens/page.h"
 #include "ui/screens/words.h"
+#include "ui/widgets/choice.h"
 
 namespace hallux::ui {
 
 namespace {
 
-constexpr float side_width = 440.0F, person_height = 260.0F, row_height = 44.0F;
+constexpr float side_width = 440.0F, person_height = 310.0F, row_height = 44.0F;
+constexpr std::array<std::int32_t, 5> lock_choices_min{5, 10, 20, 30, 60};
+
+/// The longest that is not longer than what is set: somebody may have set another by hand.
+int lock_choice_of(std::int32_t minutes) {
+  int choice = 0;
+  for (std::size_t i = 0; i < lock_choices_min.size(); ++i) {
+    if (lock_choices_min[i] <= minutes) choice = static_cast<int>(i);
+  }
+  return choice;
+}
 
 }  // namespace
 
@@ -30,7 +43,7 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   }
   panes.main.h = person_height;
   panes.side.h = cohorts_height;
-  draw_person(ui, card(ui, panes.main, ui.text("account.person")));
+  draw_person(ui, card(ui, panes.main, ui.text("account.person")), shell);
   draw_cohorts(ui, card(ui, panes.side, ui.text("account.cohorts"), space::side_card));
   if (!typed_) return;
   const Answer answer =
@@ -39,7 +52,44 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (answer == Answer::Act) change_password(ui, shell);
 }
 
-void AccountScreen::draw_person(Ui& ui, Rect rest) {
+void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
+  const auto minutes = static_cast<std::int32_t>(std::lround(visit_->idle_lock_s() / 60.0));
+  if (!visit_->person().is_administrator) {
+    return fact_line(ui, rest, ui.text("account.lock"),
+                     ui.texts().say("account.lock.minutes", {{"count", std::to_string(minutes)}}));
+  }
+  std::array<std::string, lock_choices_min.size()> words;
+  std::array<std::string_view, lock_choices_min.size()> labels;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = std::to_string(lock_choices_min[i]);
+    labels[i] = words[i] = ui.texts().say("account.lock.minutes", {{"count", words[i]}});
+  }
+  Rect line = take_top(rest, segmented_height, 10.0F);
+  const Rect track = take_right(line, std::min(segmented_width(ui, labels), 0.7F * line.w));
+  ui.canvas().text_in(line, {Type::Small, ui.theme().text_secondary}, ui.text("account.lock"),
+                      true);
+  int chosen = lock_choice_ >= 0 ? lock_choice_ : lock_choice_of(minutes);
+  if (segmented(ui, "account.lock", track, labels, chosen) && !setting_.is_running()) {
+    lock_choice_ = chosen;
+    set_lock(ui, shell, lock_choices_min[static_cast<std::size_t>(chosen)]);
+  }
+}
+
+void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
+  setting_.start<bool>(
+      shell, visit_,
+      {std::string(ui.text("account.lock.changing")), std::string(ui.text("account.lock.failed"))},
+      [minutes](database::Session& session, WorkReport&) {
+        administrator_of(session).set_idle_lock_min(minutes);
+        return true;
+      },
+      [&shell,
+       said = ui.texts().say("account.lock.changed", {{"count", std::to_string(minutes)}})](bool&) {
+        shell.say({Meaning::Good, said});
+      });
+}
+
+void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
   const database::Person& person = visit_->person();
   fact_line(ui, rest, ui.text("people.login"), person.login);
   fact_line(ui, rest, ui.text("account.name"),
@@ -47,6 +97,7 @@ void AccountScreen::draw_person(Ui& ui, Rect rest) {
   fact_line(ui, rest, ui.text("account.role"),
             ui.text(person.is_administrator ? "role.administrator" : "account.member"));
   fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
+  draw_lock(ui, rest, shell);
   const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
   Rect line = take_bottom(rest, button_height);
   line.w = std::min(line.w, button_width(ui, change));

@@ -21,14 +21,18 @@ class AccountScreen : public Screen {
   static constexpr std::string_view account_place = "account";
 
  private:
-  void draw_person(Ui& ui, Rect rest);
+  void draw_person(Ui& ui, Rect rest, Shell& shell);
   void draw_cohorts(Ui& ui, Rect rest) const;
   void change_password(Ui& ui, Shell& shell);
+  /// When windows lock: a fact, and for administrators a choice.
+  void draw_lock(Ui& ui, Rect& rest, Shell& shell);
+  void set_lock(Ui& ui, Shell& shell, std::int32_t minutes);
 
   std::shared_ptr<Visit> visit_;
   database::PasswordCost cost_;
   std::optional<PasswordWords> typed_;  ///< while the dialog is open
-  DeskWork changing_;
+  DeskWork changing_, setting_;
+  int lock_choice_ = -1;  ///< of the choices; below 0: as it was at the sign-in
 };
 
 }  // namespace hallux::ui

@@ -105,10 +105,25 @@ TEST(AccountScreen, NoPasswordIsEverAmongTheTextsOfAFrame) {
   }
 }
 
+TEST(AccountScreen, AnAdministratorSaysWhenWindowsLock) {
+  database::SomeCourse course;
+  AtAccount trainee(course, "ada");
+  EXPECT_TRUE(trainee.driver().sees("10 min"));
+  EXPECT_FALSE(trainee.driver().has("account.lock.2"));
+  AtAccount administrator(course, "root");
+  administrator.driver().click("account.lock.2");
+  administrator.visitor.finish_work();
+  EXPECT_THAT(all_words(administrator.driver()), HasSubstr("Windows lock after 20 minutes"));
+  EXPECT_EQ(visit_of(course, "ada")->idle_lock_s(), 20.0 * 60.0);
+}
+
 TEST(AccountScreen, NothingIsCutOffAtAnySize) {
   database::SomeCourse course;
   const auto make = [&] { return std::make_unique<AccountScreen>(visit_of(course, "lee"), cheap); };
   EXPECT_THAT(faults_at_every_size(make), IsEmpty());
+  EXPECT_THAT(faults_at_every_size(
+                  [&] { return std::make_unique<AccountScreen>(visit_of(course, "root"), cheap); }),
+              IsEmpty());
   EXPECT_THAT(
       faults_at_every_size(
           make, [](SomeVisitor& visitor) { visitor.driver().click("account.change_password"); }),
