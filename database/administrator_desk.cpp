@@ -29,6 +29,7 @@ AddedPerson AdministratorDesk::add_person_with_code(const NewPerson& person,
   return in_transaction(*database_, "add a person", [&] {
     const PersonId id = create_person_without_password(*database_, person);
     audit("person_added", "person", std::to_string(id.number));
+    if (person.is_administrator) audit("administrator_made", "person", std::to_string(id.number));
     IssuedCode issued = issue_code(*database_, id, *holder_.person, cost);
     audit("code_issued", "person", std::to_string(id.number));
     return AddedPerson{id, std::move(issued)};
@@ -41,6 +42,7 @@ PersonId AdministratorDesk::add_person(const NewPerson& person, const SecretText
   return in_transaction(*database_, "add a person", [&] {
     const PersonId id = create_person(*database_, person, password, cost);
     audit("person_added", "person", std::to_string(id.number));
+    if (person.is_administrator) audit("administrator_made", "person", std::to_string(id.number));
     return id;
   });
 }

@@ -12,6 +12,7 @@ namespace hallux::database {
 namespace {
 
 using Salt = std::array<std::byte, 16>;
+constexpr std::int64_t rows_at_once = 1000;
 
 Digest salted_digest(std::span<const std::byte> salt, std::string_view text) {
   Digester digester;
@@ -98,6 +99,43 @@ AuditRow row_in(SQLite::Statement& rows) {
   return row;
 }
 
+/// A text that was not erased is the one that the row's digest is of.
+bool has_own_text(SQLite::Statement& rows, const AuditRow& row) {
+  if (rows.getColumn(9).isNull()) return true;
+  const SQLite::Column salt = rows.getColumn(10);
+  const auto* bytes = static_cast<const std::byte*>(salt.getBlob());
+  return salted_digest({bytes, static_cast<std::size_t>(salt.getBytes())}, row.entry.text) ==
+         row.entry.detail;
+}
+
+/// Some rows after number `last`, the link of which is `link`; that becomes the link of the last of them.
+std::vector<AuditRow> rows_after(Database& database, std::int64_t last, Digest& link) {
+  return translating(database, "read the audit", [&] {
+    SQLite::Statement rows{
+        database.connection(),
+        "SELECT a.audit_id, a.at_utc, a.actor_person_id, a.action, a.subject_kind, a.subject_id, "
+        "a.outcome, a.detail_digest, a.link, t.text, t.salt FROM audit a "
+        "LEFT JOIN audit_text t ON t.audit_id = a.audit_id WHERE a.audit_id > ? "
+        "ORDER BY a.audit_id LIMIT ?"};
+    rows.bind(1, last);
+    rows.bind(2, rows_at_once);
+    std::vector<AuditRow> some;
+    while (rows.executeStep()) {
+      AuditRow row = row_in(rows);
+      link = audit_link(link, row);
+      if (row.number != ++last || !has_own_text(rows, row) ||
+          link != digest_in(rows.getColumn(8))) {
+        throw DatabaseError{DatabaseErrorKind::Damaged,
+                            "row " + std::to_string(row.number) + " of the audit in " +
+                                database.file().string() +
+                                " was altered, or one before it was taken away"};
+      }
+      some.push_back(std::move(row));
+    }
+    return some;
+  });
+}
+
 }  // namespace
 
 void append_audit(Database& database, const AuditEntry& entry) {
@@ -105,37 +143,20 @@ void append_audit(Database& database, const AuditEntry& entry) {
                            [&] { append_in_transaction(database, entry); });
 }
 
+void walk_audit(Database& database, const std::function<void(const AuditRow&)>& visit) {
+  Digest link;
+  std::int64_t last = 0;
+  for (auto some = rows_after(database, last, link); !some.empty();
+       some = rows_after(database, last, link)) {
+    for (const AuditRow& row : some) visit(row);
+    last = some.back().number;
+  }
+}
+
 std::vector<AuditRow> read_audit(Database& database) {
-  return translating(database, "read the audit", [&] {
-    SQLite::Statement rows{
-        database.connection(),
-        "SELECT a.audit_id, a.at_utc, a.actor_person_id, a.action, a.subject_kind, a.subject_id, "
-        "a.outcome, a.detail_digest, a.link, t.text, t.salt FROM audit a "
-        "LEFT JOIN audit_text t ON t.audit_id = a.audit_id ORDER BY a.audit_id"};
-    std::vector<AuditRow> audit;
-    Digest before;
-    while (rows.executeStep()) {
-      AuditRow row = row_in(rows);
-      const Digest link = audit_link(before, row);
-      const bool is_next = row.number == static_cast<std::int64_t>(audit.size()) + 1;
-      bool has_own_text = true;
-      if (!rows.getColumn(9).isNull()) {
-        const SQLite::Column salt = rows.getColumn(10);
-        const auto* bytes = static_cast<const std::byte*>(salt.getBlob());
-        has_own_text = salted_digest({bytes, static_cast<std::size_t>(salt.getBytes())},
-                                     row.entry.text) == row.entry.detail;
-      }
-      if (!is_next || !has_own_text || link != digest_in(rows.getColumn(8))) {
-        throw DatabaseError{DatabaseErrorKind::Damaged,
-                            "row " + std::to_string(row.number) + " of the audit in " +
-                                database.file().string() +
-                                " was altered, or one before it was taken away"};
-      }
-      before = link;
-      audit.push_back(std::move(row));
-    }
-    return audit;
-  });
+  std::vector<AuditRow> audit;
+  walk_audit(database, [&audit](const AuditRow& row) { audit.push_back(row); });
+  return audit;
 }
 
 }  // namespace hallux::database

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +38,11 @@ struct AuditRow {
 /// errors  DatabaseError
 void append_audit(Database& database, const AuditEntry& entry);
 
-/// The rows, oldest first.
+/// Shows each row to `visit`, oldest first, a thousand in one reading.
+/// errors  DatabaseError Damaged naming the first row whose link does not fit; what `visit` throws
+void walk_audit(Database& database, const std::function<void(const AuditRow&)>& visit);
+
+/// All rows, oldest first.
 /// errors  DatabaseError Damaged naming the first row whose link does not fit
 std::vector<AuditRow> read_audit(Database& database);
 

@@ -63,6 +63,13 @@ void name_successor(Database& database, std::int64_t retired, std::int64_t succe
 
 }  // namespace
 
+Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept {
+  Digester digester;
+  digester.add_text(card_json);
+  digester.add_text(attempt.text);
+  return digester.finish();
+}
+
 ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                     std::optional<PersonId> actor) {
   const AttemptHeader header = load_header(database, attempt);
@@ -73,9 +80,8 @@ ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCar
     const auto retired = retire_score_in_force(database, header.id);
     const std::int64_t number = insert_score(database, header.id, card, json);
     if (retired) name_successor(database, *retired, number);
-    const Digest digest = digest_of(std::as_bytes(std::span{json.data(), json.size()}));
-    append_audit(database,
-                 {actor, "score_stored", "score", std::to_string(number), false, digest, ""});
+    append_audit(database, {actor, "score_stored", "score", std::to_string(number), false,
+                            score_digest(json, header.id), ""});
     return ScoreId{number};
   });
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "database/connection.h"
 #include "database/records/ids.h"
 #include "database/records/score.h"
+#include "simulator/base/digest.h"
 
 namespace hallux::database {
 
@@ -22,6 +24,9 @@ struct StoredScore {
 /// errors  DatabaseError: NotFound; storage failures
 ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                     std::optional<PersonId> actor = std::nullopt);
+
+/// What the audit keeps of a stored score: its card, and whose it is.
+Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept;
 
 /// The score in force; nothing where the attempt was not scored yet.
 /// errors  DatabaseError

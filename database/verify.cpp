@@ -4,96 +4,40 @@
 
 #include "database/assets.h"
 #include "database/attempts.h"
-#include "database/audit.h"
-#include "database/chain.h"
+#include "database/certificate_json.h"
 #include "database/decisions.h"
 #include "database/recordings.h"
 #include "database/sql.h"
+#include "database/verify_parts.h"
 
 namespace hallux::database {
 
 namespace {
 
-[[noreturn]] void fail_altered(const Database& database, const std::string& row) {
-  throw DatabaseError{DatabaseErrorKind::Damaged,
-                      row + " in " + database.file().string() + " was altered; restore a backup"};
+constexpr std::int64_t attempts_at_once = 256;
+
+std::int64_t count_in(Database& database, const std::string& table) {
+  SQLite::Statement row{database.connection(), "SELECT count(*) FROM " + table};
+  row.executeStep();
+  return row.getColumn(0).getInt64();
 }
 
-void check_pages(Database& database) {
-  translating(database, "check the pages", [&] {
-    SQLite::Statement pages{database.connection(), "PRAGMA integrity_check(1)"};
-    pages.executeStep();
-    const std::string answer = pages.getColumn(0).getString();
-    if (answer != "ok") fail_altered(database, "a page (" + answer + ")");
-    SQLite::Statement keys{database.connection(), "PRAGMA foreign_key_check"};
-    if (!keys.executeStep()) return;
-    fail_altered(database, "row " + std::to_string(keys.getColumn(1).getInt64()) + " of table " +
-                               keys.getColumn(0).getString() + ", which names a missing row,");
-  });
-}
-
-std::optional<std::string> text_in(Database& database, const char* query, const std::string& key) {
-  SQLite::Statement row{database.connection(), query};
-  row.bind(1, key);
-  if (!row.executeStep()) return std::nullopt;
-  return row.getColumn(0).getString();
-}
-
-/// What the audit says was stored must still be so.
-void check_against_audit(Database& database, const AuditRow& row) {
-  const AuditEntry& entry = row.entry;
-  if (entry.action == "score_stored") {
-    const auto json =
-        text_in(database, "SELECT card_json FROM score WHERE score_id = ?", entry.subject_id);
-    if (!json || digest_of(std::as_bytes(std::span{json->data(), json->size()})) != entry.detail) {
-      fail_altered(database, "score " + entry.subject_id);
-    }
-  }
-  if (entry.subject_kind == "decision") check_decision(database, entry);
-  if (entry.subject_kind != "attempt") return;
-  const auto attempt = [&] {
-    try {
-      return load_header(database, {entry.subject_id});
-    } catch (const DatabaseError&) {
-      fail_altered(database, "attempt " + entry.subject_id + ", which is missing,");
-    }
-  }();
-  if (entry.action == "attempt_sealed" && attempt.seal != entry.detail) {
-    fail_altered(database, "the seal of attempt " + entry.subject_id);
-  }
-  if (entry.action == "attempt_begun" && attempt.begun.person != entry.actor) {
-    fail_altered(database, "the person of attempt " + entry.subject_id);
-  }
-  if (entry.action == "attempt_begun" &&
-      purpose_digest(attempt.begun.kind, attempt.is_simulated, attempt.begun.guidance) !=
-          entry.detail.value_or(
-              purpose_digest(AttemptKind::Practice, false, simulator::Guidance::None))) {
-    fail_altered(database, "what attempt " + entry.subject_id + " was for");
-  }
-}
-
-void check_scores(Database& database, Verification& found) {
-  translating(database, "check the scores", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT score_id, score_milli <> json_extract(card_json, "
-                           "'$.score_milli') FROM score ORDER BY score_id"};
-    while (rows.executeStep()) {
-      if (rows.getColumn(1).getInt() != 0) {
-        fail_altered(database, "score " + rows.getColumn(0).getString());
-      }
-      ++found.scores;
-    }
-  });
-}
-
-void check_contents(Database& database, Verification& found) {
+void check_contents(Database& database, VerifyProgress& progress, Verification& found) {
+  progress.begin("the bones and scenarios", 0.2);
   translating(database, "check the assets and scenarios", [&] {
-    SQLite::Statement assets{database.connection(), "SELECT asset_id, digest FROM asset"};
-    while (assets.executeStep()) {
-      const auto digest = digest_in(assets.getColumn(1));
-      if (!digest) fail_altered(database, "asset " + assets.getColumn(0).getString());
+    const std::int64_t count = count_in(database, "asset");
+    SQLite::Statement next{
+        database.connection(),
+        "SELECT asset_id, digest FROM asset WHERE asset_id > ? ORDER BY asset_id LIMIT 1"};
+    for (std::int64_t last = 0;;) {
+      next.bind(1, last);
+      if (!next.executeStep()) break;
+      last = next.getColumn(0).getInt64();
+      const auto digest = digest_in(next.getColumn(1));
+      next.reset();
+      if (!digest) fail_altered(database, "asset " + std::to_string(last));
       get_asset(database, *digest);
-      ++found.assets;
+      progress.tell(++found.assets, count);
     }
     SQLite::Statement versions{database.connection(),
                                "SELECT scenario_version_id FROM scenario_version"};
@@ -103,34 +47,81 @@ void check_contents(Database& database, Verification& found) {
   });
 }
 
-void check_attempts(Database& database, const std::function<bool(double)>& progress,
-                    Verification& found) {
-  const std::vector<AttemptHeader> headers = list_attempts(database);
-  for (const AttemptHeader& header : headers) {
-    found.chunks += check_recording(database, header.id);
-    ++found.attempts;
-    const double part = static_cast<double>(found.attempts) / static_cast<double>(headers.size());
-    if (progress && !progress(part)) {
-      throw VerificationStopped{"the check was stopped after attempt " + header.id.text +
-                                "; no damage was found up to there"};
+/// The facts that lists and limits go by must be those that were sealed.
+void check_standing_of(const Database& database, const AttemptHeader& header) {
+  const bool is_sealed = header.seal.has_value();
+  const bool has_fitting_state =
+      header.state == AttemptState::Void || is_sealed == (header.state == AttemptState::Closed);
+  if (!has_fitting_state) fail_altered(database, "the state of attempt " + header.id.text);
+  const std::optional<bool> expected =
+      is_sealed ? std::optional{is_valid_by(header.quality_json)} : std::nullopt;
+  if (header.is_valid != expected) {
+    fail_altered(database, "whether attempt " + header.id.text + " is valid");
+  }
+}
+
+std::vector<std::pair<std::int64_t, AttemptId>> attempts_after(Database& database,
+                                                               std::int64_t last) {
+  SQLite::Statement rows{database.connection(),
+                         "SELECT attempt_id, uuid FROM attempt WHERE attempt_id > ? "
+                         "ORDER BY attempt_id LIMIT ?"};
+  rows.bind(1, last);
+  rows.bind(2, attempts_at_once);
+  std::vector<std::pair<std::int64_t, AttemptId>> found;
+  while (rows.executeStep()) {
+    found.emplace_back(rows.getColumn(0).getInt64(), AttemptId{rows.getColumn(1).getString()});
+  }
+  return found;
+}
+
+void check_attempts(Database& database, VerifyProgress& progress, Verification& found) {
+  progress.begin("the attempts", 0.8);
+  const auto next = [&database](std::int64_t last) {
+    return translating(database, "list the attempts",
+                       [&] { return attempts_after(database, last); });
+  };
+  const std::int64_t count =
+      translating(database, "count the attempts", [&] { return count_in(database, "attempt"); });
+  for (auto some = next(0); !some.empty(); some = next(some.back().first)) {
+    for (const auto& [order, id] : some) {
+      found.chunks += check_recording(database, id);
+      check_standing_of(database, load_header(database, id));
+      progress.tell(++found.attempts, count);
     }
   }
 }
 
 }  // namespace
 
+void fail_altered(const Database& database, const std::string& row) {
+  throw DatabaseError{DatabaseErrorKind::Damaged,
+                      row + " in " + database.file().string() + " was altered; restore a backup"};
+}
+
+void VerifyProgress::begin(std::string part, double end) {
+  part_ = std::move(part);
+  begin_ = end_;
+  end_ = end;
+}
+
+void VerifyProgress::tell(std::int64_t done, std::int64_t all) {
+  // Somebody may add rows meanwhile.
+  const double share = all > done ? static_cast<double>(done) / static_cast<double>(all) : 1.0;
+  if (!told_ || told_(begin_ + share * (end_ - begin_))) return;
+  throw VerificationStopped{"the check was stopped in " + part_ +
+                            "; no damage was found up to there"};
+}
+
 Verification verify(Database& database, const std::function<bool(double)>& progress) {
   Verification found;
+  VerifyProgress told{progress};
   try {
-    check_pages(database);
-    check_contents(database, found);
-    check_attempts(database, progress, found);
-    check_scores(database, found);
+    check_pages(database, told);
+    check_contents(database, told, found);
+    check_attempts(database, told, found);
+    check_scores(database, told, found);
     check_decisions_are_whole(database);
-    for (const AuditRow& row : read_audit(database)) {
-      check_against_audit(database, row);
-      ++found.audit_rows;
-    }
+    check_audit(database, told, found);
   } catch (const DatabaseError& error) {
     if (error.kind() != DatabaseErrorKind::Damaged) throw;
     found.first_damage = error.what();

@@ -29,8 +29,10 @@ class VerificationStopped : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// SQLite's own checks, every chunk chain, seal, score, asset, scenario text and the audit chain.
-/// `progress` is told the part done and may return false to stop.
+/// SQLite's own checks, every chunk chain, seal, score, asset, scenario text and the audit chain; that what the audit names is
+/// there unaltered, and that no attempt, score, decision or administrator is there that it does not name. Reads in pieces:
+/// a recording goes on meanwhile, and no more is held than some hundred rows. `progress` is told the part done and may
+/// return false to stop.
 /// errors  DatabaseError for storage failures other than damage; VerificationStopped
 Verification verify(Database& database, const std::function<bool(double)>& progress = {});
 

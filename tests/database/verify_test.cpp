@@ -85,7 +85,118 @@ TEST(Verify, SeesAnAlteredScoreAssetAndScenario) {
   EXPECT_TRUE(names(damage_after("UPDATE scenario_version SET json = '{}'"), "scenario version 1"));
 }
 
+TEST(Verify, SeesAFactThatListsGoByAltered) {
+  EXPECT_TRUE(
+      names(damage_after("UPDATE attempt SET is_valid = 0 WHERE attempt_id = 1"), "is valid"));
+  EXPECT_TRUE(
+      names(damage_after("UPDATE attempt SET is_valid = NULL WHERE attempt_id = 1"), "is valid"));
+  EXPECT_TRUE(names(damage_after("UPDATE attempt SET state = 'interrupted' WHERE attempt_id = 1"),
+                    "the state of attempt"));
+  const std::string without_trigger = "DROP TRIGGER score_is_superseded_not_overwritten; ";
+  for (const char* column :
+       {"measured_weight_milli", "rubric_version", "scenario_version", "engine_version",
+        "rubric_milli", "is_gated", "safety_measured_milli", "safety_earned_milli"}) {
+    EXPECT_TRUE(
+        names(damage_after(without_trigger + "UPDATE score SET " + column + " = 77"), "score 1 "))
+        << column;
+  }
+}
+
+TEST(Verify, SeesAScoreThatIsGoneOrExchanged) {
+  EXPECT_TRUE(names(damage_after("DELETE FROM score"), "score 1, which is missing"));
+  const std::string without_trigger = "DROP TRIGGER score_is_superseded_not_overwritten; ";
+  EXPECT_TRUE(names(damage_after(without_trigger + "UPDATE score SET attempt_id = 1"), "score 1 "));
+}
+
+TEST(Verify, SeesAnOlderScoreInForce) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const AttemptId id = record(database, some_attempt(database), some_recording(5));
+  ScoreCard card;
+  for (const std::int64_t milli : {90'000, 40'000}) {
+    card.score_milli = milli;
+    store_score(database, id, card);
+  }
+  EXPECT_TRUE(verify(database).is_whole());
+  tamper(database,
+         "UPDATE score SET superseded_by = 2 WHERE score_id = 2; "
+         "UPDATE score SET superseded_by = NULL WHERE score_id = 1");
+  EXPECT_TRUE(names(verify(database).first_damage.value_or(""), "the order of score"));
+}
+
+TEST(Verify, SeesWhatNoAuditRowExplains) {
+  EXPECT_TRUE(names(damage_after("INSERT INTO attempt (uuid, scenario_version_id, hand, seed, "
+                                 "device_class, pacing, stereo_mode, bone_digest, engine_version, "
+                                 "started_utc, state) SELECT 'beef', scenario_version_id, hand, 9, "
+                                 "device_class, pacing, stereo_mode, bone_digest, engine_version, "
+                                 "started_utc, 'interrupted' FROM attempt WHERE attempt_id = 1"),
+                    "the beginning of attempt beef"));
+  EXPECT_TRUE(names(damage_after("INSERT INTO score (attempt_id, scenario_version, rubric_version, "
+                                 "engine_version, score_milli, measured_weight_milli, card_json, "
+                                 "stored_utc, rubric_milli, is_gated, safety_measured_milli, "
+                                 "safety_earned_milli) SELECT 1, scenario_version, rubric_version, "
+                                 "engine_version, score_milli, measured_weight_milli, card_json, "
+                                 "stored_utc, rubric_milli, is_gated, safety_measured_milli, "
+                                 "safety_earned_milli FROM score"),
+                    "the list of scores with score 2"));
+}
+
+TEST(Verify, SeesAnAdministratorWhomNobodyMade) {
+  const auto damage = [](const std::string& sql) {
+    SomeCourse course;
+    course.administrator().set_administrator("lee", true);
+    course.administrator().set_administrator("max", false);
+    EXPECT_TRUE(verify(course.database()).is_whole()) << *verify(course.database()).first_damage;
+    tamper(course.database(), sql);
+    return verify(course.database()).first_damage.value_or("");
+  };
+  const std::string of_login =
+      " WHERE person_id = (SELECT person_id FROM person_detail WHERE login = '";
+  for (const char* login : {"ada", "max"}) {
+    EXPECT_TRUE(names(damage("UPDATE person SET is_administrator = 1" + of_login + login + "')"),
+                      "whether somebody is an administrator"))
+        << login;
+  }
+  EXPECT_TRUE(names(damage("UPDATE person SET is_administrator = 0" + of_login + "lee')"),
+                    "whether somebody is an administrator"));
+}
+
+TEST(Verify, IsNotMisledByWhoWorksMeanwhile) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  record(database, some_attempt(database), some_recording(1200));
+  Database other = database.open_again();
+  double done_before = 0.0;
+  int times = 0;
+  const Verification found = verify(database, [&](double done) {
+    EXPECT_GE(done, done_before);
+    done_before = done;
+    if (++times <= 8) {
+      store_score(other, record(other, some_attempt(other), some_recording(5)), {});
+    }
+    return true;
+  });
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(done_before, 1.0);
+  EXPECT_GE(times, 4);
+}
+
+TEST(Verify, SaysInWhichPartItWasStopped) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  record(database, some_attempt(database), some_recording(10));
+  try {
+    verify(database, [](double done) { return done < 0.8; });
+    ADD_FAILURE() << "it went on";
+  } catch (const VerificationStopped& stopped) {
+    EXPECT_TRUE(names(stopped.what(), "stopped in the attempts")) << stopped.what();
+  }
+}
+
 TEST(Verify, NamesTheAlteredAuditRow) {
+  EXPECT_TRUE(names(damage_after("DROP TRIGGER audit_is_never_deleted; "
+                                 "DELETE FROM audit WHERE audit_id = 2"),
+                    "row 3 of the audit"));
   EXPECT_TRUE(names(damage_after("DROP TRIGGER audit_is_never_altered; "
                                  "UPDATE audit SET action = 'attempt_lost' WHERE audit_id = 2"),
                     "row 2 of the audit"));
