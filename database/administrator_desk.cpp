@@ -1,6 +1,7 @@
 #include "database/administrator_desk.h"
 
 #include "database/audit.h"
+#include "database/limits.h"
 #include "database/settings.h"
 #include "database/sql.h"
 
@@ -156,6 +157,22 @@ void AdministratorDesk::remove_from_cohort(CohortId cohort, const std::string& l
     database::remove_from_cohort(*database_, cohort, person.id);
     audit("removed_from_cohort", "membership", membership_text(cohort, person.id));
   });
+}
+
+std::vector<AttemptLimit> AdministratorDesk::limits(CohortId cohort) {
+  require(*database_, holder_, Action::ListCohorts, Relation::Other, "the cohorts");
+  return list_limits(*database_, load_cohort(*database_, cohort).id);
+}
+
+void AdministratorDesk::set_limit(CohortId cohort, const std::string& scenario_name,
+                                  std::int32_t attempts_max) {
+  require(*database_, holder_, Action::LimitAttempts, Relation::Other, "a cohort");
+  database::set_limit(*database_, cohort, {scenario_name, attempts_max, "", ""}, *holder_.person);
+}
+
+void AdministratorDesk::clear_limit(CohortId cohort, const std::string& scenario_name) {
+  require(*database_, holder_, Action::LimitAttempts, Relation::Other, "a cohort");
+  database::clear_limit(*database_, cohort, scenario_name, *holder_.person);
 }
 
 std::vector<ScenarioVersion> AdministratorDesk::scenarios() {

@@ -14,6 +14,7 @@
 #include "database/origins.h"
 #include "database/person_export.h"
 #include "database/records/audit_line.h"
+#include "database/records/limit.h"
 #include "database/retention.h"
 
 namespace hallux::database {
@@ -64,6 +65,10 @@ class AdministratorDesk : public AttemptDesk {
   void enrol(CohortId cohort, const std::string& login, CohortRole role);
   /// Takes a person out; their attempts stay theirs.
   void remove_from_cohort(CohortId cohort, const std::string& login);
+  /// How many assessments of an operation each trainee of the cohort has; by name of the operation.
+  std::vector<AttemptLimit> limits(CohortId cohort);
+  void set_limit(CohortId cohort, const std::string& scenario_name, std::int32_t attempts_max);
+  void clear_limit(CohortId cohort, const std::string& scenario_name);
 
   // Scenarios.
   std::vector<ScenarioVersion> scenarios();

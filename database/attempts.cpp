@@ -7,6 +7,7 @@
 #include "database/audit.h"
 #include "database/certificate_json.h"
 #include "database/chain.h"
+#include "database/limits.h"
 #include "database/simulated_course.h"
 #include "database/sql.h"
 
@@ -21,20 +22,16 @@ constexpr std::string_view header_columns =
     "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
     "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
     "a.attempt_id, s.measured_weight_milli < 100000, a.guidance, a.is_valid, o.directory_uuid, "
-    "o.is_accepted "
+    "o.is_accepted, s.rubric_version, s.measured_weight_milli, s.rubric_milli, "
+    "s.safety_measured_milli, s.safety_earned_milli, s.is_gated "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
     "LEFT JOIN origin o ON o.origin_id = a.origin_id "
     "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
     "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL ";
 
-constexpr std::string_view of_cohort =
-    "a.person_id IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";
-/// The newest attempts are of those who made one last: a cohort has few of them, and attempts without end.
-constexpr std::string_view newest_of_cohort =
-    "a.person_id IN (SELECT t.person_id FROM membership m JOIN standing t USING (person_id) "
-    "WHERE m.cohort_id = ?2 AND m.role = 'trainee' GROUP BY t.person_id "
-    "ORDER BY max(t.last_started_utc) DESC LIMIT ?3)";
+constexpr std::string_view is_of_cohort =
+    " IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";
 
 AttemptId random_attempt_id() {
   std::array<unsigned char, 16> bytes{};
@@ -96,6 +93,12 @@ AttemptHeader header_in(SQLite::Statement& row) {
     header.origin = DirectoryId{row.getColumn(30).getString()};
     header.is_counted = row.getColumn(31).getInt() != 0;
   }
+  if (header.score_milli) {
+    header.rubric_version = row.getColumn(32).getInt();
+    header.pass = {row.getColumn(33).getInt64(), row.getColumn(34).getInt64(),
+                   row.getColumn(35).getInt64(), row.getColumn(36).getInt64(),
+                   row.getColumn(37).getInt() != 0};
+  }
   return header;
 }
 
@@ -151,6 +154,7 @@ WriterLease create_attempt(Database& database, const NewAttempt& attempt) {
   // The lease comes first: a row without one would be taken for an interrupted attempt.
   WriterLease lease = WriterLease::take(database.directory(), random_attempt_id());
   in_transaction(database, "begin an attempt (its scenario version and bone must be stored)", [&] {
+    check_allowance(database, attempt);
     insert_attempt(database, lease.attempt(), attempt);
     append_audit(
         database,
@@ -165,9 +169,13 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
   const auto either = [&where](std::string_view condition) {
     where += (where.empty() ? "WHERE " : " OR ") + std::string{condition};
   };
-  if (filter.person) either("a.person_id = ?1");
-  if (filter.cohort) either(filter.count_max ? newest_of_cohort : of_cohort);
-  if (filter.of_nobody) either("a.person_id IS NULL");
+  // The newest few of many are looked for from the newest on, instead of all being gathered and sorted: the sign keeps SQLite
+  // from its index of persons.
+  const bool is_of_many = filter.cohort || filter.of_nobody;
+  const std::string owner = filter.count_max && is_of_many ? "+a.person_id" : "a.person_id";
+  if (filter.person) either(owner + " = ?1");
+  if (filter.cohort) either(owner + std::string{is_of_cohort});
+  if (filter.of_nobody) either(owner + " IS NULL");
   return translating(database, "list the attempts", [&] {
     SQLite::Statement rows{database.connection(),
                            std::string{header_columns} + where +

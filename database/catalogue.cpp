@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "database/audit.h"
+#include "database/limits.h"
 #include "database/sql.h"
 #include "database/standings.h"
 
@@ -154,8 +155,13 @@ std::vector<Operation> list_operations(Database& database, PersonId person) {
   std::vector<Operation> operations;
   for (const ScenarioVersion& version : list_scenario_versions(database)) {
     if (version.state != ScenarioState::Published) continue;
-    Operation operation{version.id,          version.name,      version.version,
-                        version.is_reviewed, version.since_utc, {version.name, 0, {}, {}, ""}};
+    Operation operation;
+    operation.scenario = version.id;
+    operation.name = operation.standing.scenario_name = version.name;
+    operation.version = version.version;
+    operation.is_reviewed = version.is_reviewed;
+    operation.published_utc = version.since_utc;
+    operation.allowance = allowance_of(database, person, version.name);
     const auto own = std::find_if(
         standings.begin(), standings.end(),
         [&](const OperationStanding& standing) { return standing.scenario_name == version.name; });

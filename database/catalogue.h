@@ -31,7 +31,7 @@ std::vector<ScenarioVersion> list_scenario_versions(Database& database);
 ScenarioVersion load_scenario_version(Database& database, ScenarioVersionId id);
 bool is_published(Database& database, ScenarioVersionId id);
 
-/// What is published, by name, with how `person` stands in each.
+/// What is published, by name, with how `person` stands in each and how many assessments are left.
 std::vector<Operation> list_operations(Database& database, PersonId person);
 
 }  // namespace hallux::database

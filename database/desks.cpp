@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, action_count> action_names{
     "list_scenarios",  "import_scenario", "publish_scenario",   "retire_scenario",
     "read_audit",      "back_up",         "list_origins",       "accept_origin",
     "read_notices",    "change_settings", "erase_person",       "export_person",
-    "retain"};
+    "retain",          "limit_attempts",  "compare_with_cohort"};
 
 std::string_view name_of(Action action) noexcept {
   return action_names[static_cast<std::size_t>(action)];
@@ -127,8 +127,9 @@ void AttemptDesk::audit(const std::string& action, const char* subject_kind,
                {holder_.person, action, subject_kind, std::move(subject_id), false, {}, ""});
 }
 
-std::vector<AttemptHeader> AttemptDesk::attempts() {
+std::vector<AttemptHeader> AttemptDesk::attempts(std::optional<std::int32_t> count_max) {
   AttemptFilter filter;
+  filter.count_max = count_max;
   filter.of_nobody = allows(holder_.role, Action::ListAttempts, Relation::Robot);
   require(*database_, holder_, Action::ListAttempts, Relation::Robot, "the attempts");
   if (allows(holder_.role, Action::ListAttempts, Relation::Own)) filter.person = holder_.person;

@@ -36,8 +36,8 @@ struct DeskHolder {
 /// exist are refused alike.
 class AttemptDesk {
  public:
-  /// Those the table lets this desk list, newest first.
-  std::vector<AttemptHeader> attempts();
+  /// Those the table lets this desk list, newest first; all, or so many.
+  std::vector<AttemptHeader> attempts(std::optional<std::int32_t> count_max = std::nullopt);
   /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);

@@ -1,5 +1,6 @@
 #include "database/instructor_desk.h"
 
+#include "database/limits.h"
 #include "database/sql.h"
 #include "database/standings.h"
 
@@ -35,6 +36,27 @@ std::vector<AttemptHeader> InstructorDesk::attempts_of(PersonId trainee) {
   AttemptFilter filter;
   filter.person = trainee;
   return list_attempts(*database_, filter);
+}
+
+std::vector<AttemptLimit> InstructorDesk::limits() {
+  require(*database_, holder_, Action::SeeCohort, Relation::Cohort, "the cohort");
+  return list_limits(*database_, *holder_.cohort);
+}
+
+void InstructorDesk::set_limit(const std::string& scenario_name, std::int32_t attempts_max) {
+  require(*database_, holder_, Action::LimitAttempts, Relation::Cohort, "the cohort");
+  database::set_limit(*database_, *holder_.cohort, {scenario_name, attempts_max, "", ""},
+                      *holder_.person);
+}
+
+void InstructorDesk::clear_limit(const std::string& scenario_name) {
+  require(*database_, holder_, Action::LimitAttempts, Relation::Cohort, "the cohort");
+  database::clear_limit(*database_, *holder_.cohort, scenario_name, *holder_.person);
+}
+
+std::vector<CohortComparison> InstructorDesk::cohort_comparisons(const std::string& scenario_name) {
+  require(*database_, holder_, Action::CompareWithCohort, Relation::Cohort, "the cohort");
+  return database::cohort_comparisons(*database_, *holder_.cohort, scenario_name);
 }
 
 NoteId InstructorDesk::add_note(const NewNote& note) {

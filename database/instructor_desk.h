@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "database/comparisons.h"
 #include "database/desks.h"
 #include "database/help_requests.h"
+#include "database/records/limit.h"
 
 namespace hallux::database {
 
@@ -22,6 +24,13 @@ class InstructorDesk : public CourseDesk {
   std::vector<AttemptHeader> newest_attempts(std::int32_t count);
   /// Those of one trainee, newest first.
   std::vector<AttemptHeader> attempts_of(PersonId trainee);
+
+  /// How many assessments of an operation each trainee has; by name of the operation.
+  std::vector<AttemptLimit> limits();
+  void set_limit(const std::string& scenario_name, std::int32_t attempts_max);
+  void clear_limit(const std::string& scenario_name);
+  /// As its trainees see it.
+  std::vector<CohortComparison> cohort_comparisons(const std::string& scenario_name);
 
   NoteId add_note(const NewNote& note);
   /// The inbox: open first, oldest first; then the answered, newest first.

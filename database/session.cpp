@@ -108,10 +108,10 @@ std::vector<AttemptDesk> Session::desks() {
   return held;
 }
 
-std::vector<AttemptHeader> Session::attempts() {
+std::vector<AttemptHeader> Session::attempts(std::optional<std::int32_t> count_max) {
   std::vector<AttemptHeader> listed;
   for (AttemptDesk& desk : desks()) {
-    for (AttemptHeader& header : desk.attempts()) listed.push_back(std::move(header));
+    for (AttemptHeader& header : desk.attempts(count_max)) listed.push_back(std::move(header));
   }
   const auto key = [](const AttemptHeader& header) {
     return std::tie(header.started_utc, header.order);
@@ -122,6 +122,8 @@ std::vector<AttemptHeader> Session::attempts() {
       std::unique(listed.begin(), listed.end(),
                   [](const AttemptHeader& a, const AttemptHeader& b) { return a.id == b.id; }),
       listed.end());
+  if (count_max && std::ssize(listed) > *count_max)
+    listed.resize(static_cast<std::size_t>(std::max(0, *count_max)));
   return listed;
 }
 

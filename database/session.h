@@ -30,8 +30,8 @@ class Session {
   /// All desks of this person: as trainee, as instructor of each cohort they teach, as administrator. None for a person
   /// disabled since.
   std::vector<AttemptDesk> desks();
-  /// What they may list from any of them, each attempt once, newest first.
-  std::vector<AttemptHeader> attempts();
+  /// What they may list from any of them, each attempt once, newest first; all, or so many.
+  std::vector<AttemptHeader> attempts(std::optional<std::int32_t> count_max = std::nullopt);
   /// The first of this person's desks from which the table allows `action` on that attempt; where none does, or there is no
   /// such attempt, the trainee's, which refuses; nothing for a person disabled since. Looking for it is not written to the
   /// audit.

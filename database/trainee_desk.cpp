@@ -1,5 +1,6 @@
 #include "database/trainee_desk.h"
 
+#include "database/audit.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -15,7 +16,31 @@ WriterLease TraineeDesk::begin_attempt(const NewAttempt& attempt) {
     throw DatabaseError{DatabaseErrorKind::BadInput,
                         "this version of the operation is not published; choose one that is"};
   }
-  return begin(attempt);
+  try {
+    return begin(attempt);
+  } catch (const DatabaseError& error) {
+    if (error.kind() == DatabaseErrorKind::Refused)
+      append_audit(*database_, {holder_.person,
+                                "begin_attempt",
+                                "scenario_version",
+                                std::to_string(attempt.scenario.number),
+                                true,
+                                {},
+                                error.what()});
+    throw;
+  }
+}
+
+std::vector<CohortComparison> TraineeDesk::cohort_comparisons(const std::string& scenario_name) {
+  require(*database_, holder_, Action::CompareWithCohort, Relation::Own, "the cohorts");
+  std::vector<CohortComparison> comparisons;
+  for (const Membership& membership : memberships_of(*database_, *holder_.person)) {
+    if (membership.role != CohortRole::Trainee) continue;
+    for (CohortComparison& comparison :
+         database::cohort_comparisons(*database_, membership.cohort, scenario_name))
+      comparisons.push_back(std::move(comparison));
+  }
+  return comparisons;
 }
 
 HelpRequestId TraineeDesk::ask_for_help(const NewHelpRequest& request) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "database/catalogue.h"
+#include "database/comparisons.h"
 #include "database/desks.h"
 #include "database/help_requests.h"
 #include "database/person_export.h"
@@ -14,10 +15,13 @@ namespace hallux::database {
 /// errors  DatabaseError: Refused, NotFound; and as in the files that are included
 class TraineeDesk : public CourseDesk {
  public:
-  /// What is published, with how this person stands in each.
+  /// What is published, with how this person stands in each and how many assessments are left.
   std::vector<Operation> operations();
-  /// errors  DatabaseError: Refused where the attempt is not this person's; BadInput where its scenario is not published
+  /// errors  DatabaseError: Refused where the attempt is not this person's; BadInput where its scenario is not published;
+  ///         Refused where no assessment is left, which is written to the audit
   WriterLease begin_attempt(const NewAttempt& attempt);
+  /// How the cohorts in which this person is a trainee stand, where there are enough people in them.
+  std::vector<CohortComparison> cohort_comparisons(const std::string& scenario_name);
   /// Flags a moment of an own attempt with a question to the instructors of the person's cohorts.
   HelpRequestId ask_for_help(const NewHelpRequest& request);
   /// The own ones: open first, then the answered, newest first.

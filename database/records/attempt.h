@@ -8,6 +8,7 @@
 
 #include "database/records/decision.h"
 #include "database/records/ids.h"
+#include "database/records/score.h"
 #include "simulator/base/digest.h"
 #include "simulator/record/guidance.h"
 #include "simulator/record/record.h"
@@ -70,6 +71,8 @@ struct AttemptHeader {
       is_valid;  ///< once closed: may be graded, by its certificate; counts for a limit
   std::optional<Digest> seal;               ///< once closed
   std::optional<std::int64_t> score_milli;  ///< of the machine's score in force, 0 to 100 000
+  std::int32_t rubric_version = 0;          ///< that score was made with
+  PassFacts pass;                           ///< what that score's card says about passing
   bool is_partial = false;                  ///< that score: not all of the rubric was measured
   std::optional<DecisionKind> decision;     ///< in force; nothing: the machine's score is advisory
   std::optional<std::int64_t>

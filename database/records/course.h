@@ -9,6 +9,7 @@
 
 #include "database/records/attempt.h"
 #include "database/records/ids.h"
+#include "database/records/limit.h"
 #include "database/records/person.h"
 #include "database/records/score.h"
 
@@ -93,7 +94,8 @@ struct Operation {
   std::int32_t version = 1;
   bool is_reviewed = false;
   std::string published_utc;
-  OperationStanding standing;  ///< the trainee's own
+  OperationStanding standing;                 ///< the trainee's own
+  std::optional<AttemptAllowance> allowance;  ///< nothing: as many assessments as they like
 };
 
 }  // namespace hallux::database

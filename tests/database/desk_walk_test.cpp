@@ -315,6 +315,30 @@ Outcome about_notices(Walk& world, TriedDesk& desk, const Subject& subject) {
       [&] { desk.administrator->acknowledge(desk.administrator->notices().front().id); });
 }
 
+Outcome about_limits(Walk& world, TriedDesk& desk, const Subject& subject) {
+  if (desk.administrator && subject.login == "eve") {
+    return refused_or_done([&] {
+      desk.administrator->set_limit(world.autumn(), "silver", 3);
+      EXPECT_EQ(desk.administrator->limits(world.autumn()).size(), 1U);
+      desk.administrator->clear_limit(world.autumn(), "silver");
+    });
+  }
+  if (!desk.instructor || subject.relation != Relation::Cohort) return Outcome::NotOffered;
+  return refused_or_done([&] {
+    desk.instructor->set_limit("silver", 3);
+    EXPECT_EQ(desk.instructor->limits().size(), 1U);
+    desk.instructor->clear_limit("silver");
+  });
+}
+
+Outcome about_comparing(TriedDesk& desk, const Subject& subject) {
+  if (desk.trainee && subject.relation == Relation::Own)
+    return refused_or_done([&] { desk.trainee->cohort_comparisons("silver"); });
+  if (desk.instructor && subject.relation == Relation::Cohort)
+    return refused_or_done([&] { desk.instructor->cohort_comparisons("silver"); });
+  return Outcome::NotOffered;
+}
+
 Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subject) {
   switch (action) {
     case Action::BeginAttempt:
@@ -354,6 +378,10 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
       return about_person(world, desk, action, subject);
     case Action::ReadNotices:
       return about_notices(world, desk, subject);
+    case Action::LimitAttempts:
+      return about_limits(world, desk, subject);
+    case Action::CompareWithCohort:
+      return about_comparing(desk, subject);
     default:
       return about_directory(world, desk, action, subject);
   }

@@ -69,6 +69,8 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},    // ErasePerson
       {"-", "o", "-", "ox"},   // ExportPerson
       {"-", "-", "-", "x"},    // Retain
+      {"-", "-", "c", "x"},    // LimitAttempts
+      {"-", "o", "c", "-"},    // CompareWithCohort
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {

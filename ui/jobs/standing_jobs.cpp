@@ -20,25 +20,23 @@ database::TraineeDesk own_desk(database::Session& session) {
 }
 
 /// With the score that stands, and whether it passes; without where it is void, not valid or has none.
-JudgedAttempt judged(database::CourseDesk& desk, database::AttemptHeader header) {
+JudgedAttempt judged(database::AttemptHeader header) {
   JudgedAttempt attempt;
-  attempt.header = std::move(header);
-  const bool counts = attempt.header.state != database::AttemptState::Void &&
-                      attempt.header.is_valid.value_or(true) && attempt.header.is_counted;
-  if (!counts || !attempt.header.score_milli) return attempt;
-  if (const auto score = desk.score(attempt.header.id)) {
-    attempt.rubric_version = score->card.rubric_version;
-    attempt.score_milli = attempt.header.decided_milli.value_or(score->card.score_milli);
-    attempt.pass = assessment::pass_answer(score->card, *attempt.score_milli);
+  const bool counts = header.state != database::AttemptState::Void &&
+                      header.is_valid.value_or(true) && header.is_counted;
+  if (counts && header.score_milli) {
+    attempt.rubric_version = header.rubric_version;
+    attempt.score_milli = header.decided_milli.value_or(*header.score_milli);
+    attempt.pass = assessment::pass_answer(header.pass, *attempt.score_milli);
   }
+  attempt.header = std::move(header);
   return attempt;
 }
 
-OwnOperation standing_in(database::Database& database, database::Operation published,
-                         const std::vector<JudgedAttempt>& attempts) {
+OwnOperation standing_in(database::Database& database, database::Operation published) {
   OwnOperation own;
   own.published = std::move(published);
-  own.learning = learning_of(attempts, own.published.name);
+  own.learning = learning_in(own.published.standing);
   const database::ScenarioText text =
       database::get_scenario_version(database, own.published.scenario);
   try {
@@ -88,7 +86,7 @@ std::vector<JudgedAttempt> own_attempts(database::Session& session) {
   std::vector<JudgedAttempt> own;
   for (database::AttemptHeader& header : desk.attempts()) {
     if (header.begun.person != session.person().id) continue;  // the robot's
-    own.push_back(judged(desk, std::move(header)));
+    own.push_back(judged(std::move(header)));
   }
   std::reverse(own.begin(), own.end());
   return own;
@@ -109,10 +107,9 @@ std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk) {
 }
 
 std::vector<OwnOperation> own_operations(database::Session& session, database::Database& database) {
-  const std::vector<JudgedAttempt> attempts = own_attempts(session);
   std::vector<OwnOperation> operations;
   for (database::Operation& published : own_desk(session).operations()) {
-    operations.push_back(standing_in(database, std::move(published), attempts));
+    operations.push_back(standing_in(database, std::move(published)));
   }
   std::stable_sort(
       operations.begin(), operations.end(),
