@@ -107,6 +107,9 @@ ExitCode list_on(const VerbContext& context) {
 
 ExitCode redeem_on(const VerbContext& context, const std::string& login) {
   database::Database database = open_kept(context);
+  if (login.empty()) {
+    throw VerbError(ExitCode::BadInput, "name whose one-time code it is: user passwd LOGIN --code");
+  }
   const database::SecretText code = ask_password(context, "One-time code of " + login);
   database::redeem_code(database, login, code, ask_password(context, "New password for " + login));
   say(context, login, "password changed");

@@ -111,6 +111,10 @@ TEST_F(ShellJourney, WhoTouchesNothingIsIdle) {
   EXPECT_EQ(idle, 0);
   driver.frame(11.0);
   EXPECT_GE(idle, 1);
+  idle = 0;
+  driver.click("nav.person");
+  driver.click("person.4");
+  EXPECT_EQ(idle, 1) << "who goes away may lock it at once";
   shell.set_visitor(std::nullopt);
   idle = 0;
   driver.frame(1000.0);
