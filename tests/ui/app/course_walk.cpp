@@ -61,11 +61,14 @@ class Walker {
   /// errors  Fault
   void go(int steps) {
     for (int step = 0; step < steps; ++step) {
+      open_lock();
       come_in();
       act();
       if (one_in(3)) window_.finish_work();
       read_frame();
-      if (step % steps_between_ways_home == steps_between_ways_home - 1) find_home();
+      if (step % steps_between_ways_home != steps_between_ways_home - 1) continue;
+      open_lock();
+      find_home();
     }
     if (!window_.finish_work()) throw Fault("work did not end within a minute");
   }
@@ -99,7 +102,33 @@ class Walker {
     if (!driver().has("entry.sign_in")) return;
     note("sign in as " + walk_.login);
     window_.sign_in(walk_.login, walk_.password);
+    if (!driver().has("entry.sign_in")) return;
+    wait_for_the_guard();
+    window_.sign_in(walk_.login, walk_.password);
     if (driver().has("entry.sign_in")) throw Fault("cannot sign in again");
+  }
+
+  // Whoever locked the window opens it again.
+  void open_lock() {
+    if (!driver().has("lock.open")) return;
+    note("open the lock");
+    for (int count = 0; count < 2 && window_.shell().is_locked(); ++count) {
+      if (count > 0) wait_for_the_guard();
+      driver().click("lock.password");
+      driver().press(Key::A, {.control = true});
+      driver().type(walk_.password);
+      driver().press(Key::Enter);
+      window_.finish_work();
+    }
+    if (window_.shell().is_locked()) throw Fault("the lock does not open");
+  }
+
+  // Somebody who writes anything into the form for a new password has given wrong ones: the longest wait there is.
+  void wait_for_the_guard() {
+    constexpr int longest_wait_s = 61;
+    std::this_thread::sleep_for(std::chrono::seconds(longest_wait_s));
+    driver().frame(longest_wait_s);
+    driver().settle();
   }
 
   void act() {
