@@ -2,6 +2,7 @@
 
 #include "database/audit.h"
 #include "database/limits.h"
+#include "database/report_connection.h"
 #include "database/settings.h"
 #include "database/sql.h"
 
@@ -210,6 +211,12 @@ Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
   require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
   return keep_backup(*database_, directory.empty() ? database_->directory() / "backups" : directory,
                      holder_.person, {progress, {}});
+}
+
+Report AdministratorDesk::report(const std::string& sql) {
+  require(*database_, holder_, Action::RunReport, Relation::Other, "the tables");
+  append_audit(*database_, {holder_.person, "report_run", "database", "", false, {}, sql});
+  return ReportConnection{database_->directory()}.answer(sql);
 }
 
 std::vector<Origin> AdministratorDesk::origins() {

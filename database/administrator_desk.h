@@ -15,6 +15,7 @@
 #include "database/person_export.h"
 #include "database/records/audit_line.h"
 #include "database/records/limit.h"
+#include "database/records/report.h"
 #include "database/retention.h"
 
 namespace hallux::database {
@@ -83,6 +84,9 @@ class AdministratorDesk : public AttemptDesk {
   /// Into `directory`, or where that is empty into `backups` of the data directory; lets go of old ones (rotation).
   Backup back_up(const std::filesystem::path& directory = {},
                  const std::function<bool(double)>& progress = {});
+  /// The answer to one SELECT over what reports may read; the statement is written to the audit, also where it fails.
+  /// errors  DatabaseError as ReportConnection::answer
+  Report report(const std::string& sql);
   /// Where imported attempts come from.
   std::vector<Origin> origins();
   /// What was imported from there counts from now on, or no longer.

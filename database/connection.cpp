@@ -42,7 +42,7 @@ void configure(Database& database, Access access) {
                               " for writing: it is read-only; make it writable or name another "
                               "directory with --data"};
     }
-    connection.exec("PRAGMA page_size = 4096;");
+    connection.exec("PRAGMA page_size = 8192;");
     SQLite::Statement mode{connection, "PRAGMA journal_mode = WAL"};
     mode.executeStep();
     if (mode.getColumn(0).getString() != "wal") {

@@ -9,16 +9,16 @@ namespace hallux::database {
 namespace {
 
 constexpr std::array<std::string_view, action_count> action_names{
-    "begin_attempt",   "list_attempts",   "view_attempt",       "store_score",
-    "list_operations", "read_notes",      "read_private_notes", "write_note",
-    "reply_to_note",   "ask_for_help",    "read_help",          "answer_help",
-    "decide_result",   "see_cohort",      "change_password",    "set_password",
-    "issue_code",      "add_person",      "list_people",        "disable_person",
-    "change_role",     "add_cohort",      "list_cohorts",       "enrol",
-    "list_scenarios",  "import_scenario", "publish_scenario",   "retire_scenario",
-    "read_audit",      "back_up",         "list_origins",       "accept_origin",
-    "read_notices",    "change_settings", "erase_person",       "export_person",
-    "retain",          "limit_attempts",  "compare_with_cohort"};
+    "begin_attempt",   "list_attempts",   "view_attempt",        "store_score",
+    "list_operations", "read_notes",      "read_private_notes",  "write_note",
+    "reply_to_note",   "ask_for_help",    "read_help",           "answer_help",
+    "decide_result",   "see_cohort",      "change_password",     "set_password",
+    "issue_code",      "add_person",      "list_people",         "disable_person",
+    "change_role",     "add_cohort",      "list_cohorts",        "enrol",
+    "list_scenarios",  "import_scenario", "publish_scenario",    "retire_scenario",
+    "read_audit",      "back_up",         "list_origins",        "accept_origin",
+    "read_notices",    "change_settings", "erase_person",        "export_person",
+    "retain",          "limit_attempts",  "compare_with_cohort", "run_report"};
 
 std::string_view name_of(Action action) noexcept {
   return action_names[static_cast<std::size_t>(action)];
@@ -139,6 +139,12 @@ std::vector<AttemptHeader> AttemptDesk::attempts(std::optional<std::int32_t> cou
 
 AttemptHeader AttemptDesk::header(const AttemptId& id) {
   return allowed_header(Action::ViewAttempt, id);
+}
+
+simulator::Recording AttemptDesk::recording_part(const AttemptId& id, const TickRange& ticks) {
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
+  note_view(header);
+  return load_recording_part(*database_, header.id, ticks);
 }
 
 simulator::Recording AttemptDesk::recording(const AttemptId& id) {

@@ -18,6 +18,7 @@
 #include "database/password_proof.h"
 #include "database/people.h"
 #include "database/policy.h"
+#include "database/recordings.h"
 #include "database/scores.h"
 #include "simulator/record/record.h"
 
@@ -41,6 +42,8 @@ class AttemptDesk {
   /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
+  /// Only the rows of those ticks, without reading the rest.
+  simulator::Recording recording_part(const AttemptId& id, const TickRange& ticks);
   std::optional<StoredScore> score(const AttemptId& id);
   /// What instructors decided about it, newest first.
   std::vector<Decision> decisions(const AttemptId& id);

@@ -49,17 +49,18 @@ enum class Action : std::uint8_t {
   RetireScenario,
   ReadAudit,
   BackUp,
-  ListOrigins,       ///< what was imported from where
-  AcceptOrigin,      ///< what came from there counts, or no longer
-  ReadNotices,       ///< and acknowledge them
-  ChangeSettings,    ///< of the data directory
-  ErasePerson,       ///< for good
-  ExportPerson,      ///< all that is kept of them
-  Retain,            ///< let go of what need not be kept
-  LimitAttempts,     ///< how many assessments the trainees of a cohort have
-  CompareWithCohort  ///< see how it stands, nobody by name
+  ListOrigins,        ///< what was imported from where
+  AcceptOrigin,       ///< what came from there counts, or no longer
+  ReadNotices,        ///< and acknowledge them
+  ChangeSettings,     ///< of the data directory
+  ErasePerson,        ///< for good
+  ExportPerson,       ///< all that is kept of them
+  Retain,             ///< let go of what need not be kept
+  LimitAttempts,      ///< how many assessments the trainees of a cohort have
+  CompareWithCohort,  ///< see how it stands, nobody by name
+  RunReport           ///< plain SQL over what reports may read
 };
-inline constexpr std::size_t action_count = 39;
+inline constexpr std::size_t action_count = 40;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
@@ -135,6 +136,7 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::Retain, {{no, no, no, other}}},
       {Action::LimitAttempts, {{no, no, cohort, other}}},
       {Action::CompareWithCohort, {{no, own, cohort, no}}},
+      {Action::RunReport, {{no, no, no, other}}},
   }};
 }
 

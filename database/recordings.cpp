@@ -5,7 +5,6 @@
 
 #include "database/attempts.h"
 #include "database/erased_recordings.h"
-#include "database/recorder.h"
 #include "database/sql.h"
 #include "database/stored_chunks.h"
 
@@ -24,7 +23,6 @@ void check_seal(const Database& database, const AttemptHeader& header, const Dig
                           " does not fit its seal: a fact of it was altered, or its last chunks "
                           "were taken away; restore a backup"};
 }
-
 void refuse_erased(Database& database, const AttemptId& id) {
   const auto erased = erased_recording(database, id);
   if (!erased) return;
@@ -36,55 +34,6 @@ void refuse_erased(Database& database, const AttemptId& id) {
 /// needs   the chunks were read and checked
 Digest last_link(const ChunkRun& run) {
   return run.chunks.empty() ? run.before : run.chunks.back().link.value_or(Digest{});
-}
-
-/// One number that a query about an attempt answers with.
-std::optional<std::int64_t> number_of(Database& database, const char* sql, const AttemptId& id,
-                                      std::int64_t bound) {
-  SQLite::Statement query{database.connection(), sql};
-  query.bind(1, id.text);
-  query.bind(2, bound);
-  if (!query.executeStep() || query.getColumn(0).isNull()) return std::nullopt;
-  return query.getColumn(0).getInt64();
-}
-
-std::optional<std::int64_t> window_from(Database& database, const AttemptId& id,
-                                        std::int64_t first) {
-  return number_of(database,
-                   "SELECT min(c.seq) FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid "
-                   "= ? AND c.seq >= ?",
-                   id, first);
-}
-
-/// The last window of which a row stands before `end_tick`; first ticks rise with the windows in each stream.
-std::optional<std::int64_t> last_window_before(Database& database, const AttemptId& id,
-                                               std::int64_t end_tick) {
-  return number_of(
-      database,
-      "SELECT max((SELECT c.seq FROM chunk c WHERE c.attempt_id = a.attempt_id AND c.stream = "
-      "s.column1 AND c.first_tick < ?2 ORDER BY c.first_tick DESC LIMIT 1)) FROM attempt a, "
-      "(VALUES (0), (1), (2)) s WHERE a.uuid = ?1",
-      id, end_tick);
-}
-
-/// A row never stands in an earlier window than its last tick; in older records a line of the tape stands by its first.
-WindowRange windows_around(Database& database, const AttemptId& id, const TickRange& ticks) {
-  const std::int64_t first =
-      std::max<std::int64_t>(std::max<std::int64_t>(ticks.first, 0) / window_ticks - 1, 0);
-  const std::int64_t last = last_window_before(database, id, ticks.end).value_or(-1);
-  return {first, std::max(last + 1, first)};
-}
-
-/// Zeros before the first chunk, as in the chain.
-Digest link_before(Database& database, const AttemptId& id, std::int64_t window) {
-  SQLite::Statement row{
-      database.connection(),
-      "SELECT c.link FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq < ? "
-      "ORDER BY c.seq DESC, c.stream DESC LIMIT 1"};
-  row.bind(1, id.text);
-  row.bind(2, window);
-  if (!row.executeStep()) return {};
-  return digest_in(row.getColumn(0)).value_or(Digest{});
 }
 
 /// The chunk after `run`, or the seal, must go on from its last link.

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "database/audit.h"
+#include "database/report_connection.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -204,6 +205,15 @@ void Session::sign_out() {
 std::optional<OpenHouse> OpenHouse::enter(Database& database) {
   if (has_people(database)) return std::nullopt;
   return OpenHouse{database};
+}
+
+Report OpenHouse::report(const std::string& sql) {
+  if (has_people(*database_)) {
+    throw DatabaseError{DatabaseErrorKind::Refused,
+                        "somebody was added to " + database_->file().string() +
+                            " in the meantime; an administrator may run reports, with --as"};
+  }
+  return ReportConnection{database_->directory()}.answer(sql);
 }
 
 PersonId OpenHouse::add_first_administrator(const NewPerson& person, const SecretText& password,

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "database/recorder.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -30,6 +31,27 @@ StoredChunk chunk_in(SQLite::Statement& row) {
   chunk.bytes.assign(first, first + bytes.getBytes());
   chunk.link = digest_in(row.getColumn(6));
   return chunk;
+}
+
+/// One number that a query about an attempt answers with.
+std::optional<std::int64_t> number_of(Database& database, const char* sql, const AttemptId& id,
+                                      std::int64_t bound) {
+  SQLite::Statement query{database.connection(), sql};
+  query.bind(1, id.text);
+  query.bind(2, bound);
+  if (!query.executeStep() || query.getColumn(0).isNull()) return std::nullopt;
+  return query.getColumn(0).getInt64();
+}
+
+/// The last window of which a row stands before `end_tick`; first ticks rise with the windows in each stream.
+std::optional<std::int64_t> last_window_before(Database& database, const AttemptId& id,
+                                               std::int64_t end_tick) {
+  return number_of(
+      database,
+      "SELECT max((SELECT c.seq FROM chunk c WHERE c.attempt_id = a.attempt_id AND c.stream = "
+      "s.column1 AND c.first_tick < ?2 ORDER BY c.first_tick DESC LIMIT 1)) FROM attempt a, "
+      "(VALUES (0), (1), (2)) s WHERE a.uuid = ?1",
+      id, end_tick);
 }
 
 struct Failure {
@@ -116,23 +138,62 @@ void fail_chunk(const Database& database, const AttemptId& id, const StoredChunk
                           " was altered or damaged: " + std::string{reason} + "; restore a backup"};
 }
 
+std::optional<std::int64_t> window_from(Database& database, const AttemptId& id,
+                                        std::int64_t first) {
+  return number_of(database,
+                   "SELECT min(c.seq) FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid "
+                   "= ? AND c.seq >= ?",
+                   id, first);
+}
+
+WindowRange windows_around(Database& database, const AttemptId& id, const TickRange& ticks) {
+  const std::int64_t first =
+      std::max<std::int64_t>(std::max<std::int64_t>(ticks.first, 0) / window_ticks - 1, 0);
+  const std::int64_t last = last_window_before(database, id, ticks.end).value_or(-1);
+  return {first, std::max(last + 1, first)};
+}
+
+Digest link_before(Database& database, const AttemptId& id, std::int64_t window) {
+  SQLite::Statement row{
+      database.connection(),
+      "SELECT c.link FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq < ? "
+      "ORDER BY c.seq DESC, c.stream DESC LIMIT 1"};
+  row.bind(1, id.text);
+  row.bind(2, window);
+  if (!row.executeStep()) return {};
+  return digest_in(row.getColumn(0)).value_or(Digest{});
+}
+
+ChunkWalk::ChunkWalk(Database& database, const AttemptId& id, const WindowRange& windows)
+    : database_(&database),
+      attempt_(id),
+      rows_(std::make_unique<SQLite::Statement>(
+          database.connection(),
+          "SELECT c.chunk_id, c.stream, c.seq, c.first_tick, c.row_count, c.bytes, c.link FROM "
+          "attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq >= ? AND c.seq < ? "
+          "ORDER BY c.seq, c.stream")) {
+  rows_->bind(1, id.text);
+  rows_->bind(2, windows.first);
+  rows_->bind(3, windows.end);
+}
+ChunkWalk::ChunkWalk(ChunkWalk&&) noexcept = default;
+ChunkWalk& ChunkWalk::operator=(ChunkWalk&&) noexcept = default;
+ChunkWalk::~ChunkWalk() = default;
+
+std::optional<StoredChunk> ChunkWalk::next() {
+  if (!rows_->executeStep()) return std::nullopt;
+  StoredChunk chunk = chunk_in(*rows_);
+  if (columns_in(chunk.place.stream) == 0) {
+    fail_chunk(*database_, attempt_, chunk, "its stream is none of the three");
+  }
+  return chunk;
+}
+
 std::vector<StoredChunk> load_chunks(Database& database, const AttemptId& id,
                                      const WindowRange& windows) {
-  SQLite::Statement rows{
-      database.connection(),
-      "SELECT c.chunk_id, c.stream, c.seq, c.first_tick, c.row_count, c.bytes, c.link FROM attempt "
-      "a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq >= ? AND c.seq < ? "
-      "ORDER BY c.seq, c.stream"};
-  rows.bind(1, id.text);
-  rows.bind(2, windows.first);
-  rows.bind(3, windows.end);
+  ChunkWalk walk{database, id, windows};
   std::vector<StoredChunk> chunks;
-  while (rows.executeStep()) {
-    chunks.push_back(chunk_in(rows));
-    if (columns_in(chunks.back().place.stream) == 0) {
-      fail_chunk(database, id, chunks.back(), "its stream is none of the three");
-    }
-  }
+  while (auto chunk = walk.next()) chunks.push_back(std::move(*chunk));
   return chunks;
 }
 

@@ -4,12 +4,18 @@
 /// order and on any thread, and all of them together are the chain.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "database/chain.h"
 #include "database/connection.h"
+#include "database/recordings.h"
 #include "simulator/record/record.h"
+
+namespace SQLite {
+class Statement;
+}
 
 namespace hallux::database {
 
@@ -29,6 +35,34 @@ struct WindowRange {
 /// errors  DatabaseError
 std::vector<StoredChunk> load_chunks(Database& database, const AttemptId& id,
                                      const WindowRange& windows);
+
+/// The first window from that number on; nothing where there is none.
+std::optional<std::int64_t> window_from(Database& database, const AttemptId& id,
+                                        std::int64_t first);
+/// Those in which a row of these ticks may stand, and one more: a row never stands in an earlier window than its last
+/// tick, but in older records a line of the tape stands by its first.
+WindowRange windows_around(Database& database, const AttemptId& id, const TickRange& ticks);
+
+/// Zeros before the first chunk, as in the chain: the link of the last chunk before a window.
+Digest link_before(Database& database, const AttemptId& id, std::int64_t window);
+
+/// Chunks one after the other in the order of the chain, each read when it is asked for.
+class ChunkWalk {
+ public:
+  /// errors  DatabaseError
+  ChunkWalk(Database& database, const AttemptId& id, const WindowRange& windows);
+  ChunkWalk(ChunkWalk&&) noexcept;
+  ChunkWalk& operator=(ChunkWalk&&) noexcept;
+  ~ChunkWalk();
+  /// Nothing after the last.
+  /// errors  DatabaseError Damaged for a stream that is none
+  std::optional<StoredChunk> next();
+
+ private:
+  Database* database_;
+  AttemptId attempt_;
+  std::unique_ptr<SQLite::Statement> rows_;
+};
 
 /// Reads chunks of one attempt and checks their links.
 /// thread  one at a time

@@ -147,6 +147,7 @@ Outcome about_attempt(Walk& world, TriedDesk& desk, Action action, const Subject
     case Action::ViewAttempt: {
       const Outcome recording = refused_or_done([&] { desk.any->recording(id); });
       EXPECT_EQ(refused_or_done([&] { desk.any->header(id); }), recording);
+      EXPECT_EQ(refused_or_done([&] { desk.any->recording_part(id, {0, 10}); }), recording);
       EXPECT_EQ(refused_or_done([&] { desk.any->score(id); }), recording);
       EXPECT_EQ(refused_or_done([&] { desk.any->decisions(id); }), recording);
       return recording;
@@ -268,6 +269,9 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
         EXPECT_TRUE(administrator.retention_plan().empty());
         EXPECT_FALSE(administrator.retention().practice_days);
         administrator.retain();
+        return;
+      case Action::RunReport:
+        EXPECT_EQ(administrator.report("SELECT count(*) FROM attempt").rows.size(), 1U);
         return;
       case Action::ReadAudit:
         EXPECT_GT(administrator.audit_page({}).total, 0);

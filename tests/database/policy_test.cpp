@@ -71,6 +71,7 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},    // Retain
       {"-", "-", "c", "x"},    // LimitAttempts
       {"-", "o", "c", "-"},    // CompareWithCohort
+      {"-", "-", "-", "x"},    // RunReport
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {
