@@ -6,6 +6,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/field.h"
+#include "ui/widgets/shapes.h"
 #include "ui/widgets/wipe.h"
 
 namespace hallux::ui {
@@ -49,16 +50,14 @@ void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
   const float height = ui.paragraph_height(Type::Body, sentence, column.w);
   ui.canvas().paragraph(take_top(column, height, 24.0F), {Type::Body, theme.text_secondary},
                         sentence);
-  wait_.replace(ui, fault_);
   FieldSpec secret;
   secret.label = ui.text("entry.password");
   secret.is_secret = true;
   secret.is_enabled = !work_.is_running();
-  secret.error = fault_;
   take_top(column, field_label_height);
-  field(ui, "lock.password", take_top(column, field_height, field_message_height + field_gap),
-        password_, secret);
+  field(ui, "lock.password", take_top(column, field_height, field_gap), password_, secret);
   ui.focus_first("lock.password");
+  draw_fault(ui, column);
   ButtonSpec open_it{ui.text("lock.open"), ButtonLook::Primary, Icon::Lock};
   open_it.is_enabled = !password_.empty() && wait_.left_s(ui) == 0;
   open_it.is_busy = work_.is_running();
@@ -67,6 +66,17 @@ void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
   }
   if (is_recording) return;
   if (link(ui, "lock.other", {column.x, column.y + 10.0F}, ui.text("lock.other"))) sign_out_();
+}
+
+void LockScreen::draw_fault(Ui& ui, Rect& column) {
+  wait_.replace(ui, fault_);
+  if (fault_.empty()) return;
+  const Theme& theme = ui.theme();
+  const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
+  const Rect line = take_top(column, height, field_gap);
+  draw_meaning(ui.canvas(), theme, Meaning::Bad, {line.x + 8.0F, line.y + 9.0F}, 8.0F);
+  ui.canvas().paragraph({line.x + 28.0F, line.y, line.w - 28.0F, height},
+                        {Type::Small, theme.bad_text}, fault_);
 }
 
 void LockScreen::open(Ui& ui, Shell& shell) {
