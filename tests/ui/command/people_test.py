@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """People and their passwords: from stdin only, never from the arguments, and never shown."""
 
+import subprocess
+import time
 import unittest
 
 from hallux_command import BAD_INPUT, DONE, REFUSED, WRONG_USAGE, CommandTest, RecordedTest
@@ -10,6 +12,19 @@ ADMINISTRATOR, TRAINEE, LATER = "saw bone hinge wire", "medial eminence off", "d
 
 def lines(*passwords):
     return "".join(password + "\n" for password in passwords)
+
+
+def places_in_memory(process, secret):
+    """At how many places of a running process's writable memory the text stands."""
+    places = 0
+    with open(f"/proc/{process}/maps") as maps, open(f"/proc/{process}/mem", "rb", buffering=0) as memory:
+        for line in maps:
+            span, rights = line.split()[:2]
+            begin, end = (int(number, 16) for number in span.split("-"))
+            if rights.startswith("rw"):
+                memory.seek(begin)
+                places += memory.read(end - begin).count(secret.encode())
+    return places
 
 
 class People(CommandTest):
@@ -78,6 +93,25 @@ class People(CommandTest):
         self.add_ben()
         self.expect_refusal(BAD_INPUT, ["ben", "administrator"], "user", "recover", "ben")
         self.expect_refusal(BAD_INPUT, ["eve"], "user", "recover", "eve")
+
+    def test_a_password_stands_in_memory_in_one_place_only(self):
+        process = subprocess.Popen(self.line(["user", "passwd", "--as", "ada"]), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, cwd=self.untouched[2], env=self.environment())
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        process.stdin.write(lines(ADMINISTRATOR).encode())
+        process.stdin.flush()
+        signed_in = "SELECT count(*) FROM audit WHERE action = 'signed_in'"
+        for _ in range(600):
+            if self.query(signed_in) == [(1,)]:
+                break
+            time.sleep(0.05)
+        time.sleep(0.2)
+        # It waits for the new one; the old one is still needed, and held in its locked page.
+        self.assertEqual(places_in_memory(process.pid, ADMINISTRATOR), 1)
+        out, err = process.communicate(lines(LATER).encode(), timeout=60)
+        self.assertEqual(process.returncode, DONE, err)
+        self.expect_signs_in("ada", LATER)
 
     def test_no_password_at_all_is_refused(self):
         self.expect_refused("user", "list", "--as", "ada", says=["stdin"])
