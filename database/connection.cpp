@@ -91,7 +91,8 @@ void back_up_first(Database& database) {
     throw DatabaseError{error.kind(), "the schema of " + database.file().string() +
                                           " is older and was not migrated, because no copy of it "
                                           "could be made before: " +
-                                          error.what()};
+                                          error.what() +
+                                          "; `hallux attempts --no-backup` does without"};
   }
 }
 

@@ -37,7 +37,9 @@ class SilentTerminal {
 };
 
 database::Database open_or_make(const VerbContext& context) {
-  return database::Database::open(context.data_directory);
+  database::OpenOptions options;
+  options.backs_up_before_migration = context.backs_up_before_migration;
+  return database::Database::open(context.data_directory, options);
 }
 
 }  // namespace

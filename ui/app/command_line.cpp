@@ -19,6 +19,8 @@
 #include "ui/app/verb_cut.h"
 #include "ui/app/verb_demo.h"
 #include "ui/app/verb_error.h"
+#include "ui/app/verb_export_person.h"
+#include "ui/app/verb_keep.h"
 #include "ui/app/verb_replay.h"
 #include "ui/app/verb_scenario.h"
 #include "ui/app/verb_score.h"
@@ -113,6 +115,10 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_scenario_verb(app, context);
   add_user_verb(app, context);
   add_verify_verb(app, context);
+  add_backup_verb(app, context);
+  add_restore_verb(app, context);
+  add_retention_verb(app, context);
+  add_export_person_verb(app, context);
   add_demo_verb(app, context);
 }
 
@@ -140,6 +146,9 @@ ExitCode run_command_line(int argc, const char* const* argv, std::istream& in, s
                  "sign in as this person; the password comes from the terminal or stdin");
   app.add_flag("--json", context.json, "answer with exactly one JSON value on stdout");
   app.add_flag("--quiet", context.quiet, "no progress on stderr");
+  app.add_flag_callback(
+      "--no-backup", [&context] { context.backs_up_before_migration = false; },
+      "migrate an older database without a copy of it");
   std::optional<std::filesystem::path> ui_map;
   app.add_option(
       "--ui-map", ui_map,

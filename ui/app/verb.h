@@ -27,6 +27,7 @@ struct VerbContext {
   bool json = false;
   bool quiet = false;
   std::function<ExitCode()> chosen;
+  bool backs_up_before_migration = true;  ///< not with --no-backup
 };
 
 /// Shows a long job on `notes`: "label  42 %", redrawn on a terminal, silent with --quiet. Returns false once the user

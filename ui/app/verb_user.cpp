@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "database/recovery.h"
-#include "ui/app/access.h"
+#include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_error.h"
 #include "ui/app/write_json.h"
@@ -22,22 +22,12 @@ struct UserOptions {
   bool is_administrator = false;
   bool enable = false;
   bool with_code = false;
-};
-
-/// The desk of an administrator who signed in, kept together with the session that it depends on.
-struct AdministratorVisit {
-  database::Session session;
-  database::AdministratorDesk desk;
+  std::string reason;
+  bool with_recordings = false;
 };
 
 AdministratorVisit visit(const VerbContext& context, database::Database& database) {
-  database::Session session = sign_in_as(context, database);
-  std::optional<database::AdministratorDesk> desk = session.administrator();
-  if (!desk) {
-    throw VerbError(ExitCode::Refused,
-                    context.login + " is not an administrator; only administrators manage people");
-  }
-  return {std::move(session), *desk};
+  return visit_administrator(context, database, "manage people");
 }
 
 void say(const VerbContext& context, const std::string& login, const std::string& what) {
@@ -142,6 +132,44 @@ ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
   return ExitCode::Done;
 }
 
+/// The password is asked for once: it signs in, and it proves that it is still the administrator who erases.
+ExitCode erase_on(const VerbContext& context, const UserOptions& options) {
+  database::Database database = open_kept(context);
+  if (context.login.empty()) {
+    throw VerbError(ExitCode::Refused,
+                    "only administrators erase people; say who you are with --as");
+  }
+  const database::SecretText password = ask_password(context, "Password of " + context.login);
+  database::Session session = database::sign_in(database, context.login, password);
+  std::optional<database::AdministratorDesk> desk = session.administrator();
+  if (!desk) {
+    throw VerbError(ExitCode::Refused,
+                    context.login + " is not an administrator; only administrators manage people");
+  }
+  database::ErasedPieces erased;
+  try {
+    erased = desk->erase_person({options.login, options.reason, options.with_recordings},
+                                session.prove(password), progress_on(context, "Erasing"));
+  } catch (const database::ErasureStopped& stopped) {
+    throw VerbError(ExitCode::Interrupted, stopped.what());
+  }
+  if (context.json) {
+    write_json(context.out, ordered_json{{"login", options.login},
+                                         {"done", "erased"},
+                                         {"texts", erased.texts},
+                                         {"recordings", erased.recordings},
+                                         {"bytes", erased.recording_bytes},
+                                         {"log_cleared", erased.is_log_cleared}});
+  } else {
+    say(context, options.login, "erased");
+  }
+  if (!erased.is_log_cleared) {
+    context.notes << "another program is reading: SQLite's log may hold the name until it ends\n";
+  }
+  context.notes << "backups from before hold the name until they are let go\n";
+  return ExitCode::Done;
+}
+
 /// The code goes to stdout, for it is what was asked for; it is shown once.
 ExitCode recover_on(const VerbContext& context, const UserOptions& options) {
   database::Database database = open_kept(context);
@@ -198,6 +226,13 @@ void add_user_verb(CLI::App& app, VerbContext& context) {
   disable->add_option("login", options->login, "who")->required();
   disable->add_flag("--enable", options->enable, "let the person sign in again");
   choose(disable, disable_on);
+
+  CLI::App* erase = user->add_subcommand(
+      "erase", "take all that names a person away, for good; scores stay as a statistic");
+  erase->add_option("login", options->login, "who")->required();
+  erase->add_option("--reason", options->reason, "why; kept, and must not name them")->required();
+  erase->add_flag("--with-recordings", options->with_recordings, "their recordings as well");
+  choose(erase, erase_on);
 
   CLI::App* recover = user->add_subcommand(
       "recover",

@@ -41,21 +41,23 @@ LINES = {
     "user passwd": [["user", "passwd", "canary-login-eve"]],
     "user disable": [["user", "disable", "canary-login-eve"]],
     "user recover": [["user", "recover", "bob"]],
+    "user erase": [["user", "erase", "canary-login-eve", "--reason", "asked"]],
     "sql": [["sql", "SELECT login, display_name FROM person_detail"], ["sql", "SELECT text FROM note"],
             ["sql", "SELECT question FROM help_request"], ["sql", "SELECT * FROM setting"], ["sql", "SELECT * FROM password"]],
     "rescore": [["rescore", "silver", "--dry-run"], ["rescore", "silver"]],
     "export": [["export", "{attempt}", "-o", "{out}"], ["export", "--all", "-o", "{out}"],
                ["export", "--person", "ada", "-o", "{out}"], ["export", "--cohort", "Canary-cohort", "-o", "{out}"]],
     "import": [["import", "{out}"]],
-    "export-person": [["export-person", "ada", "-o", "{out}"]],
-    "retention": [["retention", "--dry-run"]],
-    "backup": [["backup", "--to", "{out}"]],
+    "export-person": [["export-person", "ada", "-o", "{out}"], ["export-person", "canary-login-eve", "-o", "{out}"]],
+    "retention": [["retention", "--dry-run", "--practice-days", "1"]],
+    "backup": [["backup", "--list"], ["backup", "--to", "{out}"]],
     "restore": [["restore", "{out}"]],
 }
 #: Verbs that open no database of people, or none that is there.
 WITHOUT_PEOPLE = {"attempt", "cut", "scenario", "demo", "foot", "devices"}
 #: Where the line itself names the login, the sentence may say it back.
-SAID_BY_THE_LINE = {"user passwd": {"canary-login-eve"}, "user disable": {"canary-login-eve"}, "export": {"Canary-cohort"}}
+SAID_BY_THE_LINE = {"user passwd": {"canary-login-eve"}, "user disable": {"canary-login-eve"},
+                    "user erase": {"canary-login-eve"}, "export-person": {"canary-login-eve"}, "export": {"Canary-cohort"}}
 #: A copy of all that is kept, and all that is kept of one person, are what these verbs are for: an administrator's act.
 WHOLE = {"backup": {"root"}, "export-person": {"root"}}
 
