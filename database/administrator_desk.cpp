@@ -1,7 +1,9 @@
 #include "database/administrator_desk.h"
 
 #include "database/audit.h"
+#include "database/exchange/import_attempt.h"
 #include "database/limits.h"
+#include "database/origins.h"
 #include "database/report_connection.h"
 #include "database/settings.h"
 #include "database/sql.h"
@@ -217,6 +219,18 @@ Report AdministratorDesk::report(const std::string& sql) {
   require(*database_, holder_, Action::RunReport, Relation::Other, "the tables");
   append_audit(*database_, {holder_.person, "report_run", "database", "", false, {}, sql});
   return ReportConnection{database_->directory()}.answer(sql);
+}
+
+bool AdministratorDesk::is_here(const ImportedAttempt& attempt) {
+  require(*database_, holder_, Action::ImportAttempt, Relation::Other, "an attempt");
+  return database::is_here(*database_, attempt);
+}
+
+bool AdministratorDesk::import_attempt(const ImportedAttempt& attempt,
+                                       const std::optional<ScoreCard>& rescored) {
+  if (is_here(attempt)) return false;
+  store_imported(*database_, attempt, rescored, *holder_.person);
+  return true;
 }
 
 std::vector<Origin> AdministratorDesk::origins() {

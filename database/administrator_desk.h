@@ -10,11 +10,12 @@
 #include "database/catalogue.h"
 #include "database/desks.h"
 #include "database/erasures.h"
+#include "database/exchange/read_exported.h"
 #include "database/one_time_codes.h"
-#include "database/origins.h"
 #include "database/person_export.h"
 #include "database/records/audit_line.h"
 #include "database/records/limit.h"
+#include "database/records/origin.h"
 #include "database/records/report.h"
 #include "database/retention.h"
 
@@ -89,6 +90,10 @@ class AdministratorDesk : public AttemptDesk {
   Report report(const std::string& sql);
   /// Where imported attempts come from.
   std::vector<Origin> origins();
+  /// Whether this very attempt is here already.
+  bool is_here(const ImportedAttempt& attempt);
+  /// `rescored`: what this program makes of a sealed one. False where it was here already, and nothing was done.
+  bool import_attempt(const ImportedAttempt& attempt, const std::optional<ScoreCard>& rescored);
   /// What was imported from there counts from now on, or no longer.
   void set_accepted(const DirectoryId& directory, bool is_accepted);
   /// What every administrator was told and this one did not acknowledge, newest first.

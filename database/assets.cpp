@@ -34,7 +34,7 @@ Digest put_asset(Database& database, std::string_view kind, std::span<const std:
     bind_digest(found, 1, digest);
     if (found.executeStep()) return;
     const std::vector<std::byte> packed = compressed(bytes);
-    in_transaction(database, "store an asset", [&] {
+    in_transaction_of_caller(database, "store an asset", [&] {
       SQLite::Statement insert{database.connection(),
                                "INSERT OR IGNORE INTO asset (digest, kind, plain_bytes, zstd) "
                                "VALUES (?, ?, ?, ?)"};
@@ -75,7 +75,7 @@ std::vector<std::byte> get_asset(Database& database, const Digest& digest) {
 
 ScenarioVersionId put_scenario_version(Database& database, const ScenarioText& text) {
   const Digest digest = digest_of_text(text.json);
-  return in_transaction(database, "store a scenario version", [&] {
+  return in_transaction_of_caller(database, "store a scenario version", [&] {
     SQLite::Statement insert{
         database.connection(),
         "INSERT OR IGNORE INTO scenario_version (name, version, json, digest, is_reviewed, "

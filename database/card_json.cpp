@@ -1,14 +1,20 @@
 #include "database/card_json.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "database/database_error.h"
+#include "database/json_fields.h"
 
 namespace hallux::database {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Far more than any rubric has; a card of the greatest shipped one has 20 KB.
+constexpr std::size_t lines_max = 10'000, card_bytes_max = std::size_t{4} << 20U;
+constexpr int card_depth_max = 6;
 
 constexpr std::array<std::string_view, 3> ledger_kinds{"metric", "damping", "gate"};
 
@@ -49,71 +55,84 @@ Json list_from(const std::vector<Part>& parts) {
   return list;
 }
 
-double number_in(const Json& json) { return json.is_null() ? 0.0 : json.get<double>(); }
-
-LedgerKind ledger_kind_in(const Json& json) {
-  const auto name = json.get<std::string>();
+LedgerKind ledger_kind_in(const std::string& name) {
   for (std::size_t i = 0; i < ledger_kinds.size(); ++i) {
     if (ledger_kinds[i] == name) return static_cast<LedgerKind>(i);
   }
-  throw DatabaseError{DatabaseErrorKind::Damaged, "a score card has a line of kind '" + name + "'"};
+  throw DatabaseError{DatabaseErrorKind::Damaged, "a line has a kind that is not known"};
 }
 
-LedgerLine ledger_line_in(const Json& json) {
+LedgerLine ledger_line_in(const nlohmann::json& json) {
   LedgerLine line;
-  line.kind = ledger_kind_in(json.at("kind"));
-  json.at("item").get_to(line.item);
-  json.at("metric").get_to(line.metric);
-  json.at("group").get_to(line.group);
-  json.at("unit").get_to(line.unit);
-  line.value = number_in(json.at("value"));
-  json.at("is_measured").get_to(line.is_measured);
-  line.target = number_in(json.at("target"));
-  json.at("weight_milli").get_to(line.weight_milli);
-  json.at("points_lost_milli").get_to(line.points_lost_milli);
-  json.at("start_us").get_to(line.start_us);
-  json.at("end_us").get_to(line.end_us);
-  for (std::size_t i = 0; i < line.place_in_bone_mm.size(); ++i) {
-    line.place_in_bone_mm[i] = number_in(json.at("place_in_bone_mm").at(i));
+  line.kind = ledger_kind_in(text_in(json, "kind"));
+  line.item = text_in(json, "item");
+  line.metric = text_in(json, "metric");
+  line.group = text_in(json, "group");
+  line.unit = text_in(json, "unit");
+  line.value = number_in(json, "value");
+  line.is_measured = flag_in(json, "is_measured");
+  line.target = number_in(json, "target");
+  line.weight_milli = integer_in(json, "weight_milli");
+  line.points_lost_milli = integer_in(json, "points_lost_milli");
+  line.start_us = integer_in(json, "start_us");
+  line.end_us = integer_in(json, "end_us");
+  const nlohmann::json& place = list_in(json, "place_in_bone_mm", 3);
+  if (place.size() != 3) {
+    throw DatabaseError{DatabaseErrorKind::Damaged, "a place has not three numbers"};
   }
-  json.at("text").get_to(line.text);
+  for (std::size_t i = 0; i < 3; ++i) line.place_in_bone_mm[i] = number_of(place[i], "place");
+  line.text = text_in(json, "text");
   return line;
 }
 
-GroupScore group_in(const Json& json) {
-  return {json.at("name").get<std::string>(), json.at("weight_milli").get<std::int64_t>(),
-          json.at("measured_milli").get<std::int64_t>(),
-          json.at("earned_milli").get<std::int64_t>()};
+GroupScore group_in(const nlohmann::json& json) {
+  return {text_in(json, "name"), integer_in(json, "weight_milli"),
+          integer_in(json, "measured_milli"), integer_in(json, "earned_milli")};
 }
 
-GateResult gate_in(const Json& json) {
+GateResult gate_in(const nlohmann::json& json) {
   GateResult gate;
-  json.at("name").get_to(gate.name);
-  json.at("cap_milli").get_to(gate.cap_milli);
-  json.at("is_triggered").get_to(gate.is_triggered);
-  gate.value = number_in(json.at("value"));
-  gate.limit = number_in(json.at("limit"));
-  json.at("unit").get_to(gate.unit);
-  json.at("text").get_to(gate.text);
+  gate.name = text_in(json, "name");
+  gate.cap_milli = integer_in(json, "cap_milli");
+  gate.is_triggered = flag_in(json, "is_triggered");
+  gate.value = number_in(json, "value");
+  gate.limit = number_in(json, "limit");
+  gate.unit = text_in(json, "unit");
+  gate.text = text_in(json, "text");
   return gate;
 }
 
-ScoreCard card_in(const Json& json) {
+std::int32_t version_in(const nlohmann::json& json, const char* key) {
+  return static_cast<std::int32_t>(
+      integer_in(json, key, 0, std::numeric_limits<std::int32_t>::max()));
+}
+
+ScoreCard card_in(const nlohmann::json& json) {
   ScoreCard card;
-  json.at("score_milli").get_to(card.score_milli);
-  json.at("earned_milli").get_to(card.earned_milli);
-  json.at("measured_milli").get_to(card.measured_milli);
-  json.at("rubric_milli").get_to(card.rubric_milli);
-  for (const Json& group : json.at("groups")) card.groups.push_back(group_in(group));
-  for (const Json& gate : json.at("gates")) card.gates.push_back(gate_in(gate));
-  for (const Json& line : json.at("ledger")) card.ledger.push_back(ledger_line_in(line));
-  json.at("shown_losses_milli").get_to(card.shown_losses_milli);
-  json.at("sentences").get_to(card.sentences);
-  json.at("scenario").get_to(card.scenario);
-  json.at("scenario_version").get_to(card.scenario_version);
-  json.at("rubric_version").get_to(card.rubric_version);
-  json.at("engine").get_to(card.engine);
-  json.at("is_reviewed").get_to(card.is_reviewed);
+  card.score_milli = integer_in(json, "score_milli");
+  card.earned_milli = integer_in(json, "earned_milli");
+  card.measured_milli = integer_in(json, "measured_milli");
+  card.rubric_milli = integer_in(json, "rubric_milli");
+  for (const auto& group : list_in(json, "groups", lines_max))
+    card.groups.push_back(group_in(group));
+  for (const auto& gate : list_in(json, "gates", lines_max)) card.gates.push_back(gate_in(gate));
+  for (const auto& line : list_in(json, "ledger", lines_max)) {
+    card.ledger.push_back(ledger_line_in(line));
+  }
+  for (const auto& loss : list_in(json, "shown_losses_milli", lines_max)) {
+    card.shown_losses_milli.push_back(integer_of(loss, "shown_losses_milli"));
+  }
+  for (const auto& sentence : list_in(json, "sentences", lines_max)) {
+    if (!sentence.is_string()) {
+      throw DatabaseError{DatabaseErrorKind::Damaged, "a sentence is no text"};
+    }
+    card.sentences.push_back(sentence.get<std::string>());
+  }
+  card.scenario = text_in(json, "scenario");
+  card.scenario_version = version_in(json, "scenario_version");
+  card.rubric_version = version_in(json, "rubric_version");
+  card.engine = version_in(json, "engine");
+  card.is_reviewed = flag_in(json, "is_reviewed");
   return card;
 }
 
@@ -139,8 +158,8 @@ std::string json_from_card(const ScoreCard& card) {
 
 ScoreCard card_from_json(std::string_view json) {
   try {
-    return card_in(Json::parse(json));
-  } catch (const Json::exception& error) {
+    return card_in(parse_json("it", json, {card_bytes_max, card_depth_max}));
+  } catch (const DatabaseError& error) {
     throw DatabaseError{DatabaseErrorKind::Damaged,
                         std::string{"a score card cannot be read: "} + error.what()};
   }

@@ -13,6 +13,7 @@
 #include "database/attempts.h"
 #include "database/cohorts.h"
 #include "database/decisions.h"
+#include "database/exchange/derived_files.h"
 #include "database/notes.h"
 #include "database/notices.h"
 #include "database/password_proof.h"
@@ -50,6 +51,9 @@ class AttemptDesk {
   /// Whether the table allows `action` on that attempt; asking is no refusal and is not written to the audit.
   bool may(Action action, const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
+  /// Writes it as files into a folder of its own within `folder`.
+  void export_attempt(const AttemptId& id, const std::filesystem::path& folder,
+                      const MakeDerived& make_derived);
 
  protected:
   friend class Session;
@@ -57,9 +61,10 @@ class AttemptDesk {
   WriterLease begin(const NewAttempt& attempt);
   /// What this desk's holder is to an attempt of `owner`.
   Relation relation_to(const std::optional<PersonId>& owner);
-  /// The attempt that `id` names or begins, of those this desk may view: what it may not is as if it were not there.
+  /// The attempt that `id` names or begins, of those this desk may view or do `action` to: others are as if they were
+  /// not there.
   /// errors  DatabaseError NotFound where it begins more than one of them
-  std::optional<AttemptHeader> seen_header(const AttemptId& id);
+  std::optional<AttemptHeader> seen_header(const AttemptId& id, Action action);
   /// The header, once the table allowed `action` on it.
   /// errors  DatabaseError Refused, in the same words where there is no such attempt
   AttemptHeader allowed_header(Action action, const AttemptId& id);

@@ -1,5 +1,6 @@
 #include "database/origins.h"
 
+#include "database/erasures.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -17,23 +18,6 @@ std::int64_t number_of(Database& database, const DirectoryId& directory) {
   return row.executeStep() ? row.getColumn(0).getInt64() : 0;
 }
 
-std::optional<std::string> erased_utc(Database& database, PersonId person) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT erased_utc FROM erasure WHERE person_id = ?"};
-  row.bind(1, person.number);
-  if (!row.executeStep()) return std::nullopt;
-  return row.getColumn(0).getString();
-}
-
-void check_not_erased(Database& database, PersonId here, PersonId there) {
-  const auto since = erased_utc(database, here);
-  if (!since) return;
-  throw DatabaseError{DatabaseErrorKind::Refused,
-                      "person " + std::to_string(there.number) +
-                          " of that directory was erased in " + database.file().string() + " (" +
-                          since->substr(0, 10) + "); what was erased does not come back"};
-}
-
 PersonId make_nameless_person(Database& database) {
   SQLite::Statement insert{database.connection(),
                            "INSERT INTO person (is_administrator, is_disabled, created_utc) "
@@ -43,16 +27,20 @@ PersonId make_nameless_person(Database& database) {
   return {database.connection().getLastInsertRowid()};
 }
 
+std::optional<PersonId> known_origin_person(Database& database, std::int64_t origin,
+                                            PersonId there) {
+  SQLite::Statement row{database.connection(),
+                        "SELECT person_id FROM origin_person WHERE origin_id = ? AND "
+                        "number_there = ?"};
+  row.bind(1, origin);
+  row.bind(2, there.number);
+  if (!row.executeStep()) return std::nullopt;
+  return PersonId{row.getColumn(0).getInt64()};
+}
+
 }  // namespace
 
-DirectoryId own_directory(Database& database) {
-  return translating(database, "read the directory's identity", [&] {
-    SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
-    if (row.executeStep()) return DirectoryId{row.getColumn(0).getString()};
-    throw DatabaseError{DatabaseErrorKind::Damaged,
-                        database.file().string() + " has lost its identity; restore a backup"};
-  });
-}
+DirectoryId own_directory(Database& database) { return {directory_uuid(database)}; }
 
 std::vector<Origin> list_origins(Database& database) {
   return translating(database, "list the origins", [&] {
@@ -91,21 +79,7 @@ std::int64_t note_origin(Database& database, const DirectoryId& directory) {
 
 PersonId note_origin_person(Database& database, std::int64_t origin, PersonId there) {
   return in_transaction_of_caller(database, "note a person of an origin", [&] {
-    SQLite::Statement own{database.connection(),
-                          "SELECT 1 FROM origin JOIN directory ON uuid = directory_uuid "
-                          "WHERE origin_id = ?"};
-    own.bind(1, origin);
-    if (own.executeStep()) check_not_erased(database, there, there);
-    SQLite::Statement known{database.connection(),
-                            "SELECT person_id FROM origin_person WHERE origin_id = ? AND "
-                            "number_there = ?"};
-    known.bind(1, origin);
-    known.bind(2, there.number);
-    if (known.executeStep()) {
-      const PersonId here{known.getColumn(0).getInt64()};
-      check_not_erased(database, here, there);
-      return here;
-    }
+    if (const auto known = known_origin_person(database, origin, there)) return *known;
     const PersonId here = make_nameless_person(database);
     SQLite::Statement insert{database.connection(),
                              "INSERT INTO origin_person (origin_id, number_there, person_id) "
@@ -115,6 +89,25 @@ PersonId note_origin_person(Database& database, std::int64_t origin, PersonId th
     insert.bind(3, here.number);
     insert.exec();
     return here;
+  });
+}
+
+void refuse_erased(Database& database, std::int64_t origin, PersonId there) {
+  translating(database, "look for an erased person", [&] {
+    // Of an export of this very directory the number is that of a person here.
+    SQLite::Statement row{
+        database.connection(),
+        "SELECT substr(e.erased_utc, 1, 10) FROM erasure e WHERE e.person_id IN "
+        "(SELECT person_id FROM origin_person WHERE origin_id = ?1 AND number_there = ?2) "
+        "OR (e.person_id = ?2 AND EXISTS (SELECT 1 FROM origin JOIN directory ON "
+        "uuid = directory_uuid WHERE origin_id = ?1))"};
+    row.bind(1, origin);
+    row.bind(2, there.number);
+    if (!row.executeStep()) return;
+    throw DatabaseError{DatabaseErrorKind::Refused,
+                        "person " + std::to_string(there.number) +
+                            " of that directory was erased in " + database.file().string() + " (" +
+                            row.getColumn(0).getString() + "); what was erased does not come back"};
   });
 }
 

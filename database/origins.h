@@ -23,8 +23,10 @@ std::int64_t note_origin(Database& database, const DirectoryId& directory);
 /// Who that origin's person of that number is here: a person without details, who cannot sign in; made where they come
 /// for the first time.
 /// needs   the caller's transaction
-/// errors  DatabaseError Refused where this person was erased here
 PersonId note_origin_person(Database& database, std::int64_t origin, PersonId there);
+
+/// errors  DatabaseError Refused where that person of the origin was erased here: what was erased does not come back
+void refuse_erased(Database& database, std::int64_t origin, PersonId there);
 
 /// What was imported from there counts from now on, or no longer. Nothing of it is changed.
 /// errors  DatabaseError NotFound

@@ -58,9 +58,11 @@ enum class Action : std::uint8_t {
   Retain,             ///< let go of what need not be kept
   LimitAttempts,      ///< how many assessments the trainees of a cohort have
   CompareWithCohort,  ///< see how it stands, nobody by name
-  RunReport           ///< plain SQL over what reports may read
+  RunReport,          ///< plain SQL over what reports may read
+  ExportAttempt,      ///< as files for other programs
+  ImportAttempt       ///< what another directory exported
 };
-inline constexpr std::size_t action_count = 40;
+inline constexpr std::size_t action_count = 42;
 
 enum class Relation : std::uint8_t {
   Own,     ///< the row is this person's, or is this person
@@ -91,6 +93,7 @@ inline constexpr Relations other = only(Relation::Other);
 inline constexpr Relations own_robot = own | robot;
 inline constexpr Relations cohort_robot = cohort | robot;
 inline constexpr Relations own_other = own | other;
+inline constexpr Relations own_robot_other = own | robot | other;
 }  // namespace policy_words
 
 inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
@@ -137,6 +140,8 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::LimitAttempts, {{no, no, cohort, other}}},
       {Action::CompareWithCohort, {{no, own, cohort, no}}},
       {Action::RunReport, {{no, no, no, other}}},
+      {Action::ExportAttempt, {{robot, own_robot, cohort_robot, own_robot_other}}},
+      {Action::ImportAttempt, {{no, no, no, other}}},
   }};
 }
 

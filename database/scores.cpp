@@ -74,7 +74,7 @@ ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCar
                     std::optional<PersonId> actor) {
   const AttemptHeader header = load_header(database, attempt);
   const std::string json = json_from_card(card);
-  return in_transaction(database, "store the score of attempt " + header.id.text, [&] {
+  return in_transaction_of_caller(database, "store the score of attempt " + header.id.text, [&] {
     const std::optional<StoredScore> in_force = load_score(database, header.id);
     if (in_force && json_from_card(in_force->card) == json) return in_force->id;
     const auto retired = retire_score_in_force(database, header.id);

@@ -131,7 +131,7 @@ std::vector<AttemptHeader> Session::attempts(std::optional<std::int32_t> count_m
 std::optional<AttemptDesk> Session::desk_for(Action action, const AttemptId& id) {
   std::vector<AttemptDesk> held = desks();
   for (AttemptDesk& desk : held) {
-    const std::optional<AttemptHeader> header = desk.seen_header(id);
+    const std::optional<AttemptHeader> header = desk.seen_header(id, action);
     if (header && desk.may(action, *header)) return desk;
   }
   if (held.empty()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include "database/attempts.h"
 #include "database/certificate_json.h"
 #include "database/decisions.h"
+#include "database/exchange/import_attempt.h"
 #include "database/recordings.h"
 #include "database/sql.h"
 #include "database/verify_parts.h"

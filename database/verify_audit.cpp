@@ -1,6 +1,7 @@
 #include "database/attempts.h"
 #include "database/chain.h"
 #include "database/decisions.h"
+#include "database/exchange/import_attempt.h"
 #include "database/scores.h"
 #include "database/sql.h"
 #include "database/verify_parts.h"
@@ -43,6 +44,7 @@ void check_attempt(Database& database, const AuditEntry& entry) {
       fail_altered(database, "attempt " + entry.subject_id + ", which is missing,");
     }
   }();
+  if (entry.action == "attempt_imported") check_imported(database, entry);
   if (entry.action == "attempt_sealed" && attempt.seal != entry.detail) {
     fail_altered(database, "the seal of attempt " + entry.subject_id);
   }
@@ -73,7 +75,7 @@ struct Unexplained {
 };
 
 /// Each in one statement, so that whoever works meanwhile is seen with the audit row or without both. An imported attempt was
-/// begun, sealed and scored elsewhere.
+/// begun and sealed elsewhere.
 constexpr Unexplained unexplained[] = {
     {"SELECT a.uuid FROM attempt a WHERE a.origin_id IS NULL AND NOT EXISTS (SELECT 1 FROM audit u "
      "WHERE u.action = 'attempt_begun' AND u.subject_id = a.uuid) LIMIT 1",
@@ -81,8 +83,12 @@ constexpr Unexplained unexplained[] = {
     {"SELECT a.uuid FROM attempt a WHERE a.origin_id IS NULL AND a.seal IS NOT NULL AND NOT EXISTS "
      "(SELECT 1 FROM audit u WHERE u.action = 'attempt_sealed' AND u.subject_id = a.uuid) LIMIT 1",
      "the sealing of attempt "},
-    {"SELECT s.score_id FROM score s JOIN attempt a USING (attempt_id) WHERE a.origin_id IS NULL "
-     "AND NOT EXISTS (SELECT 1 FROM audit u WHERE u.action = 'score_stored' "
+    {"SELECT a.uuid FROM attempt a WHERE a.origin_id IS NOT NULL AND NOT EXISTS (SELECT 1 FROM "
+     "audit u "
+     "WHERE u.action = 'attempt_imported' AND u.subject_id = a.uuid) LIMIT 1",
+     "the import of attempt "},
+    {"SELECT s.score_id FROM score s WHERE "
+     "NOT EXISTS (SELECT 1 FROM audit u WHERE u.action = 'score_stored' "
      "AND u.subject_id = CAST(s.score_id AS TEXT)) LIMIT 1",
      "the list of scores with score "},
     {"SELECT p.person_id FROM person p CROSS JOIN directory d LEFT JOIN "

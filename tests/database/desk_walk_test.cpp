@@ -8,6 +8,8 @@
 #include <functional>
 #include <map>
 
+#include "database/exchange/export_attempt.h"
+#include "database/origins.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -136,6 +138,8 @@ Outcome begin(Walk& world, TriedDesk& desk, const Subject& subject) {
   return Outcome::NotOffered;
 }
 
+std::vector<DerivedFile> no_derived_files(const ExportMaterial&) { return {}; }
+
 Outcome about_attempt(Walk& world, TriedDesk& desk, Action action, const Subject& subject) {
   const AttemptId id = subject.attempt;
   switch (action) {
@@ -151,6 +155,11 @@ Outcome about_attempt(Walk& world, TriedDesk& desk, Action action, const Subject
       EXPECT_EQ(refused_or_done([&] { desk.any->score(id); }), recording);
       EXPECT_EQ(refused_or_done([&] { desk.any->decisions(id); }), recording);
       return recording;
+    }
+    case Action::ExportAttempt: {
+      const TemporaryDirectory out;
+      return refused_or_done(
+          [&] { desk.any->export_attempt(id, out.data().parent_path(), no_derived_files); });
     }
     default:
       return refused_or_done([&] { desk.any->store_score(id, card_worth(2000)); });
@@ -279,6 +288,14 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
       case Action::ListOrigins:
         EXPECT_TRUE(administrator.origins().empty());
         return;
+      case Action::ImportAttempt: {
+        const TemporaryDirectory out;
+        const std::filesystem::path folder = out.data().parent_path();
+        export_attempt(world.database(), subject.attempt, folder, no_derived_files);
+        EXPECT_FALSE(
+            administrator.import_attempt(read_exported(folder / subject.attempt.text), {}));
+        return;
+      }
       case Action::AcceptOrigin:
         note_origin(world.database(), {std::string(32, 'a')});
         administrator.set_accepted({std::string(32, 'a')}, true);
@@ -349,6 +366,7 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
     case Action::ListAttempts:
     case Action::ViewAttempt:
     case Action::StoreScore:
+    case Action::ExportAttempt:
       return about_attempt(world, desk, action, subject);
     case Action::ReadNotes:
     case Action::ReadPrivateNotes:

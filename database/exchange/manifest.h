@@ -1,0 +1,59 @@
+/// What an exported attempt says about itself: facts, scenario, what it was worth, and the digests of the files beside it.
+///
+/// Names of people and what they wrote are never in it: a person is a number of the directory it was made in.
+/// The schema is docs/schemas/attempt_manifest.schema.json.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "database/assets.h"
+#include "database/exchange/exchange_file.h"
+#include "database/records/attempt.h"
+#include "database/records/decision.h"
+
+namespace hallux::database {
+
+inline constexpr const char* manifest_name = "manifest.json";
+inline constexpr const char* bone_name = "bone.bin";
+inline constexpr const char* score_table_name = "score.csv";
+inline constexpr std::int32_t manifest_format = 1;
+/// Scenario and score cards together: what a reader takes memory for.
+inline constexpr std::int64_t manifest_bytes_max = std::int64_t{32} << 20U;
+
+struct ExportedScore {
+  std::string stored_utc;
+  bool is_in_force = false;
+  std::string card_json;
+};
+
+struct ExportedDecision {
+  DecisionKind kind = DecisionKind::Confirmed;
+  std::optional<std::size_t> about;  ///< which of the scores
+  std::optional<std::int64_t> score_milli;
+  PersonId decided_by;
+  std::string decided_utc;
+};
+
+struct Manifest {
+  DirectoryId directory;  ///< where it was made
+  /// The facts that are sealed, state and person as they are there. Not filled: order, login, score, decision, origin.
+  AttemptHeader header;
+  ScenarioText scenario;
+  Digest last_link;                         ///< of the chain of chunks; zeros where there is none
+  std::vector<ExportedScore> scores;        ///< oldest first
+  std::vector<ExportedDecision> decisions;  ///< oldest first; the last one is in force
+  std::vector<ExchangeFile> files;          ///< beside it, by name
+};
+
+/// The same manifest gives the same bytes.
+/// errors  DatabaseError Damaged where a text in it is not UTF-8
+std::string json_from_manifest(const Manifest& manifest);
+
+/// errors  DatabaseError: BadInput where the text is no manifest or contradicts itself; Newer for a later format
+Manifest manifest_from_json(std::string_view json);
+
+}  // namespace hallux::database

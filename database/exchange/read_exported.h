@@ -1,0 +1,31 @@
+/// Reads the folder of an exported attempt, which nobody vouches for, and proves what can be proven: the record, the bone, the
+/// scenario and the facts by chain and seal.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "database/exchange/manifest.h"
+#include "database/exchange/record_tables.h"
+
+namespace hallux::database {
+
+struct ImportedAttempt {
+  Manifest manifest;
+  std::string manifest_text;  ///< as it was read: kept, so that it can be exported again as it came
+  std::vector<std::byte> bone;
+  ReadTables tables;
+};
+
+/// Reads a folder that export_attempt wrote.
+/// ensures every file that is there has the digest its manifest says; links and seal fit the tables
+/// errors  DatabaseError: BadInput naming file and place; Newer; InputOutput
+ImportedAttempt read_exported(const std::filesystem::path& folder);
+
+/// The folders of exported attempts in `folder`, by name: itself, or those right below it.
+/// errors  DatabaseError BadInput where there is none
+std::vector<std::filesystem::path> find_exported(const std::filesystem::path& folder);
+
+}  // namespace hallux::database
