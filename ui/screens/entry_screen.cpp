@@ -169,6 +169,10 @@ void draw_entry_field(Ui& ui, Rect& column, std::string& text, const EntryField&
 }  // namespace
 
 void EntryScreen::draw_fault(Ui& ui, Rect& column) {
+  if (login_ != waiting_login_ && wait_.left_s(ui) > 0) {
+    wait_ = {};
+    fault_.clear();
+  }
   wait_.replace(ui, fault_);
   if (fault_.empty()) return;
   const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
@@ -266,11 +270,12 @@ void EntryScreen::come_in(Ui& ui, Shell& shell, Work work) {
   shell.background().start(
       std::string(ui.text("entry.signing_in")),
       [this, work](WorkReport&) {
-        wait_.noting([&] { visit_ = work(data_directory_, words_, cost_); });
+        told_.noting([&] { visit_ = work(data_directory_, words_, cost_); });
       },
       [this, &shell](WorkEnd end, const std::string& reason) {
         is_busy_ = false;
-        words_ = {};
+        waiting_login_ = std::exchange(words_, {}).login;
+        wait_ = std::exchange(told_, {});
         if (end == WorkEnd::Done) return entered_(shell, std::move(visit_));
         visit_.reset();
         fault_ = sentence_of(reason);

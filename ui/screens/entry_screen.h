@@ -55,8 +55,10 @@ class EntryScreen : public Screen {
   bool is_busy_ = false;
   std::string login_, name_, code_, password_, password_again_;
   std::string fault_;  ///< why it did not go; a sentence
-  SignInWait wait_;
+  SignInWait wait_;    ///< of `waiting_login_`: somebody else at the station need not wait
+  std::string waiting_login_;
   EntryWords words_;  ///< of the work that runs
+  SignInWait told_;   ///< the work's, until it ends
   std::shared_ptr<Visit> visit_;
 };
 

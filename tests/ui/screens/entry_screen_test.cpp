@@ -130,6 +130,25 @@ TEST(EntryScreen, CountsDownAfterWrongPasswords) {
   EXPECT_TRUE(arrival.driver().widget("entry.sign_in").is_enabled);
 }
 
+TEST(EntryScreen, LetsSomebodyElseSignInWhileOneWaits) {
+  database::SomeCourse course;
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  arrival.fill("entry.password", "not the right phrase");
+  arrival.press("entry.sign_in");
+  database::tamper(course.database(), "UPDATE sign_in_guard SET failures = 9");
+  arrival.fill("entry.password", "not the right phrase");
+  arrival.press("entry.sign_in");
+  EXPECT_TRUE(arrival.driver().sees("You can try again in"));
+  arrival.driver().click("entry.login");
+  arrival.driver().press(Key::A, {.control = true});
+  arrival.driver().type("bob");
+  arrival.fill("entry.password", good_password);
+  arrival.press("entry.sign_in");
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.visit->person().login, "bob");
+}
+
 TEST(EntryScreen, LeavesNoPasswordInMemory) {
   database::SomeCourse course;
   const PlantedSecret planted;
