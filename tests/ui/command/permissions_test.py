@@ -41,6 +41,7 @@ LINES = {
     "user passwd": [["user", "passwd", "canary-login-eve"]],
     "user disable": [["user", "disable", "canary-login-eve"]],
     "user recover": [["user", "recover", "bob"]],
+    "user erase": [["user", "erase", "canary-login-eve", "--reason", "asked for it"]],
     "user erase": [["user", "erase", "canary-login-eve", "--reason", "asked"]],
     "sql": [["sql", "SELECT login, display_name FROM person_detail"], ["sql", "SELECT text FROM note"],
             ["sql", "SELECT question FROM help_request"], ["sql", "SELECT * FROM setting"], ["sql", "SELECT * FROM password"]],
