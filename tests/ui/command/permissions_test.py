@@ -41,7 +41,6 @@ LINES = {
     "user passwd": [["user", "passwd", "canary-login-eve"]],
     "user disable": [["user", "disable", "canary-login-eve"]],
     "user recover": [["user", "recover", "bob"]],
-    "user erase": [["user", "erase", "canary-login-eve", "--reason", "asked for it"]],
     "user erase": [["user", "erase", "canary-login-eve", "--reason", "asked"]],
     "sql": [["sql", "SELECT login, display_name FROM person_detail"], ["sql", "SELECT text FROM note"],
             ["sql", "SELECT question FROM help_request"], ["sql", "SELECT * FROM setting"], ["sql", "SELECT * FROM password"]],
@@ -59,8 +58,8 @@ WITHOUT_PEOPLE = {"attempt", "cut", "scenario", "demo", "foot", "devices"}
 #: Where the line itself names the login, the sentence may say it back.
 SAID_BY_THE_LINE = {"user passwd": {"canary-login-eve"}, "user disable": {"canary-login-eve"},
                     "user erase": {"canary-login-eve"}, "export-person": {"canary-login-eve"}, "export": {"Canary-cohort"}}
-#: A copy of all that is kept, and all that is kept of one person, are what these verbs are for: an administrator's act.
-WHOLE = {"backup": {"root"}, "export-person": {"root"}}
+#: A copy of all that is kept, and what a person may read of their own handed on: an administrator's acts, which are audited.
+MORE = {("backup", "root"): set(CANARIES), ("export-person", "root"): {"Canary-open-note", "Canary-question"}}
 
 
 def verbs_of(help_text):
@@ -138,8 +137,8 @@ class Permissions(RecordedTest):
                             out = self.folder / "out"
                             answer = self.run_as(actor, line + as_json, out)
                             self.assertNotEqual(answer.code, WRONG_USAGE, answer)
-                            is_whole = actor in WHOLE.get(verb, ())
-                            allowed = {canary for canary, knowing in CANARIES.items() if is_whole or actor in knowing}
+                            allowed = {canary for canary, knowing in CANARIES.items() if actor in knowing}
+                            allowed |= MORE.get((verb, actor), set())
                             told = self.secrets_in(answer, out) - SAID_BY_THE_LINE.get(verb, set())
                             self.assertEqual(told - allowed, set(), answer)
                             shutil.rmtree(out, ignore_errors=True)
