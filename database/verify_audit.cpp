@@ -65,6 +65,7 @@ void check_against_audit(Database& database, const AuditRow& row, const std::str
   if (entry.was_refused) return;
   if (entry.action == "score_stored") check_score(database, row, since);
   if (entry.subject_kind == "decision") check_decision(database, entry);
+  if (entry.action == "attempt_imported") check_imported(database, entry);
   if (entry.subject_kind == "attempt") check_attempt(database, entry);
 }
 
