@@ -24,6 +24,7 @@
 #include "ui/app/verb_replay.h"
 #include "ui/app/verb_scenario.h"
 #include "ui/app/verb_score.h"
+#include "ui/app/verb_sql.h"
 #include "ui/app/verb_user.h"
 #include "ui/app/verb_verify.h"
 #include "ui/jobs/attempt_jobs.h"
@@ -119,6 +120,7 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_restore_verb(app, context);
   add_retention_verb(app, context);
   add_export_person_verb(app, context);
+  add_sql_verb(app, context);
   add_demo_verb(app, context);
 }
 

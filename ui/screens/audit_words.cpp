@@ -57,6 +57,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"rotation_changed", "audit.rotation_changed"},
     {"retention_changed", "audit.retention_changed"},
     {"retention_applied", "audit.retention_applied"},
+    {"report_run", "audit.report_run"},
 });
 
 /// What may be refused: the names of the policy's actions.
@@ -96,6 +97,7 @@ constexpr auto tries = std::to_array<Deed>({
     {"erase_person", "audit.erase_person"},
     {"export_person", "audit.export_person"},
     {"retain", "audit.retain"},
+    {"run_report", "audit.run_report"},
 });
 
 /// Kinds of subjects that have a number, not a name.
