@@ -3,17 +3,32 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 #include "ui/screens/page.h"
 #include "ui/screens/words.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/dialog.h"
+#include "ui/widgets/field.h"
 
 namespace hallux::ui {
 
 namespace {
 
-constexpr float side_width = 440.0F, person_height = 310.0F, row_height = 44.0F;
+/// The home of whoever sits at this machine; the person adds the name of a new folder, or writes another place.
+std::string home_folder() {
+  const char* home = std::getenv("HOME");
+  return std::string(home != nullptr ? home : "") + "/";
+}
+
+bool names_a_folder(const std::string& text) {
+  const std::filesystem::path path(text);
+  return path.is_absolute() && path.has_filename();
+}
+
+constexpr float side_width = 440.0F, person_height = 366.0F, row_height = 44.0F;
 constexpr std::array<std::int32_t, 5> lock_choices_min{5, 10, 20, 30, 60};
 
 /// The longest that is not longer than what is set: somebody may have set another by hand.
@@ -45,6 +60,7 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   panes.side.h = cohorts_height;
   draw_person(ui, card(ui, panes.main, ui.text("account.person")), shell);
   draw_cohorts(ui, card(ui, panes.side, ui.text("account.cohorts"), space::side_card));
+  if (folder_) draw_export(ui, shell);
   if (!typed_) return;
   const Answer answer =
       draw_password_dialog(ui, *typed_, changing_.fault(), changing_.is_running());
@@ -98,6 +114,13 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
             ui.text(person.is_administrator ? "role.administrator" : "account.member"));
   fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
   draw_lock(ui, rest, shell);
+  const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
+  Rect lowest = take_bottom(rest, button_height, 12.0F);
+  lowest.w = std::min(lowest.w, button_width(ui, take));
+  if (button(ui, "account.export", lowest, take)) {
+    folder_ = home_folder();
+    exporting_.forget_fault();
+  }
   const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
   Rect line = take_bottom(rest, button_height);
   line.w = std::min(line.w, button_width(ui, change));
@@ -139,6 +162,44 @@ void AccountScreen::change_password(Ui& ui, Shell& shell) {
       [this, &shell, said = std::string(ui.text("account.password.changed"))](bool&) {
         typed_.reset();
         shell.say({Meaning::Good, said});
+      });
+}
+
+void AccountScreen::draw_export(Ui& ui, Shell& shell) {
+  Dialog shown;
+  shown.title = ui.text("account.export.title");
+  shown.sentence = ui.text("account.export.sentence");
+  shown.act = ui.text("account.export.act");
+  shown.keep = ui.text("form.cancel");
+  shown.error = exporting_.fault();
+  shown.form_height = field_label_height + field_height + field_message_height;
+  shown.is_busy = exporting_.is_running();
+  const Answer answer = dialog(ui, "account.export", shown, [&](Rect form) {
+    FieldSpec folder;
+    folder.label = ui.text("account.export.folder");
+    folder.hint = ui.text("account.export.rule");
+    folder.max_bytes = 4096;
+    take_top(form, field_label_height);
+    field(ui, "account.export.folder", take_top(form, field_height), *folder_, folder);
+    ui.focus_first("account.export.folder");
+    return names_a_folder(*folder_);
+  });
+  if (answer == Answer::Keep) folder_.reset();
+  if (answer == Answer::Act) export_own(ui, shell);
+}
+
+void AccountScreen::export_own(Ui& ui, Shell& shell) {
+  if (exporting_.is_running()) return;
+  exporting_.start<database::PersonExport>(
+      shell, visit_, {std::string(ui.text("account.export.running")), {}},
+      [folder = std::filesystem::path(*folder_)](database::Session& session, WorkReport& report) {
+        return trainee_of(session).export_own(
+            folder, [&report](double share) { return report.reached(share); });
+      },
+      [this, &shell,
+       said = std::string(ui.text("account.export.done"))](database::PersonExport& made) {
+        folder_.reset();
+        shell.say({Meaning::Good, said, made.directory.string()});
       });
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "ui/screens/desk_work.h"
 #include "ui/screens/person_dialogs.h"
@@ -24,6 +25,8 @@ class AccountScreen : public Screen {
   void draw_person(Ui& ui, Rect rest, Shell& shell);
   void draw_cohorts(Ui& ui, Rect rest) const;
   void change_password(Ui& ui, Shell& shell);
+  void draw_export(Ui& ui, Shell& shell);
+  void export_own(Ui& ui, Shell& shell);
   /// When windows lock: a fact, and for administrators a choice.
   void draw_lock(Ui& ui, Rect& rest, Shell& shell);
   void set_lock(Ui& ui, Shell& shell, std::int32_t minutes);
@@ -31,7 +34,8 @@ class AccountScreen : public Screen {
   std::shared_ptr<Visit> visit_;
   database::PasswordCost cost_;
   std::optional<PasswordWords> typed_;  ///< while the dialog is open
-  DeskWork changing_, setting_;
+  std::optional<std::string> folder_;   ///< typed while the dialog of the export is open
+  DeskWork changing_, setting_, exporting_;
   int lock_choice_ = -1;  ///< of the choices; below 0: as it was at the sign-in
 };
 

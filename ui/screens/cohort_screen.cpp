@@ -320,8 +320,12 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   const auto at = [&](int row) -> const TraineeStanding& {
     return shown[static_cast<std::size_t>(row)]->standing;
   };
-  spec.row_id = [&](int row) { return at(row).login; };
-  spec.row_label = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
+  spec.row_id = [&](int row) {
+    return at(row).login.empty() ? "erased-" + std::to_string(at(row).id.number) : at(row).login;
+  };
+  spec.row_label = [&](int row) {
+    return person_name_of(ui.texts(), at(row).login, at(row).display_name);
+  };
   spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
     const TraineeProgress& trainee = *shown[static_cast<std::size_t>(row)];
     if (column == 0) return draw_person_cell(own, trainee, cell);
@@ -336,7 +340,7 @@ void CohortScreen::draw_person_cell(Ui& ui, const TraineeProgress& progress,
                                     const Rect& cell) const {
   const Theme& theme = ui.theme();
   const TraineeStanding& trainee = progress.standing;
-  const std::string name = shown_name_of(trainee.login, trainee.display_name);
+  const std::string name = person_name_of(ui.texts(), trainee.login, trainee.display_name);
   avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name), hue_of(trainee.id));
   const bool asks = trainee.open_help_requests > 0;
   const float room = cell.w - 38.0F - (asks ? 24.0F : 0.0F);

@@ -33,9 +33,12 @@ CohortsScreen::Everybody CohortsScreen::read(database::Session& session) {
   Everybody everybody;
   for (database::Cohort& cohort : desk.cohorts()) {
     std::vector<CohortMember> members = desk.members(cohort.id);
+    // Who was erased stays a number in the statistics; there is nobody to be enrolled elsewhere.
+    std::erase_if(members, [](const CohortMember& member) { return member.login.empty(); });
     everybody.cohorts.push_back({std::move(cohort), std::move(members)});
   }
   everybody.people = desk.people();
+  std::erase_if(everybody.people, [](const auto& person) { return person.login.empty(); });
   return everybody;
 }
 

@@ -70,6 +70,12 @@ std::string shown_name_of(std::string_view login, std::string_view display_name)
   return std::string(display_name.empty() ? login : display_name);
 }
 
+std::string person_name_of(const Texts& texts, std::string_view login,
+                           std::string_view display_name) {
+  const std::string name = shown_name_of(login, display_name);
+  return name.empty() ? std::string(texts.text("notes.nobody")) : name;
+}
+
 bool holds_words(std::string_view words, std::string_view part) {
   return std::search(words.begin(), words.end(), part.begin(), part.end(),
                      [](char a, char b) { return small(a) == small(b); }) != words.end() ||

@@ -24,6 +24,10 @@ std::string operation_text(std::string_view scenario_name);
 /// The name that is shown: the login where there is none.
 std::string shown_name_of(std::string_view login, std::string_view display_name);
 
+/// The same of somebody who may have been erased.
+std::string person_name_of(const Texts& texts, std::string_view login,
+                           std::string_view display_name);
+
 /// True where `words` holds `part`, capital or small (a-z). Everything holds "".
 bool holds_words(std::string_view words, std::string_view part);
 

@@ -17,7 +17,7 @@ namespace {
 using database::Person;
 
 enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen, ColumnCount };
-constexpr ListPageSpec page_spec{312.0F, 1.0F, 580.0F, 480.0F, 680.0F};
+constexpr ListPageSpec page_spec{312.0F, 1.0F, 660.0F, 480.0F, 760.0F};
 constexpr float search_width = 220.0F, roomy_from = 700.0F;
 
 bool can_administer(const Person& person) noexcept {
@@ -63,8 +63,12 @@ PeopleScreen::List PeopleScreen::read(database::Session& session) {
   database::AdministratorDesk desk = administrator_of(session);
   const std::string now = utc_now_text();
   List list;
-  for (const Person& person : desk.people())
-    list.push_back({person, {}, false, false, admission_of(person, now)});
+  for (const Person& person : desk.people()) {
+    // Who has no login was erased, or came with an import: a number in the statistics, nobody to be managed.
+    if (!person.login.empty()) {
+      list.push_back({person, {}, false, false, admission_of(person, now)});
+    }
+  }
   for (const database::Cohort& cohort : desk.cohorts()) {
     for (const database::CohortMember& member : desk.members(cohort.id)) {
       const auto listed = std::find_if(list.begin(), list.end(), [&](const Listed& each) {
@@ -255,6 +259,7 @@ void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
   draw_code_button(ui, rest, *listed);
   draw_role_button(ui, rest, *listed, shell);
   draw_disable_button(ui, rest, *listed, shell);
+  draw_erase_button(ui, rest, *listed);
 }
 
 void PeopleScreen::draw_facts(Ui& ui, Rect& rest, const Listed& listed) const {
@@ -329,7 +334,23 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
     asked_ = Asked{Asked::Deed::Disable, login};
 }
 
+void PeopleScreen::draw_erase_button(Ui& ui, Rect& rest, const Listed& listed) {
+  const bool is_self = listed.person.id == visit_->person().id;
+  const std::string_view why_not = is_self ? ui.text("people.erase.own") : std::string_view();
+  if (!wide_button(ui, "people.erase", rest, {ui.text("people.erase"), ButtonLook::Danger},
+                   why_not))
+    return;
+  erased_.emplace(listed.person.login);
+  erasing_.forget_fault();
+}
+
 void PeopleScreen::draw_dialogs(Ui& ui, Shell& shell) {
+  if (erased_) {
+    const Answer answer = draw_erase_dialog(ui, *erased_, erasing_.fault(), erasing_.is_running());
+    if (answer == Answer::Act) erase(ui, shell);
+    if (answer == Answer::Keep) erased_.reset();
+    return;
+  }
   if (code_) {
     const CodeAnswer answer = draw_code_dialog(ui, *code_);
     if (answer == CodeAnswer::Copied)
@@ -397,6 +418,28 @@ void PeopleScreen::reset(Ui& ui, Shell& shell, const std::string& login) {
       },
       [this, login](database::IssuedCode& issued) {
         code_.emplace(ShownCode{login, std::move(issued)});
+        people_.read_again();
+      });
+}
+
+void PeopleScreen::erase(Ui& ui, Shell& shell) {
+  if (erasing_.is_running()) return;
+  std::string typed = erased_->password;
+  const auto secret = std::make_shared<database::SecretText>(database::SecretText::take(typed));
+  const database::EraseRequest request{erased_->login, erased_->reason, erased_->with_recordings};
+  erasing_.start<database::ErasedPieces>(
+      shell, visit_, {std::string(ui.text("people.erase.running")), {}},
+      [secret, request, cost = cost_](database::Session& session, WorkReport& report) {
+        const database::PasswordProof proof = session.prove(*secret, cost);
+        return administrator_of(session).erase_person(
+            request, proof, [&report](double share) { return report.reached(share); });
+      },
+      [this, &shell, said = std::string(ui.text("people.erase.done")),
+       whole = std::string(ui.text("people.erase.done.sentence")),
+       held = std::string(ui.text("people.erase.log"))](database::ErasedPieces& erased) {
+        erased_.reset();
+        chosen_.clear();
+        shell.say({Meaning::Good, said, erased.is_log_cleared ? whole : held});
         people_.read_again();
       });
 }

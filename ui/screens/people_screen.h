@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/screens/desk_work.h"
+#include "ui/screens/erase_dialog.h"
 #include "ui/screens/person_dialogs.h"
 #include "ui/screens/reading.h"
 #include "ui/widgets/table.h"
@@ -58,10 +59,12 @@ class PeopleScreen : public Screen {
   void draw_code_button(Ui& ui, Rect& rest, const Listed& listed);
   void draw_role_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
   void draw_disable_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
+  void draw_erase_button(Ui& ui, Rect& rest, const Listed& listed);
   void draw_dialogs(Ui& ui, Shell& shell);
   void draw_question(Ui& ui, Shell& shell);
   void add(Ui& ui, Shell& shell);
   void reset(Ui& ui, Shell& shell, const std::string& login);
+  void erase(Ui& ui, Shell& shell);
   /// Says `done` and reads the list anew once `change` was made.
   void change(Ui& ui, Shell& shell, std::string done,
               std::function<void(database::AdministratorDesk&)> change);
@@ -74,10 +77,11 @@ class PeopleScreen : public Screen {
   std::vector<const Listed*> shown_;  ///< of people_, searched and sorted
   TableState table_;
   std::string chosen_;  ///< login
-  DeskWork work_, adding_;
+  DeskWork work_, adding_, erasing_;
   std::optional<AddedPersonWords> added_;
   std::optional<ShownCode> code_;
   std::optional<Asked> asked_;
+  std::optional<EraseWords> erased_;  ///< while the dialog is open
 };
 
 }  // namespace hallux::ui

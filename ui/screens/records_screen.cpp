@@ -17,7 +17,7 @@ namespace {
 using database::AuditLine;
 
 enum Field { When, Who, Did, What, Entry, ColumnCount };
-constexpr float side_width = 320.0F, stacked_height = 620.0F, backup_height = 300.0F,
+constexpr float side_width = 320.0F, stacked_height = 704.0F, backup_height = 384.0F,
                 roomy_from = 640.0F;
 constexpr std::int32_t lines_per_page = 50;
 
@@ -57,7 +57,8 @@ void RecordsScreen::read_last_backup(Ui& ui, Shell& shell) {
     return visit->in_turn([](database::Session& session, auto&) -> std::optional<LastBackup> {
       const std::vector<database::Backup> backups = administrator_of(session).backups();
       if (backups.empty()) return std::nullopt;
-      return LastBackup{backups.front().file, backups.front().bytes};
+      return LastBackup{backups.front().file, backups.front().bytes,
+                        static_cast<long>(backups.size()), backups.back().made_utc};
     });
   });
 }
@@ -67,7 +68,7 @@ void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (last_backup_.is_new()) read_last_backup(ui, shell);
   const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
   const Page scrolled(ui, "records", ui.text("records.title"), content,
-                      is_stacked ? 480.0F + stacked_height : 620.0F);
+                      is_stacked ? 480.0F + stacked_height : 704.0F);
   Rect page = scrolled.rect();
   PageHead head{ui.text("records.title"), ui.text("records.sentence")};
   if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
@@ -77,6 +78,9 @@ void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   Rect side = panes.side;
   draw_backup(ui, take_top(side, backup_height, space::between_cards), shell);
   draw_line(ui, side);
+  if (!retention_.draw(ui, shell)) return;
+  before_ = {std::nullopt};
+  page_.read_again();
 }
 
 void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
@@ -226,6 +230,10 @@ void RecordsScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
   Rect line = take_top(rest, button_height, 16.0F);
   line.w = std::min(line.w, button_width(ui, act) + 24.0F);
   if (button(ui, "records.backup", line, act)) back_up(ui, shell);
+  const ButtonSpec keep{ui.text("records.retention"), ButtonLook::Secondary};
+  Rect below = take_bottom(rest, button_height, 12.0F);
+  below.w = std::min(below.w, button_width(ui, keep));
+  if (button(ui, "records.retention", below, keep)) retention_.open(ui, shell);
   if (last_backup_.draw_until_ready(ui, "records.backup.failed", rest, 2))
     draw_last_backup(ui, rest, shell);
 }
@@ -241,6 +249,12 @@ void RecordsScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
                      {{"moment", moment_text(backup_moment(last->file.filename().string()))},
                       {"size", bytes_text(last->bytes)}});
   words_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
+  if (last->kept > 1) {
+    words_line(ui, rest, Type::Small, ui.theme().text_secondary,
+               ui.texts().say("records.backup.kept", {{"count", grouped(last->kept)},
+                                                      {"moment", moment_text(last->oldest_utc)}}),
+               4.0F);
+  }
   words_line(ui, rest, Type::Small, ui.theme().text_caption, last->file.string(), 10.0F);
   if (link(ui, "records.backup.copy", {rest.x, rest.y + 10.0F}, ui.text("records.backup.copy"))) {
     ui.clipboard().write(last->file.string());

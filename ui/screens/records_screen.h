@@ -8,13 +8,15 @@
 
 #include "ui/screens/desk_work.h"
 #include "ui/screens/reading.h"
+#include "ui/screens/retention_dialogs.h"
 #include "ui/widgets/table.h"
 
 namespace hallux::ui {
 
 class RecordsScreen : public Screen {
  public:
-  explicit RecordsScreen(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit RecordsScreen(std::shared_ptr<Visit> visit)
+      : visit_(visit), retention_(std::move(visit)) {}
 
   std::string_view navigation_id() const override { return "nav.records"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -24,6 +26,8 @@ class RecordsScreen : public Screen {
   struct LastBackup {
     std::filesystem::path file;
     std::int64_t bytes = 0;
+    long kept = 1;           ///< backups in all
+    std::string oldest_utc;  ///< of them
   };
 
   void read(Ui& ui, Shell& shell);
@@ -45,6 +49,7 @@ class RecordsScreen : public Screen {
   TableState table_;
   std::int64_t chosen_ = 0;  ///< number of the line whose words are shown; 0: none
   DeskWork backing_up_;
+  RetentionDialogs retention_;
 };
 
 /// The moment in a backup's name, "hallux-20260303-140210.db": ISO 8601; "" where it has none.

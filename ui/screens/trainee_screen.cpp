@@ -105,7 +105,7 @@ bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
   if (file_.is_ready()) {
     const File& file = file_.value();
     const database::TraineeStanding& standing = file.progress.standing;
-    name = shown_name_of(standing.login, standing.display_name);
+    name = person_name_of(ui.texts(), standing.login, standing.display_name);
     sentence = ui.texts().say_count("trainee.sentence", static_cast<long>(file.attempts.size()),
                                     {{"cohort", file.cohort_name}, {"login", standing.login}});
   }

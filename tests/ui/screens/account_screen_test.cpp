@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "database/people.h"
 #include "tests/ui/screens/every_size.h"
 
@@ -128,6 +130,31 @@ TEST(AccountScreen, NothingIsCutOffAtAnySize) {
       faults_at_every_size(
           make, [](SomeVisitor& visitor) { visitor.driver().click("account.change_password"); }),
       IsEmpty());
+}
+
+TEST(AccountScreen, ExportsWhatIsKeptOfOneselfIntoANewFolder) {
+  database::SomeCourse course;
+  AtAccount at(course);
+  const std::filesystem::path folder = course.database().directory() / "of-lee";
+  at.driver().click("account.export");
+  EXPECT_FALSE(at.driver().widget("account.export.act").is_enabled) << "a folder has no name yet";
+  at.driver().press(Key::A, {.control = true});
+  at.driver().type(folder.string());
+  at.send();
+  EXPECT_THAT(all_words(at.driver()), HasSubstr("It was exported"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "explanation.txt"));
+  EXPECT_EQ(course.last_audit().action, "person_exported");
+}
+
+TEST(AccountScreen, AnExportIntoAFolderThatHoldsSomethingIsRefusedAndSaid) {
+  database::SomeCourse course;
+  AtAccount at(course);
+  at.driver().click("account.export");
+  at.driver().press(Key::A, {.control = true});
+  at.driver().type(course.database().directory().string());
+  at.send();
+  EXPECT_THAT(all_words(at.driver()), HasSubstr("holds something already"));
+  EXPECT_TRUE(at.driver().has("account.export.act")) << "what was typed stays";
 }
 
 }  // namespace

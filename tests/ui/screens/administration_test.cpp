@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "database/audit.h"
+#include "database/erased_recordings.h"
 #include "tests/ui/screens/every_size.h"
 #include "ui/jobs/scenario_jobs.h"
 #include "ui/screens/audit_words.h"
@@ -319,6 +320,37 @@ TEST(RecordsScreen, ABackupThatCannotBeWrittenSaysWhy) {
   Desk<RecordsScreen> desk(course);
   desk.press("records.backup");
   EXPECT_TRUE(desk.driver().sees("No backup was made"));
+}
+
+TEST(RecordsScreen, WhatWouldGoIsListedBeforeItGoes) {
+  database::SomeCourse course;
+  course.database().pretend_it_is("2020-01-10T10:00:00.000Z");
+  const database::AttemptId old = course.recorded_by("ada");
+  course.database().pretend_it_is("");
+  Desk<RecordsScreen> desk(course);
+  desk.press("records.retention");
+  EXPECT_TRUE(desk.driver().sees("kept for ever unless"));
+  desk.type("30");
+  desk.press("records.retention.days.act");
+  EXPECT_TRUE(desk.driver().sees("This would go now"));
+  EXPECT_TRUE(desk.driver().sees("Practice: ada, 2020-01-10"));
+  EXPECT_FALSE(database::erased_recording(course.database(), old));
+  desk.press("records.retention.plan.act");
+  EXPECT_TRUE(database::erased_recording(course.database(), old));
+  EXPECT_TRUE(desk.driver().sees("Let go of what need not be kept"));
+  EXPECT_THAT(desk.driver().faults(), IsEmpty());
+}
+
+TEST(RecordsScreen, WhatIsKeptForEverIsSaidAndWhatIsNoNumberIsNotTaken) {
+  database::SomeCourse course;
+  course.recorded_by("ada");
+  Desk<RecordsScreen> desk(course);
+  desk.press("records.retention");
+  desk.type("soon");
+  EXPECT_FALSE(desk.driver().widget("records.retention.days.act").is_enabled);
+  for (int i = 0; i < 4; ++i) desk.driver().press(Key::Backspace);
+  desk.press("records.retention.days.act");
+  EXPECT_TRUE(desk.driver().sees("Nothing would go now"));
 }
 
 TEST(RecordsScreen, NothingIsCutOffAnywhere) {

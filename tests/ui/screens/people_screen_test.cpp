@@ -129,6 +129,50 @@ TEST(PeopleScreen, DisablingAsksFirst) {
   EXPECT_FALSE(office.person("ada").is_disabled);
 }
 
+/// Fills the dialog by keyboard; the login's field has the focus.
+void write_erasure(Office& office, const char* login, const char* reason, const char* password) {
+  office.press("people.erase");
+  office.driver().type(login);
+  for (const char* words : {reason, password}) {
+    office.driver().press(Key::Tab);
+    office.driver().type(words);
+  }
+}
+
+TEST(PeopleScreen, ErasesOnceLoginReasonAndOwnPasswordAreThere) {
+  database::SomeCourse course;
+  Office office(course);
+  office.choose("ada");
+  write_erasure(office, "bob", "asked for it", database::good_password);
+  EXPECT_FALSE(office.driver().widget("people.erase.act").is_enabled) << "not the login of ada";
+  office.press("people.erase.keep");
+  write_erasure(office, "ada", "asked for it", database::good_password);
+  office.press("people.erase.act");
+  EXPECT_THAT(all_words(office.driver()), HasSubstr("The person was erased"));
+  EXPECT_FALSE(office.driver().has("people.row.ada"));
+  EXPECT_FALSE(database::known_person(course.database(), "ada"));
+  EXPECT_THAT(office.driver().faults(), IsEmpty());
+}
+
+TEST(PeopleScreen, AWrongPasswordErasesNobodyAndWhatWasTypedStays) {
+  database::SomeCourse course;
+  Office office(course);
+  office.choose("ada");
+  write_erasure(office, "ada", "asked for it", "not my password");
+  office.press("people.erase.act");
+  EXPECT_THAT(all_words(office.driver()), HasSubstr("password is wrong"));
+  EXPECT_TRUE(office.driver().has("people.erase.act"));
+  EXPECT_TRUE(database::known_person(course.database(), "ada"));
+}
+
+TEST(PeopleScreen, NobodyErasesThemselves) {
+  database::SomeCourse course;
+  Office office(course);
+  office.choose("root");
+  EXPECT_FALSE(office.driver().widget("people.erase").is_enabled);
+  EXPECT_TRUE(office.driver().sees("Nobody erases themselves"));
+}
+
 TEST(PeopleScreen, TheLastAdministratorCannotBeDisabledAndTheButtonSaysWhy) {
   database::SomeCourse course;
   course.administrator().set_disabled("max", true);
