@@ -1,6 +1,6 @@
 #include "database/exchange/score_table.h"
 
-#include "database/exchange/csv_text.h"
+#include "database/csv_text.h"
 #include "database/exchange/manifest.h"
 
 namespace hallux::database {
@@ -16,7 +16,7 @@ constexpr std::array<const char*, 3> kinds{"metric", "damping", "gate"};
 std::string line_of(const LedgerLine& line) {
   std::string text = kinds.at(static_cast<std::size_t>(line.kind));
   for (const std::string& word : {line.item, line.metric, line.group, line.unit}) {
-    text += "," + csv_text(word);
+    text += "," + csv_cell(word);
   }
   text +=
       "," + csv_number(line.value) + (line.is_measured ? ",1," : ",0,") + csv_number(line.target);
@@ -25,7 +25,7 @@ std::string line_of(const LedgerLine& line) {
     text += "," + std::to_string(number);
   }
   for (const double part : line.place_in_bone_mm) text += "," + csv_number(part);
-  return text + "," + csv_text(line.text) + "\r\n";
+  return text + "," + csv_cell(line.text) + "\r\n";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "database/exchange/csv_text.h"
+#include "database/csv_text.h"
 #include "database/exchange/manifest.h"
 #include "tests/database/some_exchange.h"
 
@@ -142,15 +142,15 @@ TEST(Export, AFullDiskIsSaidAndLeavesNothing) {
 }
 
 TEST(Export, ACellIsNeverAFormula) {
-  EXPECT_EQ(csv_text("=1+1"), "'=1+1");
-  EXPECT_EQ(csv_text("+1"), "'+1");
-  EXPECT_EQ(csv_text("-1"), "'-1");
-  EXPECT_EQ(csv_text("@sum"), "'@sum");
-  EXPECT_EQ(csv_text("\tx"), "'\tx");
-  EXPECT_EQ(csv_text("'quoted'"), "''quoted'");
-  EXPECT_EQ(csv_text("a, \"b\"\nc"), "\"a, \"\"b\"\"\nc\"");
-  EXPECT_EQ(csv_text("plain"), "plain");
-  EXPECT_EQ(csv_text("\r=x"), "\"'\r=x\"");
+  EXPECT_EQ(csv_cell("=1+1"), "'=1+1");
+  EXPECT_EQ(csv_cell("+1"), "'+1");
+  EXPECT_EQ(csv_cell("-1"), "'-1");
+  EXPECT_EQ(csv_cell("@sum"), "'@sum");
+  EXPECT_EQ(csv_cell("\tx"), "'\tx");
+  EXPECT_EQ(csv_cell("'quoted'"), "''quoted'");
+  EXPECT_EQ(csv_cell("a, \"b\"\nc"), "\"a, \"\"b\"\"\nc\"");
+  EXPECT_EQ(csv_cell("plain"), "plain");
+  EXPECT_EQ(csv_cell("\r=x"), "\"'\r=x\"");
   EXPECT_EQ(csv_number(-0.125), "-0.125");
   EXPECT_EQ(csv_number(0.0 / (mode_of("/") == 0U ? 1.0 : 0.0)), "");
 }

@@ -19,6 +19,7 @@
 #include "ui/app/verb_cut.h"
 #include "ui/app/verb_demo.h"
 #include "ui/app/verb_error.h"
+#include "ui/app/verb_exchange.h"
 #include "ui/app/verb_export_person.h"
 #include "ui/app/verb_keep.h"
 #include "ui/app/verb_replay.h"
@@ -121,6 +122,7 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_retention_verb(app, context);
   add_export_person_verb(app, context);
   add_sql_verb(app, context);
+  add_exchange_verbs(app, context);
   add_demo_verb(app, context);
 }
 

@@ -58,6 +58,10 @@ constexpr auto deeds = std::to_array<Deed>({
     {"retention_changed", "audit.retention_changed"},
     {"retention_applied", "audit.retention_applied"},
     {"report_run", "audit.report_run"},
+    {"attempt_exported", "audit.attempt_exported"},
+    {"attempt_imported", "audit.attempt_imported"},
+    {"origin_accepted", "audit.origin_accepted"},
+    {"origin_unaccepted", "audit.origin_unaccepted"},
 });
 
 /// What may be refused: the names of the policy's actions.
@@ -98,6 +102,10 @@ constexpr auto tries = std::to_array<Deed>({
     {"export_person", "audit.export_person"},
     {"retain", "audit.retain"},
     {"run_report", "audit.run_report"},
+    {"list_origins", "audit.list_origins"},
+    {"accept_origin", "audit.accept_origin"},
+    {"export_attempt", "audit.export_attempt"},
+    {"import_attempt", "audit.import_attempt"},
 });
 
 /// Kinds of subjects that have a number, not a name.

@@ -27,6 +27,9 @@ OPTIONS = {
     ("restore",): ("backup", "--erasures"),
     ("retention",): ("--dry-run", "--practice-days", "--assessment-days", "--account-days", "--cache-days"),
     ("export-person",): ("login", "--output"),
+    ("export",): ("attempt", "--person", "--cohort", "--all", "--output"),
+    ("import",): ("folder",),
+    ("origins",): ("--accept", "--unaccept"),
     ("demo",): ("--attempts",),
     ("verify",): (),
 }

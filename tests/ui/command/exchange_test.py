@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Attempts leave as files that other programs read, come in elsewhere, and leave there as they came."""
+
+import csv
+import hashlib
+import json
+import pathlib
+import unittest
+
+import jsonschema
+
+from hallux_command import BAD_INPUT, DONE, REFUSED, STORAGE, WRONG_USAGE, RecordedTest
+
+PASSWORD = "saw bone hinge wire"
+SCHEMA = pathlib.Path(__file__).resolve().parents[3] / "docs" / "schemas" / "attempt_manifest.schema.json"
+
+
+def bytes_below(folder):
+    return {str(file.relative_to(folder)): file.read_bytes() for file in sorted(folder.rglob("*")) if file.is_file()}
+
+
+class Exchange(RecordedTest):
+    """The robot's attempt of this directory, and another directory with an administrator."""
+
+    def setUp(self):
+        super().setUp()
+        self.here, self.there = self.data, self.folder / "there"
+        self.out = self.folder / "out"
+        self.ask("export", self.attempt, "-o", self.out)
+        self.exported = self.out / self.attempt
+        self.data = self.there
+        self.ask("user", "add", "ada", "--administrator", stdin=PASSWORD + "\n")
+
+    def as_ada(self, *arguments, code=DONE):
+        return self.ask(*arguments, "--as", "ada", stdin=PASSWORD + "\n", code=code)
+
+    def manifest(self):
+        return json.loads((self.exported / "manifest.json").read_text())
+
+    def alter_file(self, name, old, new):
+        file = self.exported / name
+        content = file.read_bytes()
+        self.assertIn(old, content)
+        file.write_bytes(content.replace(old, new, 1))
+
+    def test_the_manifest_keeps_its_schema_and_tells_the_truth(self):
+        manifest = self.manifest()
+        jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text())).validate(manifest)
+        self.assertEqual({entry["name"] for entry in manifest["files"]} | {"manifest.json"},
+                         {file.name for file in self.exported.iterdir()})
+        for entry in manifest["files"]:
+            content = (self.exported / entry["name"]).read_bytes()
+            self.assertEqual(len(content), entry["bytes"], entry["name"])
+            self.assertEqual(hashlib.blake2b(content, digest_size=32).hexdigest(), entry["blake2b_256"], entry["name"])
+        self.assertGreaterEqual(len(list(self.exported.glob("piece-*.ply"))), 2, "the eminence and what is left")
+
+    def test_a_spreadsheet_reads_the_tables(self):
+        ticks = self.manifest()["attempt"]["duration_ticks"]
+        for name in ("tape", "samples", "events"):
+            with open(self.exported / f"{name}.csv", newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            self.assertTrue(all(int(value) is not None for row in rows for value in row.values()))
+            if name == "samples":
+                self.assertLessEqual(abs(len(rows) - ticks), 1)
+
+    def test_out_in_and_out_again_is_the_same_to_the_byte(self):
+        self.assertEqual(self.as_ada("import", self.out), {"imported": [self.attempt], "known": [], "refused": []})
+        self.as_ada("export", "--all", "-o", self.folder / "again")
+        self.assertEqual(bytes_below(self.folder / "again"), bytes_below(self.out))
+        self.assertEqual(self.as_ada("import", self.out), {"imported": [], "known": [self.attempt], "refused": []})
+        self.ask("verify")
+        self.assertIs(self.ask("replay", self.attempt)["identical"], True)
+
+    def test_it_counts_once_its_origin_is_accepted(self):
+        self.as_ada("import", self.out)
+        directory = self.manifest()["directory"]
+        self.assertIs(self.as_ada("origins")[0]["accepted"], False)
+        self.assertEqual(self.as_ada("origins", "--accept", directory)[0]["directory"], directory)
+        self.assertIs(self.as_ada("origins")[0]["accepted"], True)
+        self.assertIs(self.as_ada("origins", "--unaccept", directory)[0]["accepted"], False)
+
+    def test_what_was_altered_is_refused_and_named_and_nothing_is_kept(self):
+        for name, old, new in (("samples.csv", b"\r\n0,1,", b"\r\n0,1,1"), ("tape.csv", b"\r\n0,1,", b"\r\n0,=1,"),
+                               ("bone.bin", self.exported.joinpath("bone.bin").read_bytes()[:40], b"x" * 40),
+                               ("manifest.json", b'"state": "closed"', b'"state": "void"')):
+            before = (self.exported / name).read_bytes()
+            self.alter_file(name, old, new)
+            report = self.as_ada("import", self.out, code=BAD_INPUT)
+            self.assertEqual(len(report["refused"]), 1)
+            self.assertIn(name, report["refused"][0]["reason"])
+            self.assertEqual(self.query("SELECT count(*) FROM attempt"), [(0,)])
+            (self.exported / name).write_bytes(before)
+        self.assertEqual(self.as_ada("import", self.out)["imported"], [self.attempt])
+
+    def test_only_an_administrator_takes_in(self):
+        self.ask("user", "add", "bob", "--as", "ada", stdin=f"{PASSWORD}\n{PASSWORD}\n")
+        for line in (["import", self.out], ["origins"]):
+            self.expect_refusal(REFUSED, ["administrator"], *line, "--as", "bob", stdin=PASSWORD + "\n")
+            self.expect_refusal(REFUSED, ["--as"], *line)
+
+    def test_a_folder_is_new_and_complete_or_not_there(self):
+        self.data = self.here
+        self.expect_refusal(BAD_INPUT, ["fresh folder"], "export", self.attempt, "-o", self.out)
+        self.expect_refusal(BAD_INPUT, ["does not exist"], "export", self.attempt, "-o", self.folder / "no" / "such")
+        full = self.folder / "full"
+        answer = self.run_with_room(20_000, "export", self.attempt, "-o", full)
+        self.assertEqual(answer.code, STORAGE, answer)
+        self.assertEqual([place.name for place in self.folder.iterdir() if place.name.startswith("full")], [])
+
+    def test_one_says_what_to_export(self):
+        self.data = self.here
+        for line in ([], ["--all", "--person", "ada"], [self.attempt, "--all"]):
+            self.expect_refusal(WRONG_USAGE, ["say what to export"], "export", *line, "-o", self.folder / "x")
+        self.expect_refusal(BAD_INPUT, ["may export"], "export", "--person", "nobody", "-o", self.folder / "x")
+
+
+if __name__ == "__main__":
+    unittest.main()

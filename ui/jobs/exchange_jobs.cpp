@@ -1,0 +1,134 @@
+#include "ui/jobs/exchange_jobs.h"
+
+#include "assessment/rebuild/rebuild.h"
+#include "database/exchange/exchange_file.h"
+#include "database/exchange/read_exported.h"
+#include "simulator/mesh/mesh_error.h"
+#include "simulator/mesh/write_ply.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::DatabaseError;
+using database::DatabaseErrorKind;
+
+/// A thousand pieces are none that a saw leaves; their names end where those of an export do.
+constexpr std::size_t pieces_max = 200;
+
+std::function<bool(double)> part_of(const std::function<bool(double)>& whole, std::size_t index,
+                                    std::size_t count) {
+  return [whole, index, count](double fraction) {
+    return !whole || whole((static_cast<double>(index) + fraction) / static_cast<double>(count));
+  };
+}
+
+scenarios::Scenario scenario_of(const database::Manifest& manifest) {
+  scenarios::Scenario scenario =
+      scenarios::parse_scenario(manifest.scenario.json, manifest.scenario.name);
+  if (scenario.name != manifest.scenario.name || scenario.version != manifest.scenario.version ||
+      scenario.is_reviewed != manifest.scenario.is_reviewed) {
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        "the manifest says something else of the scenario than its text does"};
+  }
+  return scenario;
+}
+
+/// What this program makes of it; nothing of one that was interrupted.
+std::optional<database::ScoreCard> rescored(database::ImportedAttempt& attempt,
+                                            const StageProgress& progress) {
+  AttemptMaterial material;
+  material.scenario = scenario_of(attempt.manifest);
+  material.bone = simulator::decode_bone(attempt.bone);
+  if (!attempt.manifest.header.seal) return std::nullopt;
+  material.header = attempt.manifest.header;
+  material.recording = attempt.tables.recording;
+  return score_attempt(material, progress).card;
+}
+
+/// Whether others can be taken in although this one was not.
+bool is_of_one_folder(const DatabaseError& error) {
+  return error.kind() == DatabaseErrorKind::BadInput || error.kind() == DatabaseErrorKind::Newer ||
+         error.kind() == DatabaseErrorKind::Refused || error.kind() == DatabaseErrorKind::Damaged;
+}
+
+void import_one(database::AdministratorDesk& desk, const std::filesystem::path& folder,
+                const StageProgress& progress, ImportReport& report) {
+  const auto refuse = [&](const std::exception& error) {
+    report.refused.push_back({folder.filename().string(), error.what()});
+  };
+  try {
+    database::ImportedAttempt attempt = database::read_exported(folder);
+    const database::AttemptId id = attempt.manifest.header.id;
+    if (desk.is_here(attempt)) {
+      report.known.push_back(id);
+      return;
+    }
+    const auto card = rescored(attempt, progress);
+    const bool is_new = desk.import_attempt(attempt, card);
+    (is_new ? report.imported : report.known).push_back(id);
+  } catch (const DatabaseError& error) {
+    if (!is_of_one_folder(error)) throw;
+    refuse(error);
+  } catch (const scenarios::ScenarioError& error) {
+    refuse(error);
+  } catch (const simulator::MeshError& error) {
+    refuse(error);
+  }
+}
+
+}  // namespace
+
+std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& material) {
+  const scenarios::Scenario scenario =
+      scenarios::parse_scenario(material.scenario.json, material.scenario.name);
+  const simulator::Bone bone = simulator::decode_bone(material.bone);
+  std::vector<database::DerivedFile> files{{"bone.ply", simulator::ply_bytes(solid_of(bone))}};
+  const assessment::RebuiltBone rebuilt =
+      assessment::rebuild(bone, scenario.blade.size, material.recording);
+  for (std::size_t i = 0; i < rebuilt.pieces.size() && i < pieces_max; ++i) {
+    files.push_back(
+        {"piece-" + std::to_string(i + 1) + ".ply", simulator::ply_bytes(rebuilt.pieces[i].mesh)});
+  }
+  return files;
+}
+
+void export_attempts(const ExportRequest& request, const FindDesk& desk_of,
+                     const StageProgress& progress) {
+  const auto report = progress("Exporting");
+  database::FreshFolder fresh(request.folder);
+  for (std::size_t i = 0; i < request.attempts.size(); ++i) {
+    if (!part_of(report, i, request.attempts.size())(0.0)) {
+      throw Cancelled("stopped while exporting; nothing was left in " + request.folder.string());
+    }
+    desk_of(request.attempts[i]).export_attempt(request.attempts[i], fresh.path(), meshes_of);
+  }
+  fresh.keep();
+  if (report) report(1.0);
+}
+
+ImportReport import_attempts(database::AdministratorDesk& desk, const std::filesystem::path& folder,
+                             const StageProgress& progress) {
+  desk.origins();  // Refuses here who may not, before anything of theirs is read.
+  const std::vector<std::filesystem::path> folders = database::find_exported(folder);
+  const auto whole = progress("Importing");
+  ImportReport report;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const auto part = part_of(whole, i, folders.size());
+    const StageProgress within = [&part](const std::string&) { return part; };
+    const auto stopped = [&] {
+      return Cancelled("stopped; " + std::to_string(report.imported.size()) +
+                       " attempts were taken in, each of them whole");
+    };
+    if (!part(0.0)) throw stopped();
+    try {
+      import_one(desk, folders[i], within, report);
+    } catch (const Cancelled&) {
+      throw stopped();
+    }
+  }
+  if (whole) whole(1.0);
+  return report;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,46 @@
+/// Attempts as files for other programs, with their bones and pieces as PLY; and such files taken in, scored here.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "database/administrator_desk.h"
+#include "ui/jobs/attempt_jobs.h"
+
+namespace hallux::ui {
+
+/// The bone and the pieces that the record leaves of it, as PLY.
+/// errors  ScenarioError, MeshError
+std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& material);
+
+using FindDesk = std::function<database::AttemptDesk(const database::AttemptId&)>;
+
+struct ExportRequest {
+  std::vector<database::AttemptId> attempts;
+  std::filesystem::path folder;  ///< new, or empty
+};
+
+/// Writes a folder for each attempt into a fresh one, which gets its name when all are there.
+/// errors  DatabaseError, ScenarioError, MeshError; Cancelled: nothing was left
+void export_attempts(const ExportRequest& request, const FindDesk& desk_of,
+                     const StageProgress& progress);
+
+struct RefusedFolder {
+  std::string folder, reason;
+};
+
+struct ImportReport {
+  std::vector<database::AttemptId> imported, known;
+  std::vector<RefusedFolder> refused;
+};
+
+/// Takes in what export_attempts wrote; a folder that is refused is named, and the others are taken in. Sealed attempts
+/// are scored by this program's rubric.
+/// errors  DatabaseError: Refused where the desk may not; storage failures; BadInput where there is no export at all. Cancelled:
+///         each attempt is here wholly or not at all
+ImportReport import_attempts(database::AdministratorDesk& desk, const std::filesystem::path& folder,
+                             const StageProgress& progress);
+
+}  // namespace hallux::ui
