@@ -23,6 +23,7 @@
 #include "ui/app/verb_export_person.h"
 #include "ui/app/verb_keep.h"
 #include "ui/app/verb_replay.h"
+#include "ui/app/verb_rescore.h"
 #include "ui/app/verb_scenario.h"
 #include "ui/app/verb_score.h"
 #include "ui/app/verb_sql.h"
@@ -113,6 +114,7 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_attempt_verbs(app, context);
   add_replay_verb(app, context);
   add_score_verbs(app, context);
+  add_rescore_verb(app, context);
   add_cut_verb(app, context);
   add_scenario_verb(app, context);
   add_user_verb(app, context);

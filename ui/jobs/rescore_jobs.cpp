@@ -1,0 +1,146 @@
+#include "ui/jobs/rescore_jobs.h"
+
+#include <algorithm>
+#include <set>
+
+#include "database/assets.h"
+#include "database/card_json.h"
+#include "database/catalogue.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::AttemptState;
+using database::DatabaseError;
+using database::DatabaseErrorKind;
+
+/// An attempt, and the desk from which it is scored.
+struct Listed {
+  database::AttemptHeader header;
+  database::AttemptDesk* desk = nullptr;
+};
+
+bool is_wanted(const database::AttemptHeader& header, const std::string& scenario_name) {
+  return header.scenario_name == scenario_name && header.state != AttemptState::Void &&
+         header.state != AttemptState::Recording;
+}
+
+std::vector<Listed> listed_at(std::vector<database::AttemptDesk>& desks,
+                              const std::string& scenario_name) {
+  std::vector<Listed> listed;
+  std::set<std::string> seen;
+  for (database::AttemptDesk& desk : desks) {
+    for (database::AttemptHeader& header : desk.attempts()) {
+      if (!is_wanted(header, scenario_name) || !seen.insert(header.id.text).second) continue;
+      if (!desk.may(database::Action::StoreScore, header)) continue;
+      listed.push_back({std::move(header), &desk});
+    }
+  }
+  std::sort(listed.begin(), listed.end(),
+            [](const Listed& a, const Listed& b) { return a.header.order < b.header.order; });
+  return listed;
+}
+
+/// The published text of that version before a draft, before one that was only operated.
+std::optional<database::ScenarioVersionId> find_version(database::Database& database,
+                                                        const std::vector<Listed>& listed,
+                                                        const Rescoring& rescoring) {
+  std::optional<database::ScenarioVersionId> found;
+  for (const Listed& each : listed)
+    if (each.header.scenario_version == rescoring.version) found = each.header.begun.scenario;
+  for (const database::ScenarioVersion& version : database::list_scenario_versions(database)) {
+    if (version.name != rescoring.scenario_name || version.version != rescoring.version) continue;
+    if (!found || version.state == database::ScenarioState::Published) found = version.id;
+  }
+  return found;
+}
+
+std::optional<scenarios::Scenario> scoring_scenario(database::Database& database,
+                                                    const std::vector<Listed>& listed,
+                                                    const Rescoring& rescoring) {
+  if (!rescoring.version) return std::nullopt;
+  const auto id = find_version(database, listed, rescoring);
+  if (!id) {
+    throw DatabaseError(DatabaseErrorKind::NotFound,
+                        "there is no version " + std::to_string(*rescoring.version) + " of '" +
+                            rescoring.scenario_name + "' in " + database.file().string());
+  }
+  const database::ScenarioText text = database::get_scenario_version(database, *id);
+  return scenarios::parse_scenario(text.json, text.name);
+}
+
+/// Whether the others can be scored though this one could not.
+bool is_of_one_attempt(const DatabaseError& error) noexcept {
+  return error.kind() == DatabaseErrorKind::NotFound || error.kind() == DatabaseErrorKind::Damaged;
+}
+
+RescoredAttempt rescored(database::Database& database, const Listed& listed,
+                         const std::optional<scenarios::Scenario>& scenario,
+                         const StageProgress& progress) {
+  RescoredAttempt attempt;
+  attempt.header = listed.header;
+  try {
+    if (auto score = listed.desk->score(listed.header.id)) attempt.before = std::move(score->card);
+    AttemptMaterial material = load_attempt(database, *listed.desk, listed.header.id);
+    if (scenario) material.scenario = *scenario;
+    attempt.after = score_attempt(material, progress).card;
+  } catch (const DatabaseError& error) {
+    if (!is_of_one_attempt(error)) throw;
+    attempt.fault = error.what();
+    return attempt;
+  } catch (const scenarios::ScenarioError& error) {
+    attempt.fault = error.what();
+    return attempt;
+  }
+  attempt.is_changed = !attempt.before || database::json_from_card(*attempt.before) !=
+                                              database::json_from_card(*attempt.after);
+  return attempt;
+}
+
+[[noreturn]] void stop(std::size_t done, std::size_t all, long stored) {
+  throw Cancelled("the scoring was stopped after " + std::to_string(done) + " of " +
+                  std::to_string(all) + " attempts; " + std::to_string(stored) +
+                  " new scores were stored and stay beside the old ones");
+}
+
+}  // namespace
+
+std::vector<RescoredAttempt> rescore(database::Database& database,
+                                     std::vector<database::AttemptDesk>& desks,
+                                     const Rescoring& rescoring,
+                                     const std::function<bool(double)>& progress) {
+  const std::vector<Listed> listed = listed_at(desks, rescoring.scenario_name);
+  if (listed.empty()) {
+    throw DatabaseError(DatabaseErrorKind::NotFound,
+                        "there is no attempt of '" + rescoring.scenario_name +
+                            "' that could be scored from here; `hallux attempts` lists those "
+                            "there are");
+  }
+  const auto scenario = scoring_scenario(database, listed, rescoring);
+  std::vector<RescoredAttempt> attempts;
+  long stored = 0;
+  for (const Listed& each : listed) {
+    const double done = static_cast<double>(attempts.size()) / static_cast<double>(listed.size());
+    if (progress && !progress(done)) stop(attempts.size(), listed.size(), stored);
+    const StageProgress stage = [&](const std::string&) -> std::function<bool(double)> {
+      return [&](double) { return !progress || progress(done); };
+    };
+    try {
+      attempts.push_back(rescored(database, each, scenario, stage));
+    } catch (const assessment::Cancelled&) {
+      stop(attempts.size(), listed.size(), stored);
+    } catch (const Cancelled&) {
+      stop(attempts.size(), listed.size(), stored);
+    }
+    RescoredAttempt& last = attempts.back();
+    if (rescoring.is_dry_run || !last.is_changed) continue;
+    each.desk->store_score(each.header.id, *last.after);
+    last.is_stored = true;
+    ++stored;
+  }
+  if (progress) progress(1.0);
+  return attempts;
+}
+
+}  // namespace hallux::ui
