@@ -12,6 +12,16 @@ std::string_view kind_text(const Ui& ui, const database::AttemptHeader& attempt)
   return ui.text(is_guided ? "attempts.guided" : "attempts.practice");
 }
 
+std::string_view why_not_counted(const Ui& ui, const database::AttemptHeader& attempt) {
+  using database::AttemptState;
+  if (attempt.state == AttemptState::Void) return ui.text("uncounted.void");
+  if (attempt.state == AttemptState::Interrupted) return ui.text("uncounted.interrupted");
+  if (!attempt.is_valid.value_or(true)) return ui.text("uncounted.not_valid");
+  if (!attempt.is_counted) return ui.text("uncounted.origin");
+  if (attempt.begun.kind == database::AttemptKind::Practice) return ui.text("uncounted.practice");
+  return {};
+}
+
 void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Rect& cell) {
   const Point at{cell.x, cell.mid_y()};
   using database::AttemptState;
@@ -21,6 +31,10 @@ void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Re
     pill(ui, at, ui.text("attempts.interrupted"), Meaning::Warn);
   } else if (attempt.state == AttemptState::Recording) {
     pill(ui, at, ui.text("attempts.recording"), Meaning::Info);
+  } else if (!attempt.is_valid.value_or(true)) {
+    pill(ui, at, ui.text("attempts.not_valid"), Meaning::Warn);
+  } else if (!attempt.is_counted) {
+    pill(ui, at, ui.text("attempts.not_counted"), Meaning::Neutral, false);
   } else if (attempt.decision) {
     pill(ui, at, ui.text("attempts.decided"), Meaning::Good);
   } else {

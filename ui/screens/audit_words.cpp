@@ -62,6 +62,8 @@ constexpr auto deeds = std::to_array<Deed>({
     {"attempt_imported", "audit.attempt_imported"},
     {"origin_accepted", "audit.origin_accepted"},
     {"origin_unaccepted", "audit.origin_unaccepted"},
+    {"limit_set", "audit.limit_set"},
+    {"limit_cleared", "audit.limit_cleared"},
 });
 
 /// What may be refused: the names of the policy's actions.
@@ -106,11 +108,14 @@ constexpr auto tries = std::to_array<Deed>({
     {"accept_origin", "audit.accept_origin"},
     {"export_attempt", "audit.export_attempt"},
     {"import_attempt", "audit.import_attempt"},
+    {"limit_attempts", "audit.limit_attempts"},
+    {"compare_with_cohort", "audit.compare_with_cohort"},
 });
 
 /// Kinds of subjects that have a number, not a name.
-constexpr std::array<Deed, 7> kinds{{
+constexpr std::array<Deed, 8> kinds{{
     {"attempt", "audit.kind.attempt"},
+    {"attempt_limit", "audit.kind.attempt_limit"},
     {"decision", "audit.kind.decision"},
     {"score", "audit.kind.score"},
     {"note", "audit.kind.note"},

@@ -136,11 +136,25 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
 // -- the beginning
 
 std::string BriefingScreen::words_of_choice(const Ui& ui) const {
-  if (kind_ != 0) return std::string(ui.text("brief.assessment.means"));
+  if (kind_ != 0) {
+    const std::string means(ui.text("brief.assessment.means"));
+    const auto& allowance = operation_.value().published.allowance;
+    if (!allowance) return means;
+    const TextValues about{{"max", std::to_string(allowance->attempts_max)},
+                           {"cohort", allowance->cohort_name}};
+    return means + " " +
+           (allowance->left() > 0 ? ui.texts().say_count("brief.left", allowance->left(), about)
+                                  : ui.texts().say("brief.none_left", about));
+  }
   constexpr std::array means{"brief.guide.none.means", "brief.guide.soft.means",
                              "brief.guide.slot.means"};
   return std::string(ui.text("brief.practice.means")) + " " +
          std::string(ui.text(means[static_cast<std::size_t>(guidance_)]));
+}
+
+bool BriefingScreen::may_begin() const {
+  const auto& allowance = operation_.value().published.allowance;
+  return kind_ == 0 || !allowance || allowance->left() > 0;
 }
 
 float BriefingScreen::start_height(const Ui& ui, float width) const {
@@ -161,7 +175,7 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
   const Rect foot = take_bottom(inside, button_height, 14.0F);
   ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, words_of_choice(ui));
   const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
-                         ButtonLook::Primary};
+                         ButtonLook::Primary, Icon::None, may_begin()};
   const float width = std::min(foot.w, std::max(160.0F, button_width(ui, begin)));
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
     // What was chosen for a practice means nothing for an assessment.

@@ -20,6 +20,8 @@ class BriefingScreen : public Screen {
       : visit_(std::move(visit)), places_(places), pictures_(pictures), scenario_(scenario) {}
 
   std::string_view navigation_id() const override { return "nav.operations"; }
+  /// An assessment may have been used up since.
+  void enter(Shell&) override { operation_.read_again(); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
@@ -29,6 +31,7 @@ class BriefingScreen : public Screen {
   float start_height(const Ui& ui, float width) const;
   /// What it means to begin as it is chosen.
   std::string words_of_choice(const Ui& ui) const;
+  bool may_begin() const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
   float draw_words(Ui& ui, const Rect& rect) const;
   void draw_words_card(Ui& ui, const Rect& rect);

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "simulator/base/check.h"
+#include "ui/screens/attempt_marks.h"
 #include "ui/screens/course_words.h"
-#include "ui/screens/desk_work.h"
 #include "ui/screens/help_rows.h"
 #include "ui/screens/page.h"
 #include "ui/screens/standing.h"
@@ -16,6 +16,7 @@
 #include "ui/widgets/menu.h"
 #include "ui/widgets/pager.h"
 #include "ui/widgets/shapes.h"
+#include "ui/widgets/tooltip.h"
 
 namespace hallux::ui {
 
@@ -30,6 +31,7 @@ constexpr float person_width = 190.0F, least_person = 140.0F, least_cell = 92.0F
 /// So many operations stand beside each other before their names are shown whole.
 constexpr int columns_wanted = 3;
 constexpr int idle_days = 14;
+constexpr float button_gap = 12.0F;
 constexpr std::size_t listed_requests = 4;
 constexpr std::int32_t listed_attempts = 6;
 
@@ -89,6 +91,7 @@ CohortScreen::Glance CohortScreen::look(database::Session& session, database::Co
   glance.cohort = desk.cohort();
   glance.trainees = trainees_of(desk);
   glance.open_requests = desk.help_requests(true);
+  glance.limits = desk.limits();
   glance.now_utc = utc_now_text();
   std::set<std::string> operations;
   for (const database::Operation& operation : trainee_of(session).operations())
@@ -169,6 +172,7 @@ void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     draw_last_attempts(ui, side);
   }
   draw_cohort_menu(ui);
+  draw_limits(ui, shell);
 }
 
 void CohortScreen::draw_head(Ui& ui, Rect& page) {
@@ -183,8 +187,13 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
   head.sentence = sentence;
   if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
   const ButtonSpec other{ui.text("cohort.other"), ButtonLook::Secondary, Icon::SortDown};
-  if (taught_.size() > 1) head.buttons_width = button_width(ui, other);
-  const Rect buttons = page_head(ui, "cohort", page, head).buttons;
+  const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary, Icon::None, is_ready};
+  const float limit_width = button_width(ui, limit);
+  head.buttons_width = limit_width;
+  if (taught_.size() > 1) head.buttons_width += button_width(ui, other) + button_gap;
+  Rect buttons = page_head(ui, "cohort", page, head).buttons;
+  if (button(ui, "cohort.limits", take_left(buttons, limit_width, button_gap), limit))
+    open_limits();
   if (taught_.size() > 1 && button(ui, "cohort.other", buttons, other))
     menu_ = Point{buttons.right() - 250.0F, buttons.bottom() + 6.0F};
 }
@@ -458,6 +467,9 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
     if (row_control(ui, "cohort.attempt." + std::to_string(last.header.order), what,
                     "cohort.attempts", row))
       places_.show_result(last.header.id);
+    if (const std::string_view why = why_not_counted(ui, last.header); !why.empty())
+      tooltip_when_resting(ui, "cohort.attempt." + std::to_string(last.header.order), row, why);
+    const bool counts = why_not_counted(ui, last.header).empty();
     const std::optional<std::int64_t> milli =
         last.header.decided_milli ? last.header.decided_milli : last.header.score_milli;
     const float score = milli ? 44.0F : 0.0F, room = row.w - score - 8.0F;
@@ -466,8 +478,10 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
     ui.canvas().text_in({row.x, row.y + 25.0F, room, 18.0F},
                         {Type::Caption, ui.theme().text_caption}, what, true);
     if (milli)
-      ui.canvas().text_in({row.right() - score, row.y, score, row.h},
-                          {Type::BodyMedium, ui.theme().text, Align::Right}, points_text(*milli));
+      ui.canvas().text_in(
+          {row.right() - score, row.y, score, row.h},
+          {Type::BodyMedium, counts ? ui.theme().text : ui.theme().text_caption, Align::Right},
+          points_text(*milli));
   }
 }
 

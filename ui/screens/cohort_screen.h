@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "ui/jobs/standing_jobs.h"
+#include "ui/screens/desk_work.h"
+#include "ui/screens/limits_dialog.h"
 #include "ui/screens/places.h"
 #include "ui/screens/reading.h"
 #include "ui/screens/visit.h"
@@ -37,6 +39,7 @@ class CohortScreen : public Screen {
     std::vector<std::string> operations;  ///< of the columns, by name
     std::vector<LastAttempt> last_attempts;
     std::vector<database::HelpRequest> open_requests;
+    std::vector<database::AttemptLimit> limits;
     std::string now_utc;
     long attempts = 0;
   };
@@ -60,6 +63,9 @@ class CohortScreen : public Screen {
   void draw_standing_cell(Ui& ui, const TraineeProgress& trainee, const std::string& operation,
                           const Rect& cell) const;
   void draw_legend(Ui& ui, const Rect& line) const;
+  /// needs   the glance is ready
+  void open_limits();
+  void draw_limits(Ui& ui, Shell& shell);
   void draw_requests(Ui& ui, const Rect& rect);
   void draw_last_attempts(Ui& ui, const Rect& rect);
   void sort(std::vector<const TraineeProgress*>& shown) const;
@@ -73,6 +79,8 @@ class CohortScreen : public Screen {
   int filter_ = All;
   int first_column_ = 0, page_columns_ = 1;  ///< the operations that are shown
   TableState table_;
+  std::optional<LimitsForm> limits_;  ///< while they are changed
+  DeskWork limiting_;
   std::optional<Point> menu_;  ///< its corner, while the cohorts are listed
 };
 

@@ -35,10 +35,14 @@ CohortsScreen::Everybody CohortsScreen::read(database::Session& session) {
     std::vector<CohortMember> members = desk.members(cohort.id);
     // Who was erased stays a number in the statistics; there is nobody to be enrolled elsewhere.
     std::erase_if(members, [](const CohortMember& member) { return member.login.empty(); });
-    everybody.cohorts.push_back({std::move(cohort), std::move(members)});
+    std::vector<database::AttemptLimit> limits = desk.limits(cohort.id);
+    everybody.cohorts.push_back({std::move(cohort), std::move(members), std::move(limits)});
   }
   everybody.people = desk.people();
   std::erase_if(everybody.people, [](const auto& person) { return person.login.empty(); });
+  for (const database::ScenarioVersion& version : desk.scenarios())  // by name
+    if (everybody.operations.empty() || everybody.operations.back() != version.name)
+      everybody.operations.push_back(version.name);
   return everybody;
 }
 
@@ -60,6 +64,7 @@ void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   draw_add_dialog(ui, shell);
   draw_enrol_dialog(ui, shell);
   draw_question(ui, shell);
+  draw_limits(ui, shell);
 }
 
 void CohortsScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
@@ -132,6 +137,9 @@ void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
     enrolment_ = Enrolment{};
     enrolling_.forget_fault();
   }
+  const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary};
+  if (button(ui, "cohorts.limits", take_right(head, button_width(ui, limit), 12.0F), limit))
+    open_limits(*listed);
   ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, listed->cohort.name, true);
   if (listed->members.empty()) {
     empty_card(ui, "cohorts.nobody", inside,
@@ -353,6 +361,33 @@ void CohortsScreen::draw_question(Ui& ui, Shell& shell) {
         desk.remove_from_cohort(removal.cohort, removal.login);
       },
       [this] { member_.clear(); });
+}
+
+void CohortsScreen::open_limits(const Listed& listed) {
+  limits_.emplace();
+  limits_->cohort_name = listed.cohort.name;
+  limits_->operations = everybody_.value().operations;
+  limits_->limits = listed.limits;
+  limiting_.forget_fault();
+}
+
+void CohortsScreen::draw_limits(Ui& ui, Shell& shell) {
+  if (!limits_ || !chosen_) return;
+  const Answer answer = draw_limits_dialog(ui, *limits_, limiting_.fault(), limiting_.is_running());
+  if (answer == Answer::Keep) limits_.reset();
+  if (answer != Answer::Act) return;
+  const std::optional<LimitChange> wanted = change_in(*limits_);
+  if (!wanted) return;
+  change(
+      limiting_, ui, shell, said_of(ui.texts(), *limits_, *wanted),
+      [cohort = *chosen_, wanted = *wanted](database::AdministratorDesk& desk) {
+        if (wanted.attempts_max) {
+          desk.set_limit(cohort, wanted.scenario_name, *wanted.attempts_max);
+        } else {
+          desk.clear_limit(cohort, wanted.scenario_name);
+        }
+      },
+      [this] { limits_.reset(); });
 }
 
 void CohortsScreen::change(DeskWork& work, Ui& ui, Shell& shell, std::string done,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/screens/desk_work.h"
+#include "ui/screens/limits_dialog.h"
 #include "ui/screens/reading.h"
 #include "ui/widgets/table.h"
 
@@ -23,10 +24,12 @@ class CohortsScreen : public Screen {
   struct Listed {
     database::Cohort cohort;
     std::vector<database::CohortMember> members;
+    std::vector<database::AttemptLimit> limits;
   };
   struct Everybody {
     std::vector<Listed> cohorts;
     std::vector<database::Person> people;
+    std::vector<std::string> operations;  ///< those in the catalogue, by name
   };
   struct Enrolment {
     std::string search;
@@ -52,6 +55,8 @@ class CohortsScreen : public Screen {
   void draw_enrol_form(Ui& ui, Rect rest, const Listed& listed);
   std::string enrol_label(const Texts& texts) const;
   void draw_question(Ui& ui, Shell& shell);
+  void open_limits(const Listed& listed);
+  void draw_limits(Ui& ui, Shell& shell);
   void add(Ui& ui, Shell& shell);
   void enrol(Ui& ui, Shell& shell, const database::Cohort& cohort);
   /// Reads anew once `change` was made and says `done`; `after` is called before that.
@@ -67,7 +72,8 @@ class CohortsScreen : public Screen {
   std::optional<std::string> new_name_;  ///< while a cohort is added
   std::optional<Enrolment> enrolment_;
   std::optional<Removal> removal_;
-  DeskWork work_, adding_, enrolling_;
+  std::optional<LimitsForm> limits_;  ///< while those of the chosen cohort are changed
+  DeskWork work_, adding_, enrolling_, limiting_;
 };
 
 }  // namespace hallux::ui

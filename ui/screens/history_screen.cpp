@@ -7,6 +7,7 @@
 #include "simulator/base/units.h"
 #include "ui/screens/attempt_marks.h"
 #include "ui/screens/course_words.h"
+#include "ui/screens/desk_work.h"
 #include "ui/screens/page.h"
 #include "ui/screens/words.h"
 #include "ui/widgets/button.h"
@@ -88,7 +89,8 @@ struct Fact {
 void draw_fact(Ui& ui, const Rect& rect, const Fact& fact) {
   const Theme& theme = ui.theme();
   const float top = rect.mid_y() - 31.0F;
-  ui.canvas().text_in({rect.x, top, rect.w, 20.0F}, {Type::Small, theme.text_secondary}, fact.name);
+  ui.canvas().text_in({rect.x, top, rect.w, 20.0F}, {Type::Small, theme.text_secondary}, fact.name,
+                      true);
   ui.canvas().text_in({rect.x, top + 19.0F, rect.w, 26.0F}, {Type::Section, theme.text},
                       fact.value);
   ui.canvas().text_in({rect.x, top + 45.0F, rect.w, 18.0F}, {Type::Caption, theme.text_caption},
@@ -124,6 +126,34 @@ std::array<Fact, 4> facts_of(const Ui& ui, const OperationHistory& history) {
   return {best, last, median, attempts};
 }
 
+void compare(database::TraineeDesk& desk, OperationHistory& history) {
+  if (history.counted.empty()) return;
+  const std::string& device_class =
+      history.attempts[history.counted.back()].header.begun.device_class;
+  for (database::CohortComparison& comparison : desk.cohort_comparisons(history.scenario_name)) {
+    if (comparison.device_class != device_class) continue;
+    history.cohort = std::move(comparison);
+    return;
+  }
+}
+
+/// The median, and what the middle half of the people has.
+Fact cohort_fact(const Ui& ui, const database::CohortComparison& cohort) {
+  const std::string people = std::to_string(cohort.people);
+  Fact fact{ui.texts().say("history.cohort", {{"cohort", cohort.cohort_name}}),
+            points_text(cohort.median_milli),
+            {}};
+  if (cohort.lower_milli && cohort.upper_milli) {
+    fact.note =
+        ui.texts().say("history.cohort.quartiles", {{"people", people},
+                                                    {"lower", points_text(*cohort.lower_milli)},
+                                                    {"upper", points_text(*cohort.upper_milli)}});
+  } else {
+    fact.note = ui.texts().say("history.cohort.median", {{"people", people}});
+  }
+  return fact;
+}
+
 /// As many blocks as clean runs are needed, those that there are in the accent.
 void draw_evidence(Ui& ui, const Rect& rect, const assessment::LearningState& learning) {
   const int needed = assessment::clean_runs_needed(), runs = learning.clean_runs();
@@ -151,8 +181,12 @@ const OperationHistory& HistoryScreen::history() const {
 
 void HistoryScreen::start_reading(Ui& ui, Shell& shell) {
   histories_.start(ui, shell, ui.text("history.reading"), [visit = visit_](WorkReport&) {
-    return visit->in_turn(
-        [](database::Session& session, auto&) { return histories_of(own_attempts(session)); });
+    return visit->in_turn([](database::Session& session, auto&) {
+      std::vector<OperationHistory> histories = histories_of(own_attempts(session));
+      database::TraineeDesk desk = trainee_of(session);
+      for (OperationHistory& history : histories) compare(desk, history);
+      return histories;
+    });
   });
 }
 
@@ -253,7 +287,14 @@ void HistoryScreen::draw_facts(Ui& ui, const Rect& rect) const {
     draw_fact(ui, places[1], facts[2 * row + 1]);
     ui.canvas().hairline_across(line.x, line.bottom(), line.w, ui.theme().line);
   }
-  draw_evidence(ui, inside, history().learning);
+  if (history().cohort) {
+    const std::vector<Rect> places = columns(inside, 2, 12.0F);
+    draw_evidence(ui, places[0], history().learning);
+    draw_fact(ui, {places[1].x, places[1].y, places[1].w, places[1].h - 14.0F},
+              cohort_fact(ui, *history().cohort));
+  } else {
+    draw_evidence(ui, inside, history().learning);
+  }
 }
 
 void HistoryScreen::draw_attempts(Ui& ui, const Rect& rect) {

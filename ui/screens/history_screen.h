@@ -24,6 +24,8 @@ struct OperationHistory {
   /// Of the last five by the same device class; a gap where there is no score and where the planned plane guided the hand.
   std::vector<ChartPoint> medians;
   assessment::LearningState learning;
+  /// How the cohort stands, by the device class of the newest counted attempt; nothing where too few people are in it.
+  std::optional<database::CohortComparison> cohort = {};
 };
 
 /// By operation, that of the newest attempt first.

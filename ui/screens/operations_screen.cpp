@@ -261,7 +261,11 @@ Picture OperationsScreen::picture_of(Ui& ui, const Rect& card, const OwnOperatio
 bool OperationsScreen::draw_card(Ui& ui, const Rect& rect, const OwnOperation& operation,
                                  Shell& shell) {
   const std::string what = what_text(ui.texts(), operation);
-  const std::string state = standing_text(ui.texts(), operation, now_utc_);
+  std::string state = standing_text(ui.texts(), operation, now_utc_);
+  if (const auto& allowance = operation.published.allowance)
+    state = ui.texts().say("operations.left", {{"state", state},
+                                               {"left", std::to_string(allowance->left())},
+                                               {"max", std::to_string(allowance->attempts_max)}});
   const std::optional<std::int64_t> best_milli = operation.published.standing.best_milli;
   const std::string best = best_milli ? points_text(*best_milli) : std::string();
   PictureCardSpec spec;

@@ -67,6 +67,25 @@ TEST(BriefingScreen, BeginsPracticeUnlessTheAssessmentWasChosen) {
               ElementsAre(asked("practise", published.akin()), asked("assess", published.akin())));
 }
 
+TEST(BriefingScreen, SaysHowManyAssessmentsAreLeftAndBeginsNoMore) {
+  SomePublished published;
+  database::SomeCourse& course = published.course();
+  course.instructor("kim", course.autumn()).set_limit("akin", 1);
+  Briefed first(published);
+  first.driver().click("brief.kind.1");
+  EXPECT_TRUE(first.driver().sees("1 assessment is left of the 1 that autumn allows"));
+  first.driver().click("brief.begin");
+  published.assessed("ada", 1, 70000);
+  Briefed second(published);
+  second.driver().click("brief.kind.1");
+  EXPECT_TRUE(second.driver().sees("None is left of the 1 that autumn allows"));
+  EXPECT_FALSE(second.driver().widget("brief.begin").is_enabled);
+  second.driver().click("brief.kind.0");
+  second.driver().click("brief.begin");
+  EXPECT_THAT(first.places.asked, ElementsAre(asked("assess", published.akin())));
+  EXPECT_THAT(second.places.asked, ElementsAre(asked("practise", published.akin())));
+}
+
 TEST(BriefingScreen, LetsPracticeBeGuidedAndAnAssessmentNever) {
   SomePublished published;
   Briefed briefed(published);

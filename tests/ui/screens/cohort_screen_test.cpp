@@ -9,6 +9,7 @@
 #include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_published.h"
+#include "ui/screens/attempt_marks.h"
 #include "ui/screens/history_screen.h"
 #include "ui/screens/operations_screen.h"
 #include "ui/screens/standing.h"
@@ -106,6 +107,56 @@ TEST(CohortScreen, WhoTeachesSeveralChooses) {
   EXPECT_FALSE(teacher.driver().has("cohort.row.ada"));
   Teacher of_one(course, "lee");
   EXPECT_FALSE(of_one.driver().has("cohort.other"));
+}
+
+TEST(CohortScreen, LimitsTheAssessmentsOfAnOperation) {
+  database::SomeCourse course;
+  Teacher teacher(course);
+  teacher.press("cohort.limits");
+  teacher.press("limits.row.silver");
+  teacher.press("limits.number");
+  teacher.driver().type("0");
+  EXPECT_TRUE(teacher.driver().sees("A number from 1 to 1000, for example 3"));
+  teacher.driver().press(Key::Backspace);
+  teacher.driver().type("2");
+  EXPECT_THAT(teacher.driver().faults(), IsEmpty());
+  teacher.press("limits.act");
+  EXPECT_TRUE(teacher.driver().sees("Silver: 2 assessments each in autumn"));
+  ASSERT_EQ(course.instructor("kim", course.autumn()).limits().size(), 1U);
+  EXPECT_EQ(course.instructor("kim", course.autumn()).limits()[0].attempts_max, 2);
+  teacher.press("cohort.limits");
+  teacher.press("limits.row.silver");
+  teacher.press("limits.number");
+  teacher.driver().press(Key::End);
+  teacher.driver().press(Key::Backspace);
+  teacher.press("limits.act");
+  EXPECT_TRUE(teacher.driver().sees("Silver is not limited in autumn any more"));
+  EXPECT_TRUE(course.instructor("kim", course.autumn()).limits().empty());
+}
+
+TEST(CohortScreen, SaysWhyALastAttemptDoesNotCount) {
+  database::AttemptHeader attempt;
+  attempt.state = database::AttemptState::Closed;
+  attempt.begun.kind = database::AttemptKind::Assessment;
+  std::string why;
+  const Texts texts = english_texts();
+  Driver driver(texts, [&](Ui& ui) { why = why_not_counted(ui, attempt); });
+  EXPECT_EQ(why, "");
+  attempt.begun.kind = database::AttemptKind::Practice;
+  driver.frame();
+  EXPECT_EQ(why, "Practice: it does not count towards competence");
+  attempt.is_counted = false;
+  driver.frame();
+  EXPECT_EQ(why, "Imported from a directory that nobody accepted");
+  attempt.is_valid = false;
+  driver.frame();
+  EXPECT_EQ(why, "Not valid for grading: its recording lost too much");
+  attempt.state = database::AttemptState::Interrupted;
+  driver.frame();
+  EXPECT_EQ(why, "Interrupted: it was never finished");
+  attempt.state = database::AttemptState::Void;
+  driver.frame();
+  EXPECT_EQ(why, "Void: an instructor set it aside");
 }
 
 TEST(CohortScreen, IsUsedByKeyboardAlone) {

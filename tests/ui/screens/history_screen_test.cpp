@@ -168,6 +168,41 @@ TEST(HistoryScreen, TheFactsAreOfWhatCounts) {
   EXPECT_TRUE(looker.driver().sees("Void"));
 }
 
+/// An assessment that is a grade, of somebody of autumn.
+void graded(SomePublished& published, database::PersonId person, std::int64_t score_milli) {
+  database::Database& database = published.course().database();
+  database::NewAttempt attempt = published.course().attempt_of("ada");
+  attempt.scenario = published.akin();
+  attempt.person = person;
+  attempt.kind = database::AttemptKind::Assessment;
+  const database::AttemptId id = database::record(database, attempt, database::some_recording(5));
+  database::ScoreCard card = database::card_worth(score_milli);
+  card.measured_milli = card.rubric_milli = 100'000;
+  database::store_score(database, id, card);
+  database::decide(database, {id, database::DecisionKind::Confirmed, 0, "seen"},
+                   published.course().id_of("kim"));
+}
+
+TEST(HistoryScreen, ShowsHowTheCohortStandsOnceItIsLargeEnough) {
+  SomePublished published;
+  graded(published, published.course().id_of("ada"), 70000);
+  Looker alone(published, "ada");
+  EXPECT_FALSE(alone.driver().sees("autumn"));
+  for (int number = 1; number <= 19; ++number) {
+    const std::string login = "trainee-" + std::to_string(number);
+    database::Database& database = published.course().database();
+    const database::PersonId person =
+        database::create_person_without_password(database, {login, "", false});
+    database::enrol(database, published.course().autumn(), person, database::CohortRole::Trainee);
+    graded(published, person, number * 5000);
+  }
+  Looker looker(published, "ada");
+  EXPECT_TRUE(looker.driver().sees("autumn, median"));
+  EXPECT_TRUE(looker.driver().sees("Of 20 people"));
+  EXPECT_FALSE(looker.driver().sees("trainee-1"));
+  EXPECT_THAT(looker.driver().faults(), IsEmpty());
+}
+
 TEST(HistoryScreen, SaysThatTheEvidenceIsEnough) {
   SomePublished published;
   published.assessed("ada", 12, 60000);

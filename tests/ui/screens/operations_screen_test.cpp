@@ -98,6 +98,14 @@ TEST(OperationsScreen, TwelveCleanAssessmentsAreCompetence) {
   EXPECT_TRUE(chooser.driver().sees("Nothing matches"));
 }
 
+TEST(OperationsScreen, ACardSaysHowManyAssessmentsAreLeft) {
+  SomePublished published;
+  published.course().instructor("kim", published.course().autumn()).set_limit("akin", 3);
+  published.assessed("ada", 1, 70000);
+  Chooser chooser(published, "ada");
+  EXPECT_TRUE(chooser.driver().sees("; 2 of 3 left"));
+}
+
 TEST(OperationsScreen, ACardLeadsToItsBriefing) {
   SomePublished published;
   Chooser chooser(published, "ada");
