@@ -9,6 +9,7 @@
 #include "database/exchange/import_attempt.h"
 #include "database/recordings.h"
 #include "database/sql.h"
+#include "database/standings.h"
 #include "database/verify_parts.h"
 
 namespace hallux::database {
@@ -123,6 +124,7 @@ Verification verify(Database& database, const std::function<bool(double)>& progr
     check_scores(database, told, found);
     check_decisions_are_whole(database);
     check_audit(database, told, found);
+    check_standings(database);
   } catch (const DatabaseError& error) {
     if (error.kind() != DatabaseErrorKind::Damaged) throw;
     found.first_damage = error.what();

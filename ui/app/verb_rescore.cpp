@@ -33,6 +33,18 @@ std::vector<database::AttemptDesk> scoring_desks(database::Session& session) {
   return desks;
 }
 
+/// What is published, and for administrators the whole catalogue.
+std::vector<KnownVersion> known_versions(database::Session& session) {
+  std::vector<KnownVersion> known;
+  if (auto administered = session.administrator())
+    for (const database::ScenarioVersion& version : administered->scenarios())
+      known.push_back({version.name, version.version, version.id});
+  if (auto own = session.trainee())
+    for (const database::Operation& operation : own->operations())
+      known.push_back({operation.name, operation.version, operation.scenario});
+  return known;
+}
+
 ordered_json score_json(const std::optional<database::ScoreCard>& card) {
   if (!card) return nullptr;
   return {{"score", static_cast<double>(card->score_milli) / 1000.0},
@@ -102,7 +114,7 @@ ExitCode answer_on(const VerbContext& context, const RescoreOptions& options,
 
 ExitCode rescore_on(const VerbContext& context, const RescoreOptions& options) {
   database::Database database = open_kept(context);
-  Rescoring rescoring{options.scenario, std::nullopt, options.is_dry_run};
+  Rescoring rescoring{options.scenario, std::nullopt, options.is_dry_run, {}};
   if (options.version > 0) rescoring.version = options.version;
   const auto progress = progress_on(context, "Scoring");
   if (context.login.empty()) {
@@ -116,6 +128,7 @@ ExitCode rescore_on(const VerbContext& context, const RescoreOptions& options) {
                     "only instructors and administrators score many attempts anew; `hallux score` "
                     "scores one of your own");
   }
+  rescoring.versions = known_versions(session);
   return answer_on(context, options, rescore(database, desks, rescoring, progress));
 }
 

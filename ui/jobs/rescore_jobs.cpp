@@ -5,7 +5,6 @@
 
 #include "database/assets.h"
 #include "database/card_json.h"
-#include "database/catalogue.h"
 
 namespace hallux::ui {
 
@@ -42,17 +41,15 @@ std::vector<Listed> listed_at(std::vector<database::AttemptDesk>& desks,
   return listed;
 }
 
-/// The published text of that version before a draft, before one that was only operated.
-std::optional<database::ScenarioVersionId> find_version(database::Database& database,
-                                                        const std::vector<Listed>& listed,
+/// One that is known before one that was only operated.
+std::optional<database::ScenarioVersionId> find_version(const std::vector<Listed>& listed,
                                                         const Rescoring& rescoring) {
   std::optional<database::ScenarioVersionId> found;
   for (const Listed& each : listed)
     if (each.header.scenario_version == rescoring.version) found = each.header.begun.scenario;
-  for (const database::ScenarioVersion& version : database::list_scenario_versions(database)) {
-    if (version.name != rescoring.scenario_name || version.version != rescoring.version) continue;
-    if (!found || version.state == database::ScenarioState::Published) found = version.id;
-  }
+  for (const KnownVersion& known : rescoring.versions)
+    if (known.scenario_name == rescoring.scenario_name && known.version == rescoring.version)
+      found = known.id;
   return found;
 }
 
@@ -60,7 +57,7 @@ std::optional<scenarios::Scenario> scoring_scenario(database::Database& database
                                                     const std::vector<Listed>& listed,
                                                     const Rescoring& rescoring) {
   if (!rescoring.version) return std::nullopt;
-  const auto id = find_version(database, listed, rescoring);
+  const auto id = find_version(listed, rescoring);
   if (!id) {
     throw DatabaseError(DatabaseErrorKind::NotFound,
                         "there is no version " + std::to_string(*rescoring.version) + " of '" +

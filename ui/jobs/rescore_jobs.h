@@ -10,10 +10,19 @@
 
 namespace hallux::ui {
 
+/// A version that whoever scores may read: of the catalogue, or published.
+struct KnownVersion {
+  std::string scenario_name;
+  std::int32_t version = 0;
+  database::ScenarioVersionId id;
+};
+
 struct Rescoring {
   std::string scenario_name;
   std::optional<std::int32_t> version;  ///< whose text scores; nothing: that of each attempt
   bool is_dry_run = false;              ///< nothing is stored
+  std::vector<KnownVersion> versions =
+      {};  ///< beside those that the attempts were operated under; the later before the earlier
 };
 
 struct RescoredAttempt {
