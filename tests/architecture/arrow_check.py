@@ -60,8 +60,10 @@ def guarded_functions(table, root):
     """Of each header of a guarded room the free functions that it declares: they stand at the line's beginning."""
     functions = {}
     for room in table.guarded_rooms():
-        for header in sorted((root / room).glob("*.h")):
+        for header in sorted((root / room).rglob("*.h")):
             path = header.relative_to(root).as_posix()
+            if lies_in(path, room + "/records"):
+                continue
             for name in DECLARED.findall(header.read_text(errors="replace")):
                 functions.setdefault(name, set()).add(path)
     return functions

@@ -48,6 +48,7 @@ LINES = {
     "export": [["export", "{attempt}", "-o", "{out}"], ["export", "--all", "-o", "{out}"],
                ["export", "--person", "ada", "-o", "{out}"], ["export", "--cohort", "Canary-cohort", "-o", "{out}"]],
     "import": [["import", "{out}"]],
+    "origins": [["origins"]],
     "export-person": [["export-person", "ada", "-o", "{out}"], ["export-person", "canary-login-eve", "-o", "{out}"]],
     "retention": [["retention", "--dry-run", "--practice-days", "1"]],
     "backup": [["backup", "--list"], ["backup", "--to", "{out}"]],
