@@ -35,7 +35,6 @@ void take_circumstances(const Json& found, RecordingCertificate& certificate) {
   take(found, "ring_share_max", certificate.ring_share_max);
   take(found, "priority", certificate.has_priority);
   take(found, "locked_memory", certificate.has_locked_memory);
-  take(found, "drawn_by", certificate.drawn_by);
 }
 
 }  // namespace
@@ -59,7 +58,6 @@ std::string json_from_certificate(const RecordingCertificate& certificate) {
               {"ring_share_max", certificate.ring_share_max},
               {"priority", certificate.has_priority},
               {"locked_memory", certificate.has_locked_memory},
-              {"drawn_by", certificate.drawn_by},
               {"complete", certificate.is_complete()},
               {"valid", verdict.is_valid()},
               {"not_valid_because", reasons}}

@@ -2,7 +2,9 @@
 
 #include <sqlite3.h>
 
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "database/backup.h"
@@ -30,6 +32,24 @@ std::unique_ptr<SQLite::Database> open_file(const std::filesystem::path& file,
   }
 }
 
+/// Two processes that make the file at once hinder each other here, and SQLite waits for neither: both would wait for ever.
+bool becomes_wal(Database& database) {
+  constexpr std::chrono::milliseconds pause{5};
+  const auto deadline =
+      std::chrono::steady_clock::now() + std::chrono::milliseconds{database.busy_timeout_ms()};
+  for (;;) {
+    try {
+      SQLite::Statement mode{database.connection(), "PRAGMA journal_mode = WAL"};
+      mode.executeStep();
+      return mode.getColumn(0).getString() == "wal";
+    } catch (const SQLite::Exception& error) {
+      const bool is_busy = (error.getErrorCode() & 0xFF) == SQLITE_BUSY;
+      if (!is_busy || std::chrono::steady_clock::now() >= deadline) throw;
+    }
+    std::this_thread::sleep_for(pause);
+  }
+}
+
 void configure(Database& database, Access access) {
   translating(database, "set up the connection", [&] {
     SQLite::Database& connection = database.connection();
@@ -43,9 +63,7 @@ void configure(Database& database, Access access) {
                               "directory with --data"};
     }
     connection.exec("PRAGMA page_size = 8192;");
-    SQLite::Statement mode{connection, "PRAGMA journal_mode = WAL"};
-    mode.executeStep();
-    if (mode.getColumn(0).getString() != "wal") {
+    if (!becomes_wal(database)) {
       throw DatabaseError{DatabaseErrorKind::ReadOnly,
                           "could not set up " + database.file().string() +
                               ": the file system has no shared memory (a network share?) or is "

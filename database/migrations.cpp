@@ -27,6 +27,8 @@ std::int32_t newest_schema() noexcept { return static_cast<std::int32_t>(schema_
 
 void check_schema_is_known(Database& database) {
   translating(database, "read the schema version", [&] {
+    // One moment for all of it: another process may be making the file.
+    const SQLite::Transaction moment{database.connection()};
     const std::int32_t found = pragma_number(database, "PRAGMA user_version");
     const std::int32_t owner = pragma_number(database, "PRAGMA application_id");
     if (owner != application_id && (owner != 0 || found != 0 || has_tables(database))) {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +26,6 @@ struct RecordingCertificate {
   double ring_share_max = 0.0;  ///< of the fullest ring towards the recorder [0, 1]
   bool has_priority = false;    ///< the system ran the loop before all else
   bool has_locked_memory = false;
-  std::string drawn_by;  ///< "card", "processor"; "" where nothing was drawn or nobody knows
 
   bool is_complete() const noexcept { return expected_samples == received_samples; }
 };

@@ -87,13 +87,11 @@ TEST(Certificate, IsReadAsItWasWritten) {
   written.late_max_us = 10.5;
   written.ring_share_max = 0.25;
   written.has_priority = written.has_locked_memory = true;
-  written.drawn_by = "processor";
   const std::string json = json_from_certificate(written);
   const auto read = certificate_from_json(json);
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(json_from_certificate(*read), json);
   EXPECT_EQ(read->faulted_ticks, 7);
-  EXPECT_EQ(read->drawn_by, "processor");
   EXPECT_FALSE(is_valid_by(json));
   EXPECT_NE(json.find(R"("not_valid_because":["ticks_left_out","ticks_doubled","clock_stepped"])"),
             std::string::npos)

@@ -1,0 +1,122 @@
+/// Files cut short and bits turned over: each damage of something sealed is named, and none makes the program fall.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "database/audit.h"
+#include "database/log_size.h"
+#include "database/recordings.h"
+#include "database/scores.h"
+#include "database/verify.h"
+#include "simulator/base/random.h"
+#include "tests/database/some_database.h"
+
+namespace hallux::database {
+
+namespace {
+
+using Content = std::vector<char>;
+
+/// Two closed attempts, each with a score, in one file.
+class Damage : public testing::Test {
+ protected:
+  Damage() {
+    Database database = Database::open(temporary_.data());
+    for (const std::int64_t milli : {50'000, 70'000}) {
+      const AttemptId id = record(database, some_attempt(database), recording_);
+      ScoreCard card;
+      card.score_milli = milli;
+      store_score(database, id, card);
+      attempts_.push_back(id);
+    }
+    shorten_log(database);
+    std::ifstream file{database.file(), std::ios::binary};
+    whole_.assign(std::istreambuf_iterator<char>{file}, {});
+  }
+
+  /// What is said of a directory that holds these bytes: "" where nothing is.
+  std::string said_of(const Content& content) {
+    const TemporaryDirectory place;
+    std::filesystem::create_directory(place.data());
+    {
+      std::ofstream file{place.data() / "hallux.db", std::ios::binary};
+      file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    }
+    OpenOptions for_reading;
+    for_reading.access = Access::ReadOnly;
+    try {
+      Database database = Database::open(place.data(), for_reading);
+      const Verification found = verify(database);
+      if (!found.is_whole()) return *found.first_damage;
+      expect_all_sealed(database);
+      return "";
+    } catch (const DatabaseError& error) {
+      EXPECT_EQ(error.kind(), DatabaseErrorKind::Damaged) << error.what();
+      return error.what();
+    }
+  }
+
+  const Content& whole() const noexcept { return whole_; }
+
+ private:
+  /// Where no damage is named, none may be in what is sealed.
+  void expect_all_sealed(Database& database) {
+    for (std::size_t i = 0; i < attempts_.size(); ++i) {
+      EXPECT_TRUE(is_same(load_recording(database, attempts_[i]), recording_));
+      EXPECT_EQ(load_score(database, attempts_[i])->card.score_milli, i == 0 ? 50'000 : 70'000);
+    }
+    EXPECT_EQ(read_audit(database).size(), 6U);
+  }
+
+  TemporaryDirectory temporary_;
+  simulator::Recording recording_ = some_recording(12'000);
+  std::vector<AttemptId> attempts_;
+  Content whole_;
+};
+
+TEST_F(Damage, OfNothingIsNone) { EXPECT_EQ(said_of(whole()), ""); }
+
+TEST_F(Damage, OfAFileCutShortIsNamed) {
+  Random random{11};
+  const auto last = static_cast<double>(whole().size());
+  for (int i = 0; i < 60; ++i) {
+    // Nothing at all is an empty database, which is no damage but nothing either.
+    const auto size = static_cast<std::size_t>(random.uniform(1.0, last));
+    const Content cut(whole().begin(), whole().begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_NE(said_of(cut), "") << "cut at " << size;
+  }
+}
+
+TEST_F(Damage, OfOneBitIsNamedWhereAnythingSealedHasIt) {
+  Random random{12};
+  int named = 0;
+  constexpr int flips = 120;
+  for (int i = 0; i < flips; ++i) {
+    Content damaged = whole();
+    const std::uint64_t at = random.bits() % (damaged.size() * 8);
+    damaged[at / 8] = static_cast<char>(damaged[at / 8] ^ (1 << (at % 8)));
+    named += said_of(damaged).empty() ? 0 : 1;
+  }
+  // Much of the file is tables with few rows, whose pages are nearly empty.
+  EXPECT_GE(named, flips / 4);
+  RecordProperty("flips", flips);
+  RecordProperty("named", named);
+}
+
+TEST_F(Damage, OfAPageOfZerosIsNamed) {
+  constexpr std::size_t page = 4096;
+  int named = 0, pages = 0;
+  for (std::size_t at = page; at < whole().size(); at += page) {
+    Content damaged = whole();
+    std::fill_n(damaged.begin() + static_cast<std::ptrdiff_t>(at), page, '\0');
+    named += said_of(damaged).empty() ? 0 : 1;
+    ++pages;
+  }
+  EXPECT_GE(named, pages * 9 / 10) << "of " << pages;
+}
+
+}  // namespace
+
+}  // namespace hallux::database
