@@ -249,6 +249,24 @@ TEST(Report, FactsSayWhoseAttemptItWasAndWhetherItIsWhole) {
   EXPECT_NE(html.find("interrupted"), std::string::npos);
 }
 
+TEST(Report, SaysWhyARecordingMayNotBeGraded) {
+  database::AttemptHeader header;
+  header.state = database::AttemptState::Closed;
+  header.is_valid = false;
+  database::RecordingCertificate certificate;
+  certificate.expected_samples = 1000;
+  certificate.received_samples = 999;
+  certificate.clock_steps = 1;
+  ReportMaterial material = made_up();
+  add_attempt_facts(material, header, verdict_of(certificate));
+  EXPECT_NE(html_report(material).find("It is not valid for grading: samples were lost; the "
+                                       "machine slept, or its clock jumped."),
+            std::string::npos);
+  header.is_valid = true;
+  add_attempt_facts(material, header);
+  EXPECT_EQ(html_report(material).find("not valid"), std::string::npos);
+}
+
 TEST(WoundText, GivesEachNumberItsUnit) {
   simulator::HeatSummary heat;
   EXPECT_FALSE(was_hot(heat));

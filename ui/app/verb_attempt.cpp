@@ -124,7 +124,8 @@ ordered_json attempt_json(const database::AttemptHeader& header) {
           {"decision",
            header.decision ? ordered_json(database::name_of(*header.decision)) : ordered_json()},
           {"decided_score", points_json(header.decided_milli)},
-          {"simulated", header.is_simulated}};
+          {"simulated", header.is_simulated},
+          {"valid", header.is_valid ? ordered_json(*header.is_valid) : ordered_json()}};
 }
 
 void print_attempt(std::ostream& out, const database::AttemptHeader& header) {

@@ -66,7 +66,9 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
     ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
                                            score_attempt(material, stages_on(context)),
                                            material.header.begun.guidance);
-    add_attempt_facts(shown, material.header);
+    const auto quality = quality_from_json(material.header.quality_json);
+    add_attempt_facts(shown, material.header,
+                      quality ? verdict_of(quality->certificate) : database::Verdict{});
     const std::string page = html_report(shown);
     write_file_whole(options.output, page);
     if (context.json) {

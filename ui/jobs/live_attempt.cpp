@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "database/log_size.h"
+
 namespace hallux::ui {
 
 OperatingTable lay_table(const scenarios::Scenario& scenario, const StageProgress& progress) {
@@ -73,6 +75,8 @@ LiveAttempt::~LiveAttempt() {
   channels_.gives_up.store(true, std::memory_order_relaxed);
 }
 
+std::uintmax_t LiveAttempt::log_bytes() const noexcept { return database::log_bytes(directory_); }
+
 void LiveAttempt::abandon() {
   is_abandoned_.store(true, std::memory_order_release);
   channels_.gives_up.store(true, std::memory_order_relaxed);
@@ -119,7 +123,8 @@ void LiveAttempt::fail(LiveFailure failure, const char* reason) noexcept {
 }
 
 void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {
-  database::Recorder recorder(database, std::move(lease), channels_);
+  database::Recorder recorder(database, std::move(lease), channels_,
+                              database::FullDisk::IsWaitedFor);
   simulator::AttemptSetup setup =
       attempt_setup(table_->scenario, table_->bone, table_->plan, guidance_);
   setup.pacing = simulator::Pacing::RealTime;

@@ -98,6 +98,8 @@ class LiveAttempt {
     return channels_.storage_full.load(std::memory_order_relaxed);
   }
   const std::filesystem::path& directory() const noexcept { return directory_; }
+  /// Of the database's log now.
+  std::uintmax_t log_bytes() const noexcept;
 
   /// The newest view of the loop.
   /// thread  window

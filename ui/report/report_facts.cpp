@@ -1,5 +1,8 @@
 #include "ui/report/report_facts.h"
 
+#include <array>
+#include <string_view>
+
 #include "assessment/number_text.h"
 #include "simulator/base/units.h"
 
@@ -47,6 +50,25 @@ std::string quality_text(const AttemptHeader& header) {
   return "";
 }
 
+constexpr std::array<std::string_view, database::invalidities.size()> reasons{
+    "samples were lost",
+    "the tape leaves ticks out",
+    "the tape has ticks twice",
+    "the machine slept, or its clock jumped",
+    "the machine paused it for too much of the time",
+    "too many ticks were missed",
+    "the device did not answer for too much of the time"};
+
+std::string validity_text(const AttemptHeader& header, const database::Verdict& verdict) {
+  if (header.is_valid.value_or(true)) return "";
+  std::string text = " It is not valid for grading";
+  for (const database::Invalidity reason : verdict.reasons) {
+    text += (reason == verdict.reasons.front() ? ": " : "; ");
+    text += reasons.at(static_cast<std::size_t>(reason));
+  }
+  return text + ".";
+}
+
 }  // namespace
 
 void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario) {
@@ -59,7 +81,8 @@ void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario) {
   }
 }
 
-void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header) {
+void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header,
+                       const database::Verdict& verdict) {
   material.facts.push_back({"Operator", operator_text(header)});
   material.facts.push_back({"For", purpose_text(header)});
   material.facts.push_back({"Started (UTC)", header.started_utc});
@@ -72,7 +95,7 @@ void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header) {
   material.versions.push_back({"Attempt", header.id.text});
   material.versions.push_back(
       {"Bone", hex_from_digest(header.begun.bone).substr(0, digest_letters)});
-  material.quality = quality_text(header);
+  material.quality = quality_text(header) + validity_text(header, verdict);
 }
 
 }  // namespace hallux::ui

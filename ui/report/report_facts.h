@@ -2,6 +2,7 @@
 #pragma once
 
 #include "database/records/attempt.h"
+#include "database/records/certificate.h"
 #include "scenarios/scenario.h"
 #include "ui/report/report_material.h"
 
@@ -11,7 +12,8 @@ namespace hallux::ui {
 /// needs   the card was made with this scenario
 void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario);
 
-/// Adds facts and versions, and says in `quality` whether the recording is whole.
-void add_attempt_facts(ReportMaterial& material, const database::AttemptHeader& header);
+/// Adds facts and versions, and says in `quality` whether the recording is whole and may be graded; `verdict` says why not.
+void add_attempt_facts(ReportMaterial& material, const database::AttemptHeader& header,
+                       const database::Verdict& verdict = {});
 
 }  // namespace hallux::ui

@@ -42,6 +42,31 @@ TEST(RecordingQuality, IsReadAsItWasWritten) {
   EXPECT_FALSE(read->certificate.is_complete());
 }
 
+TEST(RecordingQuality, TakesFromLoopAndRecorderWhatTheCertificateNames) {
+  simulator::LoopStatistics loop;
+  loop.lines = 10;
+  loop.unseen_us = 1;
+  loop.clock_steps = 2;
+  loop.faulted_ticks = 3;
+  loop.ring_share_max = 0.5;
+  loop.late_p50_us = 4.0;
+  loop.late_max_us = 5.0;
+  database::RecorderStatistics recorder;
+  recorder.samples = 9;
+  recorder.gaps = 6;
+  recorder.duplicates = 7;
+  const auto certificate = quality_of(loop, recorder).certificate;
+  EXPECT_EQ(certificate.unseen_us, 1);
+  EXPECT_EQ(certificate.clock_steps, 2);
+  EXPECT_EQ(certificate.faulted_ticks, 3);
+  EXPECT_EQ(certificate.ring_share_max, 0.5);
+  EXPECT_EQ(certificate.late_p50_us, 4.0);
+  EXPECT_EQ(certificate.late_max_us, 5.0);
+  EXPECT_EQ(certificate.gaps, 6);
+  EXPECT_EQ(certificate.duplicates, 7);
+  EXPECT_FALSE(verdict_of(certificate).is_valid());
+}
+
 TEST(RecordingQuality, OfAnOlderProgramSaysThatNobodyWasPushedBack) {
   const auto read = quality_from_json(R"({"expected_samples": 7, "received_samples": 7})");
   ASSERT_TRUE(read.has_value());

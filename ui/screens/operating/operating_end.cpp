@@ -74,7 +74,7 @@ const char* OperatingScreen::what_took_the_hands(Ui& ui) const {
 }
 
 void OperatingScreen::set_paused(bool is_paused) {
-  if (is_paused == is_paused_) return;
+  if (is_paused == is_paused_ || (!is_paused && is_storage_full_)) return;
   is_paused_ = is_paused;
   paused_by_ = nullptr;
   if (is_paused) {
@@ -165,6 +165,7 @@ void OperatingScreen::draw_question(Ui& ui) {
   if (answer == Answer::Waiting) return;
   asking_ = Asking::Nothing;
   ui.want_frame_in_s(0.0);
+  // A disk that filled up meanwhile keeps it paused.
   if (answer == Answer::Keep) {
     set_paused(was_paused_before_);
     return;

@@ -24,6 +24,7 @@ struct OperatingHealth {
   long missed_ticks = 0, pauses = 0;
   double ring_share = 0.0;
   long triangles = 0;
+  std::uintmax_t log_bytes = 0;  ///< of the database's log, which holds what was committed last
   bool has_priority = true, has_locked_memory = true;
   std::optional<ArmHealth> arm = {};  ///< nothing where nobody is pushed back
   std::string trouble = {};           ///< a sentence of the catalogue; empty: all is well

@@ -311,6 +311,8 @@ void draw_force_at_blade(Hud& in) {
   canvas.fill({track.x - 4.0F, mark - 1.0F, 16.0F, 2.0F}, in.theme().text);
 }
 
+constexpr double bytes_per_megabyte = 1e6;
+
 struct HealthRow {
   std::string_view name;
   std::string value;
@@ -339,6 +341,8 @@ std::vector<HealthRow> health_rows(const Ui& ui, const OperatingHealth& health) 
       {ui.text("operate.health.missed"), grouped(health.missed_ticks)},
       {ui.text("operate.health.pauses"), grouped(health.pauses)},
       {ui.text("operate.health.rings"), grouped(std::lround(100.0 * health.ring_share)) + " %"},
+      {ui.text("operate.health.log"),
+       decimal_text(static_cast<double>(health.log_bytes) / bytes_per_megabyte) + " MB"},
       {ui.text("operate.health.triangles"), grouped(health.triangles)},
       {ui.text("operate.health.priority"), granted(health.has_priority)},
       {ui.text("operate.health.memory"), granted(health.has_locked_memory)}};

@@ -194,15 +194,26 @@ void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
     steering_.let_go();
   }
   if (phase_ == Phase::Operating || phase_ == Phase::Sealing) follow_events(ui, shell);
+  follow_storage(ui);
   show_scene(ui, shell);
   if (phase_ == Phase::Ready || phase_ == Phase::Beginning) {
     draw_ready(ui, shell);
   } else if (phase_ == Phase::Operating) {
     if (is_hud_shown_) draw_hud(ui, shell);
-    if (is_paused_ && asking_ == Asking::Nothing) draw_paused(ui);
+    if (asking_ == Asking::Nothing) {
+      if (is_storage_full_) {
+        draw_storage_full(ui);
+      } else if (is_paused_) {
+        draw_paused(ui);
+      }
+    }
     draw_question(ui);
   } else if (phase_ == Phase::Sealing) {
-    draw_sealing(ui);
+    if (is_storage_full_) {
+      draw_storage_full(ui);
+    } else {
+      draw_sealing(ui);
+    }
   }
   if (begun_) follow_end(ui, shell);
 }
@@ -375,6 +386,7 @@ OperatingHealth OperatingScreen::health(Ui& ui, Shell& /*shell*/) {
   limits_.see(view.force_limits, ui.time_s());
   OperatingHealth health = health_of(view, begun_->live->force_scale(), limits_.bits());
   health.frame_ms = frame_ms_;
+  if (is_health_open_) health.log_bytes = begun_->live->log_bytes();
   health.triangles = static_cast<long>(triangles_);
   const char* trouble = nullptr;
   if (has(view.sample.status, ToolStatus::Faulted)) {

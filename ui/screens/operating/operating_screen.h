@@ -2,6 +2,7 @@
 ///
 ///     preparing -> ready -> operating <-> paused -> sealing -> scoring -> the result
 ///         |          |          '--> abandoned, or stopped by a failure: what was recorded is kept
+///         |          |               (a full disk pauses; it stops only whoever does not wait for room)
 ///         '-> failed, with why
 #pragma once
 
@@ -81,6 +82,9 @@ class OperatingScreen : public Screen {
   std::string words_of_failure(const Ui& ui, const LiveEnd& end) const;
   void draw_paused(Ui& ui);
   void draw_sealing(Ui& ui) const;
+  void follow_storage(Ui& ui);
+  void draw_storage_full(Ui& ui);
+  void give_up_on_storage(Ui& ui);
   void follow_end(Ui& ui, Shell& shell);
   void score(Ui& ui, Shell& shell);
   enum class Onward { Result, Replay };
@@ -122,6 +126,7 @@ class OperatingScreen : public Screen {
   Asking asking_ = Asking::Nothing;
   bool is_saw_on_ = false, is_irrigated_ = false, is_paused_ = false, was_paused_before_ = false;
   bool is_hud_shown_ = true, is_plane_shown_ = true, is_health_open_ = false, is_abandoned_ = false;
+  bool is_storage_full_ = false;  ///< the recorder waits for room on the disk
 };
 
 }  // namespace hallux::ui

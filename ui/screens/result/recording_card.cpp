@@ -1,6 +1,7 @@
 #include "ui/screens/result/recording_card.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -27,6 +28,24 @@ std::string limits_text(const Texts& texts, std::uint32_t limits) {
   return words.empty() ? std::string(texts.text("limit.none")) : words;
 }
 
+constexpr std::array<std::string_view, database::invalidities.size()> invalidity_words{
+    "invalid.samples_lost",  "invalid.ticks_left_out", "invalid.ticks_doubled",
+    "invalid.clock_stepped", "invalid.time_unseen",    "invalid.ticks_missed",
+    "invalid.device_faulted"};
+
+/// What was sealed counts; the reasons are those of the certificate.
+std::string validity_text(const Texts& texts, const ResultFacts& facts) {
+  if (facts.header.is_valid.value_or(true)) return std::string(texts.text("operate.yes"));
+  std::string reasons;
+  for (const database::Invalidity reason : verdict_of(facts.quality->certificate).reasons) {
+    const std::string_view id = invalidity_words.at(static_cast<std::size_t>(reason));
+    reasons += (reasons.empty() ? "" : "; ") + std::string(texts.text(id));
+  }
+  // By limits of another day it would be valid.
+  if (reasons.empty()) return std::string(texts.text("operate.no"));
+  return texts.say("result.recording.valid.not", {{"reasons", reasons}});
+}
+
 /// Where nobody was pushed back there is no arm to speak of.
 void add_arm_lines(std::vector<RecordingLine>& lines, const Texts& texts, const Quality& quality) {
   const std::string_view scale = texts.text("result.recording.scale");
@@ -51,6 +70,7 @@ std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts
   };
   const auto count = [](std::int64_t number) { return grouped(static_cast<long>(number)); };
   std::vector<RecordingLine> lines{
+      {texts.text("result.recording.valid"), validity_text(texts, facts)},
       {texts.text("result.recording.device"), facts.header.begun.device_class},
       {texts.text("result.recording.samples"),
        texts.say("result.recording.samples.of", {{"kept", count(certificate.received_samples)},

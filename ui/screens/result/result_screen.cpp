@@ -67,8 +67,9 @@ void ResultScreen::draw_page(Ui& ui, Rect page, Shell& shell) {
   take_top(page, draw_notices(ui, page));
   take_top(page, draw_reading_cards(ui, page), space::between_cards);
   const float wound = wound_card_height(ui, page.w);
-  const float recording =
-      facts().rights.may_decide ? recording_card_height(ui, facts(), page.w) : 0.0F;
+  // For those who decide; where it may not be graded everybody reads why.
+  const bool is_recording_shown = facts().rights.may_decide || facts().header.is_valid == false;
+  const float recording = is_recording_shown ? recording_card_height(ui, facts(), page.w) : 0.0F;
   const float below = wound + recording + 2.0F * space::between_cards;
   const float left = view - (page.y - top) - below - space::page;
   take_top(page, draw_looking_cards(ui, page, std::max(looking_height, left), shell),
@@ -79,7 +80,7 @@ void ResultScreen::draw_page(Ui& ui, Rect page, Shell& shell) {
     const float height = decisions_card_height(ui, facts(), page.w);
     draw_decisions_card(ui, take_top(page, height), facts());
   }
-  if (facts().rights.may_decide) {
+  if (is_recording_shown) {
     take_top(page, space::between_cards);
     draw_recording_card(ui, take_top(page, recording), facts());
   }

@@ -135,8 +135,7 @@ std::vector<ScoreMark> score_marks(const Texts& texts, const ResultFacts& facts)
     add("result.mark.partial", Meaning::Warn);
   if (header.state == AttemptState::Interrupted) add("result.mark.interrupted", Meaning::Warn);
   if (header.state == AttemptState::Recording) add("result.mark.recording", Meaning::Info);
-  if (header.state == AttemptState::Closed && !header.is_complete)
-    add("result.mark.gaps", Meaning::Warn);
+  if (header.is_valid == false) add("result.mark.not_valid", Meaning::Warn);
   if (facts.scenario ? !facts.scenario->is_reviewed : score && !score->card.is_reviewed)
     add("result.mark.not_reviewed", Meaning::Warn);
   if (header.is_simulated) add("result.mark.simulated", Meaning::Info);

@@ -84,10 +84,56 @@ TEST_P(StorageFailsWhileOperating, TheAttemptEndsInterruptedAndNothingBeforeIsLo
 }
 
 INSTANTIATE_TEST_SUITE_P(Operating, StorageFailsWhileOperating,
-                         testing::Values(Failure{"Full", SQLITE_FULL, "The disk is full"},
-                                         Failure{"ReadOnly", SQLITE_READONLY, "read-only"},
+                         testing::Values(Failure{"ReadOnly", SQLITE_READONLY, "read-only"},
                                          Failure{"Broken", SQLITE_IOERR_WRITE, "check the disk"}),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+/// An operation that records, on a disk that can be filled.
+class OnAFullDisk : public testing::Test {
+ protected:
+  void SetUp() override {
+    person.begin();
+    const int writes_at_start = vfs.writes_done();
+    ASSERT_TRUE(person.until([&] { return vfs.writes_done() > writes_at_start + 10; }))
+        << "nothing is recorded";
+    vfs.fail_after(0, SQLITE_FULL);
+    ASSERT_TRUE(person.until([&] { return person.driver().has("operate.full.stop"); }));
+  }
+
+  tests::FaultyVfs vfs{"filled_while_operating"};
+  OperableCourse course{"silver", 1.5, vfs.name()};
+  Operator person{course, AttemptKind::Practice};
+};
+
+TEST_F(OnAFullDisk, TheOperationPausesSaysWhereAndGoesOnWhenThereIsRoom) {
+  EXPECT_THAT(words_of(person), HasSubstr("The disk is full"));
+  EXPECT_THAT(words_of(person), HasSubstr("nothing is lost"));
+  EXPECT_THAT(person.driver().faults(), IsEmpty());
+  person.press(Key::P);
+  person.make_frames(5);
+  EXPECT_TRUE(person.driver().has("operate.full.stop")) << "nobody goes on without room";
+  vfs.heal();
+  ASSERT_TRUE(person.until([&] { return person.driver().has("operate.go_on"); }));
+  EXPECT_THAT(words_of(person), HasSubstr("room on the disk again"));
+  person.click("operate.go_on");
+  person.press(Key::End);
+  person.click("operate.ask_finish.act");
+  ASSERT_TRUE(person.until([&] { return person.is_gone(); }));
+  const database::AttemptHeader header = course.attempt();
+  EXPECT_EQ(header.state, AttemptState::Closed);
+  EXPECT_TRUE(header.is_complete);
+  EXPECT_TRUE(database::verify(course.course().database()).is_whole());
+}
+
+TEST_F(OnAFullDisk, WhoStopsKeepsWhatWasSaved) {
+  person.click("operate.full.stop");
+  ASSERT_TRUE(person.until([&] { return person.driver().sees("The operation stopped"); }));
+  EXPECT_THAT(words_of(person), HasSubstr("kept as an interrupted attempt"));
+  EXPECT_THAT(person.driver().faults(), IsEmpty());
+  vfs.heal();
+  EXPECT_EQ(course.attempt().state, AttemptState::Interrupted);
+  EXPECT_FALSE(course.course().trainee("ada").recording(course.attempt().id).samples.empty());
+}
 
 TEST(OperatingFailures, ADiskThatIsFullBeforeItBeginsIsSaidAndAnAttemptCanBeBegunLater) {
   tests::FaultyVfs vfs{"before_it_begins"};

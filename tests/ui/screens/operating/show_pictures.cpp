@@ -74,8 +74,9 @@ int main(int count, char** arguments) {
   operation.press(Key::P);
   operation.press(Key::End);
   operation.take(folder, "dark-question");
+  operation.press(Key::Escape);
   vfs.fail_after(0, SQLITE_FULL);
-  operation.until([&] { return operation.person().driver().sees("The operation stopped"); });
+  operation.until([&] { return operation.person().driver().has("operate.full.stop"); });
   operation.take(folder, "dark-full");
   preferences.theme = ThemeName::Light;
   operation.frame();

@@ -426,6 +426,11 @@ TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
   driver.frame();
   EXPECT_TRUE(driver.sees("nobody was pushed back"));
   EXPECT_FALSE(driver.sees("Held back by"));
+  EXPECT_TRUE(driver.sees("Valid for grading"));
+  EXPECT_FALSE(driver.sees("no: samples were lost")) << "what was sealed counts";
+  facts.header.is_valid = false;
+  driver.frame();
+  EXPECT_TRUE(driver.sees("no: samples were lost"));
   facts.quality->force_scale = 0.24;
   driver.frame();
   EXPECT_TRUE(driver.sees("24 %"));
