@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "database/backup.h"
+#include "database/busy_wait.h"
 #include "database/file_system.h"
 #include "database/files.h"
 #include "database/log_size.h"
@@ -25,8 +26,9 @@ std::unique_ptr<SQLite::Database> open_file(const std::filesystem::path& file,
       (options.access == Access::ReadWrite ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY) |
       SQLite::OPEN_NOMUTEX;
   try {
-    return std::make_unique<SQLite::Database>(file.string(), flags, options.busy_timeout_ms,
-                                              options.vfs_name);
+    auto connection = std::make_unique<SQLite::Database>(file.string(), flags, 0, options.vfs_name);
+    wait_when_busy(*connection, options.busy_timeout_ms);
+    return connection;
   } catch (const SQLite::Exception& error) {
     throw translated(error, "open the database", file);
   }

@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "database/busy_wait.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -15,10 +16,10 @@ std::uintmax_t log_bytes(const std::filesystem::path& directory) noexcept {
 }
 
 void shorten_log(Database& database) noexcept {
-  sqlite3* connection = database.connection().getHandle();
-  sqlite3_busy_timeout(connection, 0);
-  sqlite3_wal_checkpoint_v2(connection, nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
-  sqlite3_busy_timeout(connection, database.busy_timeout_ms());
+  never_wait(database.connection());
+  sqlite3_wal_checkpoint_v2(database.connection().getHandle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE,
+                            nullptr, nullptr);
+  wait_when_busy(database.connection(), database.busy_timeout_ms());
 }
 
 }  // namespace hallux::database

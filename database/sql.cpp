@@ -25,6 +25,9 @@ Reason reason_of(int code) noexcept {
       return {ReadOnly, "it cannot be opened; check that the directory exists and is yours"};
     case SQLITE_CORRUPT:
       return {Damaged, "the file is damaged; keep a copy and restore a backup"};
+    case SQLITE_ERROR:
+      return {Damaged,
+              "its tables are not as this program made them; keep a copy and restore a backup"};
     case SQLITE_NOTADB:
       return {Damaged, "the file is not a database; move it away or restore a backup"};
     case SQLITE_BUSY:

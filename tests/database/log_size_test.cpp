@@ -44,7 +44,7 @@ TEST(LogSize, FallsAgainAfterSomebodyReadForLong) {
   {
     Database reader = database.open_again();
     reader.connection().exec("BEGIN; SELECT count(*) FROM person;");
-    write_megabytes(database, 20);
+    write_megabytes(database, 30);
     shorten_log(database);
     EXPECT_GT(log_bytes(temporary.data()), static_cast<std::uintmax_t>(log_bytes_kept))
         << "what a reader still needs is not thrown away";

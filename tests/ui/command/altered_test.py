@@ -85,6 +85,25 @@ class Altered(RecordedTest):
         self.assertIn("asset", found["first_damage"])
         self.expect_refusal(STORAGE, ["restore a backup"], "score", self.attempt)
 
+    def test_whether_it_may_be_graded(self):
+        [(valid, quality)] = self.query("SELECT is_valid, quality_json FROM attempt")
+        self.assertEqual(bool(valid), json.loads(quality)["valid"])
+        self.alter("UPDATE attempt SET is_valid = 1 - is_valid")
+        found = self.ask("verify", code=CHECK_FAILED)
+        self.assertIn("whether attempt " + self.attempt + " is valid", found["first_damage"])
+
+    def test_a_score_that_is_gone(self):
+        self.alter("DELETE FROM score")
+        found = self.ask("verify", code=CHECK_FAILED)
+        self.assertIn("which is missing", found["first_damage"])
+
+    def test_an_attempt_that_no_audit_row_explains(self):
+        columns = ("scenario_version_id, hand, seed, device_class, pacing, stereo_mode, bone_digest, engine_version, "
+                   "started_utc")
+        self.alter(f"INSERT INTO attempt (uuid, state, {columns}) SELECT 'another', 'interrupted', {columns} FROM attempt")
+        found = self.ask("verify", code=CHECK_FAILED)
+        self.assertIn("the beginning of attempt another", found["first_damage"])
+
     def test_a_stored_score_and_the_audit_defend_themselves(self):
         for statement in ("UPDATE score SET score_milli = 100000", "UPDATE audit SET outcome = 'refused'",
                           "DELETE FROM audit"):

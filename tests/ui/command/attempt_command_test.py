@@ -40,6 +40,8 @@ class Attempt(RecordedTest):
         self.assertEqual(answer["measured_weight"], 50.0)
         self.assertEqual(answer["samples"], round(1000 * answer["duration_s"]))
         self.assertIs(answer["quality"]["complete"], True)
+        self.assertIs(answer["quality"]["valid"], True)
+        self.assertEqual(answer["quality"]["not_valid_because"], [])
         self.assertEqual(answer["quality"]["received_samples"], answer["samples"])
 
     def test_groups_not_measured_are_shown_as_such(self):
