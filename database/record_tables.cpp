@@ -311,6 +311,11 @@ void add_record_tables(Database& database) {
           DatabaseErrorKind::InputOutput,
           "could not add the table " + std::string{table.name} + " to " + database.file().string()};
     }
+    // Made now: an authorizer that comes later would take its declaration for a change of the schema.
+    translating(database, "add a table of the record", [&] {
+      const SQLite::Statement first_use{database.connection(),
+                                        "SELECT tick FROM " + std::string{table.name} + "('')"};
+    });
   }
 }
 
