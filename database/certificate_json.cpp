@@ -2,23 +2,46 @@
 
 #include <nlohmann/json.hpp>
 
+#include "database/database_error.h"
+#include "database/json_fields.h"
+
 namespace hallux::database {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_true(const Json& object, const char* name) {
+constexpr JsonBounds bounds{64 * 1024, 4};
+
+bool is_true(const nlohmann::json& object, const char* name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
-template <typename Value>
-void take(const Json& object, const char* name, Value& value) {
-  value = object.value(name, value);
+/// The object that the text is; nothing where it is none.
+std::optional<nlohmann::json> object_in(std::string_view text) {
+  try {
+    nlohmann::json found = parse_json("it", text, bounds);
+    if (found.is_object()) return found;
+  } catch (const DatabaseError&) {
+    return std::nullopt;  // no JSON, or nested deeper than ours
+  }
+  return std::nullopt;
 }
 
-void take_counts(const Json& found, RecordingCertificate& certificate) {
+void take(const nlohmann::json& object, const char* name, std::int64_t& value) {
+  if (object.contains(name)) value = integer_in(object, name);
+}
+
+void take(const nlohmann::json& object, const char* name, double& value) {
+  if (object.contains(name)) value = number_in(object, name);
+}
+
+void take(const nlohmann::json& object, const char* name, bool& value) {
+  if (object.contains(name)) value = flag_in(object, name);
+}
+
+void take_counts(const nlohmann::json& found, RecordingCertificate& certificate) {
   take(found, "gaps", certificate.gaps);
   take(found, "duplicates", certificate.duplicates);
   take(found, "missed_ticks", certificate.missed_ticks);
@@ -28,7 +51,7 @@ void take_counts(const Json& found, RecordingCertificate& certificate) {
   take(found, "faulted_ticks", certificate.faulted_ticks);
 }
 
-void take_circumstances(const Json& found, RecordingCertificate& certificate) {
+void take_circumstances(const nlohmann::json& found, RecordingCertificate& certificate) {
   take(found, "late_p50_us", certificate.late_p50_us);
   take(found, "late_p99_us", certificate.late_p99_us);
   take(found, "late_max_us", certificate.late_max_us);
@@ -65,24 +88,24 @@ std::string json_from_certificate(const RecordingCertificate& certificate) {
 }
 
 std::optional<RecordingCertificate> certificate_from_json(std::string_view json) {
-  const Json found = Json::parse(json, nullptr, false);
-  if (!found.is_object()) return std::nullopt;
+  const auto found = object_in(json);
+  if (!found) return std::nullopt;
   try {
     RecordingCertificate certificate;
-    found.at("expected_samples").get_to(certificate.expected_samples);
-    found.at("received_samples").get_to(certificate.received_samples);
-    take_counts(found, certificate);
-    take_circumstances(found, certificate);
+    certificate.expected_samples = integer_in(*found, "expected_samples");
+    certificate.received_samples = integer_in(*found, "received_samples");
+    take_counts(*found, certificate);
+    take_circumstances(*found, certificate);
     return certificate;
-  } catch (const nlohmann::json::exception&) {
+  } catch (const DatabaseError&) {
     return std::nullopt;  // a word where a number was expected: no object of ours
   }
 }
 
 bool is_valid_by(std::string_view quality_json) {
-  const Json found = Json::parse(quality_json, nullptr, false);
-  if (!found.is_object()) return false;
-  return is_true(found, found.contains("valid") ? "valid" : "complete");
+  const auto found = object_in(quality_json);
+  if (!found) return false;
+  return is_true(*found, found->contains("valid") ? "valid" : "complete");
 }
 
 }  // namespace hallux::database

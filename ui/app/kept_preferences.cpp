@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "simulator/base/json_depth.h"
 #include "ui/app/write_file.h"
 #include "ui/jobs/read_small_file.h"
 
@@ -16,6 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* file_name = "window.json";
 constexpr const char* mend = "delete it and choose again";
+constexpr int depth_max = 4;
 
 bool flag(const ordered_json& kept, const char* key, bool usual) {
   const auto found = kept.find(key);
@@ -29,8 +31,11 @@ Preferences read_preferences(const fs::path& data_directory) {
   Preferences preferences;
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return preferences;
-  const ordered_json kept =
-      ordered_json::parse(read_small_file(file, 1, mend), nullptr, /*allow_exceptions=*/false);
+  const std::string text = read_small_file(file, 1, mend);
+  // Values are copied below, which goes as deep as they do.
+  const ordered_json kept = json_depth(text) > depth_max
+                                ? ordered_json()
+                                : ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!kept.is_object())
     throw FileRefused(file.string() + ": is not what the window keeps there; " + mend);
   if (kept.value("theme", ordered_json()) == "light") preferences.theme = ThemeName::Light;

@@ -1,0 +1,16 @@
+/// Feeds any bytes to the reader of score cards: it must throw DatabaseError, or give a card that is written and read again.
+#include "database/card_json.h"
+#include "database/database_error.h"
+#include "simulator/base/check.h"
+#include "tests/fuzz/text_fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace hallux;
+  try {
+    const std::string json =
+        database::json_from_card(database::card_from_json(tests::text_of(bytes, size)));
+    CHECK(database::json_from_card(database::card_from_json(json)) == json);
+  } catch (const database::DatabaseError&) {
+  }
+  return 0;
+}
