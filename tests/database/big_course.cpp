@@ -24,10 +24,10 @@ constexpr const char* quality =
     R"("lateness_max_us": 1890, "ring_high_water": 312, "device_faults": 0, "realtime": true})";
 
 /// As long as a real one: five groups, four gates and twenty lines.
-std::string card_text(std::int64_t score_milli, bool is_gated) {
+/// The same for all: what is asked of many goes by the columns beside it.
+std::string card_text(bool is_gated) {
   ScoreCard card;
-  card.score_milli = score_milli;
-  card.earned_milli = score_milli;
+  card.score_milli = card.earned_milli = 60'000;
   card.measured_milli = card.rubric_milli = 100'000;
   for (const char* name : {"accuracy", "safety", "tool use", "procedure", "efficiency"})
     card.groups.push_back({name, 20'000, 20'000, 15'000});
@@ -118,7 +118,7 @@ class Rows {
     const bool is_gated = number % 7 == 0;
     score_.bind(1, number);
     score_.bind(2, score_milli);
-    score_.bind(3, card_text(score_milli, is_gated));
+    score_.bind(3, is_gated ? gated_card_ : card_);
     score_.bind(4, is_gated ? 1 : 0);
     run(score_);
     if (is_assessment && number % 10 != 0) {
@@ -149,6 +149,7 @@ class Rows {
   }
 
   SQLite::Statement attempt_, score_, decision_, question_, audit_;
+  const std::string card_ = card_text(false), gated_card_ = card_text(true);
 };
 
 }  // namespace

@@ -11,6 +11,9 @@ namespace hallux::ui {
 
 namespace {
 
+/// A course of years has a hundred thousand; older ones are on the pages of trainees and in histories.
+constexpr std::int32_t shown_most = 500;
+
 using database::AttemptHeader;
 
 enum Column { Number, Operation, PersonColumn, Started, Kind, StateColumn, Score, ColumnCount };
@@ -76,11 +79,16 @@ void AttemptsScreen::sort() {
 void AttemptsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (attempts_.is_new()) {
     attempts_.start(ui, shell, ui.text("attempts.reading"), [visit = visit_](WorkReport&) {
-      return visit->in_turn([](database::Session& session, auto&) { return session.attempts(); });
+      return visit->in_turn(
+          [](database::Session& session, auto&) { return session.attempts(shown_most); });
     });
   }
   Rect page = inset(content, space::page);
-  page_title(ui, {page.x, page.y}, ui.text("attempts.title"), ui.text("attempts.sentence"));
+  const bool are_more = attempts_.has_value() && std::ssize(attempts_.value()) == shown_most;
+  const std::string sentence =
+      are_more ? ui.texts().say("attempts.sentence.newest", {{"count", grouped(shown_most)}})
+               : std::string(ui.text("attempts.sentence"));
+  page_title(ui, {page.x, page.y}, ui.text("attempts.title"), sentence);
   take_top(page, 76.0F);
   const Rect inside = card(ui, page, {});
   if (attempts_.draw_until_ready(ui, "attempts.failed", inside, 8)) draw_list(ui, inside);
