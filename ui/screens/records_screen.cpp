@@ -77,6 +77,10 @@ void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   draw_audit(ui, panes.main);
   Rect side = panes.side;
   draw_backup(ui, take_top(side, backup_height, space::between_cards), shell);
+  const float origins_height = origins_.height(ui, shell);
+  if (origins_height > 0.0F) {
+    origins_.draw(ui, take_top(side, origins_height, space::between_cards), shell);
+  }
   draw_line(ui, side);
   if (!retention_.draw(ui, shell)) return;
   before_ = {std::nullopt};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/screens/desk_work.h"
+#include "ui/screens/origins_card.h"
 #include "ui/screens/reading.h"
 #include "ui/screens/retention_dialogs.h"
 #include "ui/widgets/table.h"
@@ -16,7 +17,7 @@ namespace hallux::ui {
 class RecordsScreen : public Screen {
  public:
   explicit RecordsScreen(std::shared_ptr<Visit> visit)
-      : visit_(visit), retention_(std::move(visit)) {}
+      : visit_(visit), retention_(visit), origins_(std::move(visit)) {}
 
   std::string_view navigation_id() const override { return "nav.records"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -50,6 +51,7 @@ class RecordsScreen : public Screen {
   std::int64_t chosen_ = 0;  ///< number of the line whose words are shown; 0: none
   DeskWork backing_up_;
   RetentionDialogs retention_;
+  OriginsCard origins_;
 };
 
 /// The moment in a backup's name, "hallux-20260303-140210.db": ISO 8601; "" where it has none.
