@@ -136,9 +136,26 @@ class Restorer {
     for (const KeptRecording& kept : manifest_->recordings) {
       report(part_of_tables + (part_of_recordings - part_of_tables) *
                                   static_cast<double>(restored_.recordings) / total);
-      put_recording_back(database, kept, folder());
+      put_back(database, kept);
       ++restored_.recordings;
     }
+  }
+
+  void put_back(Database& database, const KeptRecording& kept) {
+    try {
+      put_recording_back(database, kept, folder());
+    } catch (const DatabaseError& error) {
+      if (!order_.even_damaged || is_storage_failure_of_target(error.kind())) throw;
+      note_damage(error.what());
+    }
+  }
+
+  static bool is_storage_failure_of_target(DatabaseErrorKind kind) {
+    return kind != DatabaseErrorKind::Damaged && is_storage_failure(kind);
+  }
+
+  void note_damage(const std::string& sentence) {
+    if (!restored_.first_damage) restored_.first_damage = sentence;
   }
 
   /// Of the journal beside the backup, and of a newer one.
@@ -169,7 +186,7 @@ class Restorer {
     report(part_of_recordings);
   }
 
-  void check_all(Database& database) const {
+  void check_all(Database& database) {
     const Verification found = [&] {
       try {
         return verify(database, [this](double part) {
@@ -181,6 +198,7 @@ class Restorer {
       }
     }();
     if (found.is_whole()) return;
+    if (order_.even_damaged) return note_damage(*found.first_damage);
     throw DatabaseError{
         DatabaseErrorKind::Damaged,
         "nothing was restored from " + restored_.backup.string() + ": " + *found.first_damage};

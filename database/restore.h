@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,13 +17,16 @@ struct RestoreOrder {
   std::filesystem::path directory;  ///< must not be there, or be empty
   std::filesystem::path
       journal;  ///< a newer journal of erasures than the one beside the backup; may be empty
+  /// What is whole comes back although a recording or a row is not; the tables must be what the manifest says.
+  bool even_damaged = false;
 };
 
 struct Restored {
   std::filesystem::path backup;  ///< which one it was
   std::string made_utc;
   std::int64_t attempts = 0, recordings = 0;
-  std::int64_t erased_people = 0;  ///< whom the journal erased once more
+  std::int64_t erased_people = 0;                ///< whom the journal erased once more
+  std::optional<std::string> first_damage = {};  ///< only where it was restored even damaged
 };
 
 /// Thrown where `progress` asked to stop: nothing was left.
@@ -35,7 +39,7 @@ class RestoreStopped : public std::runtime_error {
 /// verifies all chains and seals, and names the result `directory` at the end. Nothing in the backup is altered, nothing
 /// outside its folder is read, no link is followed.
 /// errors  DatabaseError: NotFound; Damaged, Newer, BadInput for the backup; Refused where the directory holds something;
-///         storage failures; RestoreStopped. Then nothing was left; what a kill left is cleared by the next try
+///         storage failures; RestoreStopped. Even damaged: the tables must still be what the manifest says. Then nothing was left; what a kill left is cleared by the next try
 Restored restore(const RestoreOrder& order, const std::function<bool(double)>& progress = {});
 
 }  // namespace hallux::database

@@ -86,6 +86,7 @@ class RowCopier {
 };
 
 void leave_out(SQLite::Database& source, const std::vector<AttemptId>& elsewhere) {
+  source.exec("DROP TABLE IF EXISTS temp.elsewhere");
   source.exec("CREATE TEMP TABLE elsewhere (attempt_id INTEGER PRIMARY KEY) STRICT");
   SQLite::Statement insert{source,
                            "INSERT OR IGNORE INTO temp.elsewhere SELECT attempt_id FROM "
@@ -142,7 +143,8 @@ void copy_tables(Database& source, const std::filesystem::path& file,
     SQLite::Database& from = source.connection();
     SQLite::Database target{file.string(), SQLite::OPEN_READWRITE, 0, source.vfs_name()};
     // Made anew where it is lost: what is written is synced once, at the end.
-    target.exec("PRAGMA page_size = 4096; PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF;");
+    target.exec("PRAGMA page_size = " + number_of(from, "PRAGMA page_size"));
+    target.exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF;");
     SQLite::Transaction snapshot{from};
     target.exec("BEGIN");
     number_of(from, "SELECT count(*) FROM main.sqlite_schema");

@@ -219,6 +219,21 @@ TEST(RestoreOfAHostileFolder, NamesTheFileThatWasCut) {
   }
 }
 
+TEST(Restore, EvenDamagedGivesBackWhatIsWholeAndNamesTheRest) {
+  BackedUpCourse course;
+  fs::resize_file(course.recording(0), 100);
+  course.expect_refused(DatabaseErrorKind::Damaged, course.recording(0).filename().string());
+  const Restored restored = restore({course.manifest(), course.target(), {}, true});
+  ASSERT_TRUE(restored.first_damage);
+  EXPECT_NE(restored.first_damage->find(course.recording(0).filename().string()),
+            std::string::npos);
+  Database again = Database::open(course.target());
+  EXPECT_EQ(list_attempts(again).size(), 2U);
+  EXPECT_EQ(load_recording(again, course.attempts()[1]).tape.size(), 5U);
+  EXPECT_EQ(kind_thrown([&] { load_recording(again, course.attempts()[0]); }),
+            DatabaseErrorKind::Damaged);
+}
+
 TEST(RestoreOfAHostileFolder, NamesTheFileWithABitThatFlipped) {
   BackedUpCourse course;
   for (const fs::path& file : {course.tables(), course.recording(1), course.manifest()}) {

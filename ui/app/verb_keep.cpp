@@ -85,28 +85,35 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
   return ExitCode::CheckFailed;
 }
 
-ExitCode restore_on(const VerbContext& context, const std::filesystem::path& backup,
-                    const std::filesystem::path& journal) {
+ordered_json json_of(const database::Restored& restored) {
+  return {{"backup", restored.backup.string()},
+          {"made", restored.made_utc},
+          {"attempts", restored.attempts},
+          {"recordings", restored.recordings},
+          {"erased_again", restored.erased_people},
+          {"first_damage",
+           restored.first_damage ? ordered_json(*restored.first_damage) : ordered_json()}};
+}
+
+ExitCode restore_on(const VerbContext& context, database::RestoreOrder order) {
   if (!context.login.empty()) {
     throw VerbError(ExitCode::Refused,
                     "restoring makes a new directory, where nobody is yet; leave --as out");
   }
-  const database::Restored restored = stoppable<database::RestoreStopped>([&] {
-    return database::restore({backup, context.data_directory, journal},
-                             progress_on(context, "Restoring"));
-  });
+  order.directory = context.data_directory;
+  const database::Restored restored = stoppable<database::RestoreStopped>(
+      [&] { return database::restore(order, progress_on(context, "Restoring")); });
   if (context.json) {
-    write_json(context.out, ordered_json{{"backup", restored.backup.string()},
-                                         {"made", restored.made_utc},
-                                         {"attempts", restored.attempts},
-                                         {"recordings", restored.recordings},
-                                         {"erased_again", restored.erased_people}});
+    write_json(context.out, json_of(restored));
   } else {
     context.out << "restored " << terminal_text(restored.backup.string()) << " of "
                 << terminal_text(restored.made_utc) << ": " << restored.attempts << " attempts, "
                 << restored.erased_people << " people erased once more\n";
+    if (restored.first_damage) {
+      context.out << "damaged: " << terminal_text(*restored.first_damage) << "\n";
+    }
   }
-  return ExitCode::Done;
+  return restored.first_damage ? ExitCode::CheckFailed : ExitCode::Done;
 }
 
 struct RetentionOptions {
@@ -229,22 +236,19 @@ void add_backup_verb(CLI::App& app, VerbContext& context) {
 }
 
 void add_restore_verb(CLI::App& app, VerbContext& context) {
-  struct Options {
-    std::filesystem::path backup, journal;
-  };
-  auto options = std::make_shared<Options>();
+  auto order = std::make_shared<database::RestoreOrder>();
   CLI::App* restore = app.add_subcommand(
       "restore", "make the data directory from a backup; it must be new or empty");
   restore
-      ->add_option("backup", options->backup,
+      ->add_option("backup", order->backup,
                    "a manifest (.json), a whole database (.db), or a folder: its newest backup")
       ->required();
-  restore->add_option("--erasures", options->journal,
+  restore->add_option("--erasures", order->journal,
                       "a newer journal of erasures than the one beside the backup");
-  restore->callback([options, &context] {
-    context.chosen = [options, &context] {
-      return restore_on(context, options->backup, options->journal);
-    };
+  restore->add_flag("--even-damaged", order->even_damaged,
+                    "give back what is whole although a recording or a row is not");
+  restore->callback([order, &context] {
+    context.chosen = [order, &context] { return restore_on(context, *order); };
   });
 }
 

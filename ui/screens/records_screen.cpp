@@ -57,7 +57,7 @@ void RecordsScreen::read_last_backup(Ui& ui, Shell& shell) {
     return visit->in_turn([](database::Session& session, auto&) -> std::optional<LastBackup> {
       const std::vector<database::Backup> backups = administrator_of(session).backups();
       if (backups.empty()) return std::nullopt;
-      return LastBackup{backups.front().file, backups.front().bytes,
+      return LastBackup{backups.front().file, backups.front().made_utc, backups.front().bytes,
                         static_cast<long>(backups.size()), backups.back().made_utc};
     });
   });
@@ -251,6 +251,7 @@ void RecordsScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
   const std::string when =
       ui.texts().say("records.backup.last",
                      {{"moment", moment_text(backup_moment(last->file.filename().string()))},
+                      {"ago", ago_text(ui.texts(), last->made_utc, utc_now_text())},
                       {"size", bytes_text(last->bytes)}});
   words_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
   if (last->kept > 1) {

@@ -26,6 +26,7 @@ class RecordsScreen : public Screen {
   /// A copy that lies in the folder of backups.
   struct LastBackup {
     std::filesystem::path file;
+    std::string made_utc;
     std::int64_t bytes = 0;
     long kept = 1;           ///< backups in all
     std::string oldest_utc;  ///< of them

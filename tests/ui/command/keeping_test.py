@@ -77,6 +77,9 @@ class Keeping(RecordedTest):
         self.alter("UPDATE chunk SET link = zeroblob(32) WHERE chunk_id = (SELECT min(chunk_id) FROM chunk)")
         self.assertEqual(self.back_up(code=CHECK_FAILED)["damaged"], 1)
         self.expect_not_restored(STORAGE, self.attempt)
+        restored = self.ask("restore", self.kept, "--even-damaged", code=CHECK_FAILED)
+        self.assertIn(self.attempt, restored["first_damage"])
+        self.assertEqual(len(self.ask("attempts")), 1)
 
     def test_a_directory_that_holds_something_is_not_touched(self):
         self.back_up()
@@ -100,6 +103,9 @@ class Keeping(RecordedTest):
         content = self.recording().read_bytes()
         self.recording().write_bytes(content[:-40])
         self.expect_not_restored(STORAGE, self.recording().name)
+        restored = self.ask("restore", self.kept, "--even-damaged", code=CHECK_FAILED)
+        self.assertIn(self.recording().name, restored["first_damage"])
+        self.assertIsNotNone(self.ask("attempts")[0]["score"])
 
     def test_a_flipped_bit_is_named(self):
         self.back_up()

@@ -25,7 +25,7 @@ OPTIONS = {
     ("user", "disable"): ("login", "--enable"),
     ("user", "erase"): ("login", "--reason", "--with-recordings"),
     ("backup",): ("--to", "--list"),
-    ("restore",): ("backup", "--erasures"),
+    ("restore",): ("backup", "--erasures", "--even-damaged"),
     ("retention",): ("--dry-run", "--practice-days", "--assessment-days", "--account-days", "--cache-days"),
     ("export-person",): ("login", "--output"),
     ("export",): ("attempt", "--person", "--cohort", "--all", "--output"),
