@@ -7,6 +7,7 @@
 
 #include "database/audit.h"
 #include "database/erased_recordings.h"
+#include "database/origins.h"
 #include "tests/ui/screens/every_size.h"
 #include "ui/jobs/scenario_jobs.h"
 #include "ui/screens/audit_words.h"
@@ -338,6 +339,26 @@ TEST(RecordsScreen, WhatWouldGoIsListedBeforeItGoes) {
   desk.press("records.retention.plan.act");
   EXPECT_TRUE(database::erased_recording(course.database(), old));
   EXPECT_TRUE(desk.driver().sees("Let go of what need not be kept"));
+  EXPECT_THAT(desk.driver().faults(), IsEmpty());
+}
+
+TEST(RecordsScreen, AnOriginIsAcceptedAndNoLonger) {
+  database::SomeCourse course;
+  const database::DirectoryId elsewhere{std::string(32, 'e')};
+  {
+    Desk<RecordsScreen> desk(course);
+    EXPECT_FALSE(desk.driver().sees("Imported from elsewhere")) << "nothing was";
+  }
+  database::note_origin(course.database(), elsewhere);
+  Desk<RecordsScreen> desk(course);
+  EXPECT_TRUE(desk.driver().sees("eeeeeeee: 0 attempts"));
+  desk.press("records.origins.eeeeeeee");
+  desk.visitor.finish_work();
+  EXPECT_TRUE(course.administrator().origins().front().is_accepted);
+  EXPECT_TRUE(desk.driver().sees("No longer accept"));
+  desk.press("records.origins.eeeeeeee");
+  desk.visitor.finish_work();
+  EXPECT_FALSE(course.administrator().origins().front().is_accepted);
   EXPECT_THAT(desk.driver().faults(), IsEmpty());
 }
 
