@@ -19,6 +19,12 @@ constexpr const char* help_columns =
     "LEFT JOIN person_detail d ON d.person_id = h.asker_person_id "
     "LEFT JOIN person_detail e ON e.person_id = h.answered_by_person_id ";
 
+constexpr const char* listing_order =
+    "ORDER BY h.answered_utc IS NOT NULL, "
+    "CASE WHEN h.answered_utc IS NULL THEN h.help_request_id ELSE -h.help_request_id END ";
+/// After years there are ten thousand answered ones in an inbox; nobody turns so many pages.
+constexpr std::int32_t listed_most = 500;
+
 HelpRequest request_in(SQLite::Statement& row) {
   HelpRequest request;
   request.id = {row.getColumn(0).getInt64()};
@@ -63,15 +69,16 @@ std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter
     SQLite::Statement rows{
         database.connection(),
         std::string{help_columns} +
+            "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
             "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
             "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
             "WHERE cohort_id = ?2 AND role = 'trainee')) "
-            "AND (h.answered_utc IS NULL OR NOT ?3) "
-            "ORDER BY h.answered_utc IS NOT NULL, "
-            "CASE WHEN h.answered_utc IS NULL THEN h.help_request_id ELSE -h.help_request_id END"};
+            "AND (h.answered_utc IS NULL OR NOT ?3) " +
+            listing_order + "LIMIT ?4) " + listing_order};
     if (filter.asker) rows.bind(1, filter.asker->number);
     if (filter.cohort) rows.bind(2, filter.cohort->number);
     rows.bind(3, filter.open_only ? 1 : 0);
+    rows.bind(4, listed_most);
     std::vector<HelpRequest> requests;
     while (rows.executeStep()) requests.push_back(request_in(rows));
     return requests;
