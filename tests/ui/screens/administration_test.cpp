@@ -62,6 +62,25 @@ TEST(CohortsScreen, AddsACohortAndRefusesItsNameTwice) {
   EXPECT_EQ(course.administrator().cohorts().size(), 3U);
 }
 
+TEST(CohortsScreen, LimitsTheAssessmentsOfACohort) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);  // autumn is chosen
+  desk.press("cohorts.limits");
+  EXPECT_TRUE(desk.driver().sees("Assessments in autumn"));
+  EXPECT_TRUE(desk.driver().sees("no limit"));
+  desk.press("limits.row.silver");
+  desk.press("limits.number");
+  desk.type("1001");
+  EXPECT_FALSE(desk.driver().widget("limits.act").is_enabled);
+  desk.driver().press(Key::Backspace);
+  desk.press("limits.act");
+  EXPECT_TRUE(desk.driver().sees("Silver: 100 assessments each in autumn"));
+  EXPECT_EQ(course.administrator().limits(course.autumn()).at(0).attempts_max, 100);
+  desk.press("cohorts.limits");
+  desk.press("limits.keep");
+  EXPECT_FALSE(desk.driver().has("limits.act"));
+}
+
 TEST(CohortsScreen, EnrolsSeveralAtOnce) {
   database::SomeCourse course;
   Desk<CohortsScreen> desk(course);  // autumn is chosen
