@@ -111,9 +111,9 @@ TEST_F(Limits, GiveTheLastOneToOneOfTwoWindows) {
         ++refused_now;
       }
     };
-    {
-      const std::jthread one(begin, database().open_again()), other(begin, database().open_again());
-    }
+    // Both are open before either begins: an opening would find the first one's attempt interrupted.
+    Database one_window = database().open_again(), other_window = database().open_again();
+    { const std::jthread one(begin, std::move(one_window)), other(begin, std::move(other_window)); }
     begun += begun_now;
     refused += refused_now;
     tamper(database(), "UPDATE attempt SET state = 'void' WHERE state <> 'closed'");
