@@ -3,9 +3,9 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <tuple>
 
 #include "database/audit.h"
-#include "database/backup.h"
 #include "database/backup_folder.h"
 #include "database/backup_manifest.h"
 #include "database/durable_file.h"
@@ -25,12 +25,25 @@ constexpr double part_of_tables = 0.1, part_of_recordings = 0.6, part_of_checks 
 /// The first schema in which a directory has a uuid.
 constexpr int schema_with_identity = 4;
 
-/// What was asked for: a manifest, a whole database, or the newest of a folder.
+/// Newest last: by moment, and by the number behind names of one second.
+std::tuple<std::string, std::size_t, std::string> age_of(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return {moment_in_name(stem), stem.size(), stem};
+}
+
+/// What was asked for: a manifest, a whole database, or the newest of a folder. A newest one that is damaged is not passed
+/// over in silence: reading it says so.
 fs::path chosen_backup(const fs::path& asked) {
   std::error_code error;
   if (!fs::is_directory(asked, error)) return asked;
-  const std::vector<Backup> backups = list_backups(asked);
-  if (!backups.empty()) return backups.front().file;
+  fs::path newest;
+  for (const fs::directory_entry& entry : fs::directory_iterator{asked}) {
+    const fs::path& file = entry.path();
+    const bool is_backup = file.extension() == ".json" || file.extension() == ".db";
+    if (!is_backup || moment_in_name(file.stem().string()).empty()) continue;
+    if (newest.empty() || age_of(file) > age_of(newest)) newest = file;
+  }
+  if (!newest.empty()) return newest;
   throw DatabaseError{DatabaseErrorKind::NotFound,
                       "there is no complete backup in " + asked.string() + "; check the name"};
 }

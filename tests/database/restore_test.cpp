@@ -104,6 +104,21 @@ TEST(Restore, TakesTheNewestOfAFolderAndAnEmptyDirectory) {
   EXPECT_EQ(restored.attempts, 3);
 }
 
+TEST(Restore, DoesNotPassOverANewestBackupThatIsDamaged) {
+  BackedUpCourse course;
+  const Backup newest = back_up(course.database(), course.folder());
+  write(newest.file, content_of(newest.file) + " ");
+  EXPECT_NO_THROW(restore({course.folder(), course.target(), {}})) << "the same JSON";
+  fs::remove_all(course.target());
+  std::string altered = content_of(newest.file);
+  altered.replace(altered.find("\"bytes\": "), 9, "\"bytes\":1");
+  write(newest.file, altered);
+  EXPECT_EQ(kind_thrown([&] {
+              restore({course.folder(), course.target(), {}});
+            }),
+            DatabaseErrorKind::Damaged);
+}
+
 TEST(Restore, CountsAnewWhereNumbersWereGivenBefore) {
   BackedUpCourse course;
   restore({course.manifest(), course.target(), {}});
