@@ -97,7 +97,7 @@ class Permissions(RecordedTest):
             self.alter("INSERT INTO cohort VALUES (?, ?, ?)", (number, cohort, now))
         for cohort, login, role in ((1, "ada", "trainee"), (1, "bob", "trainee"), (1, "kim", "instructor"),
                                     (2, "canary-login-eve", "trainee"), (2, "lee", "instructor")):
-            self.alter("INSERT INTO membership VALUES (?, ?, ?)", (cohort, person[login], role))
+            self.alter("INSERT INTO membership (cohort_id, person_id, role) VALUES (?, ?, ?)", (cohort, person[login], role))
         self.alter("UPDATE attempt SET person_id = ? WHERE uuid = ?", (person["ada"], self.attempt))
         for is_private, text in ((0, "Canary-open-note"), (1, "Canary-private-note")):
             self.alter("INSERT INTO note (attempt_id, author_person_id, is_private, moment_us, text, written_utc) "
