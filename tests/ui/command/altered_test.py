@@ -100,9 +100,13 @@ class Altered(RecordedTest):
     def test_an_attempt_that_no_audit_row_explains(self):
         columns = ("scenario_version_id, hand, seed, device_class, pacing, stereo_mode, bone_digest, engine_version, "
                    "started_utc")
-        self.alter(f"INSERT INTO attempt (uuid, state, {columns}) SELECT 'another', 'interrupted', {columns} FROM attempt")
+        another = "00000000-0000-4000-8000-000000000000"
+        self.alter(f"INSERT INTO attempt (uuid, state, {columns}) SELECT '{another}', 'interrupted', {columns} FROM attempt")
         found = self.ask("verify", code=CHECK_FAILED)
-        self.assertIn("the beginning of attempt another", found["first_damage"])
+        self.assertIn(f"the beginning of attempt {another}", found["first_damage"])
+        self.alter("UPDATE attempt SET uuid = 'another' WHERE state = 'interrupted'")
+        found = self.ask("verify", code=CHECK_FAILED)
+        self.assertIn("the uuid of attempt another", found["first_damage"])
 
     def test_a_stored_score_and_the_audit_defend_themselves(self):
         for statement in ("UPDATE score SET score_milli = 100000", "UPDATE audit SET outcome = 'refused'",

@@ -54,7 +54,7 @@ class Reports(RecordedTest):
     def test_wrong_sql_is_bad_input(self):
         self.expect_refusal(BAD_INPUT, ["syntax error"], "sql", "SELEC 1")
         self.expect_refusal(BAD_INPUT, ["more than one"], "sql", "SELECT 1; SELECT 2")
-        self.expect_refusal(BAD_INPUT, ["no such table"], "sql", "SELECT * FROM nothing")
+        self.expect_refusal(BAD_INPUT, ["no such table"], "sql", "SELECT * FROM shelf")
         self.expect_refusal(BAD_INPUT, ["longer than"], "sql",
                             "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT max(i) FROM n")
         self.expect_refusal(WRONG_USAGE, ["not both"], "sql", "SELECT 1", "--json", "--csv")
