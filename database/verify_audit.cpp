@@ -75,22 +75,23 @@ struct Unexplained {
   const char* is_named;
 };
 
-/// Each in one statement, so that whoever works meanwhile is seen with the audit row or without both. An imported attempt was
-/// begun and sealed elsewhere.
+/// Each in one statement, so that whoever works meanwhile is seen with the audit row or without both, and with lists that are
+/// made once: the audit has no index by subject. An imported attempt was begun and sealed elsewhere.
 constexpr Unexplained unexplained[] = {
-    {"SELECT a.uuid FROM attempt a WHERE a.origin_id IS NULL AND NOT EXISTS (SELECT 1 FROM audit u "
-     "WHERE u.action = 'attempt_begun' AND u.subject_id = a.uuid) LIMIT 1",
+    {"SELECT uuid FROM attempt WHERE origin_id IS NULL AND uuid NOT IN "
+     "(SELECT subject_id FROM audit WHERE action = 'attempt_begun' AND outcome = 'done') LIMIT 1",
      "the beginning of attempt "},
-    {"SELECT a.uuid FROM attempt a WHERE a.origin_id IS NULL AND a.seal IS NOT NULL AND NOT EXISTS "
-     "(SELECT 1 FROM audit u WHERE u.action = 'attempt_sealed' AND u.subject_id = a.uuid) LIMIT 1",
+    {"SELECT uuid FROM attempt WHERE origin_id IS NULL AND seal IS NOT NULL AND uuid NOT IN "
+     "(SELECT subject_id FROM audit WHERE action = 'attempt_sealed' AND outcome = 'done') LIMIT 1",
      "the sealing of attempt "},
-    {"SELECT a.uuid FROM attempt a WHERE a.origin_id IS NOT NULL AND NOT EXISTS (SELECT 1 FROM "
-     "audit u "
-     "WHERE u.action = 'attempt_imported' AND u.subject_id = a.uuid) LIMIT 1",
+    {"SELECT uuid FROM attempt WHERE origin_id IS NOT NULL AND uuid NOT IN (SELECT subject_id FROM "
+     "audit WHERE action = 'attempt_imported' AND outcome = 'done') LIMIT 1",
      "the import of attempt "},
-    {"SELECT s.score_id FROM score s WHERE "
-     "NOT EXISTS (SELECT 1 FROM audit u WHERE u.action = 'score_stored' "
-     "AND u.subject_id = CAST(s.score_id AS TEXT)) LIMIT 1",
+    {"SELECT uuid FROM erased_recording JOIN attempt USING (attempt_id) WHERE uuid NOT IN (SELECT "
+     "subject_id FROM audit WHERE action = 'recording_erased' AND outcome = 'done') LIMIT 1",
+     "the erasing of the recording of attempt "},
+    {"SELECT score_id FROM score WHERE CAST(score_id AS TEXT) NOT IN "
+     "(SELECT subject_id FROM audit WHERE action = 'score_stored' AND outcome = 'done') LIMIT 1",
      "the list of scores with score "},
     {"SELECT p.person_id FROM person p CROSS JOIN directory d LEFT JOIN "
      "(SELECT CAST(subject_id AS INTEGER) AS person_id, action, at_utc, max(audit_id) FROM audit "

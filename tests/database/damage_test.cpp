@@ -1,6 +1,7 @@
 /// Files cut short and bits turned over: each damage of something sealed is named, and none makes the program fall.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -117,6 +118,37 @@ TEST_F(Damage, OfAPageOfZerosIsNamed) {
   }
   std::cout << pages << " pages emptied, " << named << " of them noticed\n";
   EXPECT_GE(named, pages * 9 / 10);
+}
+
+/// Above a size the chunks are compared with their indices in place of SQLite's page check.
+TEST(DamageOfALargeFile, IsNamedToo) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  record(database, some_attempt(database), some_recording(1200));
+  for (int i = 0; i < 70; ++i) {
+    tamper(database,
+           "INSERT INTO setting VALUES ('" + std::to_string(i) + "', hex(zeroblob(524288)), '')");
+  }
+  shorten_log(database);
+  ASSERT_GT(std::filesystem::file_size(database.file()), 64U * 1024U * 1024U);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(verify(database).is_whole()) << *verify(database).first_damage;
+  const std::chrono::duration<double> spent_s = std::chrono::steady_clock::now() - start;
+  std::cout << "a file of 70 MB was checked in " << spent_s.count() << " s\n";
+  const auto says = [&](const std::string& part) {
+    const std::string damage = verify(database).first_damage.value_or("nothing");
+    EXPECT_NE(damage.find(part), std::string::npos) << damage;
+  };
+  tamper(
+      database,
+      "INSERT INTO chunk (chunk_id, attempt_id, seq, stream, first_tick, row_count, bytes, link) "
+      "VALUES (99, 77, 0, 0, 0, 1, x'00', zeroblob(32))");
+  says("chunk 99, which its attempt or an index does not know");
+  tamper(database,
+         "DELETE FROM chunk WHERE chunk_id = 99; "
+         "INSERT INTO note_reply (note_id, author_person_id, text, written_utc) "
+         "VALUES (5, 5, '', '')");
+  says("which names a missing row");
 }
 
 }  // namespace

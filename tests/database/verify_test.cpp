@@ -141,6 +141,13 @@ TEST(Verify, SeesWhatNoAuditRowExplains) {
                     "the list of scores with score 2"));
 }
 
+TEST(Verify, SeesARecordingThatWasTakenAwayAsIfItHadBeenErased) {
+  EXPECT_TRUE(names(damage_after("INSERT INTO erased_recording SELECT 1, link, 3, '' FROM chunk "
+                                 "WHERE attempt_id = 1 ORDER BY seq DESC, stream DESC LIMIT 1; "
+                                 "DELETE FROM chunk WHERE attempt_id = 1"),
+                    "the erasing of the recording of attempt"));
+}
+
 TEST(Verify, SeesAnAdministratorWhomNobodyMade) {
   const auto damage = [](const std::string& sql) {
     SomeCourse course;
