@@ -79,7 +79,7 @@ TEST(Connection, SetsWhatEveryConnectionHas) {
   EXPECT_EQ(answer_to(database, "PRAGMA synchronous"), "2");
   EXPECT_EQ(answer_to(database, "PRAGMA foreign_keys"), "1");
   EXPECT_EQ(answer_to(database, "PRAGMA trusted_schema"), "0");
-  EXPECT_EQ(answer_to(database, "PRAGMA busy_timeout"), "5000");
+  EXPECT_EQ(database.busy_timeout_ms(), 5000);
   EXPECT_EQ(answer_to(database, "PRAGMA page_size"), "8192");
   EXPECT_EQ(answer_to(database, "PRAGMA application_id"), std::to_string(application_id));
   EXPECT_EQ(answer_to(database, "PRAGMA user_version"), std::to_string(newest_schema()));
