@@ -188,9 +188,7 @@ void set_password(Database& database, PersonId id, const SecretText& password,
                   const PasswordCost& cost) {
   check_password_rules(password, load_person(database, id).login);
   const std::string argon2id = hash_password(password, cost);
-  in_transaction_of_caller(database, "set a password", [&] {
-    store_hash(database, id, argon2id);
-  });
+  in_transaction_of_caller(database, "set a password", [&] { store_hash(database, id, argon2id); });
 }
 
 void set_disabled(Database& database, PersonId id, bool is_disabled) {
