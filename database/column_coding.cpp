@@ -94,30 +94,47 @@ struct Choice {
   std::uint64_t bits = 0;
 };
 
-/// The best order lies near the logarithm of the mean.
-Choice best_order(std::span<const std::uint64_t> rests) noexcept {
-  std::uint64_t sum = 0;
-  std::uint64_t any = 0;
-  for (const std::uint64_t rest : rests) {
-    any |= rest;
-    sum += rest >> 8U;  // cannot overflow with as many rows as a chunk may have
+/// How many rests have how many bits: enough to judge an order by, and not led astray by one that is far off.
+using Widths = std::array<std::uint32_t, 65>;
+
+Widths widths_of(std::span<const std::uint64_t> rests) noexcept {
+  Widths widths{};
+  for (const std::uint64_t rest : rests) ++widths[static_cast<std::size_t>(std::bit_width(rest))];
+  return widths;
+}
+
+/// A number of `width` bits lies in the middle of its octave.
+std::uint64_t bits_expected(const Widths& widths, unsigned order) noexcept {
+  std::uint64_t bits = 0;
+  for (unsigned width = 0; width < widths.size(); ++width) {
+    if (widths[width] == 0) continue;
+    const unsigned above = width > order ? width - order : 0;
+    const std::uint64_t zeros = above == 0 ? 0 : above > 6 ? rice_zeros_max : (3U << above) / 4;
+    const bool is_whole = zeros >= rice_zeros_max;
+    bits += widths[width] * (is_whole ? rice_zeros_max + 65 : order + 1 + zeros);
   }
-  if (any == 0) return {};
-  if (sum < rests.size()) {
-    sum = 0;
-    for (const std::uint64_t rest : rests) sum += rest;
-  } else {
-    sum <<= 8U;
-  }
-  const auto middle = static_cast<unsigned>(std::bit_width(sum / rests.size()));
-  const unsigned lowest = std::min(middle > 1 ? middle - 2 : 0, rice_order_max);
-  const unsigned highest = std::min(middle, rice_order_max);
-  Choice best{lowest, bits_taken(rests, lowest)};
-  for (unsigned order = lowest + 1; order <= highest; ++order) {
-    const std::uint64_t bits = bits_taken(rests, order);
+  return bits;
+}
+
+Choice choice_expected(const Widths& widths) noexcept {
+  unsigned widest = 64;
+  while (widest > 0 && widths[widest] == 0) --widest;
+  if (widest == 0) return {};
+  Choice best{0, bits_expected(widths, 0)};
+  for (unsigned order = 1; order <= std::min(widest, rice_order_max); ++order) {
+    const std::uint64_t bits = bits_expected(widths, order);
     if (bits < best.bits) best = {order, bits};
   }
   return best;
+}
+
+/// What was expected, weighed against its neighbour.
+Choice best_order(std::span<const std::uint64_t> rests, const Choice& expected) noexcept {
+  if (expected.order == order_of_zeros) return {};
+  Choice best{expected.order, bits_taken(rests, expected.order)};
+  if (best.order == 0) return best;
+  const std::uint64_t bits = bits_taken(rests, best.order - 1);
+  return bits < best.bits ? Choice{best.order - 1, bits} : best;
 }
 
 /// Chooses guesses and keeps what they leave, for one column after the other.
@@ -126,35 +143,40 @@ class ColumnCoder {
   ColumnCoder(const Columns& columns, const Columns* tape) noexcept
       : columns_(columns), tape_(tape) {}
 
-  /// After it, `rests()` are those of the best guess.
+  /// After it, `rests()` are those of the best guess, but for a column of one number only, which has none.
   Head choose(std::size_t index) {
-    best_.reset();
+    if (columns_.is_constant(index)) {
+      return {Guess::Before, order_of_zeros, zigzag(number_of(columns_.column(index).front()))};
+    }
+    guess_.reset();
     consider(index, Guess::Before);
-    if (bits_ == 0) return head_;
     if (index < shared_columns && has_tape(tape_, columns_, index)) consider(index, Guess::Tape);
     consider(index, Guess::Line);
     if (index == real_part_column) consider(index, Guess::Root);
-    return head_;
+    const Choice choice = best_order(std::span{rests_}.subspan(1), expected_);
+    bits_ += choice.bits;
+    return {*guess_, choice.order, rests_.front()};
   }
   std::span<const std::uint64_t> rests() const noexcept { return rests_; }
+  /// Of all columns that were chosen for.
+  std::uint64_t bits() const noexcept { return bits_; }
 
  private:
   void consider(std::size_t index, Guess guess) {
-    if (best_ && bits_ == 0) return;
+    if (guess_ && expected_.bits == 0) return;
     find_rests(columns_, index, guess, tape_, tried_);
-    const Choice choice = best_order(std::span{tried_}.subspan(1));
-    if (best_ && choice.bits >= bits_) return;
-    best_ = guess;
-    bits_ = choice.bits;
-    head_ = {guess, choice.order, tried_.front()};
+    const Choice expected = choice_expected(widths_of(std::span{tried_}.subspan(1)));
+    if (guess_ && expected.bits >= expected_.bits) return;
+    guess_ = guess;
+    expected_ = expected;
     rests_.swap(tried_);
   }
 
   const Columns& columns_;
   const Columns* tape_;
-  std::optional<Guess> best_;
+  std::optional<Guess> guess_;
+  Choice expected_;
   std::uint64_t bits_ = 0;
-  Head head_;
   std::vector<std::uint64_t> rests_, tried_;
 };
 
@@ -214,22 +236,24 @@ void add_guesses(Columns& columns, std::size_t index, Guess guess, const Columns
 }  // namespace
 
 void append_coded(std::vector<std::byte>& coded, const Columns& columns, const Columns* tape) {
-  std::vector<std::byte> bits;
-  bits.reserve(columns.row_count() * 12);
-  RiceWriter writer{bits};
   ColumnCoder coder{columns, tape};
   std::vector<Head> heads(columns.column_count());
-  for (std::size_t index = columns.column_count(); index-- > 0;) {
+  std::vector<std::vector<std::uint64_t>> rests(columns.column_count());
+  for (std::size_t index = 0; index < columns.column_count(); ++index) {
     heads[index] = coder.choose(index);
-    if (heads[index].order == order_of_zeros) continue;
-    for (const std::uint64_t rest : coder.rests().subspan(1)) writer.put(rest, heads[index].order);
+    if (heads[index].order != order_of_zeros) {
+      rests[index].assign(coder.rests().begin() + 1, coder.rests().end());
+    }
   }
-  writer.finish();
   for (const Head& head : heads) {
     coded.push_back(static_cast<std::byte>((static_cast<unsigned>(head.guess) << 6U) | head.order));
     add_rest(coded, head.first_rest);
   }
-  coded.insert(coded.end(), bits.begin(), bits.end());
+  RiceWriter writer{coded, coder.bits()};
+  for (std::size_t index = columns.column_count(); index-- > 0;) {
+    for (const std::uint64_t rest : rests[index]) writer.put(rest, heads[index].order);
+  }
+  writer.finish();
 }
 
 void read_coded(std::span<const std::byte> coded, const Columns* tape, Columns& columns) {
@@ -246,9 +270,7 @@ void read_coded(std::span<const std::byte> coded, const Columns* tape, Columns& 
     if (heads[index].order == order_of_zeros) {
       std::fill(values.begin() + 1, values.end(), 0);
     } else {
-      for (std::int64_t& value : values.subspan(1)) {
-        value = static_cast<std::int64_t>(bits.take(heads[index].order));
-      }
+      bits.take_all(heads[index].order, values.subspan(1));
     }
     add_guesses(columns, index, heads[index].guess, tape);
   }

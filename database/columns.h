@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,12 @@ class Columns {
   }
   std::span<const std::int64_t> column(std::size_t index) const noexcept {
     return std::span{values_}.subspan(index * row_count_, row_count_);
+  }
+  /// Whether all rows hold the same number there: most columns of most chunks do.
+  bool is_constant(std::size_t index) const noexcept {
+    const std::span<const std::int64_t> values = column(index);
+    return values.size() < 2 || std::memcmp(values.data(), values.data() + 1,
+                                            values.size_bytes() - sizeof(std::int64_t)) == 0;
   }
 
  private:

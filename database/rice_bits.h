@@ -7,6 +7,7 @@
 ///         far too many ways (2018)
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,11 @@ inline constexpr unsigned rice_order_max = 55;
 
 class RiceWriter {
  public:
-  explicit RiceWriter(std::vector<std::byte>& bytes) noexcept : bytes_(&bytes) {}
+  /// Appends to `bytes`; `bits_max` is what will be put at most.
+  RiceWriter(std::vector<std::byte>& bytes, std::uint64_t bits_max)
+      : bytes_(&bytes), at_(bytes.size()) {
+    bytes.resize(at_ + bits_max / 8 + sizeof(window_) + 1);
+  }
 
   void put(std::uint64_t number, unsigned order) {
     const std::uint64_t zeros = number >> order;
@@ -34,33 +39,38 @@ class RiceWriter {
       put_bits(number >> 32U, 32);
       return;
     }
-    put_bits(std::uint64_t{1} << zeros, static_cast<unsigned>(zeros) + 1);
-    if (order > 32) {
-      put_bits(number & 0xFFFFFFFFU, 32);
-      put_bits((number >> 32U) & ((std::uint64_t{1} << (order - 32)) - 1), order - 32);
-    } else {
-      put_bits(number & ((std::uint64_t{1} << order) - 1), order);
+    const auto head_bits = static_cast<unsigned>(zeros) + 1;
+    const std::uint64_t low = number & ((std::uint64_t{1} << order) - 1);
+    if (head_bits + order <= 32) {
+      put_bits((low << head_bits) | (std::uint64_t{1} << zeros), head_bits + order);
+      return;
     }
+    put_bits(std::uint64_t{1} << zeros, head_bits);
+    put_bits(low & 0xFFFFFFFFU, std::min(order, 32U));
+    if (order > 32) put_bits(low >> 32U, order - 32);
   }
+  /// Cuts the bytes off behind the last bit.
   void finish() {
-    for (; count_ > 0; count_ = count_ > 8 ? count_ - 8 : 0) {
-      bytes_->push_back(static_cast<std::byte>(window_ & 0xFFU));
-      window_ >>= 8U;
-    }
+    std::memcpy(bytes_->data() + at_, &window_, sizeof(window_));
+    bytes_->resize(at_ + (count_ + 7) / 8);
   }
 
  private:
+  static_assert(std::endian::native == std::endian::little, "eight bytes are written at once");
+
   /// needs   count <= 33 and no bit of `bits` above it
-  void put_bits(std::uint64_t bits, unsigned count) {
+  void put_bits(std::uint64_t bits, unsigned count) noexcept {
     window_ |= bits << count_;
     count_ += count;
-    for (; count_ >= 8; count_ -= 8) {
-      bytes_->push_back(static_cast<std::byte>(window_ & 0xFFU));
-      window_ >>= 8U;
-    }
+    std::memcpy(bytes_->data() + at_, &window_, sizeof(window_));
+    const unsigned whole_bytes = count_ / 8;
+    at_ += whole_bytes;
+    window_ >>= whole_bytes * 8;  // at most 40: seven bits were left and 33 came
+    count_ %= 8;
   }
 
   std::vector<std::byte>* bytes_;
+  std::size_t at_;
   std::uint64_t window_ = 0;
   unsigned count_ = 0;
 };
@@ -81,6 +91,25 @@ class RiceReader {
     const std::uint64_t low = window_ & ((std::uint64_t{1} << order) - 1);
     drop(order);
     return (static_cast<std::uint64_t>(zeros) << order) | low;
+  }
+  /// As many as there is room for. Far from the end nothing needs a look at how much is left.
+  void take_all(unsigned order, std::span<std::int64_t> numbers) {
+    RiceReader local = *this;
+    const std::uint64_t mask = (std::uint64_t{1} << order) - 1;
+    for (std::int64_t& number : numbers) {
+      local.refill();
+      const auto zeros = static_cast<unsigned>(std::countr_zero(local.window_));
+      if (zeros >= rice_zeros_max || zeros + 1 + order > local.count_) {
+        number = static_cast<std::int64_t>(local.take(order));
+        continue;
+      }
+      const std::uint64_t rest = local.window_ >> zeros >> 1U;
+      number =
+          static_cast<std::int64_t>((static_cast<std::uint64_t>(zeros) << order) | (rest & mask));
+      local.window_ = rest >> order;
+      local.count_ -= zeros + 1 + order;
+    }
+    *this = local;
   }
   /// True where nothing is left but the zeros that fill the last byte.
   bool is_at_end() const noexcept {

@@ -31,6 +31,7 @@ void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
       insert_chunk(Stream::Event, seq, columns_from(std::span{rows.events}), nullptr);
     });
   } catch (...) {
+    insert_.reset();
     last_link_ = link_before;
     statistics_ = statistics_before;
     throw;
@@ -50,9 +51,13 @@ void WindowWriter::insert_chunk(Stream stream, std::int64_t seq, const Columns& 
   const auto row_count = static_cast<std::int64_t>(columns.row_count());
   const ChunkPlace place{stream, seq, columns.column(0).front(), row_count};
   last_link_ = link_of(last_link_, attempt_, place, payload);
-  SQLite::Statement insert{database_.connection(),
-                           "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
-                           "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)"};
+  if (!insert_) {
+    insert_ = std::make_unique<SQLite::Statement>(
+        database_.connection(),
+        "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, bytes, link) VALUES "
+        "(?, ?, ?, ?, ?, ?, ?)");
+  }
+  SQLite::Statement& insert = *insert_;
   insert.bind(1, attempt_number_);
   insert.bind(2, seq);
   insert.bind(3, static_cast<int>(stream));
@@ -61,6 +66,7 @@ void WindowWriter::insert_chunk(Stream stream, std::int64_t seq, const Columns& 
   insert.bindNoCopy(6, bytes.data(), static_cast<int>(bytes.size()));
   bind_digest(insert, 7, last_link_);
   insert.exec();
+  insert.reset();
   statistics_.bytes += static_cast<std::int64_t>(bytes.size());
   statistics_.rows += row_count;
   ++statistics_.chunks;

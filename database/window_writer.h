@@ -1,11 +1,13 @@
 /// The recorder's pen: chunks of one window into the database, each linked to the one before.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "database/chain.h"
 #include "database/recorder.h"
+#include "database/sql.h"
 
 namespace hallux::database {
 
@@ -39,6 +41,7 @@ class WindowWriter {
   std::int64_t attempt_number_ = 0;
   ChunkPacker packer_;
   std::vector<std::byte> payload_;
+  std::unique_ptr<SQLite::Statement> insert_;
   Digest last_link_;
   RecorderStatistics statistics_;
 };

@@ -8,6 +8,7 @@
 
 #include "database/recordings.h"
 #include "database/report_connection.h"
+#include "database/window_writer.h"
 #include "simulator/base/random.h"
 #include "tests/benchmarks/record/rows_store.h"
 #include "tests/benchmarks/report/spread.h"
@@ -47,24 +48,40 @@ double milliseconds_a_second(double worked_ms, const simulator::Recording& recor
   return 1000.0 * worked_ms / static_cast<double>(recording.samples.size());
 }
 
+/// As the recorder does once it has the rows.
+void write_windows(const Database& database, const database::AttemptId& attempt,
+                   const simulator::Recording& recording) {
+  database::WindowWriter pen{database.open_again(), attempt};
+  const auto rows_of = [](const auto& rows, auto& next, std::int64_t end_tick) {
+    std::remove_cvref_t<decltype(rows)> taken;
+    for (; next < rows.size() && rows[next].tick < end_tick; ++next) taken.push_back(rows[next]);
+    return taken;
+  };
+  std::size_t line = 0;
+  std::size_t sample = 0;
+  std::size_t event = 0;
+  for (std::int64_t window = 0; line < recording.tape.size(); ++window) {
+    const std::int64_t end_tick = (window + 1) * database::window_ticks;
+    pen.commit(window, {rows_of(recording.tape, line, end_tick),
+                        rows_of(recording.samples, sample, end_tick),
+                        rows_of(recording.events, event, end_tick)});
+  }
+}
+
 Kept kept_as_chunks(const simulator::Recording& recording) {
   const TemporaryDirectory temporary{Medium::Disk};
   Database database = Database::open(temporary.data());
   const auto attempt = database::some_attempt(database);
   const std::int64_t empty_bytes = bytes_of(database.file());
-  simulator::AttemptChannels channels;
-  database::Recorder recorder{database, database::create_attempt(database, attempt), channels};
-  {
-    const std::jthread producer{[&] { database::produce(recording, channels); }};
-    recorder.drain();
-  }
-  const auto statistics = recorder.finish("{}");
+  const auto lease = database::create_attempt(database, attempt);
   Kept kept;
-  kept.write_ms_a_second = milliseconds_a_second(1000.0 * statistics.cpu_s, recording);
+  const Stopwatch writing;
+  write_windows(database, lease.attempt(), recording);
+  kept.write_ms_a_second = milliseconds_a_second(writing.worked_milliseconds(), recording);
   kept.bytes_a_tick = static_cast<double>(bytes_of(database.file()) - empty_bytes) /
                       static_cast<double>(recording.samples.size());
   const Stopwatch watch;
-  const simulator::Recording back = database::load_recording(database, recorder.attempt());
+  const simulator::Recording back = database::load_recording(database, lease.attempt());
   kept.read_ms_a_minute = watch.worked_milliseconds();
   require_same(back, recording);
   return kept;
