@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "simulator/base/check.h"
+#include "ui/render/tool_shadow.h"
 
 namespace hallux::ui {
 
@@ -106,19 +107,40 @@ void set_shadow(ShaderProgram& program, const Frame& frame) {
     program.set("blade_shadow", Float4(0.0F));
     return;
   }
-  const SawInScene& saw = *frame.scene.saw;
-  const RigidTransform tool_from_world = inverse(saw.world_from_tool);
-  const Vec3 key = transform_direction(tool_from_world, Vec3(frame.key_light));
+  const ToolShadow shadow = tool_shadow(*frame.scene.saw, frame.key_light);
   const double strength = frame.scene.ground == Ground::Dark ? 0.80 : 0.62;
-  program.set("key_in_tool", to_float(key));
-  program.set("blade_shadow", Float4(saw.blade.depth_mm, 0.5 * saw.blade.width_mm, strength,
-                                     -saw.blade.depth_mm - 2.0));
+  program.set("key_in_tool", to_float(shadow.key_in_tool));
+  program.set("blade_shadow", Float4(shadow.blade_depth_mm, shadow.blade_half_width_mm, strength,
+                                     shadow.handpiece_from_mm));
+}
+
+/// Half a line and its soft edge.
+constexpr int beside_lines_pixels = 4;
+
+/// Where lines can be on that bone.
+std::vector<PixelBox> lined_pixels(const Frame& frame, const BoneInScene& bone) {
+  PixelTiles tiles{frame.target.size};
+  const Vec3 eye_in_bone_mm =
+      transform_point(inverse(bone.world_from_bone), frame.view.eye_in_world_mm);
+  const int margin = static_cast<int>(std::ceil(beside_lines_pixels * frame.pixel_scale));
+  for (const CuttingLine& line : frame.scene.lines) {
+    const RigidTransform plane_from_bone = inverse(line.world_from_plane) * bone.world_from_bone;
+    const auto is_met = [&](const Vec3& middle_mm, double radius_mm) {
+      return std::abs(transform_point(plane_from_bone, middle_mm).z) <= radius_mm;
+    };
+    for (const TriangleCluster& cluster : bone.mesh->skin_clusters) {
+      if (!bone.cut_away && faces_away(cluster, eye_in_bone_mm)) continue;
+      const SeenBox seen{cluster.box, bone.world_from_bone, frame.view, frame.target.size, margin};
+      add_parts(tiles, seen, is_met);
+    }
+  }
+  return tiles.boxes();
 }
 
 }  // namespace
 
 BonePainter::BonePainter(const NoiseTextures& noise)
-    : noise_(noise), shape_("bone.vert", "bone.frag"), cut_("ground.vert", "bone_cut.frag") {}
+    : noise_(noise), shape_("bone.vert", "bone.frag"), cut_("part.vert", "bone_cut.frag") {}
 
 void BonePainter::send_depth(const BoneLook& look, std::uint64_t picture) {
   const auto [at, is_new] = looks_.try_emplace(look.id);
@@ -223,24 +245,25 @@ void BonePainter::draw_shapes(const Frame& frame, const PixelBox& part) {
 }
 
 ShaderProgram& BonePainter::skin_program(const Frame& frame, const BoneInScene& bone) {
-  std::string settings = "#define LINES " + std::to_string(frame.scene.lines.size()) + "\n";
+  std::string settings;
   if (frame.scene.saw) settings += "#define SHADOW\n";
   if (bone.presence < 1.0) settings += "#define FADED\n";
   auto at = skins_.find(settings);
   if (at == skins_.end()) {
-    at = skins_.emplace(settings, ShaderProgram("ground.vert", "bone_skin.frag", settings)).first;
+    at = skins_.emplace(settings, ShaderProgram("part.vert", "bone_skin.frag", settings)).first;
   }
   return at->second;
 }
 
-void BonePainter::light_skin(const Frame& frame, const BoneInScene& bone) {
+void BonePainter::light_skin(const Frame& frame, const BoneInScene& bone,
+                             std::span<const PixelBox> boxes) {
   ShaderProgram& program = skin_program(frame, bone);
   begin_light(program, frame);
-  set_lines(program, frame);
   program.set("relief", relief_unit);
   program.set("slope_scale", static_cast<float>(noise_.slope_scale()));
   place(program, frame, bone);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  set_boxes(program, boxes, frame.target.size);
+  draw_boxes(boxes);
 }
 
 void BonePainter::begin_light(ShaderProgram& program, const Frame& frame) {
@@ -263,39 +286,82 @@ void BonePainter::place(ShaderProgram& program, const Frame& frame, const BoneIn
   program.set("tool_from_bone", to_float(matrix_of(tool_from_world * bone.world_from_bone)));
 }
 
-void BonePainter::light_cut_faces(const Frame& frame, const BoneInScene& bone) {
+void BonePainter::light_cut_faces(const Frame& frame, const BoneInScene& bone,
+                                  std::span<const PixelBox> boxes) {
   bind_volume(depth_unit, looks_.at(bone.look->id).depth);
   place(cut_, frame, bone);
   set_depth(cut_, bone.look->depth);
   set_cortex(cut_, *bone.look);
   set_map(cut_, bone);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_boxes(boxes);
 }
 
-void BonePainter::draw_light(const Frame& frame) {
-  begin_light(cut_, frame);
-  noise_.bind();
+void BonePainter::begin_pass(const Frame& frame) {
   bind_picture(place_unit, frame.place_texture);
   bind_picture(normal_unit, frame.normal_texture);
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glEnable(GL_STENCIL_TEST);
   glBindVertexArray(no_attributes_.name());
-  int stencil = 1;
-  for (const BoneInScene& bone : frame.scene.bones) {
-    set_scissor(pixels_of(frame, bone));
-    glStencilFunc(GL_EQUAL, stencil, all_bits);
-    light_skin(frame, bone);
-    glStencilFunc(GL_EQUAL, stencil + 1, all_bits);
-    light_cut_faces(frame, bone);
-    stencil += 2;
-  }
+}
+
+void BonePainter::end_pass(const Frame& frame) {
   glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
   set_scissor(all_of(frame.target.size));
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
+}
+
+void BonePainter::draw_light(const Frame& frame, std::span<const PixelBox> boxes) {
+  begin_light(cut_, frame);
+  set_boxes(cut_, boxes, frame.target.size);
+  noise_.bind();
+  begin_pass(frame);
+  int stencil = 1;
+  for (const BoneInScene& bone : frame.scene.bones) {
+    set_scissor(pixels_of(frame, bone));
+    glStencilFunc(GL_EQUAL, stencil, all_bits);
+    light_skin(frame, bone, boxes);
+    glStencilFunc(GL_EQUAL, stencil + 1, all_bits);
+    light_cut_faces(frame, bone, boxes);
+    stencil += 2;
+  }
+  end_pass(frame);
+}
+
+ShaderProgram& BonePainter::lines_program(std::size_t count) {
+  auto at = lines_.find(count);
+  if (at == lines_.end()) {
+    const std::string settings = "#define LINES " + std::to_string(count) + "\n";
+    at = lines_.emplace(count, ShaderProgram("part.vert", "bone_lines.frag", settings)).first;
+  }
+  return at->second;
+}
+
+void BonePainter::draw_lines(const Frame& frame) {
+  if (frame.scene.lines.empty()) return;
+  ShaderProgram& program = lines_program(frame.scene.lines.size());
+  program.use();
+  program.set("eye_mm", to_float(frame.view.eye_in_world_mm));
+  set_seen_bone(program, frame);
+  set_lines(program, frame);
+  begin_pass(frame);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  int stencil = 1;
+  for (const BoneInScene& bone : frame.scene.bones) {
+    const std::vector<PixelBox> boxes = lined_pixels(frame, bone);
+    glStencilFunc(GL_EQUAL, stencil, all_bits);
+    place(program, frame, bone);
+    set_boxes(program, boxes, frame.target.size);
+    draw_boxes(boxes);
+    stencil += 2;
+  }
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDisable(GL_BLEND);
+  end_pass(frame);
 }
 
 void BonePainter::forget_before(std::uint64_t picture) {

@@ -31,9 +31,12 @@ class BonePainter {
   /// Writes which bone is where in that part, with depth; into the stencil what is to be lit how.
   /// needs   the scene was shown last; the shapes' framebuffer is bound and cleared there
   void draw_shapes(const Frame& frame, const PixelBox& part);
-  /// Lays light on them, once a pixel.
-  /// needs   the shapes of all the picture are drawn; the picture's framebuffer is bound, with their depth and stencil
-  void draw_light(const Frame& frame);
+  /// Lays light on them in those boxes, once a pixel.
+  /// needs   the shapes of all the picture are drawn; a framebuffer with their stencil is bound
+  void draw_light(const Frame& frame, std::span<const PixelBox> boxes);
+  /// Draws the scene's lines over the lit skins.
+  /// needs   as for the light
+  void draw_lines(const Frame& frame);
   /// Lets go of what was not drawn since.
   void forget_before(std::uint64_t picture);
 
@@ -54,14 +57,19 @@ class BonePainter {
   void send_depth(const BoneLook& look, std::uint64_t picture);
   void draw_shape(const Frame& frame, const BoneInScene& bone, const PixelBox& part, int stencil);
   ShaderProgram& skin_program(const Frame& frame, const BoneInScene& bone);
+  ShaderProgram& lines_program(std::size_t count);
+  void begin_pass(const Frame& frame);
+  void end_pass(const Frame& frame);
   void begin_light(ShaderProgram& program, const Frame& frame);
-  void light_skin(const Frame& frame, const BoneInScene& bone);
+  void light_skin(const Frame& frame, const BoneInScene& bone, std::span<const PixelBox> boxes);
   void place(ShaderProgram& program, const Frame& frame, const BoneInScene& bone);
-  void light_cut_faces(const Frame& frame, const BoneInScene& bone);
+  void light_cut_faces(const Frame& frame, const BoneInScene& bone,
+                       std::span<const PixelBox> boxes);
 
   const NoiseTextures& noise_;
   ShaderProgram shape_, cut_;
   std::map<std::string, ShaderProgram> skins_;  ///< by settings, made when first needed
+  std::map<std::size_t, ShaderProgram> lines_;  ///< by how many, likewise
   GlVertexArray no_attributes_;
   std::map<std::uint64_t, SeenBone> bones_;
   std::map<std::uint64_t, SeenLook> looks_;

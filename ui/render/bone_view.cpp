@@ -38,13 +38,25 @@ std::vector<CornerWords> words_of(const PatchMesh& patch) {
     words.push_back(std::bit_cast<CornerWords>(
         Corners{patch.vertices[t[0]], patch.vertices[t[1]], patch.vertices[t[2]]}));
   }
-  std::sort(words.begin(), words.end());
   return words;
+}
+
+/// Takes off how both begin and how both end: a patch grows somewhere in the middle, in the order of its cells.
+void drop_what_both_have(std::vector<CornerWords>& one, std::vector<CornerWords>& other) {
+  const auto first = std::ranges::mismatch(one, other);
+  one.erase(one.begin(), first.in1);
+  other.erase(other.begin(), first.in2);
+  const auto last = std::mismatch(one.rbegin(), one.rend(), other.rbegin(), other.rend());
+  one.erase(last.first.base(), one.end());
+  other.erase(last.second.base(), other.end());
 }
 
 /// Adds the triangles that only one of the two has.
 void add_difference(const PatchMesh& before, const PatchMesh& now, Box& changed) {
-  const std::vector<CornerWords> old_words = words_of(before), new_words = words_of(now);
+  std::vector<CornerWords> old_words = words_of(before), new_words = words_of(now);
+  drop_what_both_have(old_words, new_words);
+  std::ranges::sort(old_words);
+  std::ranges::sort(new_words);
   std::vector<CornerWords> different;
   std::set_symmetric_difference(old_words.begin(), old_words.end(), new_words.begin(),
                                 new_words.end(), std::back_inserter(different));

@@ -1,5 +1,11 @@
 #include "ui/render/frame.h"
 
+#include <epoxy/gl.h>
+
+#include <array>
+
+#include "simulator/base/check.h"
+
 namespace hallux::ui {
 
 namespace {
@@ -23,6 +29,23 @@ Frame frame_of(const Scene& scene, const EyeView& view, const PictureBuffers& bu
           buffers.shapes(),
           buffers.place_texture(),
           buffers.normal_texture()};
+}
+
+void set_boxes(ShaderProgram& program, std::span<const PixelBox> boxes, PixelSize size) {
+  CHECK(boxes.size() <= boxes_at_most);
+  std::array<Float4, boxes_at_most> in_clip{};
+  const Vec2 pixels(size.width, size.height);
+  const auto clip_of = [&](int x, int y) { return 2.0 * Vec2(x, y) / pixels - 1.0; };
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec2 low = clip_of(boxes[i].left, boxes[i].bottom);
+    const Vec2 high = clip_of(boxes[i].right, boxes[i].top);
+    in_clip[i] = Float4(low.x, low.y, high.x, high.y);
+  }
+  program.set("boxes", std::span{in_clip}.first(boxes.size()));
+}
+
+void draw_boxes(std::span<const PixelBox> boxes) {
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * boxes.size()));
 }
 
 void set_light(ShaderProgram& program, const Frame& frame) {

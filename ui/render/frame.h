@@ -1,9 +1,12 @@
 /// What all painters of one picture share; inside this room only.
 #pragma once
 
+#include <span>
+
 #include "ui/render/camera.h"
 #include "ui/render/palette.h"
 #include "ui/render/picture_buffers.h"
+#include "ui/render/pixel_tiles.h"
 #include "ui/render/render_target.h"
 #include "ui/render/scene.h"
 #include "ui/render/shader_program.h"
@@ -29,6 +32,11 @@ struct Frame {
 Frame frame_of(const Scene& scene, const EyeView& view, const PictureBuffers& buffers,
                double pixel_scale) noexcept;
 
+/// Sets the boxes that part.vert draws.
+/// needs   at most boxes_at_most, of a picture of this size
+void set_boxes(ShaderProgram& program, std::span<const PixelBox> boxes, PixelSize size);
+/// Draws them with the current program, to which they were set.
+void draw_boxes(std::span<const PixelBox> boxes);
 /// Sets the uniforms of light.glsl.
 void set_light(ShaderProgram& program, const Frame& frame);
 /// Sets the uniforms of seen_bone.glsl but for its matrices.

@@ -8,18 +8,19 @@
 namespace hallux::ui {
 
 OverlayPainter::OverlayPainter()
-    : ground_("ground.vert", "ground.frag"),
+    : ground_("part.vert", "ground.frag"),
       chip_("chip.vert", "chip.frag"),
       plane_("plane.vert", "plane.frag"),
       mark_("mark.vert", "mark.frag") {}
 
-void OverlayPainter::draw_ground(const Frame& frame) {
+void OverlayPainter::draw_ground(const Frame& frame, std::span<const PixelBox> boxes) {
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   ground_.use();
   set_ground(ground_, frame);
+  set_boxes(ground_, boxes, frame.target.size);
   glBindVertexArray(no_attributes_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_boxes(boxes);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
 }

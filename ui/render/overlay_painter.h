@@ -10,7 +10,7 @@ class OverlayPainter {
  public:
   OverlayPainter();
 
-  void draw_ground(const Frame& frame);
+  void draw_ground(const Frame& frame, std::span<const PixelBox> boxes);
   void draw_chips(const Frame& frame);
   /// After everything that is not translucent.
   void draw_planes(const Frame& frame);

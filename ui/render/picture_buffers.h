@@ -1,8 +1,8 @@
 /// What one picture is made in; inside this room only.
 ///
 ///     shapes    which point of which bone, and its normal, once a pixel       place, normal, depth, stencil
-///     still     ground, behind the bones, too                                 colour, the same depth and stencil
-///     picture   begins as a copy of `still`; light on bones, tools and all else              colour, depth, stencil
+///     still     ground and light on the bones                                 colour, the same depth and stencil
+///     picture   begins as a copy of `still`; lines on bones, tools and all else              colour, depth, stencil
 #pragma once
 
 #include "ui/render/gl_objects.h"

@@ -64,6 +64,12 @@ PixelBox pixels_of(const Box& box, const RigidTransform& world_from_frame, const
   return {left, bottom, right, top};
 }
 
+PixelBox widened(const PixelBox& box, int pixels, PixelSize size) noexcept {
+  if (box.is_empty()) return box;
+  return common({box.left - pixels, box.bottom - pixels, box.right + pixels, box.top + pixels},
+                all_of(size));
+}
+
 void set_scissor(const PixelBox& box) {
   glScissor(box.left, box.bottom, std::max(box.right - box.left, 0),
             std::max(box.top - box.bottom, 0));

@@ -29,6 +29,9 @@ PixelBox around(const PixelBox& first, const PixelBox& second) noexcept;
 PixelBox pixels_of(const Box& box, const RigidTransform& world_from_frame, const EyeView& view,
                    PixelSize size) noexcept;
 
+/// As many pixels more on each side, within a picture of this size.
+PixelBox widened(const PixelBox& box, int pixels, PixelSize size) noexcept;
+
 /// Draws only there.
 /// needs   the scissor is on
 void set_scissor(const PixelBox& box);

@@ -14,6 +14,7 @@
 #include "ui/render/overlay_painter.h"
 #include "ui/render/saw_painter.h"
 #include "ui/render/still_scene.h"
+#include "ui/render/tool_shadow.h"
 
 namespace hallux::ui {
 
@@ -60,12 +61,13 @@ RenderQuality live_quality() {
 struct KeptPicture::Still {
   StillScene scene;
   std::vector<std::uint64_t> revisions;  ///< one for each bone
+  std::optional<ToolShadow> shadow;
+  PixelTiles shaded;  ///< where the shadow can be
 };
 
 struct KeptPicture::Parts {
   std::optional<PictureBuffers> buffers;
-  std::optional<Still> still;         ///< what the buffers show; none: nothing yet
-  std::optional<StillGround> ground;  ///< likewise
+  std::optional<Still> still;  ///< what the buffers show; none: nothing yet
   std::vector<RenderTarget>
       halved;  ///< each half as large as the one before, down to twice the picture's size
 
@@ -77,7 +79,6 @@ void KeptPicture::Parts::make_room(PixelSize size, int scale) {
   const PixelSize large{at_least_one(size).width * scale, at_least_one(size).height * scale};
   if (buffers && buffers->size() == large) return;
   still.reset();
-  ground.reset();
   buffers.reset();
   halved.clear();
   buffers.emplace(large);
@@ -101,13 +102,25 @@ struct Renderer::Parts {
   std::uint64_t picture = 0;
   DrawCounts counts;
 
+  KeptPicture::Still still_of(const Frame& frame) const;
   PixelBox changed_pixels(const Frame& frame, const KeptPicture::Parts& kept,
                           const KeptPicture::Still& now) const;
   void draw_all(const Frame& frame, KeptPicture::Parts& kept);
   void draw_shapes(const Frame& frame, const PictureBuffers& buffers, const PixelBox& part);
-  void draw_ground(const Frame& frame, KeptPicture::Parts& kept);
+  void draw_still(const Frame& frame, const PictureBuffers& buffers,
+                  std::span<const PixelBox> boxes);
   void draw_moving(const Frame& frame);
 };
+
+KeptPicture::Still Renderer::Parts::still_of(const Frame& frame) const {
+  KeptPicture::Still still{still_scene(frame.scene, frame.view, frame.pixel_scale),
+                           bones.revisions(frame.scene), std::nullopt,
+                           PixelTiles{frame.target.size}};
+  if (!frame.scene.saw) return still;
+  still.shadow = tool_shadow(*frame.scene.saw, frame.key_light);
+  still.shaded = shaded_pixels(frame.scene, *still.shadow, frame.view, frame.target.size);
+  return still;
+}
 
 /// Where the buffers do not show what stands still now.
 PixelBox Renderer::Parts::changed_pixels(const Frame& frame, const KeptPicture::Parts& kept,
@@ -118,21 +131,41 @@ PixelBox Renderer::Parts::changed_pixels(const Frame& frame, const KeptPicture::
   return ui::changed_pixels(now.scene, *changed, frame.target.size);
 }
 
+namespace {
+
+/// Where light is to be laid anew, `changed` included. Without a saw another shader lays it: then everywhere.
+std::vector<PixelBox> relit_pixels(const Frame& frame, const PixelBox& changed, const auto& before,
+                                   const auto& now) {
+  if (!before || before->shadow.has_value() != now.shadow.has_value()) {
+    return {all_of(frame.target.size)};
+  }
+  if (changed == all_of(frame.target.size)) return {changed};
+  PixelTiles tiles{frame.target.size};
+  tiles.add(changed);
+  if (before->shadow != now.shadow) {
+    tiles.add(before->shaded);
+    tiles.add(now.shaded);
+  }
+  return tiles.boxes();
+}
+
+}  // namespace
+
 void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept) {
   bones.show(frame.scene, picture);
   begin_drawing(frame.target.size);
-  KeptPicture::Still now{still_scene(frame.scene, frame.view, frame.pixel_scale),
-                         bones.revisions(frame.scene)};
+  KeptPicture::Still now = still_of(frame);
   const PixelBox changed = changed_pixels(frame, kept, now);
+  const std::vector<PixelBox> relit = relit_pixels(frame, changed, kept.still, now);
   kept.still.reset();  // until all of it is drawn
   if (!changed.is_empty()) draw_shapes(frame, *kept.buffers, changed);
-  draw_ground(frame, kept);
+  if (!relit.empty()) draw_still(frame, *kept.buffers, relit);
   kept.still = std::move(now);
   kept.buffers->copy_still_to_picture();
   draw_moving(frame);
   end_drawing();
   counts = {bones.triangle_count() + (frame.scene.saw ? saw.triangle_count() : 0),
-            pixel_count(changed), bones.uploaded_bytes()};
+            pixel_count(changed), pixel_count(relit), bones.uploaded_bytes()};
 }
 
 void Renderer::Parts::draw_shapes(const Frame& frame, const PictureBuffers& buffers,
@@ -146,19 +179,18 @@ void Renderer::Parts::draw_shapes(const Frame& frame, const PictureBuffers& buff
   bones.draw_shapes(frame, part);
 }
 
-/// Behind the bones, too, so that it stays while they are cut or turn: light covers it there.
-void Renderer::Parts::draw_ground(const Frame& frame, KeptPicture::Parts& kept) {
-  const StillGround now = still_ground(frame.scene, frame.view);
-  if (kept.ground == now) return;
+void Renderer::Parts::draw_still(const Frame& frame, const PictureBuffers& buffers,
+                                 std::span<const PixelBox> boxes) {
   set_scissor(all_of(frame.target.size));
-  glBindFramebuffer(GL_FRAMEBUFFER, kept.buffers->still().framebuffer);
-  overlays.draw_ground(frame);
-  kept.ground = now;
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers.still().framebuffer);
+  overlays.draw_ground(frame, boxes);
+  bones.draw_light(frame, boxes);
 }
 
 void Renderer::Parts::draw_moving(const Frame& frame) {
   glEnable(GL_SCISSOR_TEST);
-  bones.draw_light(frame);
+  set_scissor(all_of(frame.target.size));
+  bones.draw_lines(frame);
   saw.draw(frame);
   overlays.draw_chips(frame);
   saw.draw_ghosts(frame);

@@ -28,11 +28,12 @@ inline constexpr RenderQuality still_quality{.supersampling = 4};
 struct DrawCounts {
   std::size_t triangles = 0;         ///< in the scene
   std::size_t redrawn_pixels = 0;    ///< of what stands still, those that no kept picture had
+  std::size_t relit_pixels = 0;      ///< those, and where the saw's shadow was or is
   std::uint64_t uploaded_bytes = 0;  ///< of bones
 };
 
 /// What stands still of a picture that is drawn again and again, bones and ground: while nobody turns the view, only what was cut
-/// since is drawn anew below what moves. One for each eye; empty until a renderer draws with it.
+/// since is drawn anew below what moves, and only where the saw's shadow was or is light is laid anew. One for each eye; empty until a renderer draws with it.
 /// thread  the context's
 class KeptPicture {
  public:

@@ -146,7 +146,7 @@ void OpenGlScenePainter::finish_frame(const std::array<std::uint8_t, 3>& page,
     draw_panels(1.0F);
     return;
   }
-  for (const DrawTarget& target : parts.stage->pictures_for_panels()) {
+  for (const DrawTarget& target : parts.stage->pictures_for_panels(parts.window)) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     draw_panels(static_cast<float>(target.size.width) /
                 static_cast<float>(parts.window.size.width));

@@ -124,11 +124,14 @@ KeptPicture& StereoStage::kept(Eye eye) noexcept {
   return is_coarse() ? picture.kept_coarse : picture.kept_whole;
 }
 
-std::vector<DrawTarget> StereoStage::pictures_for_panels() const {
+std::vector<DrawTarget> StereoStage::pictures_for_panels(const DrawTarget& window) const {
+  if (setting_.mode == StereoMode::Mono) {
+    copy_picture(eye(Eye::Left).target(), window);
+    return {window};
+  }
   if (panels_) return {panels_->target()};
   std::vector<DrawTarget> pictures;
   for (const Eye eye : {Eye::Left, Eye::Right}) {
-    if (eye == Eye::Right && eye_count() == 1) break;
     if (is_coarse()) copy_picture(this->eye(eye).target(), whole(eye).target());
     pictures.push_back(whole(eye).target());
   }
@@ -144,7 +147,7 @@ EyeView StereoStage::view(Eye eye, const Camera& camera) const noexcept {
 void StereoStage::compose(const DrawTarget& window) {
   switch (setting_.mode) {
     case StereoMode::Mono:
-      return copy_picture(whole(Eye::Left).target(), window);
+      return;
     case StereoMode::SideBySide:
       return copy_halves(window);
     case StereoMode::Anaglyph:
@@ -190,7 +193,7 @@ void StereoStage::draw(Renderer& renderer, const Scene& scene, const Camera& cam
     if (eye == Eye::Right && eye_count() == 1) break;
     renderer.draw(scene, view(eye, camera), this->eye(eye).target(), kept(eye));
   }
-  pictures_for_panels();
+  pictures_for_panels(window);
   compose(window);
 }
 

@@ -53,14 +53,15 @@ class StereoStage {
   KeptPicture& kept(Eye eye) noexcept;
   double detail() const noexcept { return detail_; }
   bool is_coarse() const noexcept { return detail_ < 1.0; }
-  /// Where panels are drawn, before all is composed: each eye's picture, in its whole size; in an anaglyph a transparent one, once for
-  /// both eyes: panels lie in the plane of the screen, where both see the same.
+  /// Where panels are drawn, before all is composed: in mono the window itself, where the picture then is; else each eye's picture, in
+  /// its whole size; in an anaglyph a transparent one, once for both eyes: panels lie in the plane of the screen, where both see the
+  /// same.
   /// needs   the eyes' pictures are drawn
-  std::vector<DrawTarget> pictures_for_panels() const;
+  std::vector<DrawTarget> pictures_for_panels(const DrawTarget& window) const;
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;
   /// Composes the eyes' pictures into the window, or wherever else.
-  /// needs   a target of the size that began; pictures_for_panels() was called
+  /// needs   a target of the size that began, for which pictures_for_panels() was called
   void compose(const DrawTarget& window);
 
   /// All of it, for a scene without panels.

@@ -4,12 +4,8 @@
 
 namespace hallux::ui {
 
-StillGround still_ground(const Scene& scene, const EyeView& view) noexcept {
-  return {scene.ground, scene.light_place, view.width_over_height};
-}
-
 StillScene still_scene(const Scene& scene, const EyeView& view, double pixel_scale) {
-  StillScene still{view, pixel_scale, {}};
+  StillScene still{view, pixel_scale, {}, scene.ground, scene.light_place};
   for (const BoneInScene& bone : scene.bones) {
     still.bones.push_back({bone.mesh->id, bone.look->id, bone.world_from_bone, bone.presence,
                            bone.map, bone.cut_away});

@@ -1,8 +1,8 @@
 /// What of a scene stands still from picture to picture, the bones as one sees them, and where two pictures of it differ. Inside
 /// this room only; no graphics.
 ///
-///     still     bones, ground                            drawn again only where they are cut
-///     moving    saw, its shadow, lines, chips, ghosts    drawn over it in every picture
+///     still     bones with light on them, ground    drawn again only where they are cut, lit again where the saw's shadow moves
+///     moving    saw, lines, chips, ghosts           drawn over it in every picture
 #pragma once
 
 #include <cstdint>
@@ -25,24 +25,16 @@ struct StillBone {
   friend bool operator==(const StillBone&, const StillBone&) = default;
 };
 
-/// All that the ground's colours follow from: neither the view nor the bones.
-struct StillGround {
-  Ground ground = Ground::Dark;
-  Vec2 light_place{0.5, 0.5};
-  double width_over_height = 1.0;
-
-  friend bool operator==(const StillGround&, const StillGround&) = default;
-};
-
 struct StillScene {
   EyeView view;
   double pixel_scale = 1.0;
   std::vector<StillBone> bones;
+  Ground ground = Ground::Dark;
+  Vec2 light_place{0.5, 0.5};
 
   friend bool operator==(const StillScene&, const StillScene&) = default;
 };
 
-StillGround still_ground(const Scene& scene, const EyeView& view) noexcept;
 StillScene still_scene(const Scene& scene, const EyeView& view, double pixel_scale);
 
 /// The pixels of a picture of this size where that scene's bones changed.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -45,6 +46,7 @@ class KeptPictures : public Graphics {
     const RenderTarget target(size_);
     renderer_.draw(scene_, view(eye), target.target(), eye == Eye::Right ? right_ : left_);
     redrawn_ = renderer_.counts().redrawn_pixels;
+    relit_ = renderer_.counts().relit_pixels;
     return target.read();
   }
   void expect_same(const char* what) { EXPECT_EQ(difference_of(kept(), anew()), "") << what; }
@@ -59,7 +61,7 @@ class KeptPictures : public Graphics {
   PixelSize size_ = size;
   Renderer renderer_{RenderQuality{.supersampling = 1, .keeps_still = true}};
   KeptPicture left_, right_;
-  std::size_t redrawn_ = 0;
+  std::size_t redrawn_ = 0, relit_ = 0;
 };
 
 TEST_F(KeptPictures, AreTheSameWhateverMovesOrChanges) {
@@ -114,6 +116,32 @@ TEST_F(KeptPictures, DrawOnlyWhatWasCutWhileTheViewStandsStill) {
   camera_ = orbited(camera_, 0.02, 0.0);
   kept();
   EXPECT_EQ(redrawn_, all);
+}
+
+TEST_F(KeptPictures, AreLitAnewOnlyWhereTheSawsShadowWasOrIs) {
+  constexpr std::size_t all = 640U * 360U;
+  kept();
+  EXPECT_EQ(relit_, all);
+  kept();
+  EXPECT_EQ(relit_, 0U);
+  scene_.saw->is_running = !scene_.saw->is_running;
+  kept();
+  EXPECT_EQ(relit_, 0U);
+  scene_.saw->world_from_tool.translation_mm += Vec3(0.0, 0.5, 0.0);
+  kept();
+  EXPECT_GT(relit_, 0U);
+  EXPECT_LT(relit_, all / 2);
+}
+
+TEST_F(KeptPictures, AreTheSameHoweverTheSawIsHeld) {
+  const RigidTransform held = scene_.saw->world_from_tool;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 axis = glm::normalize(Vec3(std::sin(1.0 * i), std::cos(2.0 * i), std::sin(3.0 * i)));
+    scene_.saw->world_from_tool =
+        held * RigidTransform{rotation_about(axis, 0.16 * i),
+                              Vec3(2.0 * std::sin(0.7 * i), 0.0, 5.0 * std::cos(1.3 * i))};
+    expect_same(("held in way " + std::to_string(i)).c_str());
+  }
 }
 
 TEST_F(KeptPictures, EachEyeHasItsOwnAndMayMissPictures) {

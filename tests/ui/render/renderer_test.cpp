@@ -341,7 +341,7 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
     stage.begin({.mode = StereoMode::Anaglyph, .eye_columns = 0.5}, size);
     for (const Eye eye : {Eye::Left, Eye::Right})
       renderer_->draw(world->scene(), stage.view(eye, world->camera()), stage.eye(eye).target());
-    if (has_line) whiten_column(stage.pictures_for_panels().front(), line);
+    if (has_line) whiten_column(stage.pictures_for_panels(window.target()).front(), line);
     stage.compose(window.target());
     return window.read();
   };
@@ -359,7 +359,7 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
     }
   }
   stage.begin({.mode = StereoMode::SideBySide}, size);
-  EXPECT_EQ(stage.pictures_for_panels().size(), 2U) << "there panels belong into each eye's half";
+  EXPECT_EQ(stage.pictures_for_panels(window.target()).size(), 2U) << "there panels belong into each eye's half";
 }
 
 /// Mean difference of green, between two pictures of one size.

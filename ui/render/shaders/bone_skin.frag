@@ -9,27 +9,6 @@ out vec4 colour;
 uniform sampler3D noise, relief;
 uniform float slope_scale;
 uniform float presence;
-#if LINES > 0
-uniform vec4 line_plane[LINES];   // unit normal in the world, offset
-uniform vec4 line_window[LINES];  // unit direction in the plane, offset: the line ends `half` to both sides
-uniform vec4 line_style[LINES];   // colour, half width in pixels
-uniform vec4 line_half[LINES];    // x: half [mm], 0: no end
-
-vec3 with_lines(vec3 under) {
-  for (int i = 0; i < LINES; ++i) {
-    float off = dot(line_plane[i].xyz, in_world_mm) - line_plane[i].w;
-    float pixels = abs(off) / change_over_pixel(line_plane[i].xyz);
-    float share = 1.0 - smoothstep(line_style[i].w - 0.5, line_style[i].w + 0.5, pixels);
-    float end = abs(dot(line_window[i].xyz, in_world_mm) - line_window[i].w);
-    if (line_half[i].x > 0.0) share *= 1.0 - 0.82 * step(line_half[i].x, end);
-    under = mix(under, line_style[i].xyz, share * 0.95);
-  }
-  return under;
-}
-
-#else
-vec3 with_lines(vec3 under) { return under; }
-#endif
 
 // Fibres run along the shaft (x): noise is drawn out that way.
 const vec3 fibre = vec3(0.085, 0.150, 0.150);
@@ -61,7 +40,7 @@ void main() {
   vec3 light = lit(albedo, normal, to_eye, open, key_share);
   light += key_colour * (0.085 * gloss(normal, to_eye, 26.0) * (0.4 + 0.6 * open) * key_share * fine.a);
   light += vec3(0.60, 0.70, 0.82) * (0.075 * fresnel(normal, to_eye) * open);
-  vec3 here = with_lines(shown(light));
+  vec3 here = shown(light);
 #ifdef FADED
   here = mix(ground_here(), here, presence);
 #endif
