@@ -116,10 +116,13 @@ void check_nothing_is_unexplained(Database& database) {
 
 void check_audit(Database& database, VerifyProgress& progress, Verification& found) {
   progress.begin("the audit", 1.0);
-  const auto [since, all] = translating(database, "look at the audit", [&] {
+  std::string since;
+  std::int64_t all = 0;
+  translating(database, "look at the audit", [&] {
     SQLite::Statement count{database.connection(), "SELECT coalesce(max(audit_id), 0) FROM audit"};
     count.executeStep();
-    return std::pair{schema_4_since(database), count.getColumn(0).getInt64()};
+    since = schema_4_since(database);
+    all = count.getColumn(0).getInt64();
   });
   walk_audit(database, [&](const AuditRow& row) {
     check_against_audit(database, row, since);
