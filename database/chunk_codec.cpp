@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::byte format_payload{1};
 constexpr std::byte format_coded{2};
-constexpr int zstd_level = 3;
+constexpr int payload_level = 3;
+/// In a stream of bits zstd finds nothing more: it only checks it.
+constexpr int coded_level = -5;
 /// Of one number in either format: a varint, or 97 bits of Rice code.
 constexpr std::size_t number_bytes_max = 13;
 constexpr std::size_t noisy_row_bytes = 3;
@@ -41,7 +43,6 @@ std::size_t columns_in(Stream stream) noexcept {
 
 ChunkPacker::ChunkPacker() : context_(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
   if (!context_) throw std::bad_alloc{};
-  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, zstd_level);
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_checksumFlag, 1);
 }
 ChunkPacker::ChunkPacker(ChunkPacker&&) noexcept = default;
@@ -61,6 +62,8 @@ std::vector<std::byte> ChunkPacker::pack(const Columns& columns, std::span<const
 }
 
 std::vector<std::byte> ChunkPacker::framed(std::byte format, std::span<const std::byte> content) {
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel,
+                         format == format_coded ? coded_level : payload_level);
   std::vector<std::byte> bytes(1 + ZSTD_compressBound(content.size()));
   bytes[0] = format;
   const std::size_t used = ZSTD_compress2(context_.get(), bytes.data() + 1, bytes.size() - 1,

@@ -59,28 +59,40 @@ struct Failure {
   std::string reason;
 };
 
-/// Which streams a thread reads.
-enum class Part { Tape, Others, All };
-
-bool is_part(Stream stream, Part part) noexcept {
-  return part == Part::All || (stream == Stream::Tape) == (part == Part::Tape);
-}
-
 void append_columns(Stream stream, const Columns& columns, simulator::Recording& recording) {
   if (stream == Stream::Tape) append_rows(columns, recording.tape);
   if (stream == Stream::Sample) append_rows(columns, recording.samples);
   if (stream == Stream::Event) append_rows(columns, recording.events);
 }
 
+void reserve_for(std::span<const StoredChunk> chunks, simulator::Recording& recording) {
+  std::array<std::size_t, 3> rows{};
+  for (const StoredChunk& chunk : chunks) {
+    // A false count takes no more memory than a true one may.
+    const auto count = static_cast<std::size_t>(std::clamp<std::int64_t>(
+        chunk.place.row_count, 0, static_cast<std::int64_t>(chunk.bytes.size()) * 64));
+    rows[static_cast<std::size_t>(chunk.place.stream)] += count;
+  }
+  recording.tape.reserve(recording.tape.size() + rows[0]);
+  recording.samples.reserve(recording.samples.size() + rows[1]);
+  recording.events.reserve(recording.events.size() + rows[2]);
+}
+
+/// Chunks of a run, from `first` up to and not with `end`.
+struct Part {
+  std::size_t first = 0, end = 0;
+};
+
 /// Reads one part of a run; remembers the first chunk that does not fit.
 class PartReader {
  public:
-  PartReader(const AttemptId& id, const ChunkRun& run, Part part)
+  /// needs   the part begins with a window
+  PartReader(const AttemptId& id, const ChunkRun& run, const Part& part)
       : run_(run), part_(part), reader_(id), tape_reader_(id) {}
 
   std::optional<Failure> append_to(simulator::Recording& recording) {
-    for (std::size_t i = 0; i < run_.chunks.size(); ++i) {
-      if (!is_part(run_.chunks[i].place.stream, part_)) continue;
+    reserve_for(run_.chunks.subspan(part_.first, part_.end - part_.first), recording);
+    for (std::size_t i = part_.first; i < part_.end; ++i) {
       try {
         read(i, recording);
       } catch (const std::exception& error) {
@@ -96,34 +108,60 @@ class PartReader {
     std::optional<Digest> before = run_.before;
     if (index > 0) before = run_.chunks[index - 1].link;
     if (!before) fail_damaged("the link before it is none");
+    const bool is_tape = chunk.place.stream == Stream::Tape;
     const Columns* tape = chunk.place.stream == Stream::Sample ? tape_of(index) : nullptr;
-    append_columns(chunk.place.stream, reader_.read_checked(chunk, tape, *before), recording);
+    const Columns& columns = (is_tape ? tape_reader_ : reader_).read_checked(chunk, tape, *before);
+    if (is_tape) tape_columns_ = &columns;
+    append_columns(chunk.place.stream, columns, recording);
   }
-  const Columns* tape_of(std::size_t index) {
-    if (index == 0 || !may_need_tape(run_.chunks[index].bytes)) return nullptr;
-    const StoredChunk& tape = run_.chunks[index - 1];
-    if (tape.place.stream != Stream::Tape || tape.place.seq != run_.chunks[index].place.seq) {
-      return nullptr;
-    }
-    return &tape_reader_.read(tape, nullptr);
+  /// The tape of the same window, which was read just before.
+  const Columns* tape_of(std::size_t index) const noexcept {
+    if (index == part_.first) return nullptr;
+    const ChunkPlace& before = run_.chunks[index - 1].place;
+    const bool is_there =
+        before.stream == Stream::Tape && before.seq == run_.chunks[index].place.seq;
+    return is_there ? tape_columns_ : nullptr;
   }
 
   const ChunkRun& run_;
   Part part_;
   ChunkReader reader_, tape_reader_;
+  const Columns* tape_columns_ = nullptr;  ///< of the last tape read
 };
 
-void reserve_for(const ChunkRun& run, simulator::Recording& recording) {
-  std::array<std::size_t, 3> rows{};
-  for (const StoredChunk& chunk : run.chunks) {
-    // A false count takes no more memory than a true one may.
-    const auto count = static_cast<std::size_t>(std::clamp<std::int64_t>(
-        chunk.place.row_count, 0, static_cast<std::int64_t>(chunk.bytes.size()) * 64));
-    rows[static_cast<std::size_t>(chunk.place.stream)] += count;
+/// The first chunk of the window in the middle, so that both halves begin with a window.
+std::size_t middle_of(std::span<const StoredChunk> chunks) noexcept {
+  std::size_t middle = chunks.size() / 2;
+  while (middle < chunks.size() && chunks[middle].place.seq == chunks[middle - 1].place.seq) {
+    ++middle;
   }
-  recording.tape.reserve(recording.tape.size() + rows[0]);
-  recording.samples.reserve(recording.samples.size() + rows[1]);
-  recording.events.reserve(recording.events.size() + rows[2]);
+  return middle;
+}
+
+void append(const simulator::Recording& later, simulator::Recording& recording) {
+  const std::jthread other{
+      [&] { recording.tape.insert(recording.tape.end(), later.tape.begin(), later.tape.end()); }};
+  recording.samples.insert(recording.samples.end(), later.samples.begin(), later.samples.end());
+  recording.events.insert(recording.events.end(), later.events.begin(), later.events.end());
+}
+
+/// Each half on a thread.
+std::optional<Failure> append_halves(const AttemptId& id, const ChunkRun& run,
+                                     simulator::Recording& recording) {
+  const std::size_t middle = middle_of(run.chunks);
+  simulator::Recording later;
+  std::optional<Failure> failure, failure_of_later;
+  reserve_for(run.chunks, recording);
+  {
+    const std::jthread other{[&] {
+      failure_of_later = PartReader{id, run, {middle, run.chunks.size()}}.append_to(later);
+    }};
+    failure = PartReader{id, run, {0, middle}}.append_to(recording);
+  }
+  if (failure) return failure;
+  if (failure_of_later) return failure_of_later;
+  append(later, recording);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -214,22 +252,10 @@ const Columns& ChunkReader::read_checked(const StoredChunk& chunk, const Columns
 
 void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
                 simulator::Recording& recording) {
-  reserve_for(run, recording);
-  std::optional<Failure> failure;
-  if (run.chunks.size() < chunks_for_two_threads) {
-    failure = PartReader{id, run, Part::All}.append_to(recording);
-  } else {
-    std::optional<Failure> failure_of_tape;
-    {
-      const std::jthread other{[&] {
-        failure_of_tape = PartReader{id, run, Part::Tape}.append_to(recording);
-      }};
-      failure = PartReader{id, run, Part::Others}.append_to(recording);
-    }
-    if (failure_of_tape && (!failure || failure_of_tape->index < failure->index)) {
-      failure = std::move(failure_of_tape);
-    }
-  }
+  const bool is_long = run.chunks.size() >= chunks_for_two_threads;
+  const std::optional<Failure> failure =
+      is_long ? append_halves(id, run, recording)
+              : PartReader{id, run, {0, run.chunks.size()}}.append_to(recording);
   if (failure) fail_chunk(database, id, run.chunks[failure->index], failure->reason);
 }
 

@@ -70,12 +70,12 @@ TEST(Export, IsTheSameTwice) {
 
 TEST(Export, NamesNobody) {
   TwoDirectories two;
-  const AttemptId id = two.course().scored_by("ada", 50'000);
+  const AttemptId id = two.course().scored_by("bob", 50'000);
   two.course()
       .instructor("kim", two.course().autumn())
       .decide({id, DecisionKind::Voided, 0, "a canary sang"});
   for (const auto& [name, bytes] : bytes_below(two.exported(id))) {
-    for (const char* word : {"ada", "kim", "canary"}) {
+    for (const char* word : {name_of_bob, "\"bob\"", "kim", "canary"}) {
       EXPECT_EQ(bytes.find(word), std::string::npos) << word << " in " << name;
     }
   }

@@ -131,11 +131,11 @@ TEST(Restore, BringsNobodyBackWhoWasErased) {
   BackedUpCourse course;
   const PersonId bob = course.id_of("bob");
   erase_person(course.database(), {bob, true, "asked"}, {});
-  EXPECT_NE(content_of(course.tables()).find("bob"), std::string::npos);
+  EXPECT_NE(content_of(course.tables()).find(name_of_bob), std::string::npos);
   const fs::path journal = journal_in(course.database().directory() / "backups");
   const Restored restored = restore({course.manifest(), course.target(), journal});
   EXPECT_EQ(restored.erased_people, 1);
-  EXPECT_EQ(content_of(course.target() / "hallux.db").find("bob"), std::string::npos);
+  EXPECT_EQ(content_of(course.target() / "hallux.db").find(name_of_bob), std::string::npos);
   Database again = Database::open(course.target());
   EXPECT_TRUE(is_erased(again, bob));
   EXPECT_EQ(kind_thrown([&] { load_recording(again, course.attempts()[1]); }),

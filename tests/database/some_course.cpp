@@ -9,7 +9,8 @@ SomeCourse::SomeCourse() : database_(Database::open(temporary_.data())) {
                                                        cheap);
   AdministratorDesk desk = administrator();
   for (const char* login : {"ada", "bob", "eve", "kim", "lee"}) {
-    desk.add_person({login, "", false}, secret(good_password), cheap);
+    const bool is_bob = std::string_view{login} == "bob";
+    desk.add_person({login, is_bob ? name_of_bob : "", false}, secret(good_password), cheap);
   }
   desk.add_person({"max", "", true}, secret(good_password), cheap);
   autumn_ = desk.add_cohort("autumn");

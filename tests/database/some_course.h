@@ -13,6 +13,9 @@ namespace hallux::database {
 
 inline constexpr const char* good_password = "a long enough phrase";
 
+/// Long enough that no random bytes spell it.
+inline constexpr const char* name_of_bob = "Bob whom nobody forgets";
+
 class SomeCourse {
  public:
   SomeCourse();
