@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include "scenarios/plan.h"
 #include "simulator/mesh/write_ply.h"
 #include "tests/ui/jobs/cut_balance.h"
@@ -15,7 +17,9 @@ class GeneratedBone : public testing::Test {
   }
   static void TearDownTestSuite() { std::filesystem::remove(file()); }
   static std::filesystem::path file() {
-    return std::filesystem::path(testing::TempDir()) / "hallux_generated_first_metatarsal.ply";
+    // Each test may be a process of its own.
+    return std::filesystem::path(testing::TempDir()) /
+           ("hallux_generated_bone_" + std::to_string(getpid()) + ".ply");
   }
 };
 
