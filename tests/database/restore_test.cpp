@@ -37,7 +37,7 @@ void write(const fs::path& file, const std::string& content) {
 /// A course with two recordings, and a backup of it in a folder of its own.
 class BackedUpCourse : public SomeCourse {
  public:
-  BackedUpCourse() : place_{}, attempts_{recorded_by("ada"), scored_by("bob", 60'000)} {
+  BackedUpCourse() : attempts_{recorded_by("ada"), scored_by("bob", 60'000)} {
     add_note(database(), {attempts_[1], {}, false, "look"}, id_of("kim"));
     backup_ = back_up(database(), folder());
   }

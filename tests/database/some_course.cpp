@@ -52,7 +52,7 @@ AttemptId SomeCourse::recorded_by(const std::string& login) {
 }
 
 AttemptId SomeCourse::scored_by(const std::string& login, std::int64_t score_milli) {
-  const AttemptId id = recorded_by(login);
+  AttemptId id = recorded_by(login);
   store_score(database_, id, card_worth(score_milli), id_of(login));
   return id;
 }
@@ -62,7 +62,7 @@ AttemptId SomeCourse::recorded_by_robot() {
 }
 
 AttemptId SomeCourse::interrupted_of(const std::string& login) {
-  const AttemptId id = create_attempt(database_, attempt_of(login)).attempt();
+  AttemptId id = create_attempt(database_, attempt_of(login)).attempt();
   Database::open(temporary_.data());
   return id;
 }
