@@ -26,7 +26,7 @@ std::string content_of(const fs::path& file) {
 /// What ada did, what others said about it, and what is none of hers.
 class TalkativeCourse : public SomeCourse {
  public:
-  TalkativeCourse() : attempt_(scored_by("ada", 50'000)) {
+  TalkativeCourse() : SomeCourse(long_name), attempt_(scored_by("ada", 50'000)) {
     const AttemptId other = scored_by("bob", 40'000);
     const PersonId kim = id_of("kim");
     const NoteId note = add_note(database(), {attempt_, {}, false, "=look, \"here\""}, kim);
@@ -82,7 +82,7 @@ TEST(PersonExport, HoldsNothingOfOthersAndNoPassword) {
   const std::string bytes = course.all_bytes();
   EXPECT_EQ(bytes.find("canary"), std::string::npos);
   EXPECT_EQ(bytes.find("argon2id"), std::string::npos);
-  EXPECT_EQ(bytes.find(name_of_bob), std::string::npos);
+  EXPECT_EQ(bytes.find(long_name), std::string::npos);
 }
 
 TEST(PersonExport, ExplainsEveryFile) {

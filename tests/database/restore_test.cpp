@@ -37,7 +37,8 @@ void write(const fs::path& file, const std::string& content) {
 /// A course with two recordings, and a backup of it in a folder of its own.
 class BackedUpCourse : public SomeCourse {
  public:
-  BackedUpCourse() : attempts_{recorded_by("ada"), scored_by("bob", 60'000)} {
+  BackedUpCourse()
+      : SomeCourse(long_name), attempts_{recorded_by("ada"), scored_by("bob", 60'000)} {
     add_note(database(), {attempts_[1], {}, false, "look"}, id_of("kim"));
     backup_ = back_up(database(), folder());
   }
@@ -131,11 +132,11 @@ TEST(Restore, BringsNobodyBackWhoWasErased) {
   BackedUpCourse course;
   const PersonId bob = course.id_of("bob");
   erase_person(course.database(), {bob, true, "asked"}, {});
-  EXPECT_NE(content_of(course.tables()).find(name_of_bob), std::string::npos);
+  EXPECT_NE(content_of(course.tables()).find(long_name), std::string::npos);
   const fs::path journal = journal_in(course.database().directory() / "backups");
   const Restored restored = restore({course.manifest(), course.target(), journal});
   EXPECT_EQ(restored.erased_people, 1);
-  EXPECT_EQ(content_of(course.target() / "hallux.db").find(name_of_bob), std::string::npos);
+  EXPECT_EQ(content_of(course.target() / "hallux.db").find(long_name), std::string::npos);
   Database again = Database::open(course.target());
   EXPECT_TRUE(is_erased(again, bob));
   EXPECT_EQ(kind_thrown([&] { load_recording(again, course.attempts()[1]); }),

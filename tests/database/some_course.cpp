@@ -4,7 +4,8 @@
 
 namespace hallux::database {
 
-SomeCourse::SomeCourse() : database_(Database::open(temporary_.data())) {
+SomeCourse::SomeCourse(const std::string& name_of_bob)
+    : database_(Database::open(temporary_.data())) {
   OpenHouse::enter(database_)->add_first_administrator({"root", "", true}, secret(good_password),
                                                        cheap);
   AdministratorDesk desk = administrator();

@@ -14,11 +14,12 @@ namespace hallux::database {
 inline constexpr const char* good_password = "a long enough phrase";
 
 /// Long enough that no random bytes spell it.
-inline constexpr const char* name_of_bob = "Bob whom nobody forgets";
+inline constexpr const char* long_name = "Bob whom nobody forgets";
 
 class SomeCourse {
  public:
-  SomeCourse();
+  /// Without names, but for bob where he is given one.
+  explicit SomeCourse(const std::string& name_of_bob = "");
 
   Database& database() noexcept { return database_; }
   CohortId autumn() const noexcept { return autumn_; }
