@@ -359,7 +359,8 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
     }
   }
   stage.begin({.mode = StereoMode::SideBySide}, size);
-  EXPECT_EQ(stage.pictures_for_panels(window.target()).size(), 2U) << "there panels belong into each eye's half";
+  EXPECT_EQ(stage.pictures_for_panels(window.target()).size(), 2U)
+      << "there panels belong into each eye's half";
 }
 
 /// Mean difference of green, between two pictures of one size.
