@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "simulator/base/check.h"
-
 namespace hallux::ui {
 
 namespace {
@@ -48,12 +46,6 @@ PixelTiles::PixelTiles(PixelSize size)
       rows_(tiles_along(size.height)),
       is_in_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-PixelTiles PixelTiles::all(PixelSize size) {
-  PixelTiles tiles{size};
-  tiles.is_in_.assign(tiles.is_in_.size(), true);
-  return tiles;
-}
-
 void PixelTiles::add(const PixelBox& box) {
   const PixelBox inside = common(box, all_of(size_));
   if (inside.is_empty()) return;
@@ -62,17 +54,6 @@ void PixelTiles::add(const PixelBox& box) {
       is_in_[static_cast<std::size_t>(row * columns_ + column)] = true;
     }
   }
-}
-
-void PixelTiles::add(const PixelTiles& other) {
-  CHECK(other.size_ == size_);
-  for (std::size_t i = 0; i < is_in_.size(); ++i) {
-    if (other.is_in_[i]) is_in_[i] = true;
-  }
-}
-
-bool PixelTiles::is_empty() const noexcept {
-  return std::ranges::find(is_in_, true) == is_in_.end();
 }
 
 PixelBox PixelTiles::box_of(int column, int end_column, int row) const noexcept {

@@ -17,13 +17,9 @@ class PixelTiles {
  public:
   /// None of a picture of this size.
   explicit PixelTiles(PixelSize size = {});
-  static PixelTiles all(PixelSize size);
 
   /// Every tile that the box touches.
   void add(const PixelBox& box);
-  /// needs   tiles of a picture of the same size
-  void add(const PixelTiles& other);
-  bool is_empty() const noexcept;
   /// The tiles as boxes that do not overlap, at most boxes_at_most: where that is not enough, one around all.
   std::vector<PixelBox> boxes() const;
 

@@ -62,7 +62,6 @@ struct KeptPicture::Still {
   StillScene scene;
   std::vector<std::uint64_t> revisions;  ///< one for each bone
   std::optional<ToolShadow> shadow;
-  PixelTiles shaded;  ///< where the shadow can be
 };
 
 struct KeptPicture::Parts {
@@ -114,11 +113,8 @@ struct Renderer::Parts {
 
 KeptPicture::Still Renderer::Parts::still_of(const Frame& frame) const {
   KeptPicture::Still still{still_scene(frame.scene, frame.view, frame.pixel_scale),
-                           bones.revisions(frame.scene), std::nullopt,
-                           PixelTiles{frame.target.size}};
-  if (!frame.scene.saw) return still;
-  still.shadow = tool_shadow(*frame.scene.saw, frame.key_light);
-  still.shaded = shaded_pixels(frame.scene, *still.shadow, frame.view, frame.target.size);
+                           bones.revisions(frame.scene), std::nullopt};
+  if (frame.scene.saw) still.shadow = tool_shadow(*frame.scene.saw, frame.key_light);
   return still;
 }
 
@@ -141,11 +137,11 @@ std::vector<PixelBox> relit_pixels(const Frame& frame, const PixelBox& changed, 
   }
   if (changed == all_of(frame.target.size)) return {changed};
   PixelTiles tiles{frame.target.size};
-  tiles.add(changed);
   if (before->shadow != now.shadow) {
-    tiles.add(before->shaded);
-    tiles.add(now.shaded);
+    const std::array shadows{*before->shadow, *now.shadow};
+    tiles = shaded_pixels(frame.scene, shadows, frame.view, frame.target.size);
   }
+  tiles.add(changed);
   return tiles.boxes();
 }
 

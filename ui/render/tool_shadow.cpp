@@ -56,13 +56,16 @@ bool may_shade(const ToolShadow& shadow, const Vec3& middle_in_tool_mm, double r
          may_handpiece_shade(shadow, middle_in_tool_mm, reach_mm);
 }
 
-PixelTiles shaded_pixels(const Scene& scene, const ToolShadow& shadow, const EyeView& view,
-                         PixelSize size) {
+PixelTiles shaded_pixels(const Scene& scene, std::span<const ToolShadow> shadows,
+                         const EyeView& view, PixelSize size) {
   PixelTiles tiles{size};
   for (const BoneInScene& bone : scene.bones) {
-    const RigidTransform tool_from_bone = inverse(shadow.world_from_tool) * bone.world_from_bone;
-    const auto is_shaded = [&](const Vec3& middle_mm, double radius_mm) {
-      return may_shade(shadow, transform_point(tool_from_bone, middle_mm), radius_mm);
+    const auto is_shaded = [&](const Vec3& middle_in_bone_mm, double radius_mm) {
+      const Vec3 middle_mm = transform_point(bone.world_from_bone, middle_in_bone_mm);
+      return std::ranges::any_of(shadows, [&](const ToolShadow& shadow) {
+        return may_shade(shadow, transform_point(inverse(shadow.world_from_tool), middle_mm),
+                         radius_mm);
+      });
     };
     const Box box{bone.mesh->low_mm, bone.mesh->high_mm};
     add_parts(tiles, {box, bone.world_from_bone, view, size}, is_shaded);

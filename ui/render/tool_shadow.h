@@ -4,6 +4,8 @@
 /// (shaders/tool_shadow.glsl, whose numbers stand here once more).
 #pragma once
 
+#include <span>
+
 #include "ui/render/pixel_tiles.h"
 #include "ui/render/scene.h"
 
@@ -24,8 +26,8 @@ ToolShadow tool_shadow(const SawInScene& saw, const Float3& key_light) noexcept;
 /// False where no point of the ball lies in the shadow; true may be said of one that the shadow only comes near to.
 bool may_shade(const ToolShadow& shadow, const Vec3& middle_in_tool_mm, double radius_mm) noexcept;
 
-/// Where of a picture of this size the shadow can fall on the scene's bones.
-PixelTiles shaded_pixels(const Scene& scene, const ToolShadow& shadow, const EyeView& view,
-                         PixelSize size);
+/// Where of a picture of this size any of the shadows can fall on the scene's bones.
+PixelTiles shaded_pixels(const Scene& scene, std::span<const ToolShadow> shadows,
+                         const EyeView& view, PixelSize size);
 
 }  // namespace hallux::ui
