@@ -51,9 +51,14 @@ void PixelTiles::add(const PixelBox& box) {
   if (inside.is_empty()) return;
   for (int row = inside.bottom / tile_pixels; row < tiles_along(inside.top); ++row) {
     for (int column = inside.left / tile_pixels; column < tiles_along(inside.right); ++column) {
-      is_in_[static_cast<std::size_t>(row * columns_ + column)] = true;
+      is_in_[place_of(column, row)] = true;
     }
   }
+}
+
+std::size_t PixelTiles::place_of(int column, int row) const noexcept {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(column);
 }
 
 PixelBox PixelTiles::box_of(int column, int end_column, int row) const noexcept {
@@ -67,7 +72,7 @@ std::vector<PixelBox> PixelTiles::boxes() const {
   PixelBox around_all;
   for (int row = 0; row < rows_; ++row) {
     const auto is_in = [&](int column) {
-      return column < columns_ && is_in_[static_cast<std::size_t>(row * columns_ + column)];
+      return column < columns_ && is_in_[place_of(column, row)];
     };
     for (int column = 0; column < columns_; ++column) {
       if (!is_in(column)) continue;

@@ -24,6 +24,7 @@ class PixelTiles {
   std::vector<PixelBox> boxes() const;
 
  private:
+  std::size_t place_of(int column, int row) const noexcept;
   PixelBox box_of(int column, int end_column, int row) const noexcept;
 
   PixelSize size_{};
