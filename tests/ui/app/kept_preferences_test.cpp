@@ -85,53 +85,53 @@ class KeptByTheWindow : public KeptPreferences {
  protected:
   bool settle(const std::function<bool()>& holds) {
     for (int frame = 0; frame < 500 && !holds(); ++frame) {
-      driver.wait(0.01);
+      driver_.wait(0.01);
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return holds();
   }
 
-  const Texts texts = english_texts();
-  Shell shell;
-  Driver driver{texts, [this](Ui& ui) { shell.draw(ui); }};
+  const Texts texts_ = english_texts();
+  Shell shell_;
+  Driver driver_{texts_, [this](Ui& ui) { shell_.draw(ui); }};
 };
 
 TEST_F(KeptByTheWindow, EachChoiceIsKeptAndTheNextWindowBeginsWithIt) {
   {
-    const PreferenceKeeper keeper(texts, directory(), shell);
-    driver.frame();
+    const PreferenceKeeper keeper(texts_, directory(), shell_);
+    driver_.frame();
     EXPECT_FALSE(fs::exists(file())) << "nothing was chosen yet";
-    driver.press(Key::Plus, {.control = true});
-    driver.press(Key::Plus, {.control = true});
-    driver.press(Key::F11);
+    driver_.press(Key::Plus, {.control = true});
+    driver_.press(Key::Plus, {.control = true});
+    driver_.press(Key::F11);
     ASSERT_TRUE(settle([&] {
-      return fs::exists(file()) && read_preferences(directory()) == shell.preferences();
+      return fs::exists(file()) && read_preferences(directory()) == shell_.preferences();
     }));
   }
   Shell next;
-  const PreferenceKeeper keeper(texts, directory(), next);
+  const PreferenceKeeper keeper(texts_, directory(), next);
   EXPECT_FLOAT_EQ(next.preferences().scale, 1.2F);
   EXPECT_TRUE(next.preferences().is_full_screen);
 }
 
 TEST_F(KeptByTheWindow, ADamagedFileIsSaidAndStaysUntilSomethingIsChosen) {
   write("damaged");
-  const PreferenceKeeper keeper(texts, directory(), shell);
-  driver.frame();
-  EXPECT_TRUE(driver.sees("The window begins with the usual settings"));
-  EXPECT_TRUE(driver.sees("window.json"));
+  const PreferenceKeeper keeper(texts_, directory(), shell_);
+  driver_.frame();
+  EXPECT_TRUE(driver_.sees("The window begins with the usual settings"));
+  EXPECT_TRUE(driver_.sees("window.json"));
   EXPECT_EQ(words(), "damaged");
-  driver.press(Key::F11);
+  driver_.press(Key::F11);
   EXPECT_TRUE(settle([&] { return words() != "damaged"; }));
   EXPECT_TRUE(read_preferences(directory()).is_full_screen);
 }
 
 TEST_F(KeptByTheWindow, AChoiceThatCannotBeKeptIsSaid) {
-  const PreferenceKeeper keeper(texts, directory(), shell);
-  driver.frame();
+  const PreferenceKeeper keeper(texts_, directory(), shell_);
+  driver_.frame();
   fs::create_directory(file());
-  driver.press(Key::F11);
-  EXPECT_TRUE(settle([&] { return driver.sees("What was chosen here is not kept"); }));
+  driver_.press(Key::F11);
+  EXPECT_TRUE(settle([&] { return driver_.sees("What was chosen here is not kept"); }));
 }
 
 }  // namespace

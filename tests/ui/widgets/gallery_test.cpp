@@ -27,12 +27,12 @@ struct Case {
 
 class Gallery : public testing::TestWithParam<Case> {
  protected:
-  const Texts texts = english_texts();
-  GalleryState state;
+  const Texts texts_ = english_texts();
+  GalleryState state_;
 
   // A window in which the whole page is in sight.
   Driver driver_at(float scale, ThemeName theme = ThemeName::Light) {
-    return Driver(texts, [this](Ui& ui) { GetParam().page.draw(ui, state); },
+    return Driver(texts_, [this](Ui& ui) { GetParam().page.draw(ui, state_); },
                   {1440.0F * scale, 1434.0F * scale, scale, theme});
   }
 };
@@ -43,10 +43,10 @@ TEST_P(Gallery, CutsNoTextOff) {
 }
 
 TEST_P(Gallery, OverlaysCutNoTextOff) {
-  state.has_menu = true;
+  state_.has_menu = true;
   EXPECT_THAT(driver_at(GetParam().scale).faults(), IsEmpty());
-  state.has_menu = false;
-  state.has_question = true;
+  state_.has_menu = false;
+  state_.has_question = true;
   EXPECT_THAT(driver_at(GetParam().scale).faults(), IsEmpty());
 }
 

@@ -37,37 +37,37 @@ std::optional<std::string> draw_rename_screen(Ui& ui, RenameState& state) {
 
 class RenameScreen : public testing::TestWithParam<float> {
  protected:
-  const Texts texts{"rename.title = Rename\nrename.name = Name\nrename.save = Save name\n"};
-  RenameState state;
-  std::optional<std::string> saved;
-  Driver driver{texts,
-                [this](Ui& ui) {
-                  if (auto name = draw_rename_screen(ui, state)) saved = name;
-                },
-                {1280.0F, 720.0F, GetParam()}};
+  const Texts texts_{"rename.title = Rename\nrename.name = Name\nrename.save = Save name\n"};
+  RenameState state_;
+  std::optional<std::string> saved_;
+  Driver driver_{texts_,
+                 [this](Ui& ui) {
+                   if (auto name = draw_rename_screen(ui, state_)) saved_ = name;
+                 },
+                 {1280.0F, 720.0F, GetParam()}};
 };
 
 TEST_P(RenameScreen, EnterSavesTheName) {
-  driver.press(Key::Enter);
-  EXPECT_EQ(saved, std::nullopt) << "an empty name is not saved";
-  driver.type("Trainee 12");
-  driver.press(Key::Enter);
-  EXPECT_EQ(saved, "Trainee 12");
-  EXPECT_THAT(driver.faults(), IsEmpty());
+  driver_.press(Key::Enter);
+  EXPECT_EQ(saved_, std::nullopt) << "an empty name is not saved";
+  driver_.type("Trainee 12");
+  driver_.press(Key::Enter);
+  EXPECT_EQ(saved_, "Trainee 12");
+  EXPECT_THAT(driver_.faults(), IsEmpty());
 }
 
 TEST_P(RenameScreen, TheMouseSavesTheName) {
-  driver.click("rename.name");
-  driver.type("Trainee 12");
-  driver.click("rename.save");
-  EXPECT_EQ(saved, "Trainee 12");
+  driver_.click("rename.name");
+  driver_.type("Trainee 12");
+  driver_.click("rename.save");
+  EXPECT_EQ(saved_, "Trainee 12");
 }
 
 TEST_P(RenameScreen, SaysWhatIsWrong) {
-  state.error = "No spaces in a name. Example: trainee-12";
-  driver.frame();
-  EXPECT_TRUE(driver.sees("Example: trainee-12"));
-  EXPECT_THAT(driver.faults(), IsEmpty());
+  state_.error = "No spaces in a name. Example: trainee-12";
+  driver_.frame();
+  EXPECT_TRUE(driver_.sees("Example: trainee-12"));
+  EXPECT_THAT(driver_.faults(), IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(AtEveryScale, RenameScreen, testing::Values(0.8F, 1.0F, 1.5F));

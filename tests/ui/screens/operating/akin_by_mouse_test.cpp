@@ -39,15 +39,15 @@ scenarios::HandSkill exact_hand() {
 class AkinByMouse : public testing::Test {
  protected:
   AkinByMouse() {
-    table = *course.table(*course.visit_of_ada());
-    const scenarios::KnownBone known(table.bone);
-    aimed = scenarios::aim(table.scenario, table.plan, known, exact_hand(), 1);
-    person.begin();
-    person.press(Key::Digit3);
+    table_ = *course_.table(*course_.visit_of_ada());
+    const scenarios::KnownBone known(table_.bone);
+    aimed_ = scenarios::aim(table_.scenario, table_.plan, known, exact_hand(), 1);
+    person_.begin();
+    person_.press(Key::Digit3);
   }
 
   RigidTransform world_from_kerf(const scenarios::AimedCut& cut) const {
-    return table.bone.world_from_bone * cut.plane.bone_from_kerf;
+    return table_.bone.world_from_bone * cut.plane.bone_from_kerf;
   }
   /// Of the blade in the plane of the cut: how far it was fed, and where along its tooth line.
   static RigidTransform world_from_blade(const RigidTransform& world_from_kerf, double feed_mm,
@@ -70,7 +70,7 @@ class AkinByMouse : public testing::Test {
       led_mm = wanted_mm;
     };
     const double end_mm = stroke.end_mm;
-    EXPECT_TRUE(person.until(
+    EXPECT_TRUE(person_.until(
         [&] {
           const double wanted_mm = std::min(fed_mm() + ahead_mm, end_mm + beyond_mm);
           if (wanted_mm > led_mm + 0.5) lead(wanted_mm);
@@ -79,72 +79,72 @@ class AkinByMouse : public testing::Test {
         60.0))
         << "stopped at " << fed_mm() << " of " << end_mm;
     lead(start_mm);
-    EXPECT_TRUE(person.until([&] { return fed_mm() < start_mm + 1.0; })) << "the blade is stuck";
+    EXPECT_TRUE(person_.until([&] { return fed_mm() < start_mm + 1.0; })) << "the blade is stuck";
   }
 
   void saw_cut(SteadyHand& hand, std::size_t cut) {
     hand.toggle_saw();
     for (const Stroke& stroke : scenarios::stopped(
-             scenarios::plan_strokes(aimed[cut].region,
-                                     {table.scenario.blade.size.width_mm, overlap_mm}),
-             aimed[cut].stop_mm.value())) {
-      saw(hand, world_from_kerf(aimed[cut]), stroke);
+             scenarios::plan_strokes(aimed_[cut].region,
+                                     {table_.scenario.blade.size.width_mm, overlap_mm}),
+             aimed_[cut].stop_mm.value())) {
+      saw(hand, world_from_kerf(aimed_[cut]), stroke);
     }
     hand.toggle_saw();
   }
 
   bool step_is_ready() {
-    return person.until([&] {
-      return person.driver().has("operate.step") &&
-             person.driver().widget("operate.step").is_enabled;
+    return person_.until([&] {
+      return person_.driver().has("operate.step") &&
+             person_.driver().widget("operate.step").is_enabled;
     });
   }
 
-  OperableCourse course{"akin", 1.0};
-  OperatingTable table;
-  std::vector<scenarios::AimedCut> aimed;
-  Operator person{course, AttemptKind::Practice};
+  OperableCourse course_{"akin", 1.0};
+  OperatingTable table_;
+  std::vector<scenarios::AimedCut> aimed_;
+  Operator person_{course_, AttemptKind::Practice};
 };
 
 TEST_F(AkinByMouse, IsOperatedToItsClosedHingeAndScoredWhole) {
-  SteadyHand hand(person);
-  person.press(Key::Enter);
-  ASSERT_TRUE(person.driver().sees("First cut"));
+  SteadyHand hand(person_);
+  person_.press(Key::Enter);
+  ASSERT_TRUE(person_.driver().sees("First cut"));
   saw_cut(hand, 0);
-  person.press(Key::Enter);
-  ASSERT_TRUE(person.driver().sees("Second cut"));
+  person_.press(Key::Enter);
+  ASSERT_TRUE(person_.driver().sees("Second cut"));
   saw_cut(hand, 1);
-  person.press(Key::Enter);
-  ASSERT_TRUE(person.driver().sees("Take it out"));
+  person_.press(Key::Enter);
+  ASSERT_TRUE(person_.driver().sees("Take it out"));
   ASSERT_TRUE(step_is_ready()) << "no wedge came free";
-  person.press(Key::Enter);
-  ASSERT_TRUE(person.until([&] { return person.driver().sees("Close the wedge"); }));
+  person_.press(Key::Enter);
+  ASSERT_TRUE(person_.until([&] { return person_.driver().sees("Close the wedge"); }));
   ASSERT_TRUE(step_is_ready());
-  person.click("operate.step");
-  ASSERT_TRUE(person.until([&] { return person.driver().sees("Check and finish"); }, 60.0));
-  EXPECT_TRUE(person.until([&] { return person.scenes.bones == 2; }))
+  person_.click("operate.step");
+  ASSERT_TRUE(person_.until([&] { return person_.driver().sees("Check and finish"); }, 60.0));
+  EXPECT_TRUE(person_.until([&] { return person_.scenes.bones == 2; }))
       << "the two halves are seen closed";
-  person.press(Key::Enter);
-  ASSERT_TRUE(person.until([&] { return person.driver().has("operate.ask_finish.act"); }));
-  person.click("operate.ask_finish.act");
-  ASSERT_TRUE(person.until([&] { return person.is_gone(); }, 120.0));
+  person_.press(Key::Enter);
+  ASSERT_TRUE(person_.until([&] { return person_.driver().has("operate.ask_finish.act"); }));
+  person_.click("operate.ask_finish.act");
+  ASSERT_TRUE(person_.until([&] { return person_.is_gone(); }, 120.0));
 
-  const database::AttemptHeader header = course.attempt();
+  const database::AttemptHeader header = course_.attempt();
   ASSERT_TRUE(header.score_milli.has_value());
-  database::TraineeDesk desk = course.course().trainee("ada");
+  database::TraineeDesk desk = course_.course().trainee("ada");
   const simulator::Recording recording = desk.recording(header.id);
   std::vector<std::int32_t> done;
   for (const CutEvent& event : recording.events) {
     if (event.kind == CutEventKind::StepDone) done.push_back(event.subject);
   }
   EXPECT_THAT(done, ElementsAre(0, 1, 2, 3, 4));
-  const AttemptMaterial material = load_attempt(course.course().database(), desk, header.id);
+  const AttemptMaterial material = load_attempt(course_.course().database(), desk, header.id);
   const database::ScoreCard card = score_attempt(material, [](const std::string&) {
                                      return std::function<bool(double)>();
                                    }).card;
   EXPECT_EQ(card.score_milli, header.score_milli);
   std::int64_t whole_milli = 0;
-  for (const scenarios::RubricItem& item : table.scenario.rubric.items) {
+  for (const scenarios::RubricItem& item : table_.scenario.rubric.items) {
     whole_milli += item.weight_milli;
   }
   EXPECT_EQ(card.measured_milli, whole_milli) << "every line of the rubric could be measured";

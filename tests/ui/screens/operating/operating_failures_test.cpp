@@ -92,47 +92,47 @@ INSTANTIATE_TEST_SUITE_P(Operating, StorageFailsWhileOperating,
 class OnAFullDisk : public testing::Test {
  protected:
   void SetUp() override {
-    person.begin();
-    const int writes_at_start = vfs.writes_done();
-    ASSERT_TRUE(person.until([&] { return vfs.writes_done() > writes_at_start + 10; }))
+    person_.begin();
+    const int writes_at_start = vfs_.writes_done();
+    ASSERT_TRUE(person_.until([&] { return vfs_.writes_done() > writes_at_start + 10; }))
         << "nothing is recorded";
-    vfs.fail_after(0, SQLITE_FULL);
-    ASSERT_TRUE(person.until([&] { return person.driver().has("operate.full.stop"); }));
+    vfs_.fail_after(0, SQLITE_FULL);
+    ASSERT_TRUE(person_.until([&] { return person_.driver().has("operate.full.stop"); }));
   }
 
-  tests::FaultyVfs vfs{"filled_while_operating"};
-  OperableCourse course{"silver", 1.5, vfs.name()};
-  Operator person{course, AttemptKind::Practice};
+  tests::FaultyVfs vfs_{"filled_while_operating"};
+  OperableCourse course_{"silver", 1.5, vfs_.name()};
+  Operator person_{course_, AttemptKind::Practice};
 };
 
 TEST_F(OnAFullDisk, TheOperationPausesSaysWhereAndGoesOnWhenThereIsRoom) {
-  EXPECT_THAT(words_of(person), HasSubstr("The disk is full"));
-  EXPECT_THAT(words_of(person), HasSubstr("nothing is lost"));
-  EXPECT_THAT(person.driver().faults(), IsEmpty());
-  person.press(Key::P);
-  person.make_frames(5);
-  EXPECT_TRUE(person.driver().has("operate.full.stop")) << "nobody goes on without room";
-  vfs.heal();
-  ASSERT_TRUE(person.until([&] { return person.driver().has("operate.go_on"); }));
-  EXPECT_THAT(words_of(person), HasSubstr("room on the disk again"));
-  person.click("operate.go_on");
-  person.press(Key::End);
-  person.click("operate.ask_finish.act");
-  ASSERT_TRUE(person.until([&] { return person.is_gone(); }));
-  const database::AttemptHeader header = course.attempt();
+  EXPECT_THAT(words_of(person_), HasSubstr("The disk is full"));
+  EXPECT_THAT(words_of(person_), HasSubstr("nothing is lost"));
+  EXPECT_THAT(person_.driver().faults(), IsEmpty());
+  person_.press(Key::P);
+  person_.make_frames(5);
+  EXPECT_TRUE(person_.driver().has("operate.full.stop")) << "nobody goes on without room";
+  vfs_.heal();
+  ASSERT_TRUE(person_.until([&] { return person_.driver().has("operate.go_on"); }));
+  EXPECT_THAT(words_of(person_), HasSubstr("room on the disk again"));
+  person_.click("operate.go_on");
+  person_.press(Key::End);
+  person_.click("operate.ask_finish.act");
+  ASSERT_TRUE(person_.until([&] { return person_.is_gone(); }));
+  const database::AttemptHeader header = course_.attempt();
   EXPECT_EQ(header.state, AttemptState::Closed);
   EXPECT_TRUE(header.is_complete);
-  EXPECT_TRUE(database::verify(course.course().database()).is_whole());
+  EXPECT_TRUE(database::verify(course_.course().database()).is_whole());
 }
 
 TEST_F(OnAFullDisk, WhoStopsKeepsWhatWasSaved) {
-  person.click("operate.full.stop");
-  ASSERT_TRUE(person.until([&] { return person.driver().sees("The operation stopped"); }));
-  EXPECT_THAT(words_of(person), HasSubstr("kept as an interrupted attempt"));
-  EXPECT_THAT(person.driver().faults(), IsEmpty());
-  vfs.heal();
-  EXPECT_EQ(course.attempt().state, AttemptState::Interrupted);
-  EXPECT_FALSE(course.course().trainee("ada").recording(course.attempt().id).samples.empty());
+  person_.click("operate.full.stop");
+  ASSERT_TRUE(person_.until([&] { return person_.driver().sees("The operation stopped"); }));
+  EXPECT_THAT(words_of(person_), HasSubstr("kept as an interrupted attempt"));
+  EXPECT_THAT(person_.driver().faults(), IsEmpty());
+  vfs_.heal();
+  EXPECT_EQ(course_.attempt().state, AttemptState::Interrupted);
+  EXPECT_FALSE(course_.course().trainee("ada").recording(course_.attempt().id).samples.empty());
 }
 
 TEST(OperatingFailures, ADiskThatIsFullBeforeItBeginsIsSaidAndAnAttemptCanBeBegunLater) {
@@ -175,64 +175,65 @@ TEST(OperatingFailures, MemoryThatRunsOutEndsTheAttemptInterruptedAndSaysSo) {
 class WithTheSawRunning : public testing::Test {
  protected:
   WithTheSawRunning() {
-    person.begin();
+    person_.begin();
     move_to({600.0F, 500.0F});
     move_to({620.0F, 500.0F});
-    person.press(Key::Space);
-    EXPECT_TRUE(person.until([&] { return person.scenes.saw->is_running; }));
+    person_.press(Key::Space);
+    EXPECT_TRUE(person_.until([&] { return person_.scenes.saw->is_running; }));
   }
 
   void move_to(Point place) {
-    person.driver().send({event_of(EventKind::PointerMoved, place)});
-    person.make_frames(3);
+    person_.driver().send({event_of(EventKind::PointerMoved, place)});
+    person_.make_frames(3);
   }
 
   /// The saw is off by the record, the loop is paused by the operator, and the screen says why.
   void expect_interrupted(const char* words) {
-    EXPECT_TRUE(person.driver().sees("Paused"));
-    EXPECT_TRUE(person.driver().sees(words));
-    EXPECT_THAT(person.driver().faults(), IsEmpty());
-    EXPECT_TRUE(person.until([&] { return !person.scenes.saw->is_running; }));
-    person.press(Key::P);
-    EXPECT_FALSE(person.driver().sees("Paused"));
+    EXPECT_TRUE(person_.driver().sees("Paused"));
+    EXPECT_TRUE(person_.driver().sees(words));
+    EXPECT_THAT(person_.driver().faults(), IsEmpty());
+    EXPECT_TRUE(person_.until([&] { return !person_.scenes.saw->is_running; }));
+    person_.press(Key::P);
+    EXPECT_FALSE(person_.driver().sees("Paused"));
     for (int frame = 0; frame < 20; ++frame) {
-      person.until([frame_before = person.scenes.pictures, this] {
-        return person.scenes.pictures > frame_before;
+      person_.until([frame_before = person_.scenes.pictures, this] {
+        return person_.scenes.pictures > frame_before;
       });
-      EXPECT_FALSE(person.scenes.saw->is_running) << "it does not start by itself";
+      EXPECT_FALSE(person_.scenes.saw->is_running) << "it does not start by itself";
     }
-    person.close();
-    const simulator::Recording kept = course.course().trainee("ada").recording(course.attempt().id);
+    person_.close();
+    const simulator::Recording kept =
+        course_.course().trainee("ada").recording(course_.attempt().id);
     ASSERT_FALSE(kept.samples.empty());
     EXPECT_EQ(kept.samples.back().status & saw_bit, 0U);
   }
 
-  OperableCourse course{"silver"};
-  Operator person{course, AttemptKind::Practice};
+  OperableCourse course_{"silver"};
+  Operator person_{course_, AttemptKind::Practice};
 };
 
 TEST_F(WithTheSawRunning, AWindowThatLosesTheKeyboardPauses) {
-  person.driver().send({event_of(EventKind::FocusLost)});
-  person.make_frames(2);
+  person_.driver().send({event_of(EventKind::FocusLost)});
+  person_.make_frames(2);
   expect_interrupted("Another window has the keyboard");
 }
 
 TEST_F(WithTheSawRunning, APointerThatLeavesTheWindowPauses) {
-  person.driver().send({event_of(EventKind::PointerLeft)});
-  person.make_frames(2);
+  person_.driver().send({event_of(EventKind::PointerLeft)});
+  person_.make_frames(2);
   expect_interrupted("The pointer left the window");
 }
 
 TEST_F(WithTheSawRunning, AListOverThePicturePauses) {
-  person.press(Key::F1);
-  person.make_frames(2);
-  person.press(Key::Escape);
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::Escape);
   expect_interrupted("Something lay over the picture");
 }
 
 TEST_F(WithTheSawRunning, AWindowThatStoodStillPauses) {
-  person.driver().frame(2.0);
-  person.make_frames(2);
+  person_.driver().frame(2.0);
+  person_.make_frames(2);
   expect_interrupted("The window stood still");
 }
 
@@ -243,34 +244,34 @@ class BriefLock : public Screen {
 };
 
 TEST_F(WithTheSawRunning, ALockPausesBeforeAnythingIsDrawn) {
-  person.shell().lock(std::make_unique<BriefLock>());
-  EXPECT_TRUE(person.shell().is_locked());
-  person.make_frames(3);
+  person_.shell().lock(std::make_unique<BriefLock>());
+  EXPECT_TRUE(person_.shell().is_locked());
+  person_.make_frames(3);
   expect_interrupted("The window was locked");
 }
 
 TEST_F(WithTheSawRunning, GoOnIsAButtonToo) {
-  person.driver().send({event_of(EventKind::FocusLost)});
-  person.make_frames(2);
-  person.click("operate.go_on");
-  EXPECT_FALSE(person.driver().sees("Paused"));
+  person_.driver().send({event_of(EventKind::FocusLost)});
+  person_.make_frames(2);
+  person_.click("operate.go_on");
+  EXPECT_FALSE(person_.driver().sees("Paused"));
 }
 
 TEST_F(WithTheSawRunning, APointerThatLeavesWithTheSawOffDisturbsNobody) {
-  person.press(Key::Space);
-  person.driver().send({event_of(EventKind::PointerLeft)});
-  person.make_frames(2);
-  EXPECT_FALSE(person.driver().sees("Paused"));
+  person_.press(Key::Space);
+  person_.driver().send({event_of(EventKind::PointerLeft)});
+  person_.make_frames(2);
+  EXPECT_FALSE(person_.driver().sees("Paused"));
 }
 
 TEST_F(WithTheSawRunning, TheWindowIsNotClosedAndSaysWhy) {
-  EXPECT_FALSE(person.shell().may_leave(person.driver().ui()));
-  EXPECT_FALSE(person.shell().may_leave(person.driver().ui()));
-  person.make_frames(2);
-  EXPECT_TRUE(person.driver().sees("still being recorded"));
-  EXPECT_TRUE(person.driver().has("message.1.close"));
-  EXPECT_FALSE(person.driver().has("message.0.close")) << "said twice, it stands there once";
-  EXPECT_THAT(person.driver().faults(), IsEmpty());
+  EXPECT_FALSE(person_.shell().may_leave(person_.driver().ui()));
+  EXPECT_FALSE(person_.shell().may_leave(person_.driver().ui()));
+  person_.make_frames(2);
+  EXPECT_TRUE(person_.driver().sees("still being recorded"));
+  EXPECT_TRUE(person_.driver().has("message.1.close"));
+  EXPECT_FALSE(person_.driver().has("message.0.close")) << "said twice, it stands there once";
+  EXPECT_THAT(person_.driver().faults(), IsEmpty());
 }
 
 }  // namespace

@@ -254,56 +254,56 @@ class PointerOfAnOperation : public testing::Test {
     InputEvent moved;
     moved.kind = EventKind::PointerMoved;
     moved.position = place;
-    person.driver().send({moved});
-    person.make_frames(3);
-    return person.driver().ui().pointer_shape();
+    person_.driver().send({moved});
+    person_.make_frames(3);
+    return person_.driver().ui().pointer_shape();
   }
-  Point middle_of(std::string_view id) { return person.driver().widget(id).visible.centre(); }
+  Point middle_of(std::string_view id) { return person_.driver().widget(id).visible.centre(); }
 
   static constexpr Point over_the_bone{700.0F, 450.0F};
-  OperableCourse course{"silver"};
-  Operator person{course, AttemptKind::Practice};
+  OperableCourse course_{"silver"};
+  Operator person_{course_, AttemptKind::Practice};
 };
 
 TEST_F(PointerOfAnOperation, TheSawStandsForItOverTheBoneWhileItIsLed) {
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Arrow) << "not begun";
-  person.begin();
+  person_.begin();
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Hidden);
   EXPECT_EQ(shape_at(middle_of("operate.panel.force")), PointerShape::Arrow);
   EXPECT_EQ(shape_at(middle_of("operate.panel.tool")), PointerShape::Arrow);
   EXPECT_EQ(shape_at(middle_of("operate.pause")), PointerShape::Hand);
-  person.press(Key::P);
+  person_.press(Key::P);
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Arrow) << "paused";
-  person.press(Key::P);
+  person_.press(Key::P);
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Hidden);
-  person.press(Key::End);
+  person_.press(Key::End);
   EXPECT_EQ(shape_at({300.0F, 300.0F}), PointerShape::Arrow) << "a question lies over it";
 }
 
 TEST_F(PointerOfAnOperation, OverAPanelItDoesNotLeadTheSaw) {
-  person.begin();
-  const Rect panel = person.driver().widget("operate.panel.force").visible;
+  person_.begin();
+  const Rect panel = person_.driver().widget("operate.panel.force").visible;
   shape_at({panel.x + 10.0F, panel.mid_y()});
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
-  person.until([&] { return std::chrono::steady_clock::now() > end; });
-  const Vec3 before = person.scenes.saw->world_from_tool.translation_mm;
+  person_.until([&] { return std::chrono::steady_clock::now() > end; });
+  const Vec3 before = person_.scenes.saw->world_from_tool.translation_mm;
   for (float x = panel.x + 20.0F; x < panel.right() - 10.0F; x += 20.0F) {
     shape_at({x, panel.mid_y()});
   }
   const auto later = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
-  person.until([&] { return std::chrono::steady_clock::now() > later; });
-  EXPECT_LT(glm::length(person.scenes.saw->world_from_tool.translation_mm - before), 0.05);
+  person_.until([&] { return std::chrono::steady_clock::now() > later; });
+  EXPECT_LT(glm::length(person_.scenes.saw->world_from_tool.translation_mm - before), 0.05);
 }
 
 TEST_F(PointerOfAnOperation, SideBySideThePictureCarriesIt) {
-  person.press(Key::F9);
+  person_.press(Key::F9);
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Hidden) << "one eye alone would see it";
   EXPECT_EQ(shape_at(middle_of("operate.begin")), PointerShape::Hidden);
-  person.begin();
+  person_.begin();
   EXPECT_EQ(shape_at(middle_of("operate.pause")), PointerShape::Hidden);
-  person.click("operate.pause");
-  EXPECT_TRUE(person.driver().sees("Paused")) << "its place is the place of the layout";
-  person.press(Key::F9);
+  person_.click("operate.pause");
+  EXPECT_TRUE(person_.driver().sees("Paused")) << "its place is the place of the layout";
+  person_.press(Key::F9);
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Arrow) << "an anaglyph is one picture";
 }
 
