@@ -23,14 +23,14 @@ class Comparisons : public testing::Test, protected SomeCourse {
     attempt.person = person(number);
     attempt.kind = AttemptKind::Assessment;
     attempt.device_class = device;
-    const AttemptId id = record(database(), attempt, some_recording(5));
+    AttemptId id = record(database(), attempt, some_recording(5));
     ScoreCard card = card_worth(milli);
     card.rubric_milli = card.measured_milli = 100'000;
     store_score(database(), id, card);
     return id;
   }
   AttemptId graded(int number, std::int64_t milli, const std::string& device = "arm") {
-    const AttemptId id = assessed(number, milli, device);
+    AttemptId id = assessed(number, milli, device);
     decide(database(), {id, DecisionKind::Confirmed, 0, "seen"}, id_of("kim"));
     return id;
   }

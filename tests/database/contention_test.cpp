@@ -112,10 +112,10 @@ TEST(Contention, OfEightWritersWithRandomKillsLosesNothingAndLocksNobodyOut) {
 TEST(Contention, TheFirstOpeningBySeveralProcessesAtOnceWorks) {
   for (int round = 0; round < 8; ++round) {
     const TemporaryDirectory temporary{medium};
-    std::vector<std::unique_ptr<KilledChild>> children;
-    for (int i = 0; i < 6; ++i) {
-      children.push_back(std::make_unique<KilledChild>(
-          std::vector<std::string>{"open", temporary.data().string()}));
+    std::vector<std::unique_ptr<KilledChild>> children(6);
+    for (std::unique_ptr<KilledChild>& child : children) {
+      child = std::make_unique<KilledChild>(
+          std::vector<std::string>{"open", temporary.data().string()});
     }
     for (const auto& child : children) EXPECT_EQ(child->wait(), 0);
     Database database = Database::open(temporary.data());

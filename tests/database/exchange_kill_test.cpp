@@ -59,10 +59,8 @@ void kill_everywhere(const std::function<void(int)>& work, const std::function<v
 }
 
 std::vector<AttemptId> fill(Database& database) {
-  std::vector<AttemptId> ids;
-  for (int i = 0; i < attempts; ++i) {
-    ids.push_back(record(database, some_attempt(database), some_recording(1200)));
-  }
+  std::vector<AttemptId> ids(attempts);
+  for (AttemptId& id : ids) id = record(database, some_attempt(database), some_recording(1200));
   return ids;
 }
 

@@ -138,32 +138,32 @@ const std::vector<Attack>& attacks() {
 class Hostile : public testing::TestWithParam<std::size_t> {
  protected:
   static void SetUpTestSuite() {
-    two_ = std::make_unique<TwoDirectories>();
-    exported_ = two_->exported(two_->course().scored_by("ada", 50'000));
+    two = std::make_unique<TwoDirectories>();
+    exported = two->exported(two->course().scored_by("ada", 50'000));
   }
-  static void TearDownTestSuite() { two_.reset(); }
+  static void TearDownTestSuite() { two.reset(); }
 
-  static std::unique_ptr<TwoDirectories> two_;
-  static fs::path exported_;
+  static std::unique_ptr<TwoDirectories> two;
+  static fs::path exported;
 };
 
-std::unique_ptr<TwoDirectories> Hostile::two_;
-fs::path Hostile::exported_;
+std::unique_ptr<TwoDirectories> Hostile::two;
+fs::path Hostile::exported;
 
 TEST_P(Hostile, FolderIsRefusedAndNothingIsStored) {
   const TemporaryDirectory temporary;
   const fs::path folder = temporary.data();
-  fs::copy(exported_, folder);
+  fs::copy(exported, folder);
   ASSERT_NO_FATAL_FAILURE(attacks()[GetParam()].make(folder));
   try {
-    two_->import(folder);
+    two->import(folder);
     ADD_FAILURE() << "it was taken in";
   } catch (const DatabaseError& error) {
     EXPECT_EQ(error.kind(), DatabaseErrorKind::BadInput) << error.what();
     EXPECT_NE(std::string{error.what()}.find(folder.string()), std::string::npos) << error.what();
   }
-  EXPECT_TRUE(list_attempts(two_->there()).empty());
-  EXPECT_TRUE(list_origins(two_->there()).empty());
+  EXPECT_TRUE(list_attempts(two->there()).empty());
+  EXPECT_TRUE(list_origins(two->there()).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Import, Hostile, testing::Range(std::size_t{0}, attacks().size()),

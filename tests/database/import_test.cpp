@@ -32,13 +32,13 @@ AttemptId recorded(SomeCourse& course, AttemptKind kind, simulator::Guidance gui
   NewAttempt attempt = course.attempt_of("ada");
   attempt.kind = kind;
   attempt.guidance = guidance;
-  const AttemptId id = record(course.database(), attempt, some_recording(1700));
+  AttemptId id = record(course.database(), attempt, some_recording(1700));
   store_score(course.database(), id, card_worth(70'000), course.id_of("ada"));
   return id;
 }
 
-AttemptId decided(SomeCourse& course, std::vector<DecisionKind> kinds) {
-  const AttemptId id = recorded(course, AttemptKind::Assessment, simulator::Guidance::None);
+AttemptId decided(SomeCourse& course, const std::vector<DecisionKind>& kinds) {
+  AttemptId id = recorded(course, AttemptKind::Assessment, simulator::Guidance::None);
   std::int64_t worth = 60'000;
   for (const DecisionKind kind : kinds) {
     course.instructor("kim", course.autumn()).decide({id, kind, worth, "seen"});
@@ -83,13 +83,13 @@ const std::vector<Kind>& kinds() {
       {"InterruptedWithoutAWindow", [](SomeCourse& c) { return c.interrupted_of("ada"); }},
       {"VoidedInterrupted",
        [](SomeCourse& c) {
-         const AttemptId id = interrupted(c);
+         AttemptId id = interrupted(c);
          c.instructor("kim", c.autumn()).decide({id, DecisionKind::Voided, 0, "cut off"});
          return id;
        }},
       {"Simulated",
        [](SomeCourse& c) {
-         const AttemptId id = recorded(c, AttemptKind::Practice, Guidance::None);
+         AttemptId id = recorded(c, AttemptKind::Practice, Guidance::None);
          tamper(c.database(), "UPDATE attempt SET is_simulated = 1");
          return id;
        }},

@@ -22,6 +22,7 @@ KilledChild::KilledChild(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{HALLUX_KILL_COURSE};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;

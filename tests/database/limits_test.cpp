@@ -21,7 +21,7 @@ class Limits : public testing::Test, protected SomeCourse {
     return attempt;
   }
   AttemptId assessed(const std::string& login) {
-    const AttemptId id = record(database(), assessment_of(login), some_recording(5));
+    AttemptId id = record(database(), assessment_of(login), some_recording(5));
     store_score(database(), id, card_worth(60'000));
     return id;
   }

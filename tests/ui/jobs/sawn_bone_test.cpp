@@ -39,7 +39,7 @@ class SawnBlock : public SweepFiles {
     return group;
   }
   GroupOutcome saw(const CutGroup& group) {
-    const GroupOutcome outcome = bone_.saw(group, {});
+    GroupOutcome outcome = bone_.saw(group, {});
     EXPECT_EQ(outcome.refused_frames, 0U);
     EXPECT_NO_THROW(simulator::check_closed_solid(bone_.solid().mesh, "what is left"));
     EXPECT_NEAR(signed_volume_mm3(bone_.solid().mesh) + bone_.removed_mm3(), 5040.0, balance_mm3);

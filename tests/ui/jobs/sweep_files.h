@@ -40,8 +40,7 @@ class SweepFiles : public testing::Test {
           {{"tip", {tip_mm.x, tip_mm.y, tip_mm.z}},
            {"direction", {thrust.direction.x, thrust.direction.y, thrust.direction.z}}});
     }
-    const std::filesystem::path file =
-        folder_ / ("sweep-" + std::to_string(++file_count_) + ".json");
+    std::filesystem::path file = folder_ / ("sweep-" + std::to_string(++file_count_) + ".json");
     std::ofstream(file) << nlohmann::json{{"blade", {{"width_mm", 13.0}, {"depth_mm", 40.0}}},
                                           {"poses", poses}};
     return file;

@@ -106,7 +106,7 @@ database::AttemptId operated_by(database::SomeCourse& course, const std::string&
   begun.scenario = put_scenario_version(
       database, {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
   begun.bone = put_asset(database, "bone", encode_bone(operation.bone));
-  const database::AttemptId id = record(database, begun, operation.recording);
+  database::AttemptId id = record(database, begun, operation.recording);
   if (is_scored) {
     store_score(database, id, assessment::assess(scenario, operation.bone, operation.recording),
                 course.id_of(login));

@@ -30,7 +30,7 @@ class SomePublished {
   database::AttemptId scored_by(const std::string& login, std::int64_t score_milli,
                                 database::AttemptKind kind = database::AttemptKind::Practice,
                                 bool is_gated = false) {
-    const database::AttemptId id = attempted_by(login, kind);
+    database::AttemptId id = attempted_by(login, kind);
     database::ScoreCard card = database::card_worth(score_milli);
     card.rubric_version = scenario_.rubric.version;
     if (is_gated) card.gates.emplace_back().is_triggered = true;
