@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> names_in(const std::vector<RetentionPiece>& pieces) {
   std::vector<std::string> names;
+  names.reserve(pieces.size());
   for (const RetentionPiece& piece : pieces) names.push_back(piece.name);
   return names;
 }

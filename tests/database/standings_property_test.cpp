@@ -135,6 +135,7 @@ class PlayedCourse {
       standing.last_milli = attempt.milli();
     }
     std::vector<OperationStanding> list;
+    list.reserve(operations.size());
     for (auto& [name, standing] : operations) list.push_back(std::move(standing));
     return list;
   }
@@ -152,6 +153,7 @@ class PlayedCourse {
     std::sort(in_order.begin(), in_order.end(),
               [](const Remembered& a, const Remembered& b) { return a.is_before(b); });
     std::vector<std::int64_t> points;
+    points.reserve(in_order.size());
     for (const Remembered& attempt : in_order) points.push_back(*attempt.milli());
     return points;
   }
