@@ -12,8 +12,8 @@ namespace {
 
 std::vector<double> forces_of(const VibrationInput& input, int ticks, std::uint64_t seed = 7) {
   VibrationState state(seed);
-  std::vector<double> forces;
-  for (int i = 0; i < ticks; ++i) forces.push_back(vibrate(state, input));
+  std::vector<double> forces(static_cast<std::size_t>(ticks));
+  for (double& force : forces) force = vibrate(state, input);
   return forces;
 }
 

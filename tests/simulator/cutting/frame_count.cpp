@@ -27,6 +27,7 @@ std::vector<bool> skins_around_holes(const KerfContact& contact) {
                                           static_cast<double>(a.v) * static_cast<double>(b.u);
   }
   std::vector<bool> is_hole;
+  is_hole.reserve(area.size());
   for (const auto& [below, above] : area) is_hole.push_back(below < 0.0 || above > 0.0);
   return is_hole;
 }

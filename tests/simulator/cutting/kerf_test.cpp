@@ -58,7 +58,8 @@ TEST(Kerf, ChangedIsTheSmallestWindowOfWhatRose) {
   FieldWindow expected{grid.u_count, grid.v_count, 0, 0};
   for (std::int32_t v = 0; v < grid.v_count; ++v) {
     for (std::int32_t u = 0; u < grid.u_count; ++u) {
-      const auto node = static_cast<std::size_t>(v * grid.u_count + u);
+      const auto node = static_cast<std::size_t>(v) * static_cast<std::size_t>(grid.u_count) +
+                        static_cast<std::size_t>(u);
       ASSERT_GE(after[node], before[node]);
       if (after[node] == before[node]) continue;
       expected = {std::min(expected.u_first, u), std::min(expected.v_first, v),

@@ -74,7 +74,7 @@ KerfPlane random_plane(Random& random) {
 }
 
 double random_multiple(Random& random, int reach, double step) {
-  const auto count = static_cast<std::uint64_t>(2 * reach + 1);
+  const auto count = 2 * static_cast<std::uint64_t>(reach) + 1;
   return step * (static_cast<double>(random.bits() % count) - reach);
 }
 

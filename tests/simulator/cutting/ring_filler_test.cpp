@@ -14,6 +14,7 @@ using namespace simulator;
 /// Corners in the lattice's plane, at height 0.
 std::vector<LatticeCorner> flat(const std::vector<LatticePoint>& places) {
   std::vector<LatticeCorner> corners;
+  corners.reserve(places.size());
   for (const LatticePoint& place : places) corners.push_back({place, 0});
   return corners;
 }

@@ -118,8 +118,11 @@ RC_GTEST_PROP(SweepProperty, StampsInAnyOrderAndTwiceGiveTheSamePatchToTheLastBi
   Random random(seed);
   const IndexedMesh mesh = random_bone(random);
   const KerfPlane plane = random_plane(random);
-  std::vector<std::pair<PlanarPose, PlanarPose>> stamps;
-  for (int i = 0; i < 8; ++i) stamps.emplace_back(random_pose(random), random_pose(random));
+  std::vector<std::pair<PlanarPose, PlanarPose>> stamps(8);
+  for (auto& [from, to] : stamps) {
+    from = random_pose(random);
+    to = random_pose(random);
+  }
   KerfField forward(grid), shuffled(grid);
   FieldWindow changed;
   for (const auto& [from, to] : stamps) forward.stamp(blade, from, to, changed);
