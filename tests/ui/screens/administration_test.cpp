@@ -141,8 +141,8 @@ TEST(CohortsScreen, NothingIsCutOffAnywhere) {
   database::SomeCourse course;
   course.administrator().add_cohort("A cohort with quite a long name that somebody gave it");
   const auto make = [&] { return std::make_unique<CohortsScreen>(visit_of(course, "root")); };
-  const auto shows = [&](std::vector<std::string> ids) {
-    return faults_at_every_size(make, [ids](SomeVisitor& visitor) {
+  const auto shows = [&](const std::vector<std::string>& ids) {
+    return faults_at_every_size(make, [&ids](SomeVisitor& visitor) {
       for (const std::string& id : ids) {
         visitor.driver().click(id);
         visitor.finish_work();
