@@ -23,7 +23,7 @@ std::vector<NamedColor> grounds_of(const Theme& theme) {
 
 class ThemeContrast : public testing::TestWithParam<ThemeName> {
  protected:
-  const Theme theme = make_theme(GetParam());
+  const Theme theme_ = make_theme(GetParam());
 
   static void expect_at_least(double least, const NamedColor& ink, const NamedColor& ground) {
     EXPECT_GE(contrast(ink.second, ground.second), least) << ink.first << " on " << ground.first;
@@ -31,39 +31,39 @@ class ThemeContrast : public testing::TestWithParam<ThemeName> {
 };
 
 TEST_P(ThemeContrast, TextsCanBeReadOnEveryGround) {
-  for (const NamedColor& ground : grounds_of(theme)) {
-    expect_at_least(readable, {"text", theme.text}, ground);
-    expect_at_least(readable, {"text_secondary", theme.text_secondary}, ground);
+  for (const NamedColor& ground : grounds_of(theme_)) {
+    expect_at_least(readable, {"text", theme_.text}, ground);
+    expect_at_least(readable, {"text_secondary", theme_.text_secondary}, ground);
   }
-  for (const NamedColor& ground : {NamedColor{"page", theme.page},
-                                   {"card", theme.card},
-                                   {"side", theme.side},
-                                   {"raise", theme.raise},
-                                   {"accent_soft", theme.accent_soft},
-                                   {"chip", theme.chip},
-                                   {"popup", theme.popup},
-                                   {"field", theme.field}})
-    expect_at_least(readable, {"text_caption", theme.text_caption}, ground);
+  for (const NamedColor& ground : {NamedColor{"page", theme_.page},
+                                   {"card", theme_.card},
+                                   {"side", theme_.side},
+                                   {"raise", theme_.raise},
+                                   {"accent_soft", theme_.accent_soft},
+                                   {"chip", theme_.chip},
+                                   {"popup", theme_.popup},
+                                   {"field", theme_.field}})
+    expect_at_least(readable, {"text_caption", theme_.text_caption}, ground);
 }
 
 TEST_P(ThemeContrast, AccentAndItsTextCanBeRead) {
-  expect_at_least(readable, {"on_accent", theme.on_accent}, {"accent", theme.accent});
-  for (const NamedColor& ground : {NamedColor{"page", theme.page},
-                                   {"card", theme.card},
-                                   {"raise", theme.raise},
-                                   {"accent_soft", theme.accent_soft},
-                                   {"popup", theme.popup}})
-    expect_at_least(readable, {"accent", theme.accent}, ground);
-  expect_at_least(readable, {"bad_text on its button", theme.bad_text}, {"danger", theme.danger});
-  for (const Color& hue : theme.avatars)
-    expect_at_least(readable, {"initials", theme.on_avatar}, {"avatar", hue});
+  expect_at_least(readable, {"on_accent", theme_.on_accent}, {"accent", theme_.accent});
+  for (const NamedColor& ground : {NamedColor{"page", theme_.page},
+                                   {"card", theme_.card},
+                                   {"raise", theme_.raise},
+                                   {"accent_soft", theme_.accent_soft},
+                                   {"popup", theme_.popup}})
+    expect_at_least(readable, {"accent", theme_.accent}, ground);
+  expect_at_least(readable, {"bad_text on its button", theme_.bad_text}, {"danger", theme_.danger});
+  for (const Color& hue : theme_.avatars)
+    expect_at_least(readable, {"initials", theme_.on_avatar}, {"avatar", hue});
 }
 
 TEST_P(ThemeContrast, WordsWithAMeaningCanBeReadOnTheirTint) {
   for (const Meaning meaning :
        {Meaning::Good, Meaning::Warn, Meaning::Bad, Meaning::Info, Meaning::Neutral})
-    for (const Color ground : {theme.page, theme.card})
-      EXPECT_GE(contrast(text_of(theme, meaning), composed(tint_of(theme, meaning), ground)),
+    for (const Color ground : {theme_.page, theme_.card})
+      EXPECT_GE(contrast(text_of(theme_, meaning), composed(tint_of(theme_, meaning), ground)),
                 readable)
           << static_cast<int>(meaning);
 }
@@ -71,23 +71,24 @@ TEST_P(ThemeContrast, WordsWithAMeaningCanBeReadOnTheirTint) {
 TEST_P(ThemeContrast, ShapesAndBordersCanBeSeen) {
   for (const Meaning meaning :
        {Meaning::Good, Meaning::Warn, Meaning::Bad, Meaning::Info, Meaning::Neutral})
-    EXPECT_GE(contrast(fill_of(theme, meaning), theme.card), visible) << static_cast<int>(meaning);
-  for (const NamedColor& ink : {NamedColor{"border", theme.border},
-                                {"focus", theme.focus},
-                                {"toggle_off", theme.toggle_off},
-                                {"accent", theme.accent},
-                                {"reference", theme.reference}})
-    expect_at_least(visible, ink, {"card", theme.card});
-  expect_at_least(visible, {"focus", theme.focus}, {"page", theme.page});
+    EXPECT_GE(contrast(fill_of(theme_, meaning), theme_.card), visible)
+        << static_cast<int>(meaning);
+  for (const NamedColor& ink : {NamedColor{"border", theme_.border},
+                                {"focus", theme_.focus},
+                                {"toggle_off", theme_.toggle_off},
+                                {"accent", theme_.accent},
+                                {"reference", theme_.reference}})
+    expect_at_least(visible, ink, {"card", theme_.card});
+  expect_at_least(visible, {"focus", theme_.focus}, {"page", theme_.page});
 }
 
 TEST_P(ThemeContrast, WordsOnAPanelOverThePictureCanBeRead) {
   // The brightest and the darkest thing that may lie below it.
   for (const Color below : {rgb(0xF2E6D0), rgb(0x0D1318)})
-    if (theme.is_dark() == (luminance(below) > 0.5)) {
-      const Color ground = composed(theme.hud, below);
-      EXPECT_GE(contrast(theme.text, ground), readable);
-      EXPECT_GE(contrast(theme.text_secondary, ground), readable);
+    if (theme_.is_dark() == (luminance(below) > 0.5)) {
+      const Color ground = composed(theme_.hud, below);
+      EXPECT_GE(contrast(theme_.text, ground), readable);
+      EXPECT_GE(contrast(theme_.text_secondary, ground), readable);
     }
 }
 
