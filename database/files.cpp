@@ -17,7 +17,7 @@ struct Meaning {
   const char* mend;
 };
 
-Meaning meaning_of(int error_number) {
+Meaning meaning_in_data_directory(int error_number) {
   switch (error_number) {
     case ENOSPC:
     case EDQUOT:
@@ -46,13 +46,49 @@ Meaning meaning_of(int error_number) {
   }
 }
 
-}  // namespace
+Meaning meaning_where_named(int error_number) {
+  using enum DatabaseErrorKind;
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return {Full, "the disk is full; free some space, or name a folder elsewhere"};
+    case EROFS:
+    case EACCES:
+    case EPERM:
+      return {ReadOnly, "it is not permitted there; name a folder of your own"};
+    case ENOENT:
+      return {BadInput, "its folder does not exist; make it, or name another"};
+    case EEXIST:
+    case ENOTEMPTY:
+      return {BadInput, "something has this name already; name another"};
+    case ENOTDIR:
+      return {BadInput, "a file is where a folder should be; name another"};
+    case ELOOP:
+      return {BadInput, "it is a link, which is not followed; put the file itself there"};
+    case ENAMETOOLONG:
+      return {BadInput, "the name is too long; give a shorter one"};
+    default:
+      return {InputOutput, "check the disk"};
+  }
+}
 
-DatabaseError file_error(const std::filesystem::path& file, const char* tried, int error_number) {
-  const Meaning meaning = meaning_of(error_number);
+DatabaseError error_of(const Meaning& meaning, const std::filesystem::path& file, const char* tried,
+                       int error_number) {
   return {meaning.kind, std::string{"could not "} + tried + " " + file.string() + ": " +
                             meaning.mend + " (" +
                             std::error_code{error_number, std::generic_category()}.message() + ")"};
+}
+
+}  // namespace
+
+DatabaseError file_error(const std::filesystem::path& file, const char* tried, int error_number) {
+  return error_of(meaning_in_data_directory(error_number), file, tried, error_number);
+}
+
+DatabaseError named_file_error(const std::filesystem::path& file, const char* tried,
+                               int error_number) {
+  return error_of(meaning_where_named(error_number), file, tried, error_number);
 }
 
 void make_private_directory(const std::filesystem::path& directory) {

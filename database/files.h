@@ -11,6 +11,10 @@ namespace hallux::database {
 /// BadInput where the name itself is the mistake.
 DatabaseError file_error(const std::filesystem::path& file, const char* tried, int error_number);
 
+/// The same for a file or folder that somebody named for one task: to restore into, to export to, to import from.
+DatabaseError named_file_error(const std::filesystem::path& file, const char* tried,
+                               int error_number);
+
 /// Makes the directory and its parents; one that was made here, or is ours and empty, gets mode 0700.
 /// errors  DatabaseError
 void make_private_directory(const std::filesystem::path& directory);

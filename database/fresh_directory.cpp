@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -29,16 +30,19 @@ FreshDirectory::FreshDirectory(const fs::path& directory)
   check_target_is_free();
   std::error_code error;
   fs::create_directories(target_.parent_path(), error);
-  if (error) throw file_error(target_.parent_path(), "make the directory", error.value());
+  if (error) throw named_file_error(target_.parent_path(), "make the directory", error.value());
   lock_ = ::open(lock_file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (lock_ < 0) throw file_error(lock_file_, "make the lock file", errno);
+  if (lock_ < 0) throw named_file_error(lock_file_, "make the lock file", errno);
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     ::close(lock_);
     throw DatabaseError{DatabaseErrorKind::Locked,
                         "another process is making " + target_.string() + " already"};
   }
   clear();
-  make_private_directory(path_);
+  if (::mkdir(path_.c_str(), 0700) == 0) return;
+  const int error_number = errno;
+  ::close(lock_);
+  throw named_file_error(path_, "make the directory", error_number);
 }
 
 FreshDirectory::~FreshDirectory() {
@@ -50,6 +54,10 @@ FreshDirectory::~FreshDirectory() {
 
 void FreshDirectory::finish() const {
   check_target_is_free();
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) {
+    if (entry.is_directory()) sync_directory(entry.path());
+  }
+  sync_directory(path_);
   put_in_place(path_, target_);
 }
 

@@ -9,8 +9,9 @@ namespace hallux::database {
 /// tells one that is being made from one that a kill left, which is cleared.
 class FreshDirectory {
  public:
-  /// errors  DatabaseError: Refused where the directory holds something; Locked where another process makes it; storage
-  ///         failures
+  /// Makes the directories it lies in where they are missing.
+  /// errors  DatabaseError: Refused where the directory holds something; Locked where another process makes it; BadInput
+  ///         where nothing can have this name; storage failures
   explicit FreshDirectory(const std::filesystem::path& directory);
   ~FreshDirectory();
   FreshDirectory(const FreshDirectory&) = delete;
@@ -18,7 +19,8 @@ class FreshDirectory {
 
   /// Where to write, 0700.
   const std::filesystem::path& path() const noexcept { return path_; }
-  /// Gives it its name. Asks once more: something may have been put there meanwhile.
+  /// Gives it its name once all directories in it lie on the disk; whoever wrote a file in it has synced that. Asks once
+  /// more whether the name is free: something may have been put there meanwhile.
   void finish() const;
 
  private:

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <system_error>
+
+#include "database/files.h"
 
 namespace hallux::database {
 
@@ -18,45 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t block_bytes = std::size_t{64} << 10U;
 
-struct Meaning {
-  DatabaseErrorKind kind;
-  const char* mend;
-};
-
-Meaning meaning_of(int error_number) {
-  using enum DatabaseErrorKind;
-  switch (error_number) {
-    case ENOSPC:
-    case EDQUOT:
-    case EFBIG:
-      return {Full, "the disk is full; free some space, or name a folder elsewhere"};
-    case EROFS:
-    case EACCES:
-    case EPERM:
-      return {ReadOnly, "it is not permitted there; name a folder of your own"};
-    case ENOENT:
-      return {BadInput, "its folder does not exist; make it, or name another"};
-    case EEXIST:
-    case ENOTEMPTY:
-      return {BadInput, "something has this name already; name a fresh folder"};
-    case ENOTDIR:
-      return {BadInput, "a file is where a folder should be; name another"};
-    case ELOOP:
-      return {BadInput, "it is a link; an export holds none"};
-    case ENAMETOOLONG:
-      return {BadInput, "the name is too long; give a shorter one"};
-    default:
-      return {InputOutput, "check the disk"};
-  }
-}
-
-[[noreturn]] void fail(const char* tried, const fs::path& file, int error_number) {
-  const Meaning meaning = meaning_of(error_number);
-  throw DatabaseError{meaning.kind, std::string{"could not "} + tried + " " + file.string() + ": " +
-                                        meaning.mend + " (" +
-                                        std::generic_category().message(error_number) + ")"};
-}
-
 [[noreturn]] void refuse_file(const fs::path& file, const std::string& why) {
   throw DatabaseError{DatabaseErrorKind::BadInput, file.string() + ": " + why};
 }
@@ -64,11 +25,6 @@ Meaning meaning_of(int error_number) {
 /// Where it is no folder its name is open to: -1 and errno.
 int open_folder(const fs::path& folder) {
   return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-}
-
-void sync_folder(const fs::path& folder) {
-  const OwnedDescriptor descriptor{open_folder(folder)};
-  if (descriptor.number() < 0 || ::fsync(descriptor.number()) != 0) fail("keep", folder, errno);
 }
 
 /// A regular file of at most so many bytes; its size is known before anything is read.
@@ -80,10 +36,10 @@ OwnedDescriptor open_foreign(const ForeignFolder& folder, const std::string& nam
       ::openat(folder.descriptor(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
   if (descriptor.number() < 0) {
     if (errno == ENOENT) refuse_file(file, "is missing; export the attempt again");
-    fail("read", file, errno);
+    throw named_file_error(file, "read", errno);
   }
   struct stat facts {};
-  if (::fstat(descriptor.number(), &facts) != 0) fail("read", file, errno);
+  if (::fstat(descriptor.number(), &facts) != 0) throw named_file_error(file, "read", errno);
   if (!S_ISREG(facts.st_mode)) refuse_file(file, "is no regular file; an export holds only such");
   if (facts.st_size > bytes_max) refuse_file(file, "is larger than such a file can be");
   bytes = facts.st_size;
@@ -116,7 +72,7 @@ ExchangeWriter::ExchangeWriter(const fs::path& folder, std::string name)
     : file_(folder / name),
       descriptor_(
           ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600)) {
-  if (descriptor_.number() < 0) fail("write", file_, errno);
+  if (descriptor_.number() < 0) throw named_file_error(file_, "write", errno);
   written_.name = std::move(name);
 }
 
@@ -132,7 +88,7 @@ void ExchangeWriter::flush() {
   while (!rest.empty()) {
     const ssize_t count = ::write(descriptor_.number(), rest.data(), rest.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("write", file_, errno);
+    if (count < 0) throw named_file_error(file_, "write", errno);
     rest.remove_prefix(static_cast<std::size_t>(count));
   }
   waiting_.clear();
@@ -140,39 +96,14 @@ void ExchangeWriter::flush() {
 
 ExchangeFile ExchangeWriter::finish() {
   flush();
-  if (::fsync(descriptor_.number()) != 0) fail("write", file_, errno);
+  if (::fsync(descriptor_.number()) != 0) throw named_file_error(file_, "write", errno);
   written_.digest = digester_.finish();
   return written_;
 }
 
-FreshFolder::FreshFolder(fs::path folder) : folder_(std::move(folder)) {
-  if (!folder_.has_filename()) folder_ = folder_.parent_path();
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(folder_, error);
-  const bool is_there = fs::exists(status);
-  if (is_there && !fs::is_directory(status)) fail("write", folder_, EEXIST);
-  if (is_there && !fs::is_empty(folder_, error)) fail("write", folder_, EEXIST);
-  std::string name = folder_.string() + ".part-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) fail("write", folder_, errno);
-  pending_ = name;
-}
-
-FreshFolder::~FreshFolder() {
-  std::error_code ignored;
-  if (!is_kept_) fs::remove_all(pending_, ignored);
-}
-
-void FreshFolder::keep() {
-  sync_folder(pending_);
-  // An empty folder of that name gives way; a full one does not.
-  if (::rename(pending_.c_str(), folder_.c_str()) != 0) fail("name", folder_, errno);
-  is_kept_ = true;
-  sync_folder(folder_.has_parent_path() ? folder_.parent_path() : fs::path{"."});
-}
-
 ForeignFolder::ForeignFolder(fs::path folder)
     : folder_(std::move(folder)), descriptor_(open_folder(folder_)) {
-  if (descriptor_.number() < 0) fail("read", folder_, errno);
+  if (descriptor_.number() < 0) throw named_file_error(folder_, "read", errno);
 }
 
 bool ForeignFolder::has(const std::string& name) const noexcept {
@@ -188,7 +119,7 @@ std::string ForeignFolder::read(const std::string& name, std::int64_t bytes_max)
   while (done < content.size()) {
     const ssize_t count = ::read(descriptor.number(), content.data() + done, content.size() - done);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("read", folder_ / name, errno);
+    if (count < 0) throw named_file_error(folder_ / name, "read", errno);
     if (count == 0) refuse_file(folder_ / name, "was cut while it was read");
     done += static_cast<std::size_t>(count);
   }
@@ -213,7 +144,7 @@ bool ForeignLines::fill() {
   do {
     count = ::read(descriptor_.number(), buffer_.data() + last_, buffer_.size() - last_);
   } while (count < 0 && errno == EINTR);
-  if (count < 0) fail("read", file_, errno);
+  if (count < 0) throw named_file_error(file_, "read", errno);
   const auto more = static_cast<std::size_t>(count);
   digester_.add_bytes(std::as_bytes(std::span{buffer_.data() + last_, more}));
   last_ += more;

@@ -57,26 +57,6 @@ class ExchangeWriter {
   std::string waiting_;
 };
 
-/// A folder that gets its name when all is in it, and is gone where that is not reached. Mode 0700.
-class FreshFolder {
- public:
-  /// Makes a folder of another name beside `folder`.
-  /// errors  DatabaseError: BadInput where `folder` is there and not empty; storage failures
-  explicit FreshFolder(std::filesystem::path folder);
-  ~FreshFolder();
-  FreshFolder(const FreshFolder&) = delete;
-  FreshFolder& operator=(const FreshFolder&) = delete;
-
-  /// Where to write until then.
-  const std::filesystem::path& path() const noexcept { return pending_; }
-  /// errors  DatabaseError
-  void keep();
-
- private:
-  std::filesystem::path folder_, pending_;
-  bool is_kept_ = false;
-};
-
 /// A folder of others: no link in it is followed.
 class ForeignFolder {
  public:

@@ -9,9 +9,9 @@
 #include <functional>
 #include <thread>
 
-#include "database/exchange/exchange_file.h"
 #include "database/exchange/export_attempt.h"
 #include "database/exchange/import_attempt.h"
+#include "database/fresh_directory.h"
 #include "database/people.h"
 #include "database/verify.h"
 #include "tests/database/some_database.h"
@@ -66,9 +66,9 @@ std::vector<AttemptId> fill(Database& database) {
 
 void export_all(const fs::path& data, const std::vector<AttemptId>& ids, const fs::path& target) {
   Database database = Database::open(data);
-  FreshFolder fresh(target);
+  const FreshDirectory fresh(target);
   for (const AttemptId& id : ids) export_attempt(database, id, fresh.path(), a_mesh);
-  fresh.keep();
+  fresh.finish();
 }
 
 TEST(KillWhileExchanging, AnExportThatHasItsNameIsWhole) {

@@ -9,6 +9,7 @@
 
 #include "database/csv_text.h"
 #include "database/exchange/manifest.h"
+#include "database/fresh_directory.h"
 #include "tests/database/some_exchange.h"
 
 namespace hallux::database {
@@ -105,22 +106,24 @@ TEST(Export, GivesATraineeNothingOfAnother) {
   EXPECT_TRUE(fs::is_empty(two.out()));
 }
 
-TEST(Export, AFreshFolderIsCompleteOrNotThere) {
+TEST(Export, AFreshDirectoryIsCompleteOrNotThere) {
   const TemporaryDirectory out;
   const fs::path parent = out.data().parent_path(), target = parent / "exported";
   {
-    const FreshFolder stopped(target);
+    const FreshDirectory stopped(target);
     ExchangeWriter(stopped.path(), "a.csv").finish();
     EXPECT_FALSE(fs::exists(target));
   }
   EXPECT_TRUE(fs::is_empty(parent));
-  FreshFolder kept(target);
-  ExchangeWriter(kept.path(), "a.csv").finish();
-  kept.keep();
+  {
+    const FreshDirectory kept(target);
+    ExchangeWriter(kept.path(), "a.csv").finish();
+    kept.finish();
+  }
   EXPECT_TRUE(fs::exists(target / "a.csv"));
   EXPECT_EQ(mode_of(target), 0700U);
-  EXPECT_EQ(kind_thrown([&] { FreshFolder again(target); }), DatabaseErrorKind::BadInput);
-  EXPECT_EQ(kind_thrown([&] { FreshFolder nowhere(parent / "no" / "such"); }),
+  EXPECT_EQ(kind_thrown([&] { FreshDirectory again(target); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { FreshDirectory nowhere(target / "a.csv" / "such"); }),
             DatabaseErrorKind::BadInput);
 }
 
@@ -133,7 +136,7 @@ TEST(Export, AFullDiskIsSaidAndLeavesNothing) {
   const rlimit small{10'000, usual.rlim_max};
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   const DatabaseErrorKind kind = kind_thrown([&] {
-    const FreshFolder folder(target);
+    const FreshDirectory folder(target);
     write_record_tables(folder.path(), some_recording(500), {{Stream::Tape, 0, 0, 500}});
   });
   ::setrlimit(RLIMIT_FSIZE, &usual);

@@ -21,6 +21,16 @@ TEST(Files, ADataDirectoryThatCannotBeIsMendedWithData) {
   }
 }
 
+TEST(Files, WhatSomebodyNamedIsMendedByAnotherName) {
+  for (const int error_number :
+       {ENOENT, ENOTDIR, EEXIST, ENOTEMPTY, ENAMETOOLONG, ELOOP, EACCES, EROFS, ENOSPC}) {
+    const DatabaseError error = named_file_error("exported", "write", error_number);
+    EXPECT_EQ(std::string{error.what()}.find("--data"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(is_storage_failure(named_file_error("exported", "write", ENOSPC).kind()));
+  EXPECT_EQ(named_file_error("exported", "write", ENOTDIR).kind(), DatabaseErrorKind::BadInput);
+}
+
 }  // namespace
 
 }  // namespace hallux::database

@@ -1,8 +1,8 @@
 #include "ui/jobs/exchange_jobs.h"
 
 #include "assessment/rebuild/rebuild.h"
-#include "database/exchange/exchange_file.h"
 #include "database/exchange/read_exported.h"
+#include "database/fresh_directory.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
 
@@ -96,14 +96,14 @@ std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& mat
 void export_attempts(const ExportRequest& request, const FindDesk& desk_of,
                      const StageProgress& progress) {
   const auto report = progress("Exporting");
-  database::FreshFolder fresh(request.folder);
+  const database::FreshDirectory fresh(request.folder);
   for (std::size_t i = 0; i < request.attempts.size(); ++i) {
     if (!part_of(report, i, request.attempts.size())(0.0)) {
       throw Cancelled("stopped while exporting; nothing was left in " + request.folder.string());
     }
     desk_of(request.attempts[i]).export_attempt(request.attempts[i], fresh.path(), meshes_of);
   }
-  fresh.keep();
+  fresh.finish();
   if (report) report(1.0);
 }
 

@@ -100,12 +100,14 @@ class Exchange(RecordedTest):
 
     def test_a_folder_is_new_and_complete_or_not_there(self):
         self.data = self.here
-        self.expect_refusal(BAD_INPUT, ["fresh folder"], "export", self.attempt, "-o", self.out)
-        self.expect_refusal(BAD_INPUT, ["does not exist"], "export", self.attempt, "-o", self.folder / "no" / "such")
+        self.expect_refusal(REFUSED, ["holds something"], "export", self.attempt, "-o", self.out)
+        nowhere = self.folder / "file"
+        nowhere.write_text("a file")
+        self.expect_refusal(BAD_INPUT, ["a file is where"], "export", self.attempt, "-o", nowhere / "out")
         full = self.folder / "full"
         answer = self.run_with_room(20_000, "export", self.attempt, "-o", full)
         self.assertEqual(answer.code, STORAGE, answer)
-        self.assertEqual([place.name for place in self.folder.iterdir() if place.name.startswith("full")], [])
+        self.assertEqual([place.name for place in self.folder.iterdir() if "full" in place.name], [])
 
     def test_one_says_what_to_export(self):
         self.data = self.here
