@@ -265,6 +265,10 @@ void read_coded(std::span<const std::byte> coded, const Columns* tape, Columns& 
   }
   RiceReader bits{reader.rest()};
   for (std::size_t index = columns.column_count(); index-- > 0;) {
+    if (heads[index].guess == Guess::Before && heads[index].order == order_of_zeros) {
+      columns.fill(index, static_cast<std::int64_t>(unzigzag(heads[index].first_rest)));
+      continue;
+    }
     const std::span<std::int64_t> values = columns.column(index);
     values[0] = static_cast<std::int64_t>(heads[index].first_rest);
     if (heads[index].order == order_of_zeros) {

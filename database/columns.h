@@ -9,6 +9,7 @@
 /// source  docs/data_format.md
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -34,17 +35,25 @@ class Columns {
     column_count_ = column_count;
     row_count_ = row_count;
     values_.resize(column_count * row_count);
+    is_filled_.assign(column_count, false);
   }
   std::size_t column_count() const noexcept { return column_count_; }
   std::size_t row_count() const noexcept { return row_count_; }
   std::span<std::int64_t> column(std::size_t index) noexcept {
+    is_filled_[index] = false;
     return std::span{values_}.subspan(index * row_count_, row_count_);
   }
   std::span<const std::int64_t> column(std::size_t index) const noexcept {
     return std::span{values_}.subspan(index * row_count_, row_count_);
   }
+  /// One number in all rows.
+  void fill(std::size_t index, std::int64_t value) noexcept {
+    std::ranges::fill(column(index), value);
+    is_filled_[index] = true;
+  }
   /// Whether all rows hold the same number there: most columns of most chunks do.
   bool is_constant(std::size_t index) const noexcept {
+    if (is_filled_[index]) return true;
     const std::span<const std::int64_t> values = column(index);
     return values.size() < 2 || std::memcmp(values.data(), values.data() + 1,
                                             values.size_bytes() - sizeof(std::int64_t)) == 0;
@@ -53,6 +62,7 @@ class Columns {
  private:
   std::size_t column_count_ = 0, row_count_ = 0;
   std::vector<std::int64_t> values_;
+  std::vector<bool> is_filled_;  ///< by fill, and not touched since: need not be looked at
 };
 
 Columns columns_from(std::span<const simulator::TapeLine> rows);
