@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "database/attempts.h"
+#include "database/chunk_run.h"
 #include "database/erased_recordings.h"
 #include "database/sql.h"
 #include "database/stored_chunks.h"

@@ -1,10 +1,7 @@
 #include "database/stored_chunks.h"
 
 #include <algorithm>
-#include <array>
-#include <exception>
 #include <string>
-#include <thread>
 
 #include "database/recorder.h"
 #include "database/sql.h"
@@ -12,9 +9,6 @@
 namespace hallux::database {
 
 namespace {
-
-/// A thread is not worth starting for less: a minute is unpacked in some milliseconds.
-constexpr std::size_t chunks_for_two_threads = 64;
 
 std::string_view name_of(Stream stream) noexcept {
   if (stream == Stream::Tape) return "tape";
@@ -52,116 +46,6 @@ std::optional<std::int64_t> last_window_before(Database& database, const Attempt
       "s.column1 AND c.first_tick < ?2 ORDER BY c.first_tick DESC LIMIT 1)) FROM attempt a, "
       "(VALUES (0), (1), (2)) s WHERE a.uuid = ?1",
       id, end_tick);
-}
-
-struct Failure {
-  std::size_t index = 0;
-  std::string reason;
-};
-
-void append_columns(Stream stream, const Columns& columns, simulator::Recording& recording) {
-  if (stream == Stream::Tape) append_rows(columns, recording.tape);
-  if (stream == Stream::Sample) append_rows(columns, recording.samples);
-  if (stream == Stream::Event) append_rows(columns, recording.events);
-}
-
-void reserve_for(std::span<const StoredChunk> chunks, simulator::Recording& recording) {
-  std::array<std::size_t, 3> rows{};
-  for (const StoredChunk& chunk : chunks) {
-    // A false count takes no more memory than a true one may.
-    const auto count = static_cast<std::size_t>(std::clamp<std::int64_t>(
-        chunk.place.row_count, 0, static_cast<std::int64_t>(chunk.bytes.size()) * 64));
-    rows[static_cast<std::size_t>(chunk.place.stream)] += count;
-  }
-  recording.tape.reserve(recording.tape.size() + rows[0]);
-  recording.samples.reserve(recording.samples.size() + rows[1]);
-  recording.events.reserve(recording.events.size() + rows[2]);
-}
-
-/// Chunks of a run, from `first` up to and not with `end`.
-struct Part {
-  std::size_t first = 0, end = 0;
-};
-
-/// Reads one part of a run; remembers the first chunk that does not fit.
-class PartReader {
- public:
-  /// needs   the part begins with a window
-  PartReader(const AttemptId& id, const ChunkRun& run, const Part& part)
-      : run_(run), part_(part), reader_(id), tape_reader_(id) {}
-
-  std::optional<Failure> append_to(simulator::Recording& recording) {
-    reserve_for(run_.chunks.subspan(part_.first, part_.end - part_.first), recording);
-    for (std::size_t i = part_.first; i < part_.end; ++i) {
-      try {
-        read(i, recording);
-      } catch (const std::exception& error) {
-        return Failure{i, error.what()};
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  void read(std::size_t index, simulator::Recording& recording) {
-    const StoredChunk& chunk = run_.chunks[index];
-    std::optional<Digest> before = run_.before;
-    if (index > 0) before = run_.chunks[index - 1].link;
-    if (!before) fail_damaged("the link before it is none");
-    const bool is_tape = chunk.place.stream == Stream::Tape;
-    const Columns* tape = chunk.place.stream == Stream::Sample ? tape_of(index) : nullptr;
-    const Columns& columns = (is_tape ? tape_reader_ : reader_).read_checked(chunk, tape, *before);
-    if (is_tape) tape_columns_ = &columns;
-    append_columns(chunk.place.stream, columns, recording);
-  }
-  /// The tape of the same window, which was read just before.
-  const Columns* tape_of(std::size_t index) const noexcept {
-    if (index == part_.first) return nullptr;
-    const ChunkPlace& before = run_.chunks[index - 1].place;
-    const bool is_there =
-        before.stream == Stream::Tape && before.seq == run_.chunks[index].place.seq;
-    return is_there ? tape_columns_ : nullptr;
-  }
-
-  const ChunkRun& run_;
-  Part part_;
-  ChunkReader reader_, tape_reader_;
-  const Columns* tape_columns_ = nullptr;  ///< of the last tape read
-};
-
-/// The first chunk of the window in the middle, so that both halves begin with a window.
-std::size_t middle_of(std::span<const StoredChunk> chunks) noexcept {
-  std::size_t middle = chunks.size() / 2;
-  while (middle < chunks.size() && chunks[middle].place.seq == chunks[middle - 1].place.seq) {
-    ++middle;
-  }
-  return middle;
-}
-
-void append(const simulator::Recording& later, simulator::Recording& recording) {
-  const std::jthread other{
-      [&] { recording.tape.insert(recording.tape.end(), later.tape.begin(), later.tape.end()); }};
-  recording.samples.insert(recording.samples.end(), later.samples.begin(), later.samples.end());
-  recording.events.insert(recording.events.end(), later.events.begin(), later.events.end());
-}
-
-/// Each half on a thread.
-std::optional<Failure> append_halves(const AttemptId& id, const ChunkRun& run,
-                                     simulator::Recording& recording) {
-  const std::size_t middle = middle_of(run.chunks);
-  simulator::Recording later;
-  std::optional<Failure> failure, failure_of_later;
-  reserve_for(run.chunks, recording);
-  {
-    const std::jthread other{[&] {
-      failure_of_later = PartReader{id, run, {middle, run.chunks.size()}}.append_to(later);
-    }};
-    failure = PartReader{id, run, {0, middle}}.append_to(recording);
-  }
-  if (failure) return failure;
-  if (failure_of_later) return failure_of_later;
-  append(later, recording);
-  return std::nullopt;
 }
 
 }  // namespace
@@ -202,6 +86,10 @@ Digest link_before(Database& database, const AttemptId& id, std::int64_t window)
   return digest_in(row.getColumn(0)).value_or(Digest{});
 }
 
+ChunkShape shape_of(const StoredChunk& chunk) noexcept {
+  return {chunk.place.stream, static_cast<std::size_t>(chunk.place.row_count)};
+}
+
 ChunkWalk::ChunkWalk(Database& database, const AttemptId& id, const WindowRange& windows)
     : database_(&database),
       attempt_(id),
@@ -236,27 +124,20 @@ std::vector<StoredChunk> load_chunks(Database& database, const AttemptId& id,
 }
 
 const Columns& ChunkReader::read(const StoredChunk& chunk, const Columns* tape) {
-  const ChunkShape shape{chunk.place.stream, static_cast<std::size_t>(chunk.place.row_count)};
-  unpacker_.unpack(chunk.bytes, shape, tape, columns_);
+  unpacker_.unpack(chunk.bytes, shape_of(chunk), tape, columns_);
   return columns_;
 }
 
 const Columns& ChunkReader::read_checked(const StoredChunk& chunk, const Columns* tape,
                                          const Digest& before) {
   read(chunk, tape);
-  if (link_of(before, attempt_, chunk.place, payload_in(payload_, columns_)) != chunk.link) {
-    fail_damaged("its link does not fit the chain");
-  }
+  check(chunk, columns_, before);
   return columns_;
 }
 
-void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
-                simulator::Recording& recording) {
-  const bool is_long = run.chunks.size() >= chunks_for_two_threads;
-  const std::optional<Failure> failure =
-      is_long ? append_halves(id, run, recording)
-              : PartReader{id, run, {0, run.chunks.size()}}.append_to(recording);
-  if (failure) fail_chunk(database, id, run.chunks[failure->index], failure->reason);
+void ChunkReader::check(const StoredChunk& chunk, const Columns& columns, const Digest& before) {
+  if (link_of(before, attempt_, chunk.place, payload_in(payload_, columns)) == chunk.link) return;
+  fail_damaged("its link does not fit the chain");
 }
 
 }  // namespace hallux::database

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "database/chain.h"
+#include "database/chunk_codec.h"
 #include "database/connection.h"
 #include "database/recordings.h"
 #include "simulator/record/record.h"
@@ -25,6 +26,8 @@ struct StoredChunk {
   std::vector<std::byte> bytes;
   std::optional<Digest> link;
 };
+
+ChunkShape shape_of(const StoredChunk& chunk) noexcept;
 
 /// Windows by their numbers, from `first` up to and not with `end`.
 struct WindowRange {
@@ -76,6 +79,9 @@ class ChunkReader {
   /// What it holds, checked against the stored link before it; valid until the next call.
   /// errors  DatabaseError Damaged
   const Columns& read_checked(const StoredChunk& chunk, const Columns* tape, const Digest& before);
+  /// The check alone, of what `chunk` holds.
+  /// errors  DatabaseError Damaged
+  void check(const StoredChunk& chunk, const Columns& columns, const Digest& before);
 
  private:
   AttemptId attempt_;
@@ -83,17 +89,6 @@ class ChunkReader {
   Columns columns_;
   std::vector<std::byte> payload_;
 };
-
-/// Chunks in the order of the chain, the first of which stands at the beginning of a window.
-struct ChunkRun {
-  std::span<const StoredChunk> chunks;
-  Digest before;  ///< the link before the first of them
-};
-
-/// All rows of the run, its links checked, appended to `recording`: of many chunks on two threads.
-/// errors  DatabaseError Damaged naming the first chunk that does not fit
-void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
-                simulator::Recording& recording);
 
 [[noreturn]] void fail_chunk(const Database& database, const AttemptId& id,
                              const StoredChunk& chunk, std::string_view reason);

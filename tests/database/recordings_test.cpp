@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/database/some_database.h"
 
@@ -91,14 +94,19 @@ TEST(Recordings, APartAtTheEndNoticesThatTheSealDoesNotFit) {
 }
 
 TEST(Recordings, TheFirstDamagedChunkIsNamedWhicheverThreadFindsOne) {
-  Recorded recorded;
-  tamper(recorded.database, "UPDATE chunk SET link = zeroblob(32) WHERE seq IN (12, 30)");
-  try {
-    load_recording(recorded.database, recorded.id);
-    ADD_FAILURE() << "nothing was noticed";
-  } catch (const DatabaseError& error) {
-    EXPECT_NE(std::string{error.what()}.find("tape of window 12"), std::string::npos)
-        << error.what();
+  const std::string unreadable = "UPDATE chunk SET bytes = x'0201020304' WHERE ";
+  const std::string unlinked = "UPDATE chunk SET link = zeroblob(32) WHERE ";
+  const std::vector<std::pair<std::string, std::string>> damages{
+      {unlinked + "seq IN (12, 30)", "tape of window 12"},
+      {unreadable + "(seq = 12 AND stream = 1) OR (seq = 14 AND stream = 0)",
+       "samples of window 12"},
+      {unreadable + "(seq = 12 AND stream = 0) OR (seq = 10 AND stream = 2)",
+       "events of window 10"},
+      {unreadable + "(seq = 30 AND stream = 0) OR (seq = 31 AND stream = 1)", "tape of window 30"}};
+  for (const auto& [damage, first] : damages) {
+    Recorded recorded;
+    tamper(recorded.database, damage);
+    recorded.expect_damaged({0, 20'000}, first);
   }
 }
 
