@@ -1,11 +1,10 @@
 #include "ui/jobs/kept_fields.h"
 
 #include <bit>
-#include <cstring>
-#include <type_traits>
 
 #include "database/database_error.h"
 #include "database/kept_bytes.h"
+#include "ui/jobs/byte_form.h"
 
 namespace hallux::ui {
 
@@ -21,44 +20,6 @@ constexpr std::int64_t form_version = 1;
 constexpr std::int32_t nodes_max = 1 << 14;
 /// Following the blade takes about this share of the time; the rest is cutting solids and measuring.
 constexpr double follow_share = 0.4;
-
-class ByteWriter {
- public:
-  template <typename Value>
-  void add(const Value& value) {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    add_bytes(std::as_bytes(std::span(&value, 1)));
-  }
-  void add_bytes(std::span<const std::byte> bytes) {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
-/// Takes values off the front; false where their bytes are not there.
-class ByteReader {
- public:
-  explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
-  template <typename Value>
-  bool take(Value& value) {
-    return take_all(std::span(&value, 1));
-  }
-  template <typename Value>
-  bool take_all(std::span<Value> values) {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    if (values.size_bytes() > rest_.size()) return false;
-    if (!values.empty()) std::memcpy(values.data(), rest_.data(), values.size_bytes());
-    rest_ = rest_.subspan(values.size_bytes());
-    return true;
-  }
-  std::size_t left() const noexcept { return rest_.size(); }
-
- private:
-  std::span<const std::byte> rest_;
-};
 
 bool is_within(const FieldWindow& window, const FieldGrid& grid) noexcept {
   const bool is_sane = grid.spacing_mm > 0.0 && grid.u_count > 0 && grid.v_count > 0 &&

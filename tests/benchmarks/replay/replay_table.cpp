@@ -41,8 +41,9 @@ void add_row(Table& table, const char* what, const Spread& spread) {
 }
 
 Spread scrubbing_ms(const Attempt& attempt) {
-  const auto history = ui::build_history(
-      {attempt.bone, attempt.plan, attempt.recording, attempt.followed(), "measured"});
+  const auto history =
+      ui::build_history({attempt.bone, attempt.plan, attempt.recording, attempt.followed(),
+                         ui::look_of(1, attempt.bone), "measured"});
   ui::BoneMoment moment(*history);
   Random random(1, "scrubbing");
   std::vector<double> times_ms;
@@ -61,6 +62,7 @@ Table table_of(const std::string& name) {
   const Attempt attempt(name);
   const OpenedFields fields = attempt.followed();
   const std::vector<std::byte> bytes = ui::bytes_of(fields);
+  const ui::BoneLook look = ui::look_of(1, attempt.bone);
   const auto nothing = [] { return 0; };
   const auto& blade = attempt.scenario.blade.size;
   Table table{
@@ -79,10 +81,12 @@ Table table_of(const std::string& name) {
   add_row(table, "rebuilt from kept fields", time_ms({}, nothing, [&](int) {
             return assessment::rebuild(attempt.bone, blade, attempt.recording, {}, &fields);
           }));
-  add_row(
-      table, "replay opened, fields at hand", time_ms({}, nothing, [&](int) {
-        return ui::build_history({attempt.bone, attempt.plan, attempt.recording, fields, "opened"});
-      }));
+  add_row(table, "the bone's look",
+          time_ms({}, nothing, [&](int) { return ui::look_of(1, attempt.bone); }));
+  add_row(table, "replay opened, fields and look at hand", time_ms({}, nothing, [&](int) {
+            return ui::build_history(
+                {attempt.bone, attempt.plan, attempt.recording, fields, look, "opened"});
+          }));
   add_row(table, "a moment anywhere", scrubbing_ms(attempt));
   return table;
 }

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "scenarios/planned_bridge.h"
-#include "simulator/base/digest.h"
 #include "ui/screens/bone_stage.h"
+#include "ui/screens/kept_look.h"
 
 namespace hallux::ui {
 
@@ -20,13 +20,14 @@ constexpr std::int64_t ticks_between_solids = 500;
 
 }  // namespace
 
-BonePicture picture_of(const Bone& bone, const std::function<void(double)>& progress) {
+BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_directory,
+                       const std::function<void(double)>& progress) {
   BonePicture picture;
+  picture.look = kept_look_of(data_directory, bone, progress);
   // The same bone has the same picture, whoever shows it.
-  const std::string name = hex_from_digest(digest_of(encode_bone(bone)));
-  picture.look = look_of(picture_id("look " + name), bone, progress);
-  picture.mesh = std::make_shared<const BoneMesh>(
-      mesh_of(picture_id("whole " + name), uncut_solid(solid_of(bone)), picture.look));
+  const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
+  picture.mesh =
+      std::make_shared<const BoneMesh>(mesh_of(id, uncut_solid(solid_of(bone)), picture.look));
   return picture;
 }
 

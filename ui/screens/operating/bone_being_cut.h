@@ -7,6 +7,7 @@
 /// already, the mesh itself is made anew twice a second instead.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,7 +27,7 @@ struct BonePicture {
 };
 
 /// errors  whatever `progress` throws
-BonePicture picture_of(const simulator::Bone& bone,
+BonePicture picture_of(const simulator::Bone& bone, const std::filesystem::path& data_directory,
                        const std::function<void(double)>& progress = {});
 
 class BoneBeingCut {

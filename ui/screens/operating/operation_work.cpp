@@ -31,14 +31,16 @@ database::TraineeDesk desk_of(database::Session& session) {
 
 PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId scenario,
                                     WorkReport& report) {
+  std::filesystem::path directory;
   const database::ScenarioText text =
       visit.in_turn([&](database::Session&, database::Database& database) {
+        directory = database.directory();
         return database::get_scenario_version(database, scenario);
       });
   PreparedOperation prepared;
   prepared.table = std::make_shared<const OperatingTable>(
       lay_table(scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
-  prepared.picture = picture_of(prepared.table->bone, [&](double fraction) {
+  prepared.picture = picture_of(prepared.table->bone, directory, [&](double fraction) {
     if (!report.reached(patient_share + (1.0 - patient_share) * fraction)) {
       throw Cancelled("stopped while the picture was being made; nothing was stored");
     }

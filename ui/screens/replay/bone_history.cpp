@@ -14,8 +14,6 @@ namespace {
 
 using namespace simulator;
 
-/// Shares of the time: the look of the bone, then the meshes.
-constexpr double look_share = 0.25;
 /// A triangle of a piece lies on its surface but for rounding.
 constexpr double on_surface_mm = 1.0e-3;
 constexpr double least_sine = 1.0e-12;
@@ -287,13 +285,11 @@ std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
     history->kerfs.push_back({std::move(opened), std::move(ticks)});
   }
   std::vector<Turn> turns = turns_of(history->kerfs);
-  history->look = look_of(picture_id("look " + request.name), request.bone,
-                          [&](double fraction) { report(look_share * fraction); });
+  history->look = std::move(request.look);
   if (turns.empty()) turns.push_back({0, -1});
   turns.front().tick = 0;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    report(look_share +
-           (0.9 - look_share) * static_cast<double>(i) / static_cast<double>(turns.size()));
+    report(0.9 * static_cast<double>(i) / static_cast<double>(turns.size()));
     history->stretches.push_back(stretch_from(request, *history, turns[i]));
   }
   report(0.9);

@@ -34,6 +34,7 @@ struct HistoryRequest {
   const scenarios::Plan& plan;
   const simulator::Recording& recording;
   std::vector<simulator::OpenedField> opened;  ///< of the recording, one per kerf
+  BoneLook look;                               ///< of the bone
   std::string name;  ///< another attempt, or another length of it, has another
 };
 

@@ -9,6 +9,7 @@
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/kept_fields.h"
 #include "ui/report/traces.h"
+#include "ui/screens/kept_look.h"
 
 namespace hallux::ui {
 
@@ -20,7 +21,7 @@ using simulator::ToolStatus;
 
 constexpr const char* stopped = "stopped before the bone could be shown";
 /// Of what is left after loading.
-constexpr double follow_share = 0.3;
+constexpr double follow_share = 0.3, look_share = 0.5;
 constexpr double load_share = 0.1;
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
@@ -116,12 +117,16 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
     assessment::OpenedFields opened = fields_of(attempt, loaded.directory, [&](double fraction) {
       return reached(follow_share * fraction);
     });
-    material->history =
-        build_history({attempt.bone, material->plan, attempt.recording, std::move(opened), name},
-                      [&](double fraction) {
-                        if (!reached(follow_share + (1.0 - follow_share) * fraction))
-                          throw Cancelled(stopped);
-                      });
+    const auto report_from = [&](double first, double last) {
+      return [&reached, first, last](double fraction) {
+        if (!reached(first + (last - first) * fraction)) throw Cancelled(stopped);
+      };
+    };
+    BoneLook look =
+        kept_look_of(loaded.directory, attempt.bone, report_from(follow_share, look_share));
+    material->history = build_history(
+        {attempt.bone, material->plan, attempt.recording, std::move(opened), std::move(look), name},
+        report_from(look_share, 1.0));
   } catch (const assessment::Cancelled&) {
     throw Cancelled(stopped);
   }

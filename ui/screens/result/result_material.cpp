@@ -10,6 +10,7 @@
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/kept_fields.h"
 #include "ui/screens/bone_stage.h"
+#include "ui/screens/kept_look.h"
 #include "ui/screens/planned_frame.h"
 
 namespace hallux::ui {
@@ -147,15 +148,15 @@ void light_pieces(std::vector<BoneMesh>& pieces) {
   }
 }
 
-void add_pictures(ExaminedAttempt& examined, const AttemptMaterial& material,
-                  const Examination& examination, WorkReport& report) {
+void add_pictures(ExaminedAttempt& examined, const Loaded& loaded, const Examination& examination,
+                  WorkReport& report) {
+  const AttemptMaterial& material = loaded.attempt;
   const std::string name = "result " + material.header.id.text + " " +
                            std::to_string(material.recording.samples.size()) + " ";
-  examined.look = look_of(picture_id("look " + hex_from_digest(material.header.begun.bone)),
-                          material.bone, [&](double fraction) {
-                            if (!report.reached(wound_share + 0.2 * fraction))
-                              throw Cancelled("stopped before the bone was drawn");
-                          });
+  examined.look = kept_look_of(loaded.directory, material.bone, [&](double fraction) {
+    if (!report.reached(wound_share + 0.2 * fraction))
+      throw Cancelled("stopped before the bone was drawn");
+  });
   std::size_t number = 0;
   for (const simulator::CutSolid& piece : examination.rebuilt.pieces) {
     examined.pieces.push_back(
@@ -231,7 +232,7 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const datab
     examined->cuts.push_back(against_plan(examination, cut));
   }
   examined->wound = wound_of(material, examination, report);
-  add_pictures(*examined, material, examination, report);
+  add_pictures(*examined, loaded, examination, report);
   examined->was_stored = store_where_missing(visit, material.header, examination.card);
   report.reached(1.0);
   return examined;

@@ -14,7 +14,8 @@ namespace {
 struct World {
   World() {
     plan = plan_on(operation.scenario, operation.bone);
-    history = build_history({operation.bone, plan, operation.recording, opened(), "test"});
+    history = build_history(
+        {operation.bone, plan, operation.recording, opened(), look_of(1, operation.bone), "test"});
   }
 
   assessment::OpenedFields opened() const {
@@ -141,8 +142,8 @@ TEST(BoneHistory, ARecordingWithoutACutShowsTheWholeBone) {
   World world;
   world.operation.recording.events.clear();
   for (auto& sample : world.operation.recording.samples) sample.kerf = -1;
-  const auto history = build_history(
-      {world.operation.bone, world.plan, world.operation.recording, world.opened(), "uncut"});
+  const auto history = build_history({world.operation.bone, world.plan, world.operation.recording,
+                                      world.opened(), look_of(1, world.operation.bone), "uncut"});
   BoneMoment moment(*history);
   moment.move_to(300);
   const std::vector<BoneInScene> bones = moment.bones({});
