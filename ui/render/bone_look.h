@@ -31,7 +31,7 @@ struct BoneLook {
   std::optional<simulator::CortexLaw> cortex;  ///< absent: all bone is cortical
 };
 
-/// Computes it: a job's work (about half a second for a phalanx).
+/// Computes it: a job's work (about a second for a phalanx, three for a metatarsal).
 /// shape   the lattice reaches 6 mm beyond the bone
 /// needs   id is not 0 and was not given to another content
 /// errors  whatever `progress` throws; it is told the fraction done
