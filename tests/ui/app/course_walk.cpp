@@ -264,10 +264,16 @@ class Walker {
     return driver().has("entry.sign_in") || driver().has("entry.to_sign_in");
   }
 
-  /// While an attempt is being saved there is nothing to press; it takes real time.
+  /// Its picture is there, and nothing that begins or ends an operation.
+  bool is_being_saved() {
+    return driver().has("operate.view") && !driver().has("operate.abandon") &&
+           !driver().has("operate.begin");
+  }
+
+  /// Saving an attempt takes real time.
   void wait_for_the_record() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (reachable(false).size() == 1 && driver().has("operate.view")) {
+    while (is_being_saved()) {
       if (std::chrono::steady_clock::now() > end) throw Fault("an attempt is not saved");
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       driver().frame();
@@ -289,7 +295,13 @@ class Walker {
       }
       window_.finish_work();
     }
-    if (!is_home()) throw Fault("no way home");
+    if (!is_home()) throw Fault("no way home from" + ids_of(reachable(false)));
+  }
+
+  static std::string ids_of(const std::vector<const Widget*>& widgets) {
+    std::string ids;
+    for (const Widget* widget : widgets) ids += " " + widget->id;
+    return ids;
   }
 
   Walk walk_;
