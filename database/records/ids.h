@@ -39,7 +39,7 @@ struct NoteId {
 
 struct HelpRequestId {
   std::int64_t number = 0;
-  friend auto operator<=>(const HelpRequestId&, const HelpRequestId&) = default;
+  friend auto operator<=>(const HelpRequestId&, const HelpRequestId&) = default;  // NOLINT: no null
 };
 
 /// The identity of a data directory: 32 hexadecimal digits, made with it.

@@ -114,7 +114,7 @@ ImportReport import_attempts(database::AdministratorDesk& desk, const std::files
   const auto whole = progress("Importing");
   ImportReport report;
   for (std::size_t i = 0; i < folders.size(); ++i) {
-    const auto part = part_of(whole, i, folders.size());
+    auto part = part_of(whole, i, folders.size());
     const StageProgress within = [&part](const std::string&) { return part; };
     const auto stopped = [&] {
       return Cancelled("stopped; " + std::to_string(report.imported.size()) +
