@@ -18,7 +18,7 @@ crypto_generichash_state* as_state(std::array<std::byte, 384>& bytes) noexcept {
 }  // namespace
 
 Digester::Digester() noexcept {
-  // Until it has looked at the processor the library hashes at half its speed.
+  // Until it has looked at the processor the library hashes with its slower code.
   static const bool is_ready = sodium_init() >= 0;
   CHECK(is_ready);
   CHECK(crypto_generichash_init(as_state(state_), nullptr, 0, 32) == 0);

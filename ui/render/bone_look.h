@@ -25,6 +25,9 @@ inline constexpr double depth_limit_mm = 16.0;
 /// Depth at a point, trilinear between nodes; outside the lattice that of its nearest place [mm, positive inside].
 double depth_at(const DepthVolume& volume, const Vec3& point_in_bone_mm) noexcept;
 
+/// Another way to compute a look has another number, so that none is shown that was kept of the way before.
+inline constexpr std::int64_t look_version = 1;
+
 struct BoneLook {
   std::uint64_t id = 0;  ///< another content has another; given by whoever asked for it
   DepthVolume depth;

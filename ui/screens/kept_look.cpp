@@ -13,7 +13,7 @@ namespace hallux::ui {
 
 namespace {
 
-/// Another form of these bytes, or another way to compute a look, has another number.
+/// Another form of these bytes has another number.
 constexpr std::int64_t form_version = 1;
 constexpr std::uint64_t nodes_max = std::uint64_t{1} << 26U;
 
@@ -21,6 +21,7 @@ constexpr std::uint64_t nodes_max = std::uint64_t{1} << 26U;
 Digest key_of(const Digest& bone) {
   Digester digester;
   digester.add_int(form_version);
+  digester.add_int(look_version);
   digester.add_int(std::endian::native == std::endian::little ? 1 : 2);
   digester.add_digest(bone);
   return digester.finish();
