@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assessment/progress.h"
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "ui/jobs/sawn_bone.h"
 
 namespace hallux::ui {

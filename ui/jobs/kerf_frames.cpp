@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "simulator/cutting/opened_volume.h"
+#include "simulator/cutting/solid/opened_volume.h"
 
 namespace hallux::ui {
 

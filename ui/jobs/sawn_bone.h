@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bvh.h"
 #include "ui/jobs/kerf_frames.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/cutting/cut.h"
+#include "simulator/cutting/solid/remove_slab.h"
 #include "tests/benchmarks/kernel/peer_runs.h"
 #include "tests/benchmarks/kernel/results.h"
 #include "tests/benchmarks/report/chart.h"

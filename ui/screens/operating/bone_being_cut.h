@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/region_outline.h"
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene.h"
 
