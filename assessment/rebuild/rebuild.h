@@ -7,8 +7,8 @@
 #include "assessment/progress.h"
 #include "assessment/rebuild/opened_fields.h"
 #include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/cutting/solid/commit_patch.h"
-#include "simulator/cutting/solid/remove_slab.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 

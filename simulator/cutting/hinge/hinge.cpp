@@ -7,6 +7,7 @@
 
 #include "simulator/cutting/pieces/edge_uses.h"
 #include "simulator/cutting/slice/plane_slice.h"
+#include "simulator/cutting/solid/remove_slab.h"
 
 namespace hallux::simulator {
 

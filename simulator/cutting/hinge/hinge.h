@@ -10,7 +10,7 @@
 #include "simulator/base/units.h"
 #include "simulator/cutting/hinge/hinge_gap.h"
 #include "simulator/cutting/hinge/turn_contact.h"
-#include "simulator/cutting/solid/remove_slab.h"
+#include "simulator/cutting/slice/section.h"
 
 namespace hallux::simulator {
 

@@ -16,8 +16,4 @@ namespace hallux::simulator {
 CutSolid remove_slab(const CutSolid& solid, const Bvh& bvh, const Section& section,
                      std::int32_t kerf, std::span<const std::uint8_t> is_removed);
 
-/// The volume that remove_slab takes away, integrated from section areas by code that shares nothing with the clip [mm3].
-double slab_volume_mm3(const CutSolid& solid, const Section& section,
-                       std::span<const std::uint8_t> is_removed);
-
 }  // namespace hallux::simulator

@@ -1,8 +1,10 @@
-/// What a slab takes away, from section areas alone: removed = integral of A(z) over the slab.
+/// removed = integral of the section's area A(z) over the slab.
 ///
 /// A(z) is the sum over triangles of half the cross product of the segment that the plane at z cuts from each. Segment
 /// ends move linearly in z, so each triangle's term is a quadratic between its corner heights, and Simpson's rule is
 /// exact on it. Nothing here is shared with the clip: own heights, own search, own labels.
+#include "simulator/cutting/solid/slab_volume.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@
 #include <vector>
 
 #include "simulator/base/check.h"
-#include "simulator/cutting/solid/remove_slab.h"
 
 namespace hallux::simulator {
 

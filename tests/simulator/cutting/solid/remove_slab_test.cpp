@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simulator/cutting/slice/plane_slice.h"
+#include "simulator/cutting/solid/slab_volume.h"
 #include "tests/simulator/cutting/worlds/cut_through.h"
 #include "tests/support/worlds.h"
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "simulator/cutting/solid/slab_volume.h"
+
 namespace hallux::tests {
 
 using namespace simulator;
