@@ -250,20 +250,6 @@ BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneL
   return made;
 }
 
-BoneMesh mesh_of(std::uint64_t id, const simulator::WorkingSolid& working,
-                 const simulator::IndexedSolid& base, const BoneLook& look) {
-  BoneMesh made = mesh_of(id, base.solid, look);
-  for (std::size_t point = 0; point < base.vertices.size(); ++point) {
-    const std::uint32_t vertex = made.skin_vertex_of[point];
-    const simulator::SkinPoint& skin =
-        working.skin(working.half_edges().vertex_handle(base.vertices[point]));
-    if (vertex == no_index || !skin.is_on_skin) continue;
-    set_normal(made.vertices[vertex], skin.normal);
-    light_skin(made.vertices[vertex], look.depth);
-  }
-  return made;
-}
-
 void make_patch_mesh(const BoneMesh& mesh, const simulator::SolidPatch& patch, PatchMesh& made) {
   const auto base_count = static_cast<std::uint32_t>(mesh.solid.mesh.points_mm.size());
   const auto point_at = [&](std::uint32_t point) {

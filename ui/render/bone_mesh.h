@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "simulator/cutting/solid/solid_patch.h"
-#include "simulator/cutting/solid/working_solid.h"
 #include "ui/render/bone_look.h"
 #include "ui/render/float_vector.h"
 #include "ui/render/triangle_clusters.h"
@@ -42,10 +41,6 @@ struct BoneMesh {
 /// needs   id is not 0 and was not given to another content; look is of the bone that the solid was cut from
 /// thread  any; no graphics
 BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneLook& look);
-/// The same with the normals that the skin had before the cuts, so that it does not change at their rims.
-/// needs   base is indexed() of working
-BoneMesh mesh_of(std::uint64_t id, const simulator::WorkingSolid& working,
-                 const simulator::IndexedSolid& base, const BoneLook& look);
 
 /// A patch's triangles, sorted as a BoneMesh's are, with vertices of their own.
 struct PatchMesh {

@@ -25,19 +25,18 @@ void sort_uses(std::vector<EdgeUse>& uses) {
 }  // namespace
 
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
-  std::vector<EdgeUse> uses;
-  edge_uses_from(0, triangles, uses);
-  return uses;
+  return edge_uses_from(0, triangles);
 }
 
-void edge_uses_from(std::uint32_t first_triangle, std::span<const Triangle> triangles,
-                    std::vector<EdgeUse>& uses) {
-  uses.clear();
+std::vector<EdgeUse> edge_uses_from(std::uint32_t first_triangle,
+                                    std::span<const Triangle> triangles) {
+  std::vector<EdgeUse> uses;
   uses.reserve(3 * (triangles.size() - first_triangle));
   for (std::uint32_t i = first_triangle; i < triangles.size(); ++i) {
     add_sides(triangles[i], i, uses);
   }
   sort_uses(uses);
+  return uses;
 }
 
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles,

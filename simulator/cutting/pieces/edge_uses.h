@@ -18,9 +18,9 @@ struct EdgeUse {
 
 /// Sorted by edge, then triangle.
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles);
-/// The same from `first_triangle` on, into a vector that keeps its memory.
-void edge_uses_from(std::uint32_t first_triangle, std::span<const Triangle> triangles,
-                    std::vector<EdgeUse>& uses);
+/// The same from `first_triangle` on.
+std::vector<EdgeUse> edge_uses_from(std::uint32_t first_triangle,
+                                    std::span<const Triangle> triangles);
 /// The same for some triangles of a mesh, named by their indices.
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles,
                                std::span<const std::uint32_t> chosen);

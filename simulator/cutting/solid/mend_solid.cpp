@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
+
+#include "simulator/cutting/pieces/edge_uses.h"
 
 namespace hallux::simulator {
 
@@ -36,25 +39,30 @@ std::uint32_t apex_of(const std::vector<Triangle>& triangles, const EdgeUse& use
                        [&](std::uint32_t corner) { return corner != low && corner != high; });
 }
 
-}  // namespace
+/// The point in the middle of two points.
+std::uint32_t add_middle(IndexedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const Vec3 middle_mm = 0.5 * (mesh.points_mm[a] + mesh.points_mm[b]);
+  mesh.points_mm.push_back(middle_mm);
+  return static_cast<std::uint32_t>(mesh.points_mm.size() - 1);
+}
 
 /// One round; false where nothing was repeated.
-bool EdgeMender::separate_once(std::vector<Triangle>& triangles, std::vector<FaceOrigin>& origins,
-                               std::uint32_t first_triangle, const MiddlePoint& middle_of) {
-  edge_uses_from(first_triangle, triangles, uses_);
-  is_split_.assign(triangles.size() - first_triangle, 0);
+bool separate_once(CutSolid& solid, std::uint32_t first_triangle) {
+  std::vector<Triangle>& triangles = solid.mesh.triangles;
+  const std::vector<EdgeUse> uses = edge_uses_from(first_triangle, triangles);
+  std::vector<std::uint8_t> is_split_at(triangles.size() - first_triangle, 0);
   const auto is_split = [&](const EdgeUse& use) -> std::uint8_t& {
-    return is_split_[use.triangle - first_triangle];
+    return is_split_at[use.triangle - first_triangle];
   };
   bool found = false;
-  for (std::size_t first = 0, last = 0; first < uses_.size(); first = last) {
-    while (last < uses_.size() && uses_[last].edge == uses_[first].edge) ++last;
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
     if (last - first <= 2) continue;
     found = true;
     const auto usable = [&](bool is_descending, std::uint32_t shunned_apex) {
       std::size_t i = first;
-      while (i < last && (uses_[i].is_descending != is_descending || is_split(uses_[i]) != 0 ||
-                          apex_of(triangles, uses_[i]) == shunned_apex)) {
+      while (i < last && (uses[i].is_descending != is_descending || is_split(uses[i]) != 0 ||
+                          apex_of(triangles, uses[i]) == shunned_apex)) {
         ++i;
       }
       return i;
@@ -62,34 +70,24 @@ bool EdgeMender::separate_once(std::vector<Triangle>& triangles, std::vector<Fac
     // Two triangles over the same three points would share the halves' new edge too, and so on without end.
     const std::size_t up = usable(false, no_point);
     if (up == last) continue;
-    std::size_t down = usable(true, apex_of(triangles, uses_[up]));
+    std::size_t down = usable(true, apex_of(triangles, uses[up]));
     if (down == last) down = usable(true, no_point);
     if (down == last) continue;
-    is_split(uses_[up]) = is_split(uses_[down]) = 1;
+    is_split(uses[up]) = is_split(uses[down]) = 1;
     const std::array<std::uint32_t, 2> ends{
-        static_cast<std::uint32_t>(uses_[first].edge >> 32U),
-        static_cast<std::uint32_t>(uses_[first].edge & 0xffffffffU)};
-    split_shared_edge(triangles, origins, ends, middle_of(ends[0], ends[1]),
-                      {uses_[up].triangle, uses_[down].triangle});
+        static_cast<std::uint32_t>(uses[first].edge >> 32U),
+        static_cast<std::uint32_t>(uses[first].edge & 0xffffffffU)};
+    split_shared_edge(triangles, solid.origins, ends, add_middle(solid.mesh, ends[0], ends[1]),
+                      {uses[up].triangle, uses[down].triangle});
   }
   return found;
 }
 
-void EdgeMender::separate(std::vector<Triangle>& triangles, std::vector<FaceOrigin>& origins,
-                          std::uint32_t first_triangle, const MiddlePoint& middle_of) {
-  while (separate_once(triangles, origins, first_triangle, middle_of)) {
-  }
-}
+}  // namespace
 
 void separate_repeated_edges(CutSolid& solid, std::uint32_t first_triangle) {
-  std::vector<Vec3>& points_mm = solid.mesh.points_mm;
-  EdgeMender mender;
-  mender.separate(solid.mesh.triangles, solid.origins, first_triangle,
-                  [&points_mm](std::uint32_t a, std::uint32_t b) {
-                    const Vec3 middle_mm = 0.5 * (points_mm[a] + points_mm[b]);
-                    points_mm.push_back(middle_mm);
-                    return static_cast<std::uint32_t>(points_mm.size() - 1);
-                  });
+  while (separate_once(solid, first_triangle)) {
+  }
 }
 
 void drop_unused_points(IndexedMesh& mesh) {

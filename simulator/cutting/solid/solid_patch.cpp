@@ -24,24 +24,6 @@ Vec3 point_at(const KerfAxes& axes, const Vec2& place_in_kerf_mm, double height_
 
 }  // namespace
 
-std::array<double, 3> skin_weights(const IndexedMesh& mesh, std::uint32_t triangle,
-                                   const Vec3& point_mm) noexcept {
-  std::array<Vec3, 3> corners_mm;
-  for (std::size_t k = 0; k < 3; ++k) {
-    corners_mm[k] = mesh.points_mm[mesh.triangles[triangle][k]];
-  }
-  const Vec3 normal = glm::cross(corners_mm[1] - corners_mm[0], corners_mm[2] - corners_mm[0]);
-  const double whole = glm::dot(normal, normal);
-  if (whole == 0.0) return {1.0, 0.0, 0.0};
-  std::array<double, 3> weights{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& from_mm = corners_mm[(k + 1) % 3];
-    const Vec3& to_mm = corners_mm[(k + 2) % 3];
-    weights[k] = glm::dot(normal, glm::cross(to_mm - from_mm, point_mm - from_mm)) / whole;
-  }
-  return weights;
-}
-
 PatchBuilder::PatchBuilder(const KerfContact& contact)
     : contact_(contact), arrangement_(contact), newest_hit_on_(contact.triangles.size(), no_index) {
   for (const StripPoint& point : contact.points) {

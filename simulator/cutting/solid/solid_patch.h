@@ -27,10 +27,6 @@ struct SolidPatch {
   std::vector<FaceOrigin> origins;  ///< per triangle; walls {kerf, +-1}, fronts {kerf, 0}
 };
 
-/// The weights of a triangle's corners at a point on it: what a new point's attributes are interpolated with.
-std::array<double, 3> skin_weights(const IndexedMesh& mesh, std::uint32_t triangle,
-                                   const Vec3& point_mm) noexcept;
-
 class PatchBuilder {
  public:
   /// Borrows the contact.

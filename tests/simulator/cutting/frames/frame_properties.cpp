@@ -60,6 +60,25 @@ bool is_wall(const PlayedFrame& frame, std::size_t triangle) {
          frame.patch.origins[triangle].side != 0;
 }
 
+/// The weights of a triangle's corners at a point on it.
+std::array<double, 3> skin_weights(const IndexedMesh& mesh, std::uint32_t triangle,
+                                   const Vec3& point_mm) {
+  std::array<Vec3, 3> corners_mm;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners_mm[k] = mesh.points_mm[mesh.triangles[triangle][k]];
+  }
+  const Vec3 normal = glm::cross(corners_mm[1] - corners_mm[0], corners_mm[2] - corners_mm[0]);
+  const double whole = glm::dot(normal, normal);
+  if (whole == 0.0) return {1.0, 0.0, 0.0};
+  std::array<double, 3> weights{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& from_mm = corners_mm[(k + 1) % 3];
+    const Vec3& to_mm = corners_mm[(k + 2) % 3];
+    weights[k] = glm::dot(normal, glm::cross(to_mm - from_mm, point_mm - from_mm)) / whole;
+  }
+  return weights;
+}
+
 }  // namespace
 
 bool has_walls_on_planes(const PlayedFrame& frame) {

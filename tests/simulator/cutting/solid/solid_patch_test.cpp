@@ -199,14 +199,5 @@ TEST(SolidPatch, AThinBridgeHoldsUntilItIsGone) {
   EXPECT_TRUE(severed.takes_section);
 }
 
-TEST(SkinWeights, AreThoseOfThePlaceOnTheTriangle) {
-  IndexedMesh mesh;
-  mesh.points_mm = {Vec3(0.0), Vec3(4.0, 0.0, 0.0), Vec3(0.0, 0.0, 2.0), Vec3(8.0, 0.0, 0.0)};
-  mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
-  const std::array<double, 3> weights = skin_weights(mesh, 0, Vec3(1.0, 0.0, 0.5));
-  EXPECT_EQ(weights, (std::array<double, 3>{0.5, 0.25, 0.25}));
-  EXPECT_EQ(skin_weights(mesh, 1, Vec3(1.0, 0.0, 0.0)), (std::array<double, 3>{1.0, 0.0, 0.0}));
-}
-
 }  // namespace
 }  // namespace hallux::tests
