@@ -255,4 +255,19 @@ void Bvh::triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm
   std::sort(triangles.begin(), triangles.end());
 }
 
+void Bvh::visit_near(const Vec3& point_mm, double within_mm, NearVisit visit,
+                     void* context) const noexcept {
+  double limit_mm2 = within_mm * within_mm;
+  walk_nearer(
+      tree_->nodes, tree_->slots, limit_mm2,
+      [&](const TreeBox& box) { return squared_distance(box, point_mm); },
+      [&](const TreeSlot& slot) {
+        const ClosestPoint closest = slot.is_sliver ? closest_on_edges(slot.corner_mm, point_mm)
+                                                    : closest_on_triangle(slot.corner_mm, point_mm);
+        const NearTriangle found{slot.triangle, slot.corner_mm, closest.point_mm};
+        const double lowered_mm = visit(context, found);
+        limit_mm2 = lowered_mm < 0.0 ? -1.0 : std::min(limit_mm2, lowered_mm * lowered_mm);
+      });
+}
+
 }  // namespace hallux::simulator

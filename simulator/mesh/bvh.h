@@ -1,4 +1,4 @@
-/// A bounding volume hierarchy over a closed mesh: nearest point, signed distance, rays, boxes and slabs.
+/// A bounding volume hierarchy over a closed mesh: nearest point, signed distance, rays and slabs.
 ///
 /// The mesh must not change while the tree lives. Queries allocate nothing unless they fill a vector, and give the same
 /// bits on every machine.
@@ -13,7 +13,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "simulator/mesh/box_distance.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::simulator {
@@ -28,14 +27,6 @@ struct NearestPoint {
 struct RayHit {
   double distance_mm = 0.0;  ///< along the unit direction
   std::uint32_t triangle = 0;
-};
-
-/// A box and the surface where they are nearest.
-struct BoxContact {
-  double distance_mm = 0.0;  ///< 0 where they meet
-  std::uint32_t triangle = 0;
-  Vec3 on_surface_mm{0.0, 0.0, 0.0};
-  Vec3 on_box_mm{0.0, 0.0, 0.0};
 };
 
 /// A triangle that a query comes by, and its point nearest to the one asked about.
@@ -72,16 +63,6 @@ class Bvh {
   bool contains(const Vec3& point_mm) const noexcept;
   /// needs   direction has length 1
   std::optional<RayHit> first_hit(const Vec3& origin_mm, const Vec3& direction) const noexcept;
-  /// Nothing where box and surface are `within_mm` apart or more. A box wholly inside the solid is as far from the surface
-  /// as one outside.
-  std::optional<BoxContact> nearest_to_box(
-      const OrientedBox& box,
-      double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
-  /// Whether the surface comes as near to the box as `margin_mm`; stops at the first triangle that does. The margin is for
-  /// rounding: boxes that just touch are a few parts in 1e15 of the coordinates away.
-  bool touches_box(const OrientedBox& box, double margin_mm = 1.0e-9) const noexcept;
-  /// The same for a ball.
-  bool touches_ball(const Vec3& point_mm, double radius_mm) const noexcept;
   /// Calls visit(NearTriangle) for triangles that may be nearer than `within_mm`, the nearer boxes first; the answer is the
   /// distance within which to go on [mm], negative to stop. The visit may not throw.
   template <typename Visit>

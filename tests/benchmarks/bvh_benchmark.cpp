@@ -6,7 +6,6 @@
 #include "simulator/base/random.h"
 #include "simulator/cutting/remaining/remaining_bone.h"
 #include "simulator/mesh/bvh.h"
-#include "simulator/mesh/swept_box.h"
 #include "simulator/record/record.h"
 #include "tests/support/worlds.h"
 
@@ -76,12 +75,6 @@ void walk(benchmark::State& state, const Ask& ask) {
   }
 }
 
-void ball_of_1_mm(benchmark::State& state) {
-  walk(state,
-       [](const simulator::Bvh& tree, const Vec3& at) { return tree.touches_ball(at, 1.0); });
-}
-BENCHMARK(ball_of_1_mm)->Arg(50'000)->Arg(500'000);
-
 void ray_down(benchmark::State& state) {
   walk(state, [](const simulator::Bvh& tree, const Vec3& at) {
     return tree.first_hit(at + Vec3(0.0, 5.0, 0.0), Vec3(0.0, -1.0, 0.0));
@@ -89,33 +82,7 @@ void ray_down(benchmark::State& state) {
 }
 BENCHMARK(ray_down)->Arg(50'000)->Arg(500'000);
 
-constexpr simulator::CarriedBox blade{Vec3(-10.0, 0.0, 0.0), Vec3(10.0, 5.0, 0.25)};
 Quat blade_down() { return rotation_from_axes(Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, 1.0)); }
-
-void distance_of_a_blade(benchmark::State& state) {
-  walk(state, [](const simulator::Bvh& tree, const Vec3& at) {
-    return tree.nearest_to_box(blade.at({blade_down(), at + Vec3(0.0, 2.0, 0.0)}));
-  });
-}
-BENCHMARK(distance_of_a_blade)->Arg(50'000)->Arg(500'000);
-
-void does_a_blade_touch(benchmark::State& state) {
-  walk(state, [](const simulator::Bvh& tree, const Vec3& at) {
-    return tree.touches_box(blade.at({blade_down(), at}));
-  });
-}
-BENCHMARK(does_a_blade_touch)->Arg(50'000)->Arg(500'000);
-
-// A blade that comes down 1 mm on to the bone and turns a little.
-void first_contact_of_a_blade(benchmark::State& state) {
-  const Quat turned = rotation_about(Vec3(0.0, 0.0, 1.0), 0.02) * blade_down();
-  walk(state, [&](const simulator::Bvh& tree, const Vec3& at) {
-    return simulator::first_contact(
-        tree, blade,
-        {{blade_down(), Vec3(at.x, 12.5, 0.0)}, {turned, Vec3(at.x + 0.1, 11.0, 0.0)}});
-  });
-}
-BENCHMARK(first_contact_of_a_blade)->Arg(50'000)->Arg(500'000);
 
 // What still stands, with a kerf of 8 mm in it: points along the teeth in the slot (range 1: 0), in the bone below it (1), and
 // over its mouth (2).

@@ -19,8 +19,8 @@
 #include <span>
 
 #include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/remaining/rigid_advance.h"
 #include "simulator/mesh/bvh.h"
-#include "simulator/mesh/swept_box.h"
 
 namespace hallux::simulator {
 
@@ -53,20 +53,10 @@ struct RemainingBone {
   std::optional<RemainingPoint> nearest(
       const Vec3& point_in_bone_mm,
       double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
-  /// Negative inside [mm]; `within_mm` where the surface is not nearer.
-  double signed_distance_mm(
-      const Vec3& point_in_bone_mm,
-      double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// Where a ray first comes to the surface, from either side: `distance_mm` is along the ray, to contact_tolerance_mm.
-  /// Nothing where it never does within `within_mm`, or grazes so long that `advance_limit` steps do not bring it there.
-  /// needs   direction has length 1
-  std::optional<RemainingPoint> first_hit(const Vec3& origin_mm, const Vec3& direction,
-                                          double within_mm) const noexcept;
-  /// How far points carried by a tool may move before the first of them comes to the surface. Points less than s apart on
-  /// a blade let features through that are smaller than s; for a whole blade against the original bone see first_contact
-  /// in swept_box.h.
-  Advance first_contact(std::span<const Vec3> points_in_tool_mm,
+  /// How far points carried by a body may move before the first of them comes to the surface. Points less than s apart let
+  /// features through that are smaller than s. For fragments that are moved against what stands; nothing calls it yet.
+  Advance first_contact(std::span<const Vec3> points_in_body_mm,
                         const RigidMotion& motion) const noexcept;
 };
 

@@ -253,5 +253,32 @@ TEST(Bvh, BearsMeshesMadeToBeDeep) {
   EXPECT_NEAR(Bvh{row}.nearest(Vec3{-1.0, 0.0, 0.0})->distance_mm, 1.0, 1.0e-12);
 }
 
+TEST(Bvh, VisitsBringTheNearestPoint) {
+  const Bvh bvh{tests::sphere(10.0, 6)};
+  Random random{4};
+  int all_visits = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 point = any_point(random, 14.0);
+    double least_mm = 100.0;
+    int visits = 0;
+    bvh.visit_near(point, 100.0, [&](const NearTriangle& found) {
+      const Vec3 apart = found.closest_mm - point;
+      least_mm = std::min(least_mm, std::sqrt(glm::dot(apart, apart)));
+      ++visits;
+      return least_mm;
+    });
+    EXPECT_NEAR(least_mm, bvh.nearest(point)->distance_mm, 1.0e-12);
+    all_visits += visits;
+    visits = 0;
+    bvh.visit_near(point, 100.0, [&](const NearTriangle&) {
+      ++visits;
+      return -1.0;
+    });
+    EXPECT_LE(visits, 4);
+  }
+  // Of 432 triangles each, in the middle of the sphere nearly all.
+  EXPECT_LT(all_visits, 200 * 60);
+}
+
 }  // namespace
 }  // namespace hallux::simulator

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "simulator/base/random.h"
 #include "simulator/cutting/field/region_outline.h"
@@ -79,6 +80,12 @@ Sawn slotted_block() {
   return sawn;
 }
 
+/// Negative inside; `bone` has a surface.
+double signed_distance_mm(const RemainingBone& bone, const Vec3& point_mm) {
+  const double distance_mm = bone.nearest(point_mm)->distance_mm;
+  return bone.contains(point_mm) ? -distance_mm : distance_mm;
+}
+
 TEST(RemainingBone, KnowsWallsFrontsAndCornersOfARectangularKerf) {
   const Sawn sawn = slotted_block();
   const RemainingBone bone = sawn.standing();
@@ -95,12 +102,12 @@ TEST(RemainingBone, KnowsWallsFrontsAndCornersOfARectangularKerf) {
   EXPECT_EQ(found->side, BoneSide::Front);
   EXPECT_NEAR(found->distance_mm, 0.1, outline_mm);
   EXPECT_NEAR(found->normal.y, 1.0, 1e-6);
-  EXPECT_NEAR(bone.signed_distance_mm(Vec3(0.0, 1.0, 0.5)), -1.0, outline_mm);
+  EXPECT_NEAR(signed_distance_mm(bone, Vec3(0.0, 1.0, 0.5)), -1.0, outline_mm);
   // In the bone beside the slot, and off the slot's lower edge.
-  EXPECT_NEAR(bone.signed_distance_mm(Vec3(0.85, 5.0, 0.0)), -(0.85 - half_mm), 1e-6);
-  EXPECT_NEAR(bone.signed_distance_mm(Vec3(half_mm + 0.3, 2.0 - 0.4, 0.0)), -0.5, outline_mm);
+  EXPECT_NEAR(signed_distance_mm(bone, Vec3(0.85, 5.0, 0.0)), -(0.85 - half_mm), 1e-6);
+  EXPECT_NEAR(signed_distance_mm(bone, Vec3(half_mm + 0.3, 2.0 - 0.4, 0.0)), -0.5, outline_mm);
   // Beside the blade's edge: its front at z = 5 lies 0.4 mm away, the wall of the block 0.6.
-  EXPECT_NEAR(bone.signed_distance_mm(Vec3(0.0, 5.0, 5.4)), -0.4, outline_mm);
+  EXPECT_NEAR(signed_distance_mm(bone, Vec3(0.0, 5.0, 5.4)), -0.4, outline_mm);
   // Over the mouth: the skin straight below is gone, its edge stands.
   found = bone.nearest(Vec3(0.0, 8.2, 0.0));
   ASSERT_TRUE(found);
@@ -113,29 +120,31 @@ TEST(RemainingBone, KnowsWallsFrontsAndCornersOfARectangularKerf) {
   EXPECT_FALSE(bone.nearest(Vec3(8.0, 9.5, 0.0), 1.0));
 }
 
-TEST(RemainingBone, RaysGoThroughOpenKerfs) {
+/// The way of one point along a direction until it touches; nothing where it never does.
+std::optional<double> free_way_mm(const RemainingBone& bone, const Vec3& from_mm,
+                                  const Vec3& way_mm) {
+  const std::array<Vec3, 1> point{Vec3(0.0)};
+  const Quat level(1.0, 0.0, 0.0, 0.0);
+  const Advance advance = bone.first_contact(point, {{level, from_mm}, {level, from_mm + way_mm}});
+  if (!advance.is_contact) return std::nullopt;
+  return advance.free_share * std::sqrt(glm::dot(way_mm, way_mm));
+}
+
+TEST(RemainingBone, APointGoesThroughOpenKerfs) {
   const Sawn sawn = slotted_block();
   const RemainingBone bone = sawn.standing();
+  const Vec3 down(0.0, -50.0, 0.0);
   // Down the slot to its floor, and beside it to the skin.
-  auto hit = bone.first_hit(Vec3(0.1, 12.0, 1.0), Vec3(0.0, -1.0, 0.0), 50.0);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->side, BoneSide::Front);
-  EXPECT_NEAR(hit->distance_mm, 10.0, 1e-3);
-  hit = bone.first_hit(Vec3(0.3, 12.0, 1.0), Vec3(0.0, -1.0, 0.0), 50.0);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->side, BoneSide::Skin);
-  EXPECT_NEAR(hit->distance_mm, 4.0, 2.0 * contact_tolerance_mm);
+  EXPECT_NEAR(free_way_mm(bone, Vec3(0.1, 12.0, 1.0), down).value(), 10.0, 1e-3);
+  EXPECT_NEAR(free_way_mm(bone, Vec3(0.3, 12.0, 1.0), down).value(), 4.0,
+              2.0 * contact_tolerance_mm);
   // From within the slot to a wall, from within bone to the slot.
-  hit = bone.first_hit(Vec3(0.0, 5.0, 0.0), Vec3(1.0, 0.0, 0.0), 50.0);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->side, BoneSide::Wall);
-  EXPECT_NEAR(hit->normal.x, -1.0, 1e-6);
-  EXPECT_NEAR(hit->distance_mm, half_mm, 2.0 * contact_tolerance_mm);
-  hit = bone.first_hit(Vec3(5.0, 5.0, 0.0), Vec3(-1.0, 0.0, 0.0), 50.0);
-  ASSERT_TRUE(hit);
-  EXPECT_NEAR(hit->distance_mm, 5.0 - half_mm, 2.0 * contact_tolerance_mm);
-  EXPECT_FALSE(bone.first_hit(Vec3(0.1, 12.0, 1.0), Vec3(0.0, 1.0, 0.0), 50.0));
-  EXPECT_FALSE(bone.first_hit(Vec3(0.1, 12.0, 1.0), Vec3(0.0, -1.0, 0.0), 9.0));
+  EXPECT_NEAR(free_way_mm(bone, Vec3(0.0, 5.0, 0.0), Vec3(50.0, 0.0, 0.0)).value(), half_mm,
+              2.0 * contact_tolerance_mm);
+  EXPECT_NEAR(free_way_mm(bone, Vec3(5.0, 5.0, 0.0), Vec3(-50.0, 0.0, 0.0)).value(), 5.0 - half_mm,
+              2.0 * contact_tolerance_mm);
+  EXPECT_FALSE(free_way_mm(bone, Vec3(0.1, 12.0, 1.0), -down));
+  EXPECT_FALSE(free_way_mm(bone, Vec3(0.1, 12.0, 1.0), Vec3(0.0, -9.0, 0.0)));
 }
 
 TEST(RemainingBone, MovingPointsStopAtTheFloorOfTheirSlot) {
@@ -153,6 +162,33 @@ TEST(RemainingBone, MovingPointsStopAtTheFloorOfTheirSlot) {
   EXPECT_TRUE(on_skin.is_contact);
   EXPECT_NEAR(on_skin.free_share, 4.0 / 14.0, contact_tolerance_mm);
   EXPECT_LE(on_skin.free_share, 4.0 / 14.0);
+}
+
+TEST(RemainingBone, MovingPointsNeverJumpOverAThinSheet) {
+  const Sawn sawn(solid_block(Vec3(40.0, 40.0, 0.002)));
+  const RemainingBone bone = sawn.standing();
+  Random random(5);
+  const auto any = [&](double side_mm) {
+    return Vec3(random.uniform(-side_mm, side_mm), random.uniform(-side_mm, side_mm),
+                random.uniform(-side_mm, side_mm));
+  };
+  const auto any_turn = [&] {
+    return normalised(Quat(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                           random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
+  };
+  for (int i = 0; i < 100; ++i) {
+    const std::array<Vec3, 3> points{any(2.0), any(2.0), any(2.0)};
+    RigidMotion motion{{any_turn(), any(4.0)}, {any_turn(), any(4.0)}};
+    motion.bone_from_start.translation_mm.z = 9.0;
+    motion.bone_from_end.translation_mm.z = -9.0;
+    const Advance advance = bone.first_contact(points, motion);
+    ASSERT_TRUE(advance.is_stopped);
+    for (int k = 0; k <= 20; ++k) {
+      const RigidTransform pose =
+          interpolate(motion.bone_from_start, motion.bone_from_end, advance.free_share * k / 20.0);
+      for (const Vec3& point : points) ASSERT_GT(transform_point(pose, point).z, 0.001);
+    }
+  }
 }
 
 /// Distances against those to the committed mesh, at points all around the kerfs.
@@ -226,8 +262,7 @@ TEST(RemainingBone, ABodyTakenOutIsGoneWithItsSkin) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->side, BoneSide::Wall);
   EXPECT_NEAR(found->distance_mm, 2.0 + half_mm - 0.5, 1e-6);
-  const auto hit = bone.first_hit(Vec3(0.5, 20.0, 0.0), Vec3(0.0, -1.0, 0.0), 60.0);
-  EXPECT_FALSE(hit);
+  EXPECT_FALSE(free_way_mm(bone, Vec3(0.5, 20.0, 0.0), Vec3(0.0, -60.0, 0.0)));
 }
 
 TEST(RemainingBone, TakesNothingFromTheHeap) {
@@ -240,8 +275,7 @@ TEST(RemainingBone, TakesNothingFromTheHeap) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 point(random.uniform(-3.0, 3.0), random.uniform(-9.0, 10.0),
                      random.uniform(-8.0, 8.0));
-    sum += bone.signed_distance_mm(point, 2.0);
-    sum += bone.first_hit(point, Vec3(0.0, -1.0, 0.0), 20.0).has_value() ? 1.0 : 0.0;
+    sum += bone.nearest(point, 2.0).has_value() ? 1.0 : 0.0;
     sum += bone.first_contact(teeth, {{Quat(1.0, 0.0, 0.0, 0.0), point}, {}}).free_share;
   }
   EXPECT_EQ(allocations_of_this_thread(), before);

@@ -1,4 +1,4 @@
-#include "simulator/mesh/swept_box.h"
+#include "simulator/cutting/remaining/rigid_advance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,24 +20,6 @@ double greatest_speed_mm(const RigidMotion& motion, double reach_mm) noexcept {
   const double turn_rad = 4.0 * half_sine / half_cosine;
   // A margin for the rounding of the above.
   return (std::sqrt(glm::dot(way_mm, way_mm)) + turn_rad * reach_mm) * (1.0 + 1.0e-12);
-}
-
-std::optional<BoxImpact> first_contact(const Bvh& bvh, const CarriedBox& box,
-                                       const RigidMotion& motion) noexcept {
-  const Vec3 corner_mm = glm::abs(box.centre_in_tool_mm) + box.half_mm;
-  const double reach_mm = std::sqrt(glm::dot(corner_mm, corner_mm));
-  BoxImpact impact;
-  const auto gap_mm = [&](const RigidTransform& pose, double within_mm) {
-    const std::optional<BoxContact> contact = bvh.nearest_to_box(box.at(pose), within_mm);
-    if (!contact) return within_mm;
-    impact.contact = *contact;
-    return contact->distance_mm;
-  };
-  const Advance advance = advance_until_contact(motion, reach_mm, gap_mm);
-  if (!advance.is_stopped) return std::nullopt;
-  impact.free_share = advance.free_share;
-  impact.is_contact = advance.is_contact;
-  return impact;
 }
 
 }  // namespace hallux::simulator

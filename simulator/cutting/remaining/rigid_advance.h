@@ -1,14 +1,11 @@
-/// The first contact of something that moves rigidly: conservative advancement.
+/// How far a body may move rigidly before it first touches: conservative advancement.
 ///
 /// From a pose at which the gap to the surface is g, no point can reach the surface before the fastest one has gone g: so
 /// the motion may go on by g / (the longest path), again and again. It never jumps over a wall, however thin.
 /// source  Mirtich, Impulse-based dynamic simulation of rigid body systems (1996), 2.3.2
 #pragma once
 
-#include <optional>
-
 #include "simulator/base/transform.h"
-#include "simulator/mesh/bvh.h"
 
 namespace hallux::simulator {
 
@@ -26,9 +23,11 @@ inline constexpr double contact_tolerance_mm = 1.0e-4;
 inline constexpr int advance_limit = 200;
 
 struct Advance {
-  double free_share = 1.0;  ///< of the motion, from its start
+  /// Part of the motion, from its start.
+  double free_share = 1.0;
   bool is_stopped = false;
-  bool is_contact = false;  ///< stopped by the surface; otherwise by the limit of steps
+  /// Stopped by the surface; otherwise by the limit of steps.
+  bool is_contact = false;
 };
 
 /// shape   gap_mm(pose, within_mm): distance to the surface at a pose of the motion, or `within_mm` where it is at least that
@@ -49,29 +48,5 @@ Advance advance_until_contact(const RigidMotion& motion, double reach_mm,
   }
   return {advance.free_share, true, false};
 }
-
-/// A box that is carried along by a tool.
-struct CarriedBox {
-  Vec3 centre_in_tool_mm{0.0, 0.0, 0.0};
-  Vec3 half_mm{0.0, 0.0, 0.0};
-
-  OrientedBox at(const RigidTransform& bone_from_tool) const noexcept {
-    return {{bone_from_tool.rotation, transform_point(bone_from_tool, centre_in_tool_mm)}, half_mm};
-  }
-};
-
-struct BoxImpact {
-  double free_share = 0.0;
-  bool is_contact =
-      false;  ///< false: stopped by the limit of steps, nearer than contact.distance_mm to nothing
-  BoxContact contact;
-};
-
-/// Where a box on its way from the motion's start first comes to the surface of a mesh; nothing where it never does. A box
-/// that meets the surface at the start stops there.
-/// errors  none: total, allocates nothing, at most `advance_limit` searches of the tree
-/// thread  any
-std::optional<BoxImpact> first_contact(const Bvh& bvh, const CarriedBox& box,
-                                       const RigidMotion& motion) noexcept;
 
 }  // namespace hallux::simulator
