@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "assessment/progress.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 #include "simulator/step/wound.h"

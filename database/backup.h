@@ -13,13 +13,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "database/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -33,14 +33,8 @@ struct Backup {
   std::int64_t damaged = 0;  ///< attempts whose chain did not hold; their rows are kept as they are
 };
 
-/// Thrown where `progress` asked to stop: no backup was left; recordings that were written serve the next one.
-class BackupStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 struct BackupOptions {
-  std::function<bool(double)> progress = {};                ///< told the part done; false stops
+  Progress progress = {};                                   ///< told the part done; false stops
   std::optional<std::uintmax_t> pretended_free_bytes = {};  ///< for tests of a disk that fills
 };
 
@@ -48,7 +42,7 @@ struct BackupOptions {
 /// snapshot, then the manifest.
 /// ensures a writer goes on meanwhile; what it commits after the snapshot is not in the copy, and does not delay it
 /// errors  DatabaseError: Full where less than twice what is to be written is free; Locked where another backup is being
-///         made; storage failures; BackupStopped
+///         made; storage failures; Cancelled
 Backup back_up(Database& database, const std::filesystem::path& folder,
                const BackupOptions& options = {});
 

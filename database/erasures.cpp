@@ -9,6 +9,7 @@
 #include "database/free_text.h"
 #include "database/people.h"
 #include "database/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -140,13 +141,13 @@ void check_erasable(Database& database, const Person& person, const std::string&
 }
 
 void erase_recordings_of(Database& database, PersonId person, std::optional<PersonId> actor,
-                         const std::function<bool(double)>& progress, ErasedPieces& erased) {
+                         const Progress& progress, ErasedPieces& erased) {
   const std::vector<AttemptHeader> headers = list_attempts(database, {person, {}, false, {}});
   double done = 0.0;
   for (const AttemptHeader& header : headers) {
     if (progress && !progress(0.9 * done / static_cast<double>(headers.size()))) {
-      throw ErasureStopped{"the erasure was stopped after " + std::to_string(erased.recordings) +
-                           " recordings; the person is still there, once more goes on"};
+      throw Cancelled{"the erasure was stopped after " + std::to_string(erased.recordings) +
+                      " recordings; the person is still there, once more goes on"};
     }
     const std::int64_t bytes = erase_recording(database, header.id, actor);
     erased.recording_bytes += bytes;
@@ -177,8 +178,7 @@ bool is_erased(Database& database, PersonId person) {
 }
 
 ErasedPieces erase_person(Database& database, const ErasureOrder& order,
-                          std::optional<PersonId> actor,
-                          const std::function<bool(double)>& progress) {
+                          std::optional<PersonId> actor, const Progress& progress) {
   check_free_text("the reason", order.reason);
   const JournalLine line{directory_uuid(database), order.person, order.with_recordings,
                          utc_now(database)};

@@ -1,6 +1,7 @@
 #include "database/open_keeping.h"
 
 #include "database/people.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -16,8 +17,7 @@ void OpenKeeping::require_nobody() const {
                           " in the meantime; an administrator must do this"};
 }
 
-Backup OpenKeeping::back_up(const std::filesystem::path& directory,
-                            const std::function<bool(double)>& progress) {
+Backup OpenKeeping::back_up(const std::filesystem::path& directory, const Progress& progress) {
   require_nobody();
   return keep_backup(*database_, directory.empty() ? database_->directory() / "backups" : directory,
                      std::nullopt, {progress, {}});
@@ -43,7 +43,7 @@ std::vector<RetentionPiece> OpenKeeping::retention_plan() {
   return plan_retention(*database_);
 }
 
-RetentionDone OpenKeeping::retain(const std::function<bool(double)>& progress) {
+RetentionDone OpenKeeping::retain(const Progress& progress) {
   require_nobody();
   return apply_retention(*database_, std::nullopt, progress);
 }

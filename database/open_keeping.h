@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "database/backup_rotation.h"
 #include "database/retention.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -17,13 +17,12 @@ class OpenKeeping {
   /// Nothing where there are people.
   static std::optional<OpenKeeping> enter(Database& database);
 
-  Backup back_up(const std::filesystem::path& directory = {},
-                 const std::function<bool(double)>& progress = {});
+  Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
   std::vector<Backup> backups();
   RetentionRules retention();
   void set_retention(const RetentionRules& rules);
   std::vector<RetentionPiece> retention_plan();
-  RetentionDone retain(const std::function<bool(double)>& progress = {});
+  RetentionDone retain(const Progress& progress = {});
 
  private:
   explicit OpenKeeping(Database& database) : database_(&database) {}

@@ -11,6 +11,7 @@
 #include "database/sql.h"
 #include "database/standings.h"
 #include "database/verify_parts.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -121,11 +122,10 @@ void VerifyProgress::tell(std::int64_t done, std::int64_t all) {
   // Somebody may add rows meanwhile.
   const double share = all > done ? static_cast<double>(done) / static_cast<double>(all) : 1.0;
   if (!told_ || told_(begin_ + share * (end_ - begin_))) return;
-  throw VerificationStopped{"the check was stopped in " + part_ +
-                            "; no damage was found up to there"};
+  throw Cancelled{"the check was stopped in " + part_ + "; no damage was found up to there"};
 }
 
-Verification verify(Database& database, const std::function<bool(double)>& progress) {
+Verification verify(Database& database, const Progress& progress) {
   Verification found;
   VerifyProgress told{progress};
   try {

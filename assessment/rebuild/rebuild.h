@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "assessment/progress.h"
 #include "assessment/rebuild/opened_fields.h"
+#include "simulator/base/progress.h"
 #include "simulator/cutting/commit_patch.h"
 #include "simulator/cutting/cut.h"
 #include "simulator/cutting/kerf_set.h"

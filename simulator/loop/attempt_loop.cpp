@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
@@ -57,7 +58,7 @@ class Spread {
 class AttemptRun {
  public:
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels,
-             const AttemptProgress& progress)
+             const Progress& progress)
       : setup_(setup),
         device_(
             device,
@@ -307,7 +308,7 @@ class AttemptRun {
   const AttemptSetup& setup_;
   DeviceLink device_;
   AttemptChannels& channels_;
-  const AttemptProgress& progress_;
+  const Progress& progress_;
   TissueMap tissue_;
   Operation operation_;
   std::unique_ptr<JobRunner> own_jobs_;  ///< none where the setup brings its own
@@ -328,7 +329,7 @@ class AttemptRun {
 }  // namespace
 
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
-                           AttemptChannels& channels, const AttemptProgress& progress) {
+                           AttemptChannels& channels, const Progress& progress) {
   return AttemptRun(setup, device, channels, progress).run();
 }
 

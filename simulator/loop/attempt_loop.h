@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "simulator/contact/tool_motion.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/scripted.h"
@@ -64,13 +64,10 @@ struct LoopStatistics {
   ForceLaw force_law = ForceLaw::Simulated;  ///< what the arm was made to feel
 };
 
-/// Called about ten times a second with the fraction done [0, 1]; returning false cancels the attempt.
-using AttemptProgress = std::function<bool(double)>;
-
 /// Runs the attempt on the calling thread until its end, and closes the channels.
 /// ensures every line of the tape, every sample and every event was pushed; none is dropped
 /// errors  what a job (std::bad_alloc) or `progress` threw, after the device was let go and channels and watch were closed
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
-                           AttemptChannels& channels, const AttemptProgress& progress = {});
+                           AttemptChannels& channels, const Progress& progress = {});
 
 }  // namespace hallux::simulator

@@ -1,5 +1,6 @@
 #include "simulator/loop/replay.h"
 
+#include "simulator/base/progress.h"
 #include "simulator/loop/jobs.h"
 
 namespace hallux::simulator {
@@ -20,7 +21,7 @@ class ReplayRun {
     outputs_.events.reserve(recording.events.size());
   }
 
-  ReplayResult run(const ReplayProgress& progress) {
+  ReplayResult run(const Progress& progress) {
     for (std::size_t i = 0; i < recording_.tape.size() && result_.difference.empty(); ++i) {
       advance(recording_.tape[i]);
       const double done = static_cast<double>(i) / static_cast<double>(recording_.tape.size());
@@ -98,7 +99,7 @@ class ReplayRun {
 }  // namespace
 
 ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
-                    const ReplayProgress& progress) {
+                    const Progress& progress) {
   return ReplayRun(recording, setup).run(progress);
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "simulator/base/progress.h"
 #include "simulator/contact/tool_motion.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/operation/job.h"
@@ -32,12 +32,9 @@ struct ReplaySetup {
   WoundSettings wound = {};
 };
 
-/// Called with the fraction done [0, 1]; returning false cancels.
-using ReplayProgress = std::function<bool(double)>;
-
 /// Stops at the first difference. A tape that the step could not have been given is a difference, never a crash.
 /// needs   the recording was made by this engine version
 ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
-                    const ReplayProgress& progress = {});
+                    const Progress& progress = {});
 
 }  // namespace hallux::simulator

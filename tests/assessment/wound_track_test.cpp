@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "simulator/base/progress.h"
 #include "tests/simulator/step/operation_run.h"
 #include "tests/support/worlds.h"
 

@@ -16,6 +16,7 @@
 #include "database/recordings.h"
 #include "database/restore.h"
 #include "database/verify.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 #include "tests/support/faulty_vfs.h"
 
@@ -163,7 +164,7 @@ TEST(Backup, StoppedLeavesNothing) {
                            last = part;
                            return part < end;
                          }}),
-                 BackupStopped);
+                 Cancelled);
     EXPECT_TRUE(list_backups(backups_of(database)).empty());
     EXPECT_LE(file_count(backups_of(database)), 1U) << end;
   }

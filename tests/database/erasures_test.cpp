@@ -13,6 +13,7 @@
 #include "database/kept_bytes.h"
 #include "database/recordings.h"
 #include "database/verify.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 #include "tests/support/faulty_vfs.h"
 
@@ -238,7 +239,7 @@ TEST(Erasure, StoppedBetweenTwoRecordingsGoesOnLater) {
   int asked = 0;
   const ErasureOrder order = order_for(course, true);
   EXPECT_THROW(erase_person(course.database(), order, {}, [&](double) { return ++asked > 1; }),
-               ErasureStopped);
+               Cancelled);
   EXPECT_FALSE(is_erased(course.database(), course.id()));
   erase_person(course.database(), order, {});
   expect_no_canary(course.database());

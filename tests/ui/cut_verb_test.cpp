@@ -11,7 +11,7 @@
 #include <optional>
 #include <sstream>
 
-#include "assessment/progress.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/read_mesh.h"
 #include "simulator/mesh/write_ply.h"
@@ -224,8 +224,7 @@ TEST_F(CutVerb, AHingeWithoutAWedgeIsRefusedAndNothingIsWritten) {
 TEST_F(CutVerb, InterruptedBetweenFramesLeavesNothing) {
   const std::string sweep = write_sweep(sweep_to(7.5));
   std::raise(SIGINT);
-  EXPECT_THROW(cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", sweep}),
-               assessment::Cancelled);
+  EXPECT_THROW(cut({"--plane", "1,0,0,1", "--kerf", "0.5", "--sweep", sweep}), Cancelled);
   EXPECT_FALSE(fs::exists(folder_ / "made"));
 }
 

@@ -6,10 +6,10 @@
 #include <iostream>
 #include <optional>
 
-#include "assessment/progress.h"
 #include "database/database_error.h"
 #include "database/verify.h"
 #include "scenarios/scenario_error.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/record/record.h"
 #include "ui/app/interrupt.h"
@@ -90,16 +90,12 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
     return fail(error, exit_code_of(error.kind()));
   } catch (const Cancelled& error) {
     return fail(error, ExitCode::Interrupted);
-  } catch (const database::VerificationStopped& error) {
-    return fail(error, ExitCode::Interrupted);
   } catch (const simulator::MeshError& error) {
     return fail(error, ExitCode::BadInput);
   } catch (const FileRefused& error) {
     return fail(error, ExitCode::BadInput);
   } catch (const scenarios::ScenarioError& error) {
     return fail(error, ExitCode::BadInput);
-  } catch (const assessment::Cancelled& error) {
-    return fail(error, ExitCode::Interrupted);
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(error, ExitCode::Storage);
   } catch (const std::bad_alloc&) {

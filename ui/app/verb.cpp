@@ -6,11 +6,12 @@
 #include <memory>
 #include <ostream>
 
+#include "simulator/base/progress.h"
 #include "ui/app/interrupt.h"
 
 namespace hallux::ui {
 
-std::function<bool(double)> progress_on(const VerbContext& context, std::string label) {
+Progress progress_on(const VerbContext& context, std::string label) {
   if (context.quiet) return [](double) { return !is_interrupted(); };
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   auto shown = std::make_shared<int>(-1);

@@ -10,6 +10,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "simulator/base/progress.h"
 #include "ui/app/exit_code.h"
 
 namespace CLI {
@@ -32,6 +33,6 @@ struct VerbContext {
 
 /// Shows a long job on `notes`: "label  42 %", redrawn on a terminal, silent with --quiet. Returns false once the user
 /// pressed Ctrl-C, which cancels the job.
-std::function<bool(double)> progress_on(const VerbContext& context, std::string label);
+Progress progress_on(const VerbContext& context, std::string label);
 
 }  // namespace hallux::ui

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "simulator/base/progress.h"
 #include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_error.h"
@@ -23,7 +24,7 @@ struct ExportOptions {
 /// One's own at one's own desk; another's at that of an administrator.
 database::PersonExport exported(const VerbContext& context, database::Database& database,
                                 const ExportOptions& options) {
-  const std::function<bool(double)> progress = progress_on(context, "Exporting");
+  const Progress progress = progress_on(context, "Exporting");
   if (options.login != context.login) {
     AdministratorVisit administrator =
         visit_administrator(context, database, "export what is kept of others");
@@ -37,12 +38,7 @@ database::PersonExport exported(const VerbContext& context, database::Database& 
 
 ExitCode export_on(const VerbContext& context, const ExportOptions& options) {
   database::Database database = open_kept(context);
-  database::PersonExport done;
-  try {
-    done = exported(context, database, options);
-  } catch (const database::ExportStopped& stopped) {
-    throw VerbError(ExitCode::Interrupted, stopped.what());
-  }
+  const database::PersonExport done = exported(context, database, options);
   if (context.json) {
     write_json(context.out, nlohmann::ordered_json{{"login", options.login},
                                                    {"directory", done.directory.string()},

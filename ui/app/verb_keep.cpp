@@ -9,6 +9,7 @@
 
 #include "database/open_keeping.h"
 #include "database/restore.h"
+#include "simulator/base/progress.h"
 #include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_error.h"
@@ -29,16 +30,6 @@ ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
   }
   AdministratorVisit administrator = visit_administrator(context, database, task);
   return work(administrator.desk);
-}
-
-/// What was stopped by Ctrl-C, as every verb says it.
-template <typename Stopped, typename Work>
-auto stoppable(Work&& work) {
-  try {
-    return work();
-  } catch (const Stopped& stopped) {
-    throw VerbError(ExitCode::Interrupted, stopped.what());
-  }
 }
 
 ordered_json json_of(const database::Backup& backup) {
@@ -67,11 +58,9 @@ ExitCode list_backups_on(const VerbContext& context, Desk& desk) {
 
 template <typename Desk>
 ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesystem::path& folder) {
-  const database::Backup backup = stoppable<database::BackupStopped>([&] {
-    const std::filesystem::path place =
-        folder.empty() ? folder : std::filesystem::absolute(folder).lexically_normal();
-    return desk.back_up(place, progress_on(context, "Backing up"));
-  });
+  const std::filesystem::path place =
+      folder.empty() ? folder : std::filesystem::absolute(folder).lexically_normal();
+  const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
   if (context.json) {
     ordered_json answer = json_of(backup);
     answer["new_bytes"] = backup.new_bytes;
@@ -101,8 +90,7 @@ ExitCode restore_on(const VerbContext& context, database::RestoreOrder order) {
                     "restoring makes a new directory, where nobody is yet; leave --as out");
   }
   order.directory = context.data_directory;
-  const database::Restored restored = stoppable<database::RestoreStopped>(
-      [&] { return database::restore(order, progress_on(context, "Restoring")); });
+  const database::Restored restored = database::restore(order, progress_on(context, "Restoring"));
   if (context.json) {
     write_json(context.out, json_of(restored));
   } else {
@@ -199,8 +187,7 @@ ExitCode retain_on(const VerbContext& context, Desk& desk, const RetentionOption
     print_plan(context, desk.retention(), desk.retention_plan());
     return ExitCode::Done;
   }
-  const database::RetentionDone done = stoppable<database::RetentionStopped>(
-      [&] { return desk.retain(progress_on(context, "Letting go")); });
+  const database::RetentionDone done = desk.retain(progress_on(context, "Letting go"));
   if (context.json) {
     write_json(context.out, ordered_json{{"recordings", done.recordings},
                                          {"accounts", done.accounts},

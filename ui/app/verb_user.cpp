@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "database/recovery.h"
+#include "simulator/base/progress.h"
 #include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_error.h"
@@ -146,13 +147,9 @@ ExitCode erase_on(const VerbContext& context, const UserOptions& options) {
     throw VerbError(ExitCode::Refused,
                     context.login + " is not an administrator; only administrators manage people");
   }
-  database::ErasedPieces erased;
-  try {
-    erased = desk->erase_person({options.login, options.reason, options.with_recordings},
-                                session.prove(password), progress_on(context, "Erasing"));
-  } catch (const database::ErasureStopped& stopped) {
-    throw VerbError(ExitCode::Interrupted, stopped.what());
-  }
+  const database::ErasedPieces erased =
+      desk->erase_person({options.login, options.reason, options.with_recordings},
+                         session.prove(password), progress_on(context, "Erasing"));
   if (context.json) {
     write_json(context.out, ordered_json{{"login", options.login},
                                          {"done", "erased"},

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "assessment/progress.h"
 #include "database/assets.h"
 #include "database/recordings.h"
 #include "scenarios/foot/first_metatarsal.h"
@@ -10,6 +9,7 @@
 #include "scenarios/planned_bridge.h"
 #include "scenarios/planned_guide.h"
 #include "simulator/base/check.h"
+#include "simulator/base/progress.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "simulator/device/scripted.h"
 
@@ -22,17 +22,9 @@ constexpr std::string_view bone_asset = "bone";
 }  // namespace
 
 simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress) {
-  const auto report = progress("Building the bone");
-  bool is_cancelled = false;
-  try {
-    return scenarios::make_patient(scenario, [&](double fraction) {
-      is_cancelled = report && !report(fraction);
-      return !is_cancelled;
-    });
-  } catch (const scenarios::ScenarioError&) {
-    if (is_cancelled) throw Cancelled("stopped while the bone was being built; nothing was stored");
-    throw;
-  }
+  return cancelled_as("stopped while the bone was being built; nothing was stored", [&] {
+    return scenarios::make_patient(scenario, progress("Building the bone"));
+  });
 }
 
 void put_bone(database::Database& database, const simulator::Bone& bone,
@@ -175,12 +167,10 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
 
 assessment::Examination score_attempt(const AttemptMaterial& material,
                                       const StageProgress& progress) {
-  try {
+  return cancelled_as("stopped while scoring; nothing was changed", [&] {
     return assessment::examine(material.scenario, material.bone, material.recording,
                                progress("Scoring"));
-  } catch (const assessment::Cancelled&) {
-    throw Cancelled("stopped while scoring; nothing was changed");
-  }
+  });
 }
 
 }  // namespace hallux::ui

@@ -12,20 +12,15 @@
 #include "database/desks.h"
 #include "database/recorder.h"
 #include "scenarios/plan.h"
+#include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"
 #include "simulator/loop/replay.h"
 #include "ui/jobs/recording_quality.h"
 
 namespace hallux::ui {
 
-/// Thrown where the user stopped a job; what was kept before stays.
-class Cancelled : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Gives the progress function of one stage of a job ("Building the bone"); see progress_on.
-using StageProgress = std::function<std::function<bool(double)>(const std::string& stage)>;
+using StageProgress = std::function<Progress(const std::string& stage)>;
 
 struct ScriptedAttempt {
   scenarios::Scenario scenario;

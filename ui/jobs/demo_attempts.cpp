@@ -6,6 +6,7 @@
 
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/scenario_error.h"
+#include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
@@ -46,7 +47,7 @@ void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recor
 }  // namespace
 
 OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAttempt& planned,
-                                  const std::function<bool(double)>& progress) {
+                                  const Progress& progress) {
   OperatedAttempt operated;
   operated.planned = planned;
   scenarios::FeelingHand hand = aimed_hand(operation, operated.planned);
@@ -63,9 +64,8 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
     throw Cancelled("stopped while operating; nothing was stored");
   }
   drain_all(channels, operated.recording);
-  operated.card = assessment::assess(
-      operation.scenario, operation.bone, operated.recording,
-      [&](double part) { return progress(operating_part + (1.0 - operating_part) * part); });
+  operated.card = assessment::assess(operation.scenario, operation.bone, operated.recording,
+                                     part_of(progress, operating_part, 1.0));
   return operated;
 }
 
@@ -99,7 +99,7 @@ void DemoAttemptLine::fill() {
   }
 }
 
-OperatedAttempt DemoAttemptLine::take(const std::function<bool(double)>& report) {
+OperatedAttempt DemoAttemptLine::take(const Progress& report) {
   constexpr std::chrono::milliseconds between_reports{100};
   std::future<OperatedAttempt>& next = running_.front();
   while (next.wait_for(between_reports) != std::future_status::ready) {

@@ -4,11 +4,11 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <future>
 #include <vector>
 
 #include "assessment/assess.h"
+#include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"
 #include "ui/jobs/demo_plan.h"
 
@@ -31,7 +31,7 @@ struct OperatedAttempt {
 /// The attempt in virtual time, kept in memory, and its score. Where the hand's aim misses the bone, another seed is taken.
 /// errors  ScenarioError where no seed aims at the bone; Cancelled, also assessment's, where `progress` answered false
 OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAttempt& planned,
-                                  const std::function<bool(double)>& progress);
+                                  const Progress& progress);
 
 /// Runs the attempts on as many threads as there are processors, a few ahead of whoever takes them.
 class DemoAttemptLine {
@@ -46,7 +46,7 @@ class DemoAttemptLine {
 
   /// Waits for the next in order; `report` is told the part of all that is done, ten times a second.
   /// errors  Cancelled where `report` answered false; as operate_and_score
-  OperatedAttempt take(const std::function<bool(double)>& report);
+  OperatedAttempt take(const Progress& report);
 
  private:
   void fill();

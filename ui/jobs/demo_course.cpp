@@ -6,6 +6,7 @@
 #include "database/backup.h"
 #include "database/files.h"
 #include "database/simulated_course.h"
+#include "simulator/base/progress.h"
 #include "ui/jobs/demo_people.h"
 #include "ui/jobs/scenario_jobs.h"
 
@@ -78,23 +79,15 @@ std::vector<DemoOperation> prepare(const std::vector<scenarios::Scenario>& scena
   std::vector<DemoOperation> operations;
   for (const scenarios::Scenario& scenario : scenarios) {
     const double before = static_cast<double>(operations.size());
-    bool is_cancelled = false;
-    try {
-      DemoOperation operation{
-          scenario,
-          scenarios::make_patient(scenario,
-                                  [&](double part) {
-                                    is_cancelled = !report((before + part) /
-                                                           static_cast<double>(scenarios.size()));
-                                    return !is_cancelled;
-                                  }),
-          {}};
-      operation.plan = plan_on(operation.scenario, operation.bone);
-      operations.push_back(std::move(operation));
-    } catch (const scenarios::ScenarioError&) {
-      if (is_cancelled) throw Cancelled("stopped while the bones were built; nothing was kept");
-      throw;
-    }
+    const auto all = static_cast<double>(scenarios.size());
+    simulator::Bone bone =
+        cancelled_as("stopped while the bones were built; nothing was kept", [&] {
+          return scenarios::make_patient(scenario,
+                                         part_of(report, before / all, (before + 1.0) / all));
+        });
+    DemoOperation operation{scenario, std::move(bone), {}};
+    operation.plan = plan_on(operation.scenario, operation.bone);
+    operations.push_back(std::move(operation));
   }
   report(1.0);
   return operations;

@@ -4,6 +4,7 @@
 
 #include "database/database_error.h"
 #include "database/kept_bytes.h"
+#include "simulator/base/progress.h"
 #include "ui/jobs/byte_form.h"
 
 namespace hallux::ui {
@@ -106,7 +107,7 @@ std::optional<OpenedFields> fields_from(std::span<const std::byte> bytes) {
 }
 
 OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::path& data_directory,
-                       const assessment::Progress& progress) {
+                       const Progress& progress) {
   const Digest key = key_of(material);
   const simulator::BladeSize& blade = material.scenario.blade.size;
   const RigidTransform& world_from_bone = material.bone.world_from_bone;
@@ -114,33 +115,27 @@ OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::p
           database::load_kept(data_directory, kept_fields_name(material.header.id), key)) {
     std::optional<OpenedFields> fields = fields_from(*kept);
     if (fields && assessment::are_of(*fields, blade, world_from_bone, material.recording)) {
-      assessment::report(progress, 1.0);
+      report(progress, 1.0);
       return *std::move(fields);
     }
   }
   OpenedFields fields =
       assessment::opened_fields(blade, world_from_bone, material.recording, progress);
   keep(material, data_directory, key, fields);
-  assessment::report(progress, 1.0);
+  report(progress, 1.0);
   return fields;
 }
 
 assessment::Examination examine_kept(const AttemptMaterial& material,
                                      const std::filesystem::path& data_directory,
                                      const StageProgress& progress) {
-  const auto reached = progress("Scoring");
-  const auto part_of = [&](double first, double last) {
-    return [&reached, first, last](double fraction) {
-      return !reached || reached(first + (last - first) * fraction);
-    };
-  };
-  try {
-    const OpenedFields fields = fields_of(material, data_directory, part_of(0.0, follow_share));
+  const Progress reached = progress("Scoring");
+  return cancelled_as("stopped while examining; nothing was changed", [&] {
+    const OpenedFields fields =
+        fields_of(material, data_directory, part_of(reached, 0.0, follow_share));
     return assessment::examine(material.scenario, material.bone, material.recording,
-                               part_of(follow_share, 1.0), &fields);
-  } catch (const assessment::Cancelled&) {
-    throw Cancelled("stopped while examining; nothing was changed");
-  }
+                               part_of(reached, follow_share, 1.0), &fields);
+  });
 }
 
 }  // namespace hallux::ui

@@ -9,16 +9,17 @@
 #include <vector>
 
 #include "assessment/rebuild/opened_fields.h"
+#include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
 
 /// What is kept of this very recording, else made from it now, and kept. Where it cannot be kept it is only slower the next
 /// time.
-/// errors  assessment::Cancelled
+/// errors  Cancelled
 assessment::OpenedFields fields_of(const AttemptMaterial& material,
                                    const std::filesystem::path& data_directory,
-                                   const assessment::Progress& progress = {});
+                                   const Progress& progress = {});
 
 /// What score_attempt examines, from what is kept where it is: for an attempt whose score is stored already.
 /// errors  Cancelled

@@ -43,12 +43,11 @@ DepthVolume lattice_around(const simulator::IndexedMesh& mesh) {
   return volume;
 }
 
-void fill(DepthVolume& volume, const simulator::IndexedMesh& mesh,
-          const std::function<void(double)>& progress) {
+void fill(DepthVolume& volume, const simulator::IndexedMesh& mesh, const Progress& progress) {
   const simulator::Bvh bvh(mesh);
   volume.nodes.reserve(static_cast<std::size_t>(volume.x_count) * volume.y_count * volume.z_count);
   for (std::uint32_t z = 0; z < volume.z_count; ++z) {
-    if (progress) progress(static_cast<double>(z) / volume.z_count);
+    report(progress, static_cast<double>(z) / volume.z_count);
     for (std::uint32_t y = 0; y < volume.y_count; ++y) {
       for (std::uint32_t x = 0; x < volume.x_count; ++x) {
         const Vec3 place_mm = volume.origin_in_bone_mm + volume.spacing_mm * Vec3(x, y, z);
@@ -87,8 +86,7 @@ double depth_at(const DepthVolume& volume, const Vec3& point_in_bone_mm) noexcep
   return lower + z.share * (upper - lower);
 }
 
-BoneLook look_of(std::uint64_t id, const simulator::IndexedMesh& outer,
-                 const std::function<void(double)>& progress) {
+BoneLook look_of(std::uint64_t id, const simulator::IndexedMesh& outer, const Progress& progress) {
   CHECK(id != 0);
   BoneLook look;
   look.id = id;
@@ -97,8 +95,7 @@ BoneLook look_of(std::uint64_t id, const simulator::IndexedMesh& outer,
   return look;
 }
 
-BoneLook look_of(std::uint64_t id, const simulator::Bone& bone,
-                 const std::function<void(double)>& progress) {
+BoneLook look_of(std::uint64_t id, const simulator::Bone& bone, const Progress& progress) {
   BoneLook look = look_of(id, bone.outer, progress);
   look.cortex = bone.cortex;
   return look;

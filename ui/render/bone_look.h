@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 
 namespace hallux::ui {
@@ -39,11 +39,10 @@ struct BoneLook {
 /// needs   id is not 0 and was not given to another content
 /// errors  whatever `progress` throws; it is told the fraction done
 /// thread  any; no graphics
-BoneLook look_of(std::uint64_t id, const simulator::Bone& bone,
-                 const std::function<void(double)>& progress = {});
+BoneLook look_of(std::uint64_t id, const simulator::Bone& bone, const Progress& progress = {});
 /// The same for a closed mesh that is all cortex.
 BoneLook look_of(std::uint64_t id, const simulator::IndexedMesh& outer,
-                 const std::function<void(double)>& progress = {});
+                 const Progress& progress = {});
 
 /// Whether light reaches a point of the skin: 1 on a free surface, towards 0 in a hollow.
 /// source  Quilez, distance field ambient occlusion: what of a few steps along the normal the surface lets free

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 
@@ -84,7 +85,7 @@ assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
 
 Traces traces_of(const Recording& recording, const Bone& bone, const assessment::SawOfRecord& saw,
                  const simulator::KerfSet& kerfs, std::size_t points_max,
-                 const assessment::Progress& progress) {
+                 const Progress& progress) {
   Traces traces;
   const RigidTransform bone_from_world = inverse(bone.world_from_bone);
   const std::size_t count = recording.samples.size();

@@ -73,7 +73,7 @@ void keep(const std::filesystem::path& data_directory, const Digest& bone, const
 std::string kept_look_name(const simulator::Bone& bone) { return name_of(digest_of_bone(bone)); }
 
 BoneLook kept_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,
-                      const std::function<void(double)>& progress) {
+                      const Progress& progress) {
   const Digest digest = digest_of_bone(bone);
   const std::uint64_t id = picture_id("look " + hex_from_digest(digest));
   if (const auto kept = database::load_kept(data_directory, name_of(digest), key_of(digest))) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
+#include "simulator/base/progress.h"
 #include "ui/render/bone_look.h"
 
 namespace hallux::ui {
@@ -14,7 +14,7 @@ namespace hallux::ui {
 /// errors  whatever `progress` throws
 /// thread  any; no graphics
 BoneLook kept_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,
-                      const std::function<void(double)>& progress = {});
+                      const Progress& progress = {});
 
 /// The name under which it is kept.
 std::string kept_look_name(const simulator::Bone& bone);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "ui/render/scene_painter.h"
 #include "ui/screens/words.h"
 
@@ -29,10 +30,9 @@ Scene with_lines(const Scene& scene, float factor) {
 }  // namespace
 
 PatientPictures::PatientPictures()
-    : PatientPictures(
-          [](const scenarios::Scenario& scenario, const std::function<bool(double)>& progress) {
-            return make_patient_view(scenario, progress);
-          }) {}
+    : PatientPictures([](const scenarios::Scenario& scenario, const Progress& progress) {
+        return make_patient_view(scenario, progress);
+      }) {}
 
 PatientPictures::PatientPictures(Build build)
     : build_(std::move(build)), entries_(std::make_shared<Entries>()) {}

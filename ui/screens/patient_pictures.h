@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "simulator/base/progress.h"
 #include "ui/screens/patient_view.h"
 #include "ui/window/shell/shell.h"
 
@@ -15,8 +16,8 @@ namespace hallux::ui {
 class PatientPictures {
  public:
   /// Makes a view beside the window; see make_patient_view.
-  using Build = std::function<PatientView(const scenarios::Scenario& scenario,
-                                          const std::function<bool(double)>& progress)>;
+  using Build =
+      std::function<PatientView(const scenarios::Scenario& scenario, const Progress& progress)>;
 
   PatientPictures();
   explicit PatientPictures(Build build);

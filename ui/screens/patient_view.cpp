@@ -7,6 +7,7 @@
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/foot/first_proximal_phalanx.h"
 #include "simulator/base/digest.h"
+#include "simulator/base/progress.h"
 #include "simulator/cutting/cut_solid.h"
 #include "simulator/cutting/section.h"
 #include "simulator/mesh/bvh.h"
@@ -108,8 +109,8 @@ SawInScene saw_of(const PatientView& view) {
 
 }  // namespace
 
-PatientView make_patient_view(const scenarios::Scenario& scenario,
-                              const std::function<bool(double)>& progress, double edge_mm) {
+PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress,
+                              double edge_mm) {
   scenarios::Scenario coarse = scenario;
   coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, edge_mm);
   const simulator::Bone bone = make_patient(coarse, progress);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "scenarios/plan.h"
+#include "simulator/base/progress.h"
 #include "ui/render/camera.h"
 #include "ui/render/scene.h"
 
@@ -38,10 +38,9 @@ struct PatientView {
 inline constexpr double picture_edge_mm = 0.45;
 
 /// Builds it: a job's work (about two seconds). The edges are at least `edge_mm` long.
-/// errors  ScenarioError, as scenarios::make_patient and plan_on; ScenarioError("cancelled") where progress said so
+/// errors  ScenarioError, as scenarios::make_patient and plan_on; Cancelled where progress said so
 /// thread  any; no graphics
-PatientView make_patient_view(const scenarios::Scenario& scenario,
-                              const std::function<bool(double)>& progress = {},
+PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress = {},
                               double edge_mm = picture_edge_mm);
 
 enum class PatientPicture : std::uint8_t {

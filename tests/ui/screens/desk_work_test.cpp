@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "simulator/base/progress.h"
 #include "tests/ui/screens/some_visitor.h"
 
 namespace hallux::ui {
@@ -85,7 +86,7 @@ TEST(DeskWork, WhatWasStoppedIsSaid) {
   Working working(
       [](database::Session&, WorkReport& report) -> int {
         wait_for_cancel(report);
-        throw database::BackupStopped("stopped");
+        throw Cancelled("stopped");
       },
       cancel_all);
   EXPECT_EQ(working.screen->done(), 0);

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "simulator/base/progress.h"
 #include "tests/database/some_database.h"
 #include "tests/ui/screens/some_operation.h"
 #include "ui/jobs/attempt_jobs.h"

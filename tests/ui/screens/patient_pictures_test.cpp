@@ -8,6 +8,7 @@
 #include <map>
 #include <thread>
 
+#include "simulator/base/progress.h"
 #include "tests/ui/screens/no_patient.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_published.h"
@@ -82,14 +83,13 @@ struct HeldBuild {
   std::atomic<bool> may_end{false};
 
   PatientPictures::Build build() {
-    return
-        [this](const scenarios::Scenario& scenario, const std::function<bool(double)>& progress) {
-          while (!may_end) {
-            if (!progress(0.5)) throw scenarios::ScenarioError("cancelled");
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          }
-          return no_patient(scenario, progress);
-        };
+    return [this](const scenarios::Scenario& scenario, const Progress& progress) {
+      while (!may_end) {
+        if (!progress(0.5)) throw scenarios::ScenarioError("cancelled");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      return no_patient(scenario, progress);
+    };
   }
 };
 

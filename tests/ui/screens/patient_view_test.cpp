@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "simulator/base/progress.h"
 #include "tests/ui/render/graphics.h"
 #include "ui/render/picture.h"
 
@@ -47,7 +48,7 @@ TEST(PatientView, OneContentHasOneName) {
 TEST(PatientView, BuildingItCanBeStopped) {
   EXPECT_THROW(make_patient_view(
                    scenarios::load_shipped_scenario("akin"), [](double) { return false; }, 1.0),
-               scenarios::ScenarioError);
+               Cancelled);
 }
 
 using PatientPictureTest = tests::Graphics;

@@ -21,7 +21,7 @@ constexpr std::int64_t ticks_between_solids = 500;
 }  // namespace
 
 BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_directory,
-                       const std::function<void(double)>& progress) {
+                       const Progress& progress) {
   BonePicture picture;
   picture.look = kept_look_of(data_directory, bone, progress);
   // The same bone has the same picture, whoever shows it.

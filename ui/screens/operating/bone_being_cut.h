@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "simulator/cutting/region_outline.h"
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene.h"
@@ -28,7 +29,7 @@ struct BonePicture {
 
 /// errors  whatever `progress` throws
 BonePicture picture_of(const simulator::Bone& bone, const std::filesystem::path& data_directory,
-                       const std::function<void(double)>& progress = {});
+                       const Progress& progress = {});
 
 class BoneBeingCut {
  public:

@@ -274,11 +274,7 @@ std::size_t BoneHistory::stretch_at(std::int64_t tick) const noexcept {
   return found;
 }
 
-std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
-                                                 const std::function<void(double)>& progress) {
-  const auto report = [&](double fraction) {
-    if (progress) progress(fraction);
-  };
+std::shared_ptr<const BoneHistory> build_history(HistoryRequest request, const Progress& progress) {
   auto history = std::make_shared<BoneHistory>();
   for (OpenedField& opened : request.opened) {
     std::vector<std::int32_t> ticks = opened.ticks();
@@ -289,13 +285,13 @@ std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
   if (turns.empty()) turns.push_back({0, -1});
   turns.front().tick = 0;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    report(0.9 * static_cast<double>(i) / static_cast<double>(turns.size()));
+    report(progress, 0.9 * static_cast<double>(i) / static_cast<double>(turns.size()));
     history->stretches.push_back(stretch_from(request, *history, turns[i]));
   }
-  report(0.9);
+  report(progress, 0.9);
   take_pieces(request, *history);
   close_halves(request, *history);
-  report(1.0);
+  report(progress, 1.0);
   return history;
 }
 

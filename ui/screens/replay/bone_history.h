@@ -12,13 +12,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scenarios/plan.h"
+#include "simulator/base/progress.h"
 #include "simulator/cutting/kerf_contact.h"
 #include "simulator/cutting/opened_field.h"
 #include "simulator/cutting/solid_patch.h"
@@ -84,7 +84,7 @@ struct BoneHistory {
 /// errors  whatever `progress` throws
 /// thread  work's; seconds
 std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
-                                                 const std::function<void(double)>& progress = {});
+                                                 const Progress& progress = {});
 
 /// The bone of one moment after the other, as the renderer takes it. Borrows the history.
 class BoneMoment {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
@@ -110,26 +111,18 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
   measure_bone(*material, attempt.bone);
   const std::string name =
       "replay " + attempt.header.id.text + " " + std::to_string(attempt.recording.samples.size());
-  const auto reached = [&](double fraction) {
+  const Progress reached = [&](double fraction) {
     return report.reached(load_share + (1.0 - load_share) * fraction);
   };
-  try {
-    assessment::OpenedFields opened = fields_of(attempt, loaded.directory, [&](double fraction) {
-      return reached(follow_share * fraction);
-    });
-    const auto report_from = [&](double first, double last) {
-      return [&reached, first, last](double fraction) {
-        if (!reached(first + (last - first) * fraction)) throw Cancelled(stopped);
-      };
-    };
+  cancelled_as(stopped, [&] {
+    assessment::OpenedFields opened =
+        fields_of(attempt, loaded.directory, part_of(reached, 0.0, follow_share));
     BoneLook look =
-        kept_look_of(loaded.directory, attempt.bone, report_from(follow_share, look_share));
+        kept_look_of(loaded.directory, attempt.bone, part_of(reached, follow_share, look_share));
     material->history = build_history(
         {attempt.bone, material->plan, attempt.recording, std::move(opened), std::move(look), name},
-        report_from(look_share, 1.0));
-  } catch (const assessment::Cancelled&) {
-    throw Cancelled(stopped);
-  }
+        part_of(reached, look_share, 1.0));
+  });
   material->events = events_of(attempt.recording);
   material->duration_s = duration_s_of(attempt.recording);
   material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);

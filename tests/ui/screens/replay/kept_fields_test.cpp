@@ -6,6 +6,7 @@
 
 #include "assessment/assess.h"
 #include "database/kept_bytes.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_database.h"
 #include "tests/ui/screens/some_operation.h"
 
@@ -83,7 +84,7 @@ TEST(KeptFields, WhereTheyCannotBeKeptTheAttemptIsShownAllTheSame) {
 TEST(KeptFields, GiveTheScoreThatTheRecordingGives) {
   const World world;
   fields_of(world.material, world.temporary.data());
-  const auto no_progress = [](const std::string&) { return std::function<bool(double)>(); };
+  const auto no_progress = [](const std::string&) { return Progress(); };
   const assessment::Examination kept =
       examine_kept(world.material, world.temporary.data(), no_progress);
   const assessment::Examination fresh = score_attempt(world.material, no_progress);
@@ -95,7 +96,7 @@ TEST(KeptFields, GiveTheScoreThatTheRecordingGives) {
 TEST(KeptFields, StopWhereThatIsAsked) {
   const World world;
   EXPECT_THROW(fields_of(world.material, world.temporary.data(), [](double) { return false; }),
-               assessment::Cancelled);
+               Cancelled);
   EXPECT_FALSE(fs::exists(world.kept()));
 }
 
