@@ -14,6 +14,7 @@
 #include "database/erasures.h"
 #include "database/files.h"
 #include "database/migrations.h"
+#include "database/own_directory.h"
 #include "database/recordings.h"
 #include "database/sql.h"
 #include "database/table_copy.h"
@@ -86,7 +87,7 @@ class BackupWriter {
       : source_(std::move(source)), folder_(path), options_(options), progress_(options.progress) {
     manifest_.made_utc = utc_now(source_);
     manifest_.name = folder_.free_name(manifest_.made_utc);
-    manifest_.directory = directory_uuid(source_);
+    manifest_.directory = own_directory(source_).text;
   }
 
   Backup write() {

@@ -9,9 +9,9 @@
 #include "database/backup_folder.h"
 #include "database/backup_manifest.h"
 #include "database/durable_file.h"
-#include "database/erasures.h"
 #include "database/files.h"
 #include "database/notices.h"
+#include "database/own_directory.h"
 #include "database/settings.h"
 #include "database/sql.h"
 
@@ -149,7 +149,7 @@ std::vector<bool> kept_by(const RotationRule& rule, std::span<const std::string>
 std::vector<fs::path> rotate_backups(Database& database, const fs::path& folder,
                                      const RotationRule& rule) {
   const BackupFolder locked{folder};
-  const std::string directory = directory_uuid(database);
+  const std::string directory = own_directory(database).text;
   std::vector<Backup> own = list_backups(folder);
   const bool is_own_folder = folder == database.directory() / "backups";
   std::erase_if(own, [&](const Backup& backup) {

@@ -7,6 +7,7 @@
 #include "database/audit.h"
 #include "database/erased_recordings.h"
 #include "database/free_text.h"
+#include "database/own_directory.h"
 #include "database/people.h"
 #include "database/sql.h"
 
@@ -180,7 +181,7 @@ ErasedPieces erase_person(Database& database, const ErasureOrder& order,
                           std::optional<PersonId> actor,
                           const std::function<bool(double)>& progress) {
   check_free_text("the reason", order.reason);
-  const JournalLine line{directory_uuid(database), order.person, order.with_recordings,
+  const JournalLine line{own_directory(database).text, order.person, order.with_recordings,
                          utc_now(database)};
   translating(database, "erase a person",
               [&] { check_erasable(database, load_person(database, order.person), order.reason); });
@@ -201,7 +202,7 @@ ErasedPieces erase_person(Database& database, const ErasureOrder& order,
 }
 
 std::vector<JournalLine> list_erasures(Database& database) {
-  const std::string directory = directory_uuid(database);
+  const std::string directory = own_directory(database).text;
   return translating(database, "list the erasures", [&] {
     SQLite::Statement rows{database.connection(),
                            "SELECT e.person_id, e.erased_utc, NOT EXISTS (SELECT 1 FROM attempt a "
@@ -218,17 +219,9 @@ std::vector<JournalLine> list_erasures(Database& database) {
   });
 }
 
-std::string directory_uuid(Database& database) {
-  return translating(database, "read which directory this is", [&] {
-    SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
-    row.executeStep();
-    return row.getColumn(0).getString();
-  });
-}
-
 std::int64_t apply_journal(Database& database, std::span<const JournalLine> lines,
                            bool of_any_directory) {
-  const std::string directory = directory_uuid(database);
+  const std::string directory = own_directory(database).text;
   std::int64_t people = 0;
   for (const JournalLine& line : lines) {
     if (!of_any_directory && line.directory != directory) continue;

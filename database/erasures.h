@@ -43,9 +43,6 @@ ErasedPieces erase_person(Database& database, const ErasureOrder& order,
 /// What was erased in this directory, as lines of a journal.
 std::vector<JournalLine> list_erasures(Database& database);
 
-/// The uuid under which this directory is known elsewhere.
-std::string directory_uuid(Database& database);
-
 /// Erases once more whoever `lines` name and who came back with a backup; returns how many. Lines of other directories
 /// are passed over, unless `of_any_directory`: of a backup from before directories had an identity.
 std::int64_t apply_journal(Database& database, std::span<const JournalLine> lines,

@@ -1,6 +1,5 @@
 #include "database/origins.h"
 
-#include "database/erasures.h"
 #include "database/sql.h"
 
 namespace hallux::database {
@@ -39,8 +38,6 @@ std::optional<PersonId> known_origin_person(Database& database, std::int64_t ori
 }
 
 }  // namespace
-
-DirectoryId own_directory(Database& database) { return {directory_uuid(database)}; }
 
 std::vector<Origin> list_origins(Database& database) {
   return translating(database, "list the origins", [&] {

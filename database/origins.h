@@ -9,9 +9,6 @@
 
 namespace hallux::database {
 
-/// The identity of this very directory, made with it.
-DirectoryId own_directory(Database& database);
-
 /// Oldest first.
 std::vector<Origin> list_origins(Database& database);
 

@@ -11,6 +11,7 @@
 #include "database/durable_file.h"
 #include "database/erasures.h"
 #include "database/fresh_directory.h"
+#include "database/own_directory.h"
 #include "database/sql.h"
 #include "database/table_copy.h"
 #include "database/verify.h"
@@ -140,7 +141,7 @@ class Restorer {
   }
 
   void put_recordings_back(Database& database) {
-    if (directory_uuid(database) != manifest_->directory) {
+    if (own_directory(database).text != manifest_->directory) {
       fail_damaged(restored_.backup, "the tables are of another directory");
     }
     // What is lost with the power is made anew: it has no name yet.

@@ -8,7 +8,7 @@
 #include "database/exchange/record_tables.h"
 #include "database/exchange/score_table.h"
 #include "database/files.h"
-#include "database/origins.h"
+#include "database/own_directory.h"
 #include "database/recordings.h"
 #include "database/sql.h"
 

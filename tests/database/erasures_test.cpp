@@ -11,6 +11,7 @@
 #include "database/erased_recordings.h"
 #include "database/help_requests.h"
 #include "database/kept_bytes.h"
+#include "database/own_directory.h"
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "tests/database/some_course.h"
@@ -250,14 +251,14 @@ TEST(ErasureJournal, IsWrittenBesideTheBackupsWithoutAName) {
   const auto lines = read_journal(journal_in(course.database().directory() / "backups"));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].person, course.id());
-  EXPECT_EQ(lines[0].directory, directory_uuid(course.database()));
+  EXPECT_EQ(lines[0].directory, own_directory(course.database()).text);
   EXPECT_TRUE(lines[0].with_recordings);
   EXPECT_TRUE(list_erasures(course.database()).front().with_recordings);
 }
 
 TEST(ErasureJournal, ErasesOnceMoreWhoCameBack) {
   CourseWithZelda course;
-  const JournalLine line{directory_uuid(course.database()), course.id(), true, "2026-03-01"};
+  const JournalLine line{own_directory(course.database()).text, course.id(), true, "2026-03-01"};
   const JournalLine foreign{std::string(32, 'f'), course.id_of("ada"), true, "2026-03-01"};
   const JournalLine later{line.directory, {4711}, true, "2026-03-01"};
   const std::array lines{foreign, line, line, later};

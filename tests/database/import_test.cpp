@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "database/origins.h"
+#include "database/own_directory.h"
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "tests/database/some_exchange.h"

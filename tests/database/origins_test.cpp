@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "database/audit.h"
+#include "database/own_directory.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {

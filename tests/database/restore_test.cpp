@@ -1,4 +1,5 @@
 #include "database/restore.h"
+#include "database/own_directory.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ TEST(Restore, GivesBackAllThatWasThere) {
   }
   EXPECT_EQ(list_notes(again, course.attempts()[1], true).size(), 1U);
   EXPECT_NO_THROW(sign_in(again, "ada", secret(good_password), cheap));
-  EXPECT_EQ(directory_uuid(again), directory_uuid(course.database()));
+  EXPECT_EQ(own_directory(again), own_directory(course.database()));
   EXPECT_TRUE(verify(again).is_whole());
   struct stat facts {};
   ASSERT_EQ(::stat(course.target().c_str(), &facts), 0);
