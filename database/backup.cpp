@@ -12,8 +12,6 @@
 #include "database/durable_file.h"
 #include "database/erased_recordings.h"
 #include "database/erasures.h"
-#include "database/files.h"
-#include "database/migrations.h"
 #include "database/own_directory.h"
 #include "database/recordings.h"
 #include "database/sql.h"
@@ -46,28 +44,6 @@ class Progress {
   bool is_stopped_ = false;
 };
 
-std::int64_t size_of(Database& database) {
-  return translating(database, "ask for the size", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size"};
-    row.executeStep();
-    return row.getColumn(0).getInt64();
-  });
-}
-
-void check_room(const Database& database, const fs::path& folder, std::int64_t bytes,
-                const BackupOptions& options) {
-  std::error_code error;
-  const std::uintmax_t there = fs::space(folder, error).available;
-  const std::uintmax_t available = options.pretended_free_bytes.value_or(error ? 0 : there);
-  if (available >= 2 * static_cast<std::uintmax_t>(bytes)) return;
-  throw DatabaseError{DatabaseErrorKind::Full,
-                      "no backup of " + database.file().string() + " was made: " + folder.string() +
-                          " has less than twice its size free (" +
-                          std::to_string(bytes / 1'000'000 + 1) +
-                          " MB to write); free some space or name another directory"};
-}
-
 /// Sealed, and not erased: their chunks never change any more.
 std::vector<AttemptId> closed_recordings(Database& database) {
   return translating(database, "list the closed recordings", [&] {
@@ -92,8 +68,8 @@ class BackupWriter {
 
   Backup write() {
     const std::int64_t there = folder_.recording_bytes();
-    check_room(source_, folder_.path(), std::max<std::int64_t>(size_of(source_) - there, 0),
-               options_);
+    folder_.check_room(source_, std::max<std::int64_t>(page_bytes(source_) - there, 0),
+                       options_.pretended_free_bytes);
     write_recordings();
     write_tables();
     progress_.reach(part_of_tables);
@@ -224,31 +200,6 @@ std::vector<Backup> list_backups(const fs::path& folder) {
            std::tuple{b.made_utc, name_b.size(), name_b};
   });
   return backups;
-}
-
-void back_up_before_migration(Database& database) {
-  const fs::path folder = database.directory() / "backups";
-  const BackupFolder locked{folder, BackupFolder::Wait::Yes};
-  if (!is_of_older_schema(database)) return;
-  const std::int64_t bytes = size_of(database);
-  check_room(database, folder, bytes, {});
-  const fs::path file = folder / (locked.free_name(utc_now(database)) + ".db");
-  const fs::path unfinished = file.string() + ".part";
-  make_private_file(unfinished);
-  translating(database, "copy the database", [&] {
-    SQLite::Database target{unfinished.string(), SQLite::OPEN_READWRITE, 0, database.vfs_name()};
-    {
-      SQLite::Backup backup{target, database.connection()};
-      if (backup.executeStep(-1) != SQLITE_DONE) {
-        throw DatabaseError{DatabaseErrorKind::Locked,
-                            "could not copy " + database.file().string() +
-                                ": another program keeps it busy; close that program"};
-      }
-    }
-    target.exec("PRAGMA journal_mode = DELETE");
-  });
-  sync_file(unfinished);
-  put_in_place(unfinished, file);
 }
 
 void copy_whole(Database& source, Database& target) {

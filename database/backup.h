@@ -55,11 +55,6 @@ Backup back_up(Database& database, const std::filesystem::path& folder,
 /// Newest first: those that are complete, of both forms. None where there is no folder.
 std::vector<Backup> list_backups(const std::filesystem::path& folder);
 
-/// Writes one whole database backups/hallux-DATE-TIME.db into the data directory, where its schema is older than this
-/// program's; waits for another process that does so.
-/// errors  as back_up
-void back_up_before_migration(Database& database);
-
 /// Puts what `source` holds into the place of all that `target` holds, in one transaction of `target`.
 /// errors  DatabaseError
 void copy_whole(Database& source, Database& target);

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "database/files.h"
 
@@ -71,6 +72,19 @@ std::int64_t BackupFolder::recording_bytes() const {
     if (!error) bytes += static_cast<std::int64_t>(size);
   });
   return bytes;
+}
+
+void BackupFolder::check_room(const Database& database, std::int64_t bytes,
+                              std::optional<std::uintmax_t> pretended_free_bytes) const {
+  std::error_code error;
+  const std::uintmax_t there = fs::space(folder_, error).available;
+  const std::uintmax_t available = pretended_free_bytes.value_or(error ? 0 : there);
+  if (available >= 2 * static_cast<std::uintmax_t>(bytes)) return;
+  throw DatabaseError{
+      DatabaseErrorKind::Full,
+      "no backup of " + database.file().string() + " was made: " + folder_.string() +
+          " has less than twice its size free (" + std::to_string(bytes / 1'000'000 + 1) +
+          " MB to write); free some space or name another directory"};
 }
 
 /// Files that have no final name yet, and tables whose manifest was not written any more.

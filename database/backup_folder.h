@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <vector>
+
+#include "database/connection.h"
 
 namespace hallux::database {
 
@@ -24,6 +26,10 @@ class BackupFolder {
   std::string free_name(const std::string& utc) const;
   /// Of the recordings that are there.
   std::int64_t recording_bytes() const;
+  /// `pretended_free_bytes` is for tests of a disk that fills.
+  /// errors  DatabaseError Full where less than twice `bytes` is free for a backup of `database`
+  void check_room(const Database& database, std::int64_t bytes,
+                  std::optional<std::uintmax_t> pretended_free_bytes = {}) const;
 
  private:
   void clear() const noexcept;

@@ -7,12 +7,12 @@
 #include <thread>
 #include <vector>
 
-#include "database/backup.h"
 #include "database/busy_wait.h"
 #include "database/file_system.h"
 #include "database/files.h"
 #include "database/log_size.h"
 #include "database/migrations.h"
+#include "database/schema_backup.h"
 #include "database/sql.h"
 #include "database/writer_lease.h"
 

@@ -53,6 +53,15 @@ bool is_in_transaction(Database& database) noexcept {
   return sqlite3_get_autocommit(database.connection().getHandle()) == 0;
 }
 
+std::int64_t page_bytes(Database& database) {
+  return translating(database, "ask for the size", [&] {
+    SQLite::Statement row{database.connection(),
+                          "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size"};
+    row.executeStep();
+    return row.getColumn(0).getInt64();
+  });
+}
+
 std::string utc_now(Database& database) {
   if (!database.pretended_utc().empty()) return database.pretended_utc();
   SQLite::Statement now{database.connection(), "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"};

@@ -30,6 +30,9 @@ decltype(auto) translating(const Database& database, std::string_view tried, Wor
 
 bool is_in_transaction(Database& database) noexcept;
 
+/// The bytes of all pages of the file, its log not counted.
+std::int64_t page_bytes(Database& database);
+
 /// Runs `work` in one IMMEDIATE transaction: committed where it returns, undone where it throws.
 template <typename Work>
 auto in_transaction(Database& database, std::string_view tried, Work&& work) {
