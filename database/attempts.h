@@ -1,4 +1,5 @@
-/// Attempts: begun, listed, sealed. What is in them is read by database/recordings.h, written by database/recorder.h.
+/// Attempts: listed, found, sealed. They begin in database/begin_attempt.h; their recordings are written by
+/// database/recorder.h and read by database/recordings.h.
 #pragma once
 
 #include <optional>
@@ -8,16 +9,8 @@
 #include "database/connection.h"
 #include "database/records/attempt.h"
 #include "database/records/person.h"
-#include "database/writer_lease.h"
 
 namespace hallux::database {
-
-/// Stores a new attempt in state recording and takes its lease: give it to a Recorder. Where the lease goes away without
-/// a seal, the next opening for writing marks the attempt as interrupted.
-/// A person's assessments are counted against the limits of their cohorts (database/limits.h).
-/// errors  DatabaseError: BadInput where the scenario version or the bone is not stored, or where a person is named with a
-///         scripted hand outside a simulated course; Refused where no assessment is left; storage failures
-WriterLease create_attempt(Database& database, const NewAttempt& attempt);
 
 /// Whose attempts a list holds.
 struct AttemptFilter {

@@ -1,6 +1,7 @@
 #include "database/desks.h"
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 #include "database/exchange/export_attempt.h"
 #include "database/recordings.h"
 #include "database/sql.h"

@@ -21,6 +21,7 @@
 #include "database/policy.h"
 #include "database/recordings.h"
 #include "database/scores.h"
+#include "database/writer_lease.h"
 #include "simulator/record/record.h"
 
 namespace hallux::database {

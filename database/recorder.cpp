@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "database/attempts.h"
 #include "database/log_size.h"
 #include "database/window_writer.h"
 #include "simulator/base/check.h"

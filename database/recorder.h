@@ -15,8 +15,8 @@
 #include <memory>
 #include <string>
 
-#include "database/attempts.h"
 #include "database/connection.h"
+#include "database/writer_lease.h"
 #include "simulator/record/channels.h"
 
 namespace hallux::database {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <vector>
 
+#include "database/begin_attempt.h"
 #include "database/recorder.h"
 #include "scenarios/plan.h"
 #include "simulator/loop/jobs.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "database/assets.h"
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "tests/database/some_database.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "database/begin_attempt.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {

@@ -12,6 +12,7 @@
 #include "database/assets.h"
 #include "database/backup_manifest.h"
 #include "database/backup_rotation.h"
+#include "database/begin_attempt.h"
 #include "database/erased_recordings.h"
 #include "database/recordings.h"
 #include "database/restore.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 #include "database/erased_recordings.h"
 #include "database/help_requests.h"
 #include "database/kept_bytes.h"

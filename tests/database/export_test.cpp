@@ -1,3 +1,4 @@
+#include "database/begin_attempt.h"
 #include "database/exchange/export_attempt.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+#include "database/begin_attempt.h"
 #include "database/exchange/import_attempt.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 #include "database/sql.h"
 #include "tests/database/killed_child.h"
 #include "tests/database/some_database.h"

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "tests/database/some_database.h"

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {

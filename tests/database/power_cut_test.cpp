@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "database/window_writer.h"

@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "tests/database/some_database.h"
 

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <thread>
 
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "tests/database/some_database.h"
 

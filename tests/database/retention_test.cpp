@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 #include "database/erasures.h"
 #include "database/help_requests.h"
 #include "database/recordings.h"

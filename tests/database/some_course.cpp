@@ -1,6 +1,7 @@
 #include "tests/database/some_course.h"
 
 #include "database/audit.h"
+#include "database/begin_attempt.h"
 
 namespace hallux::database {
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "database/assets.h"
+#include "database/begin_attempt.h"
 #include "simulator/base/random.h"
 
 namespace hallux::database {

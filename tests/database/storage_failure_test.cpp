@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "database/verify.h"
 #include "tests/database/some_database.h"

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <thread>
 
+#include "database/begin_attempt.h"
 #include "database/recordings.h"
 #include "database/report_connection.h"
 #include "database/window_writer.h"
