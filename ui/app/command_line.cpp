@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "assessment/progress.h"
-#include "database/database_error.h"
-#include "database/verify.h"
+#include "database/maintenance/verify.h"
+#include "database/store/database_error.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/record/record.h"

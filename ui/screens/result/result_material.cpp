@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "assessment/progress.h"
-#include "database/assets.h"
+#include "database/store/assets.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/digest.h"
 #include "ui/jobs/attempt_jobs.h"
