@@ -5,7 +5,8 @@
 #include <chrono>
 #include <vector>
 
-#include "database/recorder.h"
+#include "database/course/begin_attempt.h"
+#include "database/recording/recorder.h"
 #include "scenarios/plan.h"
 #include "simulator/loop/jobs.h"
 #include "simulator/loop/replay.h"

@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "database/connection.h"
-#include "database/desks.h"
-#include "database/secret_text.h"
-#include "database/session.h"
+#include "database/desks/desks.h"
+#include "database/desks/session.h"
+#include "database/people/secret_text.h"
+#include "database/store/connection.h"
 #include "ui/app/verb.h"
 
 namespace hallux::ui {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "database/administrator_desk.h"
+#include "database/desks/administrator_desk.h"
 #include "ui/app/access.h"
 
 namespace hallux::ui {

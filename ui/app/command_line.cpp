@@ -6,8 +6,8 @@
 #include <iostream>
 #include <optional>
 
-#include "database/database_error.h"
-#include "database/verify.h"
+#include "database/maintenance/verify.h"
+#include "database/store/database_error.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "database/exchange/exportable.h"
+#include "database/desks/exportable.h"
 #include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/verb_error.h"

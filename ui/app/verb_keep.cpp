@@ -7,8 +7,8 @@
 #include <optional>
 #include <ostream>
 
-#include "database/open_keeping.h"
-#include "database/restore.h"
+#include "database/maintenance/open_maintenance.h"
+#include "database/maintenance/restore.h"
 #include "simulator/base/progress.h"
 #include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"

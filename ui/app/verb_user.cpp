@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "database/recovery.h"
+#include "database/people/recovery.h"
 #include "simulator/base/progress.h"
 #include "ui/app/administrator_visit.h"
 #include "ui/app/terminal_text.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "database/verify.h"
+#include "database/maintenance/verify.h"
 #include "ui/app/access.h"
 #include "ui/app/terminal_text.h"
 #include "ui/app/write_json.h"

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "assessment/assess.h"
-#include "database/attempts.h"
-#include "database/desks.h"
-#include "database/recorder.h"
+#include "database/desks/desks.h"
+#include "database/recording/recorder.h"
+#include "database/records/attempt.h"
 #include "scenarios/plan.h"
 #include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "database/administrator_desk.h"
+#include "database/desks/administrator_desk.h"
 
 namespace hallux::ui {
 

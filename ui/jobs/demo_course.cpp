@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "database/backup.h"
-#include "database/files.h"
-#include "database/simulated_course.h"
+#include "database/course/simulated_course.h"
+#include "database/maintenance/backup.h"
+#include "database/store/files.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/demo_people.h"
 #include "ui/jobs/scenario_jobs.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "database/passwords.h"
+#include "database/people/passwords.h"
 #include "scenarios/scenario.h"
 #include "ui/jobs/attempt_jobs.h"
 

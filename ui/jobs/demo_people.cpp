@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "database/assets.h"
-#include "database/simulated_course.h"
+#include "database/course/simulated_course.h"
+#include "database/store/assets.h"
 #include "simulator/mesh/bone.h"
 #include "ui/jobs/course_jobs.h"
 

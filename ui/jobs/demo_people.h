@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "database/recorder.h"
-#include "database/session.h"
+#include "database/desks/session.h"
+#include "database/recording/recorder.h"
 #include "ui/jobs/demo_attempts.h"
 #include "ui/jobs/demo_course.h"
 

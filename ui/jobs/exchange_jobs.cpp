@@ -2,7 +2,7 @@
 
 #include "assessment/rebuild/rebuild.h"
 #include "database/exchange/read_exported.h"
-#include "database/fresh_directory.h"
+#include "database/store/fresh_directory.h"
 #include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"

@@ -2,8 +2,8 @@
 
 #include <bit>
 
-#include "database/database_error.h"
-#include "database/kept_bytes.h"
+#include "database/store/cached_bytes.h"
+#include "database/store/database_error.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/byte_form.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "database/assets.h"
+#include "database/store/assets.h"
 
 namespace hallux::ui {
 

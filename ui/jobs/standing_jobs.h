@@ -8,7 +8,7 @@
 
 #include "assessment/learning.h"
 #include "assessment/pass_mark.h"
-#include "database/session.h"
+#include "database/desks/session.h"
 #include "scenarios/scenario.h"
 
 namespace hallux::ui {

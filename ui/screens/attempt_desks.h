@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "database/session.h"
+#include "database/desks/session.h"
 
 namespace hallux::ui {
 

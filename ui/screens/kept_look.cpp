@@ -3,8 +3,8 @@
 #include <bit>
 #include <optional>
 
-#include "database/database_error.h"
-#include "database/kept_bytes.h"
+#include "database/store/cached_bytes.h"
+#include "database/store/database_error.h"
 #include "simulator/base/digest.h"
 #include "ui/jobs/byte_form.h"
 #include "ui/screens/bone_stage.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "database/administrator_desk.h"
+#include "database/desks/administrator_desk.h"
 #include "ui/widgets/menu.h"
 
 namespace hallux::ui {

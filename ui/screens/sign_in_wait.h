@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "database/sign_in_guard.h"
+#include "database/people/sign_in_guard.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {

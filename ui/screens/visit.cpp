@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "database/people.h"
-#include "database/settings.h"
-#include "database/simulated_course.h"
+#include "database/course/simulated_course.h"
+#include "database/people/people.h"
+#include "database/store/settings.h"
 #include "simulator/base/check.h"
 #include "ui/jobs/course_jobs.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "database/session.h"
+#include "database/desks/session.h"
 
 namespace hallux::ui {
 
@@ -65,7 +65,7 @@ struct EntryWords {
   std::optional<database::SecretText> password;
 };
 
-/// errors  DatabaseError: Refused, BadInput, and as database/session.h
+/// errors  DatabaseError: Refused, BadInput, and as database/desks/session.h
 /// thread  any
 std::shared_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
                                const database::PasswordCost& cost = {});

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "database/people.h"
+#include "database/people/people.h"
 #include "tests/ui/screens/every_size.h"
 
 namespace hallux::ui {

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <regex>
 
-#include "database/audit.h"
-#include "database/erased_recordings.h"
-#include "database/origins.h"
+#include "database/audit/audit.h"
+#include "database/exchange/origins.h"
+#include "database/recording/erased_recordings.h"
 #include "tests/ui/screens/every_size.h"
 #include "ui/jobs/scenario_jobs.h"
 #include "ui/screens/audit_words.h"

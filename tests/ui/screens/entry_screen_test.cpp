@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "database/people.h"
+#include "database/people/people.h"
 #include "tests/database/some_course.h"
 #include "tests/support/own_memory.h"
 #include "tests/ui/screens/some_visitor.h"

@@ -6,7 +6,7 @@
 #include <future>
 #include <thread>
 
-#include "database/people.h"
+#include "database/people/people.h"
 #include "tests/ui/screens/every_size.h"
 #include "ui/widgets/ui_map.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "database/assets.h"
+#include "database/store/assets.h"
 #include "scenarios/planned_guide.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/assets.h"
+#include "database/store/assets.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"

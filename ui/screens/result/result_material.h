@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/session.h"
+#include "database/desks/session.h"
 #include "scenarios/scenario.h"
 #include "ui/jobs/recording_quality.h"
 #include "ui/render/bone_mesh.h"

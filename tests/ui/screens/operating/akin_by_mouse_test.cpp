@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "database/recordings.h"
+#include "database/recording/recordings.h"
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/stroke_plan.h"
 #include "simulator/base/progress.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "database/recordings.h"
+#include "database/recording/recordings.h"
 #include "simulator/base/progress.h"
 #include "tests/ui/screens/operating/some_operation.h"
 
