@@ -5,7 +5,7 @@
 
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
 
 namespace hallux::assessment {
 

@@ -5,7 +5,8 @@
 
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
-#include "simulator/cutting/opened_volume.h"
+#include "simulator/cutting/solid/opened_volume.h"
+#include "simulator/cutting/solid/slab_volume.h"
 
 namespace hallux::assessment {
 

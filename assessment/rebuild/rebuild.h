@@ -6,9 +6,9 @@
 
 #include "assessment/rebuild/opened_fields.h"
 #include "simulator/base/progress.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/cut.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/slice/section.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 

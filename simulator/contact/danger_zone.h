@@ -11,7 +11,7 @@
 #include <span>
 
 #include "simulator/base/fixed_array.h"
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/record/record.h"
 
 namespace hallux::simulator {

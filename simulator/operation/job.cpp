@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "simulator/base/check.h"
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/slice/section.h"
 
 namespace hallux::simulator {
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/hinge.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/hinge/hinge.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "simulator/mesh/bone.h"
 
 namespace hallux::simulator {

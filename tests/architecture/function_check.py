@@ -113,7 +113,7 @@ def check_symbols(build, room, findings):
 
 
 def check_spelling(root, room, findings):
-    for file in sorted((root / room).glob("*")):
+    for file in sorted((root / room).rglob("*")):
         if file.suffix not in (".h", ".cpp"):
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "ui/jobs/sawn_bone.h"
 
 namespace hallux::ui {

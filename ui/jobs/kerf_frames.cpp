@@ -4,7 +4,7 @@
 #include <string>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/opened_volume.h"
+#include "simulator/cutting/solid/opened_volume.h"
 
 namespace hallux::ui {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/commit_patch.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "ui/jobs/cut_sweep.h"
 
 namespace hallux::ui {

@@ -6,8 +6,8 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/plane_slice.h"
+#include "simulator/cutting/slice/plane_slice.h"
+#include "simulator/cutting/solid/commit_patch.h"
 
 namespace hallux::ui {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bvh.h"
 #include "ui/jobs/kerf_frames.h"
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "simulator/cutting/solid_patch.h"
-#include "simulator/cutting/working_solid.h"
+#include "simulator/cutting/solid/solid_patch.h"
+#include "simulator/cutting/solid/working_solid.h"
 #include "ui/render/bone_look.h"
 #include "ui/render/float_vector.h"
 #include "ui/render/triangle_clusters.h"

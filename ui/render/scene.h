@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "ui/render/bone_mesh.h"
 
 namespace hallux::ui {

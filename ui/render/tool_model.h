@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/indexed_mesh.h"
 #include "ui/render/float_vector.h"
 

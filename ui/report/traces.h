@@ -9,7 +9,7 @@
 #include "scenarios/scenario.h"
 #include "simulator/base/progress.h"
 #include "simulator/contact/heat.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/guidance.h"
 #include "simulator/record/record.h"

@@ -8,8 +8,8 @@
 #include "scenarios/foot/first_proximal_phalanx.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"
-#include "simulator/cutting/cut_solid.h"
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/pieces/cut_solid.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::ui {

@@ -1,7 +1,7 @@
 #include "ui/jobs/sawn_bone.h"
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/outline_tile.h"
+#include "simulator/cutting/field/outline_tile.h"
 #include "simulator/mesh/read_mesh.h"
 #include "tests/support/worlds.h"
 #include "tests/ui/jobs/sweep_files.h"

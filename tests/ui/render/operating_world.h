@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "scenarios/plan.h"
-#include "simulator/cutting/region_outline.h"
-#include "simulator/cutting/solid_patch.h"
+#include "simulator/cutting/field/region_outline.h"
+#include "simulator/cutting/solid/solid_patch.h"
 #include "ui/render/camera.h"
 #include "ui/render/scene.h"
 

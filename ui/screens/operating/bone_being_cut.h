@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/region_outline.h"
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene.h"
 

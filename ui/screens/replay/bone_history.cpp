@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "scenarios/planned_bridge.h"
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "ui/screens/bone_stage.h"
 
 namespace hallux::ui {

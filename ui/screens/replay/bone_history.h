@@ -19,9 +19,9 @@
 
 #include "scenarios/plan.h"
 #include "simulator/base/progress.h"
-#include "simulator/cutting/kerf_contact.h"
-#include "simulator/cutting/opened_field.h"
-#include "simulator/cutting/solid_patch.h"
+#include "simulator/cutting/field/opened_field.h"
+#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/solid/solid_patch.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 #include "ui/render/scene.h"
