@@ -1,7 +1,7 @@
 /// A patient whose bones have a size and no surface, at once: for tests that are not about what the picture shows.
 #pragma once
 
-#include "ui/screens/patient_pictures.h"
+#include "ui/screens/pictures/patient_pictures.h"
 
 namespace hallux::ui {
 

@@ -16,7 +16,7 @@
 
 #include "simulator/cutting/region_outline.h"
 #include "ui/jobs/live_attempt.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::ui {
 
