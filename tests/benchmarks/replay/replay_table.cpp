@@ -10,7 +10,7 @@
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
-#include "ui/jobs/kept_fields.h"
+#include "ui/jobs/cached_fields.h"
 #include "ui/screens/replay/bone_history.h"
 
 namespace hallux::benchmarks {

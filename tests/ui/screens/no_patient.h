@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulator/base/progress.h"
-#include "ui/screens/patient_pictures.h"
+#include "ui/screens/pictures/patient_pictures.h"
 
 namespace hallux::ui {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "scenarios/planned_bridge.h"
-#include "ui/screens/bone_stage.h"
-#include "ui/screens/kept_look.h"
+#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/cached_look.h"
 
 namespace hallux::ui {
 

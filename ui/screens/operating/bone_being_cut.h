@@ -17,7 +17,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/cutting/field/region_outline.h"
 #include "ui/jobs/live_attempt.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::ui {
 

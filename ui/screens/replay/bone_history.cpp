@@ -6,7 +6,7 @@
 
 #include "scenarios/planned_bridge.h"
 #include "simulator/cutting/hinge/hinge.h"
-#include "ui/screens/bone_stage.h"
+#include "ui/screens/pictures/bone_stage.h"
 
 namespace hallux::ui {
 

@@ -24,7 +24,7 @@
 #include "simulator/cutting/solid/solid_patch.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::ui {
 

@@ -8,9 +8,9 @@
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
-#include "ui/jobs/kept_fields.h"
+#include "ui/jobs/cached_fields.h"
 #include "ui/report/traces.h"
-#include "ui/screens/kept_look.h"
+#include "ui/screens/pictures/cached_look.h"
 
 namespace hallux::ui {
 

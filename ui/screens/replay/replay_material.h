@@ -8,10 +8,10 @@
 
 #include "database/records/score.h"
 #include "scenarios/plan.h"
-#include "ui/screens/attempt_desks.h"
-#include "ui/screens/attempt_timeline.h"
+#include "ui/screens/parts/attempt_desks.h"
+#include "ui/screens/parts/attempt_timeline.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/replay/bone_history.h"
-#include "ui/screens/visit.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/window/shell/background.h"
 

@@ -6,13 +6,13 @@
 #include <cstdio>
 
 #include "simulator/base/units.h"
-#include "ui/screens/planned_frame.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/result/result_cards.h"
-#include "ui/screens/words.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/chart_view.h"
-#include "ui/widgets/choice.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/chart_view.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -8,10 +8,10 @@
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
-#include "ui/jobs/kept_fields.h"
-#include "ui/screens/bone_stage.h"
-#include "ui/screens/kept_look.h"
-#include "ui/screens/planned_frame.h"
+#include "ui/jobs/cached_fields.h"
+#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/cached_look.h"
+#include "ui/screens/pictures/planned_frame.h"
 
 namespace hallux::ui {
 
