@@ -7,8 +7,8 @@
 #include <string>
 
 #include "simulator/contact/tool_motion.h"
+#include "simulator/jobs/geometry_job.h"
 #include "simulator/mesh/bone.h"
-#include "simulator/operation/job.h"
 #include "simulator/record/record.h"
 #include "simulator/step/wound.h"
 

@@ -82,7 +82,7 @@ class BoneBeingCut {
   const BonePicture picture_;
   simulator::AttemptWatch& watch_;
   // the thread's
-  simulator::OperationGeometry geometry_;
+  simulator::AttemptGeometry geometry_;
   std::unique_ptr<KerfAtHand> at_hand_;
   std::unique_ptr<const simulator::JobResult> hinge_;
   simulator::SolidPatch patch_;

@@ -1,4 +1,4 @@
-#include "simulator/operation/job.h"
+#include "simulator/jobs/geometry_job.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,8 @@ double section_area_mm2(const KerfContact& contact) {
 
 }  // namespace
 
-OperationGeometry::OperationGeometry(const Bone& bone, const BladeSize& blade,
-                                     std::optional<PlannedBridge> bridge)
+AttemptGeometry::AttemptGeometry(const Bone& bone, const BladeSize& blade,
+                                 std::optional<PlannedBridge> bridge)
     : kerfs_(blade, bone.world_from_bone), bridge_(bridge) {
   whole_.solid = uncut_solid(solid_of(bone));
   whole_.bvh = std::make_unique<const Bvh>(whole_.solid.mesh);
@@ -58,18 +58,18 @@ OperationGeometry::OperationGeometry(const Bone& bone, const BladeSize& blade,
   pieces_.push_back({0, solid_, std::make_unique<const Bvh>(solid_.mesh)});
 }
 
-void OperationGeometry::follow(const CutEvent& event) {
+void AttemptGeometry::follow(const CutEvent& event) {
   if (event.kind == CutEventKind::PlaneFrozen) CHECK(kerfs_.freeze(event.pose) == event.subject);
   if (event.kind == CutEventKind::PieceRemoved) take_out(event.subject);
 }
 
-void OperationGeometry::follow(const ToolSample& sample) {
+void AttemptGeometry::follow(const ToolSample& sample) {
   if (kerfs_.follow(sample).is_empty()) return;
   const auto first_changed = static_cast<std::size_t>(sample.kerf);
   if (stages_.size() > first_changed) stages_.resize(first_changed);
 }
 
-std::unique_ptr<const JobResult> OperationGeometry::run(const JobRequest& request) {
+std::unique_ptr<const JobResult> AttemptGeometry::run(const JobRequest& request) {
   auto result = std::make_unique<JobResult>();
   result->request = request;
   if (request.kind == JobKind::Hinge) {
@@ -85,7 +85,7 @@ std::unique_ptr<const JobResult> OperationGeometry::run(const JobRequest& reques
   return result;
 }
 
-const OperationGeometry::Stage& OperationGeometry::stage_before(std::int32_t kerf) {
+const AttemptGeometry::Stage& AttemptGeometry::stage_before(std::int32_t kerf) {
   while (stages_.size() < static_cast<std::size_t>(kerf)) {
     const auto next = static_cast<std::int32_t>(stages_.size());
     const Stage& before = stages_.empty() ? whole_ : stages_.back();
@@ -103,14 +103,14 @@ const OperationGeometry::Stage& OperationGeometry::stage_before(std::int32_t ker
   return kerf == 0 ? whole_ : stages_[static_cast<std::size_t>(kerf) - 1];
 }
 
-void OperationGeometry::run_contact(JobResult& result) {
+void AttemptGeometry::run_contact(JobResult& result) {
   const std::int32_t kerf = result.request.kerf;
   const Stage& stage = stage_before(kerf);
   result.section_mm2 = section_area_mm2(
       slice_contact(stage.solid, *stage.bvh, kerfs_.plane(kerf), kerf, kerfs_.field(kerf).grid()));
 }
 
-void OperationGeometry::run_pieces(JobResult& result) {
+void AttemptGeometry::run_pieces(JobResult& result) {
   const Stage& last = stage_before(kerfs_.count());
   for (std::size_t kerf = 0; kerf < stages_.size(); ++kerf) {
     result.removed_mm3 += stages_[kerf].removed_mm3;
@@ -122,14 +122,14 @@ void OperationGeometry::run_pieces(JobResult& result) {
   gather_solid();
 }
 
-bool OperationGeometry::was_taken_out(const CutSolid& solid) const {
+bool AttemptGeometry::was_taken_out(const CutSolid& solid) const {
   return std::any_of(taken_out_.begin(), taken_out_.end(),
                      [&](const auto& body) { return lies_in(solid, *body); });
 }
 
 /// The number of the piece that this one was cut from, if no larger part of that has taken it; else -1.
-std::int32_t OperationGeometry::inherited_id(const CutSolid& solid,
-                                             std::vector<std::int32_t>& taken) const {
+std::int32_t AttemptGeometry::inherited_id(const CutSolid& solid,
+                                           std::vector<std::int32_t>& taken) const {
   for (const KnownPiece& piece : pieces_) {
     if (std::find(taken.begin(), taken.end(), piece.id) != taken.end()) continue;
     if (!lies_in(solid, *piece.bvh)) continue;
@@ -139,7 +139,7 @@ std::int32_t OperationGeometry::inherited_id(const CutSolid& solid,
   return -1;
 }
 
-void OperationGeometry::number_pieces(std::vector<CutSolid> solids, JobResult& result) {
+void AttemptGeometry::number_pieces(std::vector<CutSolid> solids, JobResult& result) {
   std::vector<KnownPiece> numbered;
   std::vector<std::int32_t> taken;
   debris_.clear();
@@ -161,7 +161,7 @@ void OperationGeometry::number_pieces(std::vector<CutSolid> solids, JobResult& r
   pieces_ = std::move(numbered);
 }
 
-void OperationGeometry::take_out(std::int32_t piece) {
+void AttemptGeometry::take_out(std::int32_t piece) {
   const auto found = std::find_if(pieces_.begin(), pieces_.end(),
                                   [&](const KnownPiece& known) { return known.id == piece; });
   if (found == pieces_.end()) return;
@@ -170,7 +170,7 @@ void OperationGeometry::take_out(std::int32_t piece) {
   gather_solid();
 }
 
-void OperationGeometry::gather_solid() {
+void AttemptGeometry::gather_solid() {
   solid_ = {};
   const auto add = [this](const CutSolid& solid) {
     append_mesh(solid_.mesh, solid.mesh);
@@ -180,7 +180,7 @@ void OperationGeometry::gather_solid() {
   for (const CutSolid& crumb : debris_) add(crumb);
 }
 
-std::optional<CutSolid> OperationGeometry::solid_without(std::int32_t kerf) const {
+std::optional<CutSolid> AttemptGeometry::solid_without(std::int32_t kerf) const {
   CutSolid solid = whole_.solid;
   for (std::int32_t other = 0; other < kerfs_.count(); ++other) {
     const RegionOutline outline = outline_of(kerfs_.field(other));
@@ -208,7 +208,7 @@ std::optional<CutSolid> OperationGeometry::solid_without(std::int32_t kerf) cons
 }
 
 /// The gaps that opened kerfs leave at the planned bridge, each in the bone as if it were the only kerf.
-std::vector<HingeGap> OperationGeometry::gaps_of_kerfs(std::vector<std::int32_t>& kerfs) {
+std::vector<HingeGap> AttemptGeometry::gaps_of_kerfs(std::vector<std::int32_t>& kerfs) {
   std::vector<HingeGap> gaps;
   for (std::int32_t kerf = 0; kerf < kerfs_.count(); ++kerf) {
     const Section section = slice_section(whole_.solid, *whole_.bvh, kerfs_.plane(kerf));
@@ -222,7 +222,7 @@ std::vector<HingeGap> OperationGeometry::gaps_of_kerfs(std::vector<std::int32_t>
 }
 
 /// Between the two kerfs that leave least at the bridge.
-void OperationGeometry::run_hinge(JobResult& result) {
+void AttemptGeometry::run_hinge(JobResult& result) {
   result.hinge.outcome = HingeOutcome::FacesMissing;
   if (!bridge_) return;
   std::vector<std::int32_t> kerfs;

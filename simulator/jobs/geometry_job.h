@@ -1,6 +1,6 @@
 /// Work without a bound: what a kerf's plane meets, which pieces the kerfs leave, and whether a hinge closes.
 ///
-/// A job is a pure function of the operation at the tick of its request. It is computed beside the step, on a copy of
+/// A job is a pure function of the attempt at the tick of its request. It is computed beside the step, on a copy of
 /// the kerfs that was opened from the same samples, and its result enters the step as the command ApplyJob.
 #pragma once
 
@@ -56,11 +56,11 @@ struct JobResult {
   ClosedHinge hinge;                    ///< Hinge
 };
 
-/// The operation as the jobs see it: the solid as cut so far and a copy of the kerfs.
-class OperationGeometry {
+/// The attempt as the jobs see it: the solid as cut so far and a copy of the kerfs.
+class AttemptGeometry {
  public:
-  OperationGeometry(const Bone& bone, const BladeSize& blade,
-                    std::optional<PlannedBridge> bridge = {});
+  AttemptGeometry(const Bone& bone, const BladeSize& blade,
+                  std::optional<PlannedBridge> bridge = {});
 
   /// Follows what the step gave out; events of a tick before its sample.
   void follow(const CutEvent& event);
