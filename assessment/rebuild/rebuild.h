@@ -6,7 +6,6 @@
 
 #include "assessment/progress.h"
 #include "assessment/rebuild/opened_fields.h"
-#include "simulator/cutting/commit_patch.h"
 #include "simulator/cutting/cut.h"
 #include "simulator/cutting/kerf_set.h"
 #include "simulator/mesh/bone.h"

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,7 +28,7 @@ struct OpenedKerf {
   RegionOutline region;
 };
 
-/// A solid with the tree over its mesh; borrowed from the bone until its next change.
+/// A solid with the tree over its mesh; borrowed from the bone until a kerf before it changes.
 struct SolidWithTree {
   const CutSolid& solid;
   const Bvh& bvh;
@@ -79,7 +80,7 @@ class CutBone {
   Stage whole_;
   std::vector<OpenedKerf> kerfs_;
   /// After the first kerf, the second ...; those that still hold.
-  std::vector<Stage> stages_;
+  std::deque<Stage> stages_;
   NumberedPieces pieces_;
 };
 
