@@ -84,6 +84,13 @@ void AttemptGeometry::run_pieces(JobResult& result) {
   result.debris_mm3 = bone_.pieces().debris_mm3();
 }
 
+bool AttemptGeometry::is_only_kerf(std::int32_t kerf) const {
+  for (std::int32_t other = 0; other < kerfs_.count(); ++other) {
+    if (other != kerf && !outline_of(kerfs_.field(other)).corners_mm.empty()) return false;
+  }
+  return !bone_.pieces().has_taken_out();
+}
+
 std::optional<CutSolid> AttemptGeometry::solid_without(std::int32_t kerf) {
   bring_up_to_date();
   return bone_.pieces().without_taken_out(bone_.all_but(kerf));

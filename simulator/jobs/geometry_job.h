@@ -55,6 +55,8 @@ class AttemptGeometry {
   /// What lies in the wound, as the last job of pieces left it.
   CutSolid solid() const { return bone_.pieces().gathered(); }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
+  /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
+  bool is_only_kerf(std::int32_t kerf) const;
   /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none), for a display that shows
   /// that one's cut on it. Nothing where a piece that was taken out would hang on the bone again.
   /// thread  the one that follows
