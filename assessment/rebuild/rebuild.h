@@ -8,7 +8,6 @@
 #include "simulator/base/progress.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/cutting/slice/section.h"
-#include "simulator/cutting/solid/commit_patch.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 

@@ -7,8 +7,8 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/contact/tool_motion.h"
+#include "simulator/jobs/geometry_job.h"
 #include "simulator/mesh/bone.h"
-#include "simulator/operation/job.h"
 #include "simulator/record/record.h"
 #include "simulator/step/wound.h"
 

@@ -10,7 +10,7 @@
 #include "simulator/base/check.h"
 #include "simulator/contact/tissue.h"
 #include "simulator/contact/tool_motion.h"
-#include "simulator/operation/job.h"
+#include "simulator/jobs/geometry_job.h"
 #include "simulator/record/record.h"
 #include "simulator/step/wound.h"
 

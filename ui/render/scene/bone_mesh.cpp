@@ -290,6 +290,14 @@ void make_patch_mesh(const BoneMesh& mesh, const simulator::SolidPatch& patch, P
   made.triangles.insert(made.triangles.end(), others.begin(), others.end());
 }
 
+BoneMesh lit_mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneLook& look) {
+  BoneMesh mesh = mesh_of(id, solid, look);
+  const simulator::Bvh tree(solid.mesh);
+  const Occluder own{&tree, {}};
+  light_cut_faces(mesh, std::span(&own, 1));
+  return mesh;
+}
+
 void light_cut_faces(BoneMesh& mesh, std::span<const Occluder> occluders) {
   constexpr double near_mm = 0.4, far_mm = 6.0, lift_mm = 0.02;
   std::vector<Vec3> inward_mm(mesh.vertices.size(), Vec3(0.0));

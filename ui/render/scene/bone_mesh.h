@@ -47,6 +47,9 @@ BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneL
 BoneMesh mesh_of(std::uint64_t id, const simulator::WorkingSolid& working,
                  const simulator::IndexedSolid& base, const BoneLook& look);
 
+/// The same with light on its cut faces that the solid alone keeps from them.
+BoneMesh lit_mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneLook& look);
+
 /// A patch's triangles, sorted as a BoneMesh's are, with vertices of their own.
 struct PatchMesh {
   std::vector<BoneVertex> vertices;

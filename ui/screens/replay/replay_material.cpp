@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/planned_bridge.h"
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
@@ -22,7 +23,7 @@ using simulator::ToolStatus;
 
 constexpr const char* stopped = "stopped before the bone could be shown";
 /// Of what is left after loading.
-constexpr double follow_share = 0.3, look_share = 0.5;
+constexpr double follow_share = 0.3, look_share = 0.5, history_share = 0.75;
 constexpr double load_share = 0.1;
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
@@ -119,9 +120,11 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
         fields_of(attempt, loaded.directory, part_of(reached, 0.0, follow_share));
     BoneLook look =
         kept_look_of(loaded.directory, attempt.bone, part_of(reached, follow_share, look_share));
-    material->history = build_history(
-        {attempt.bone, material->plan, attempt.recording, std::move(opened), std::move(look), name},
-        part_of(reached, look_share, 1.0));
+    auto history = simulator::build_history(
+        {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material->plan)},
+        part_of(reached, look_share, history_share));
+    material->bone = picture_of(std::move(history), std::move(look), name,
+                                part_of(reached, history_share, 1.0));
   });
   material->events = events_of(attempt.recording);
   material->duration_s = duration_s_of(attempt.recording);

@@ -60,7 +60,7 @@ void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 }
 
 void ReplayScreen::open(Ui& ui) {
-  bone_ = std::make_unique<BoneMoment>(*material().history);
+  bone_ = std::make_unique<simulator::BoneMoment>(*material().bone->history);
   std::vector<double> event_s;
   for (const AttemptEvent& event : material().events) event_s.push_back(event.time_s);
   player_.open(material().duration_s, std::move(event_s), first_moment_s_);
@@ -123,7 +123,7 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
 Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
-  scene.bones = bone_->bones(material().world_from_bone);
+  scene.bones = bones_of(*material().bone, *bone_, material().world_from_bone);
   const scenarios::SawBlade& blade = material().scenario.blade;
   const double swing = std::sin(2.0 * pi * swings_per_second * player_.now_s());
   scene.saw =

@@ -52,7 +52,7 @@ class ReplayScreen : public Screen {
   database::AttemptId attempt_;
   double first_moment_s_;
   Reading<std::shared_ptr<const ReplayMaterial>> material_;
-  std::unique_ptr<BoneMoment> bone_;  ///< of the material
+  std::unique_ptr<simulator::BoneMoment> bone_;  ///< of the material
   BoneStage stage_;
   Player player_;
   NotesPanel notes_;

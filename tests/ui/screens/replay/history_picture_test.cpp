@@ -1,10 +1,11 @@
-#include "ui/screens/replay/bone_history.h"
+#include "ui/screens/replay/history_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "assessment/rebuild/rebuild.h"
+#include "scenarios/planned_bridge.h"
 #include "simulator/mesh/bvh.h"
 #include "tests/ui/screens/some_operation.h"
 
@@ -14,8 +15,9 @@ namespace {
 struct World {
   World() {
     plan = plan_on(operation.scenario, operation.bone);
-    history = build_history(
-        {operation.bone, plan, operation.recording, opened(), look_of(1, operation.bone), "test"});
+    history = simulator::build_history(
+        {operation.bone, operation.recording, opened(), scenarios::planned_bridge(plan)});
+    picture = picture_of(history, look_of(1, operation.bone), "test");
   }
 
   assessment::OpenedFields opened() const {
@@ -25,7 +27,8 @@ struct World {
 
   SomeOperation operation = some_operation();
   scenarios::Plan plan;
-  std::shared_ptr<const BoneHistory> history;
+  std::shared_ptr<const simulator::BoneHistory> history;
+  std::shared_ptr<const HistoryPicture> picture;
 };
 
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -54,6 +57,10 @@ double shown_mm3(const BoneInScene& bone) {
   return sum / 6.0;
 }
 
+double shown_mm3(const World& world, const simulator::BoneMoment& moment) {
+  return shown_mm3(bones_of(*world.picture, moment, {}).front());
+}
+
 /// What scoring rebuilds of the recording up to a tick.
 double rebuilt_mm3(const World& world, std::int64_t tick) {
   simulator::Recording until = world.operation.recording;
@@ -65,66 +72,65 @@ double rebuilt_mm3(const World& world, std::int64_t tick) {
                          rebuilt.debris_mm3);
 }
 
-TEST(BoneHistory, HoldsAtEachTickWhatScoringRebuildsButForHalfASpacingBeforeTheTeeth) {
+TEST(HistoryPicture, HoldsAtEachTickWhatScoringRebuildsButForHalfASpacingBeforeTheTeeth) {
   const World world;
-  BoneMoment moment(*world.history);
+  simulator::BoneMoment moment(*world.history);
   const simulator::BladeSize& blade = world.operation.scenario.blade.size;
   const double before_teeth_mm3 =
       0.5 * simulator::FieldGrid{}.spacing_mm * blade.width_mm * blade.kerf_mm;
   ASSERT_EQ(world.history->stretches.size(), 2U) << "two cuts, one after the other";
-  for (const KerfGrowth& kerf : world.history->kerfs) {
+  for (const simulator::KerfGrowth& kerf : world.history->kerfs) {
     ASSERT_GT(kerf.ticks.size(), 100U);
     for (std::size_t i = 0; i < kerf.ticks.size(); i += kerf.ticks.size() / 7) {
       moment.move_to(kerf.ticks[i]);
-      EXPECT_NEAR(shown_mm3(moment.bones({}).front()), rebuilt_mm3(world, kerf.ticks[i]),
-                  before_teeth_mm3)
+      EXPECT_NEAR(shown_mm3(world, moment), rebuilt_mm3(world, kerf.ticks[i]), before_teeth_mm3)
           << kerf.ticks[i];
     }
     moment.move_to(kerf.ticks.back());
-    EXPECT_NEAR(shown_mm3(moment.bones({}).front()), rebuilt_mm3(world, kerf.ticks.back()), 1.0e-4)
+    EXPECT_NEAR(shown_mm3(world, moment), rebuilt_mm3(world, kerf.ticks.back()), 1.0e-4)
         << "where a kerf's growth ends nothing is in doubt";
   }
 }
 
-TEST(BoneHistory, ScrubbedBackwardsTheBoneIsWholeAgain) {
+TEST(HistoryPicture, ScrubbedBackwardsTheBoneIsWholeAgain) {
   const World world;
-  BoneMoment moment(*world.history);
+  simulator::BoneMoment moment(*world.history);
   moment.move_to(0);
-  const double whole_mm3 = shown_mm3(moment.bones({}).front());
+  const double whole_mm3 = shown_mm3(world, moment);
   moment.move_to(world.operation.wedge_out_tick - 20);
-  const double sawn_mm3 = shown_mm3(moment.bones({}).front());
+  const double sawn_mm3 = shown_mm3(world, moment);
   EXPECT_LT(sawn_mm3, whole_mm3 - 50.0);
   moment.move_to(0);
-  EXPECT_EQ(shown_mm3(moment.bones({}).front()), whole_mm3);
+  EXPECT_EQ(shown_mm3(world, moment), whole_mm3);
   EXPECT_NEAR(whole_mm3, simulator::signed_volume_mm3(world.operation.bone.outer), 1.0e-6);
 }
 
-TEST(BoneHistory, APieceThatWasTakenOutIsGoneFromThenOn) {
+TEST(HistoryPicture, APieceThatWasTakenOutIsGoneFromThenOn) {
   const World world;
   ASSERT_EQ(world.history->taken.size(), 1U);
-  BoneMoment moment(*world.history);
+  simulator::BoneMoment moment(*world.history);
   moment.move_to(world.operation.wedge_out_tick - 1);
-  const double before_mm3 = shown_mm3(moment.bones({}).front());
+  const double before_mm3 = shown_mm3(world, moment);
   const std::uint64_t revision = moment.revision();
   moment.move_to(world.operation.wedge_out_tick);
   EXPECT_NE(moment.revision(), revision);
-  EXPECT_NEAR(before_mm3 - shown_mm3(moment.bones({}).front()), world.operation.wedge_mm3, 1.0e-4);
+  EXPECT_NEAR(before_mm3 - shown_mm3(world, moment), world.operation.wedge_mm3, 1.0e-4);
   moment.move_to(world.operation.wedge_out_tick - 1);
-  EXPECT_NEAR(shown_mm3(moment.bones({}).front()), before_mm3, 1.0e-9);
+  EXPECT_NEAR(shown_mm3(world, moment), before_mm3, 1.0e-9);
 }
 
-TEST(BoneHistory, TheSameMomentAgainCostsNothing) {
+TEST(HistoryPicture, TheSameMomentAgainCostsNothing) {
   const World world;
-  BoneMoment moment(*world.history);
+  simulator::BoneMoment moment(*world.history);
   moment.move_to(200);
   const std::uint64_t revision = moment.revision();
   moment.move_to(200);
   EXPECT_EQ(moment.revision(), revision);
 }
 
-TEST(BoneHistory, ARayMeetsTheSkinAndLooksThroughAnOpenKerf) {
+TEST(HistoryPicture, ARayMeetsTheSkinAndLooksThroughAnOpenKerf) {
   const World world;
-  BoneMoment moment(*world.history);
+  simulator::BoneMoment moment(*world.history);
   moment.move_to(0);
   const Vec3 from(20.0, 40.0, 1.0), down(0.0, -1.0, 0.0);
   const std::optional<Vec3> hit = moment.first_hit(from, down);
@@ -138,15 +144,16 @@ TEST(BoneHistory, ARayMeetsTheSkinAndLooksThroughAnOpenKerf) {
   EXPECT_FALSE(moment.first_hit(over_wedge, down).has_value());
 }
 
-TEST(BoneHistory, ARecordingWithoutACutShowsTheWholeBone) {
+TEST(HistoryPicture, ARecordingWithoutACutShowsTheWholeBone) {
   World world;
   world.operation.recording.events.clear();
   for (auto& sample : world.operation.recording.samples) sample.kerf = -1;
-  const auto history = build_history({world.operation.bone, world.plan, world.operation.recording,
-                                      world.opened(), look_of(1, world.operation.bone), "uncut"});
-  BoneMoment moment(*history);
+  const auto history = simulator::build_history(
+      {world.operation.bone, world.operation.recording, world.opened(), std::nullopt});
+  const auto picture = picture_of(history, look_of(1, world.operation.bone), "uncut");
+  simulator::BoneMoment moment(*history);
   moment.move_to(300);
-  const std::vector<BoneInScene> bones = moment.bones({});
+  const std::vector<BoneInScene> bones = bones_of(*picture, moment, {});
   ASSERT_EQ(bones.size(), 1U);
   EXPECT_EQ(bones.front().patch, nullptr);
 }

@@ -1,4 +1,4 @@
-#include "simulator/operation/job.h"
+#include "simulator/jobs/geometry_job.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ constexpr double kerf_mm = 0.5;
 
 Bone block() { return tests::cortical_bone(tests::solid_block({size_x_mm, 4.0, 6.0})); }
 
-void freeze(OperationGeometry& geometry, std::int32_t kerf, double x_mm) {
+void freeze(AttemptGeometry& geometry, std::int32_t kerf, double x_mm) {
   CutEvent event;
   event.kind = CutEventKind::PlaneFrozen;
   event.subject = kerf;
@@ -26,7 +26,7 @@ void freeze(OperationGeometry& geometry, std::int32_t kerf, double x_mm) {
 }
 
 /// The blade in that kerf, its teeth at `y_mm`; it is 20 mm deep and wider than the block.
-void sweep(OperationGeometry& geometry, const Bone& bone, std::int32_t kerf, double x_mm,
+void sweep(AttemptGeometry& geometry, const Bone& bone, std::int32_t kerf, double x_mm,
            double y_mm) {
   ToolSample sample;
   sample.world_from_tool = quantise(bone.world_from_bone * blade_down({x_mm, y_mm, 0.0}));
@@ -35,8 +35,8 @@ void sweep(OperationGeometry& geometry, const Bone& bone, std::int32_t kerf, dou
   geometry.follow(sample);
 }
 
-std::unique_ptr<const JobResult> cut(OperationGeometry& geometry, const Bone& bone,
-                                     std::int32_t kerf, double x_mm) {
+std::unique_ptr<const JobResult> cut(AttemptGeometry& geometry, const Bone& bone, std::int32_t kerf,
+                                     double x_mm) {
   freeze(geometry, kerf, x_mm);
   geometry.run({2 * kerf, JobKind::Contact, kerf, 0});
   sweep(geometry, bone, kerf, x_mm, -4.0);
@@ -45,7 +45,7 @@ std::unique_ptr<const JobResult> cut(OperationGeometry& geometry, const Bone& bo
 
 TEST(ContactJob, FindsTheSection) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   freeze(geometry, 0, 3.0);
   const auto result = geometry.run({7, JobKind::Contact, 0, 11});
   EXPECT_EQ(result->request.id, 7);
@@ -55,7 +55,7 @@ TEST(ContactJob, FindsTheSection) {
 
 TEST(ContactJob, ChangesNothing) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   freeze(geometry, 0, 3.0);
   geometry.run({0, JobKind::Contact, 0, 0});
   EXPECT_EQ(geometry.solid().mesh, solid_of(bone));
@@ -63,7 +63,7 @@ TEST(ContactJob, ChangesNothing) {
 
 TEST(PiecesJob, ACoveredSectionLeavesTwoPiecesLargestFirst) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   const auto result = cut(geometry, bone, 0, 5.0);
   ASSERT_EQ(result->pieces.size(), 2U);
   EXPECT_EQ(result->pieces[0].id, 0);
@@ -77,7 +77,7 @@ TEST(PiecesJob, ACoveredSectionLeavesTwoPiecesLargestFirst) {
 
 TEST(PiecesJob, PiecesDebrisAndWhatWasTakenAddUp) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   const auto result = cut(geometry, bone, 0, 5.0);
   double sum_mm3 = result->debris_mm3 + result->removed_mm3;
   for (const PieceBody& piece : result->pieces) sum_mm3 += piece.volume_mm3;
@@ -87,7 +87,7 @@ TEST(PiecesJob, PiecesDebrisAndWhatWasTakenAddUp) {
 
 TEST(PiecesJob, AKerfThatStopsInTheBoneIsCutAndFreesNothing) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   freeze(geometry, 0, 5.0);
   geometry.run({0, JobKind::Contact, 0, 0});
   // The block's top is at 2: the teeth are 3.5 deep.
@@ -103,7 +103,7 @@ TEST(PiecesJob, AKerfThatStopsInTheBoneIsCutAndFreesNothing) {
 
 TEST(PiecesJob, AKerfThatGoesOnLaterIsOneCut) {
   const Bone bone = block();
-  OperationGeometry stopped(bone, {}), straight(bone, {});
+  AttemptGeometry stopped(bone, {}), straight(bone, {});
   freeze(stopped, 0, 5.0);
   sweep(stopped, bone, 0, 5.0, -1.5);
   stopped.run({0, JobKind::Pieces, 0, 0});
@@ -118,7 +118,7 @@ TEST(PiecesJob, AKerfThatGoesOnLaterIsOneCut) {
 
 TEST(PiecesJob, ABodyThatWasTakenOutStaysOutWhenItsKerfGoesOn) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   const auto first = cut(geometry, bone, 0, 5.0);
   CutEvent event;
   event.kind = CutEventKind::PieceRemoved;
@@ -133,7 +133,7 @@ TEST(PiecesJob, ABodyThatWasTakenOutStaysOutWhenItsKerfGoesOn) {
 
 TEST(PiecesJob, APieceKeepsItsNumberWhileNothingCutsIt) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   cut(geometry, bone, 0, 6.0);
   const auto second = cut(geometry, bone, 1, -5.0);
   ASSERT_EQ(second->pieces.size(), 3U);
@@ -150,7 +150,7 @@ TEST(PiecesJob, APieceKeepsItsNumberWhileNothingCutsIt) {
 
 TEST(PiecesJob, ASliverBelowTheLimitIsDebris) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   // One micrometre of the block is left beyond the kerf: 0.024 mm3.
   const auto result = cut(geometry, bone, 0, 0.5 * size_x_mm - 0.5 * kerf_mm - 0.001);
   EXPECT_EQ(result->pieces.size(), 1U);
@@ -159,7 +159,7 @@ TEST(PiecesJob, ASliverBelowTheLimitIsDebris) {
 
 TEST(PiecesJob, APieceTakenOutIsNoMoreInTheSolid) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   const auto result = cut(geometry, bone, 0, 5.0);
   CutEvent event;
   event.kind = CutEventKind::PieceRemoved;
@@ -170,7 +170,7 @@ TEST(PiecesJob, APieceTakenOutIsNoMoreInTheSolid) {
 
 TEST(PiecesJob, TheSameHistoryGivesTheSameBits) {
   const Bone bone = block();
-  OperationGeometry one(bone, {}), other(bone, {});
+  AttemptGeometry one(bone, {}), other(bone, {});
   const auto first = cut(one, bone, 0, 5.0);
   const auto second = cut(other, bone, 0, 5.0);
   EXPECT_EQ(one.solid().mesh, other.solid().mesh);
@@ -179,7 +179,7 @@ TEST(PiecesJob, TheSameHistoryGivesTheSameBits) {
 
 TEST(JobDeathTest, AJobForAKerfThatIsNotThereIsABrokenPromise) {
   const Bone bone = block();
-  OperationGeometry geometry(bone, {});
+  AttemptGeometry geometry(bone, {});
   EXPECT_DEATH(geometry.run({0, JobKind::Contact, 0, 0}), "request.kerf");
 }
 
