@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "simulator/bone/numbered_pieces.h"
-#include "simulator/cutting/commit_patch.h"
+#include "simulator/cutting/solid/commit_patch.h"
 
 namespace hallux::simulator {
 

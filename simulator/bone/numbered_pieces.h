@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/cutting/cut_solid.h"
+#include "simulator/cutting/pieces/cut_solid.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::simulator {

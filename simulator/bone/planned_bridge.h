@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulator/bone/cut_bone.h"
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
 
 namespace hallux::simulator {
 

@@ -179,11 +179,7 @@ std::size_t BoneHistory::stretch_at(std::int64_t tick) const noexcept {
   return found;
 }
 
-std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
-                                                 const std::function<void(double)>& progress) {
-  const auto report = [&](double fraction) {
-    if (progress) progress(fraction);
-  };
+std::shared_ptr<const BoneHistory> build_history(HistoryRequest request, const Progress& progress) {
   auto history = std::make_shared<BoneHistory>();
   for (OpenedField& opened : request.opened) {
     std::vector<std::int32_t> ticks = opened.ticks();
@@ -193,13 +189,13 @@ std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
   BoneAtTick bone(request.bone, history->kerfs);
   for (const Turn& turn : turns) {
     const auto done = static_cast<double>(history->stretches.size());
-    report(stretches_share * done / static_cast<double>(turns.size()));
+    report(progress, stretches_share * done / static_cast<double>(turns.size()));
     history->stretches.push_back(stretch_from(bone, history->kerfs, turn));
   }
-  report(stretches_share);
+  report(progress, stretches_share);
   PiecesAgain(request, *history).run();
   mark_taken(*history);
-  report(1.0);
+  report(progress, 1.0);
   return history;
 }
 

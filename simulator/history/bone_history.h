@@ -13,14 +13,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "simulator/bone/planned_bridge.h"
-#include "simulator/cutting/kerf_contact.h"
-#include "simulator/cutting/opened_field.h"
+#include "simulator/cutting/field/opened_field.h"
+#include "simulator/cutting/slice/kerf_contact.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 
@@ -87,9 +87,9 @@ struct BoneHistory {
 bool lies_on(const Bvh& body, const Vec3& point_mm);
 
 /// `progress` is told the fraction done and may throw to stop it.
-/// errors  whatever `progress` throws
+/// errors  Cancelled
 /// thread  work's; seconds
 std::shared_ptr<const BoneHistory> build_history(HistoryRequest request,
-                                                 const std::function<void(double)>& progress = {});
+                                                 const Progress& progress = {});
 
 }  // namespace hallux::simulator

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "simulator/cutting/solid_patch.h"
+#include "simulator/cutting/solid/solid_patch.h"
 #include "simulator/history/bone_history.h"
 
 namespace hallux::simulator {

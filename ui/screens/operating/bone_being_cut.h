@@ -27,7 +27,7 @@ struct BonePicture {
   std::shared_ptr<const BoneMesh> mesh;
 };
 
-/// errors  whatever `progress` throws
+/// errors  Cancelled
 BonePicture picture_of(const simulator::Bone& bone, const std::filesystem::path& data_directory,
                        const Progress& progress = {});
 

@@ -2,13 +2,13 @@
 
 #include <utility>
 
-#include "ui/screens/bone_stage.h"
+#include "ui/screens/pictures/bone_stage.h"
 
 namespace hallux::ui {
 
 std::shared_ptr<const HistoryPicture> picture_of(
     std::shared_ptr<const simulator::BoneHistory> history, BoneLook look, const std::string& name,
-    const std::function<void(double)>& progress) {
+    const Progress& progress) {
   auto picture = std::make_shared<HistoryPicture>();
   picture->look = std::move(look);
   const auto mesh_named = [&](const std::string& part, const simulator::CutSolid& solid) {
@@ -16,7 +16,7 @@ std::shared_ptr<const HistoryPicture> picture_of(
   };
   const auto count = static_cast<double>(history->stretches.size());
   for (const simulator::BoneStretch& stretch : history->stretches) {
-    if (progress) progress(static_cast<double>(picture->stretches.size()) / count);
+    report(progress, static_cast<double>(picture->stretches.size()) / count);
     picture->stretches.push_back(
         mesh_named("stretch " + std::to_string(stretch.from_tick), stretch.solid));
   }

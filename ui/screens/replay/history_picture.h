@@ -1,14 +1,14 @@
 /// A bone's history as the renderer takes it: a mesh for each solid that stands still for a while.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "simulator/history/bone_moment.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::ui {
 
@@ -27,11 +27,11 @@ struct HistoryPicture {
 
 /// look    of the bone
 /// name    another attempt, or another length of it, has another
-/// errors  whatever `progress` throws
+/// errors  Cancelled
 /// thread  work's
 std::shared_ptr<const HistoryPicture> picture_of(
     std::shared_ptr<const simulator::BoneHistory> history, BoneLook look, const std::string& name,
-    const std::function<void(double)>& progress = {});
+    const Progress& progress = {});
 
 /// The pieces at a moment of that history as bones of a scene; they borrow both.
 /// world_from_bone  the bone's place

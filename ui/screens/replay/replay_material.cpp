@@ -123,8 +123,8 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
     auto history = simulator::build_history(
         {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material->plan)},
         part_of(reached, look_share, history_share));
-    material->bone = picture_of(std::move(history), std::move(look), name,
-                                part_of(reached, history_share, 1.0));
+    material->bone =
+        picture_of(std::move(history), std::move(look), name, part_of(reached, history_share, 1.0));
   });
   material->events = events_of(attempt.recording);
   material->duration_s = duration_s_of(attempt.recording);
