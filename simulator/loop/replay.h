@@ -10,7 +10,7 @@
 #include "simulator/mesh/bone.h"
 #include "simulator/operation/job.h"
 #include "simulator/record/record.h"
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 namespace hallux::simulator {
 
@@ -29,7 +29,7 @@ struct ReplaySetup {
   BladeSize blade;
   ContactSettings contact;
   std::optional<PlannedBridge> bridge = std::nullopt;
-  WoundSettings wound = {};
+  ToolEffectSettings effects = {};
 };
 
 /// Called with the fraction done [0, 1]; returning false cancels.

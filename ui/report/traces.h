@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/effect_track.h"
 #include "assessment/progress.h"
-#include "assessment/wound_track.h"
 #include "scenarios/scenario.h"
 #include "simulator/contact/heat.h"
 #include "simulator/cutting/kerf_set.h"

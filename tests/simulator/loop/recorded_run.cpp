@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {
