@@ -15,7 +15,7 @@
 #include "simulator/loop/jobs.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/channels.h"
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 namespace hallux::simulator {
 
@@ -33,7 +33,7 @@ struct AttemptSetup {
   std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
   JobDelay job_delay = {};                 ///< RealTime only
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
-  WoundSettings wound = {};                ///< danger zones and the blade's steel
+  ToolEffectSettings effects = {};         ///< danger zones and the blade's steel
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
   AttemptOperator* attempt_operator =
       nullptr;  ///< who answers to what comes out; outlives the attempt

@@ -16,7 +16,7 @@
 #include "simulator/base/random.h"
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/record/ring.h"
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
 

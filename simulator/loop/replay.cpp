@@ -14,7 +14,7 @@ class ReplayRun {
   ReplayRun(const Recording& recording, const ReplaySetup& setup)
       : recording_(recording),
         tissue_(setup.bone),
-        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
+        simulation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.effects),
         jobs_(setup.bone, setup.blade, setup.bridge) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());
@@ -66,7 +66,7 @@ class ReplayRun {
   void advance(const TapeLine& line) {
     StepInput input{line, {}};
     if (!find_results(line, input)) return;
-    const StepOutput output = operation_.step(input);
+    const StepOutput output = simulation_.step(input);
     next_tick_ = line.tick + line.ticks;
     for (const CutEvent& event : output.events) {
       const std::size_t at = outputs_.events.size();
@@ -89,7 +89,7 @@ class ReplayRun {
 
   const Recording& recording_;
   TissueMap tissue_;
-  Operation operation_;
+  Simulation simulation_;
   ImmediateJobs jobs_;
   Recording outputs_;
   ReplayResult result_;

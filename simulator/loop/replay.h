@@ -10,7 +10,7 @@
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 namespace hallux::simulator {
 
@@ -29,7 +29,7 @@ struct ReplaySetup {
   BladeSize blade;
   ContactSettings contact;
   std::optional<PlannedBridge> bridge = std::nullopt;
-  WoundSettings wound = {};
+  ToolEffectSettings effects = {};
 };
 
 /// Stops at the first difference. A tape that the step could not have been given is a difference, never a crash.

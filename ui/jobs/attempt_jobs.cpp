@@ -85,8 +85,8 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
   return settings;
 }
 
-simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
-                                        const scenarios::Plan& plan) {
+simulator::ToolEffectSettings tool_effect_settings(const scenarios::Scenario& scenario,
+                                                   const scenarios::Plan& plan) {
   return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
 }
 
@@ -96,7 +96,7 @@ simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
   simulator::AttemptSetup setup{bone, scenario.blade.size,
                                 contact_settings(scenario, plan, guidance)};
   setup.bridge = planned_bridge(plan);
-  setup.wound = wound_settings(scenario, plan);
+  setup.effects = tool_effect_settings(scenario, plan);
   return setup;
 }
 
@@ -155,7 +155,7 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
       replay(material.recording,
              {material.bone, material.scenario.blade.size,
               contact_settings(material.scenario, plan, material.header.begun.guidance),
-              planned_bridge(plan), wound_settings(material.scenario, plan)},
+              planned_bridge(plan), tool_effect_settings(material.scenario, plan)},
              [&](double fraction) {
                is_cancelled = report && !report(fraction);
                return !is_cancelled;

@@ -74,8 +74,8 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
                                             simulator::Guidance guidance);
 
 /// What is watched beside the cut; the same for the attempt and its replay.
-simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
-                                        const scenarios::Plan& plan);
+simulator::ToolEffectSettings tool_effect_settings(const scenarios::Scenario& scenario,
+                                                   const scenarios::Plan& plan);
 
 /// How a scenario's operation runs; borrows the bone. What paces it and commands it is the caller's to add.
 simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/wound_track.h"
+#include "assessment/effect_track.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/progress.h"
 #include "simulator/contact/heat.h"

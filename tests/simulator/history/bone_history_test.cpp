@@ -4,14 +4,14 @@
 
 #include "assessment/rebuild/opened_fields.h"
 #include "simulator/history/bone_moment.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
 namespace {
 
 using tests::blade_down;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double above_mm = 5.0;
 
@@ -51,7 +51,7 @@ class TwinsAttempt {
   }
 
   Bone bone_;
-  OperationRun run_;
+  SimulationRun run_;
 };
 
 class TwinPieces : public testing::TestWithParam<std::int32_t> {};

@@ -2,21 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
 namespace {
 
 using tests::blade_down;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double above_mm = 3.0;
 
 Bone block() { return tests::cancellous_bone(tests::solid_block({20.0, 4.0, 6.0})); }
 
 /// One stroke at x through the whole block, and the blade withdrawn.
-void saw_off(OperationRun& run, double x_mm) {
+void saw_off(SimulationRun& run, double x_mm) {
   run.glide(blade_down({x_mm, above_mm + 2.0, 0.0}), 50);
   run.glide(blade_down({x_mm, -8.0, 0.0}), 200);
   run.hold(900);
@@ -24,7 +24,7 @@ void saw_off(OperationRun& run, double x_mm) {
 }
 
 /// The jobs of the recording, each held against what the step asked for.
-void expect_known(const OperationRun& run) {
+void expect_known(const SimulationRun& run) {
   const std::vector<RecordedJob> jobs = recorded_jobs(run.recording());
   ASSERT_EQ(jobs.size(), run.requests().size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -37,7 +37,7 @@ void expect_known(const OperationRun& run) {
 
 TEST(RecordedJobs, AreThoseThatTheStepAskedFor) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   saw_off(run, -5.0);
   run.step({{CommandKind::CloseHinge, 0, 0}});
@@ -48,7 +48,7 @@ TEST(RecordedJobs, AreThoseThatTheStepAskedFor) {
 
 TEST(RecordedJobs, AreKnownWhereSeveralAreAppliedAtOnce) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   run.applies_jobs = false;
   saw_off(run, 5.0);
   run.applies_jobs = true;
@@ -58,7 +58,7 @@ TEST(RecordedJobs, AreKnownWhereSeveralAreAppliedAtOnce) {
 
 TEST(RecordedJobs, AreNoneWithoutATape) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   Recording recording = run.recording();
   recording.tape.clear();

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "simulator/base/progress.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {

@@ -1,4 +1,4 @@
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 #include <algorithm>
 
@@ -12,14 +12,14 @@ namespace {
 /// The free length asks the bone's surface several times: for a display this is often enough.
 constexpr std::int64_t ticks_per_length = 32;
 
-std::span<const DangerCapsule> watched(const WoundSettings& settings) noexcept {
+std::span<const DangerCapsule> watched(const ToolEffectSettings& settings) noexcept {
   return {settings.danger_zones.data(), std::min(settings.danger_zones.size(), danger_zone_limit)};
 }
 
 }  // namespace
 
-Wound::Wound(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
-             const WoundSettings& settings)
+ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const BladeSize& blade,
+                         const SawInHand& saw, const ToolEffectSettings& settings)
     : bone_from_world_(inverse(world_from_bone)),
       blade_(blade),
       thickness_mm_(settings.blade_thickness_mm),
@@ -27,15 +27,15 @@ Wound::Wound(const RigidTransform& world_from_bone, const BladeSize& blade, cons
       heat_(blade, world_from_bone, saw.cycles_per_minute, saw.sharpness),
       danger_(world_from_bone, blade, watched(settings)) {}
 
-void Wound::follow(const ToolSample& sample, const StandingBone& bone) noexcept {
+void ToolEffects::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
   tick_ = sample.tick;
   bone_from_tool_ = quantise(bone_from_world_ * transform_from(sample.world_from_tool));
-  heat_.follow(sample, bone);
-  danger_.follow(sample);
+  heat_.apply(sample, bone);
+  danger_.apply(sample);
   bend(sample, bone);
 }
 
-void Wound::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
+void ToolEffects::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
   const bool tells_of_bend = !is_guided_ || has(sample.status, ToolStatus::InKerf);
   if (!has(sample.status, ToolStatus::InContact) || !tells_of_bend) {
     flex_ = {};
@@ -52,7 +52,7 @@ void Wound::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
                                       glm::dot(force_newton(sample), normal));
 }
 
-bool Wound::take_event(const KerfSet& kerfs, CutEvent& event) noexcept {
+bool ToolEffects::take_event(const KerfSet& kerfs, CutEvent& event) noexcept {
   if (DangerNews news; danger_.take_news(news)) {
     event = {tick_, news.has_begun ? CutEventKind::DangerContact : CutEventKind::DangerLeft,
              news.zone, um_from_mm(news.distance_mm), bone_from_tool_};

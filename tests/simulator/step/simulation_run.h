@@ -9,7 +9,7 @@
 #include "simulator/loop/jobs.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::tests {
 
@@ -21,19 +21,20 @@ simulator::Bone cancellous_bone(simulator::IndexedMesh outer);
 /// Hard bone all through.
 simulator::Bone cortical_bone(simulator::IndexedMesh outer);
 
-/// A blade above the bone: feeds towards -y, tooth line along z, plane x = tip.x; `lean_rad` turns it about its feed direction.
+/// A blade above the bone: feeds towards -y, tooth line along z, plane x = tip.x; `lean_rad` turns
+/// it about its feed direction.
 RigidTransform blade_down(const Vec3& tip_in_bone_mm, double lean_rad = 0.0);
 
 inline constexpr std::uint32_t saw_runs = static_cast<std::uint32_t>(simulator::Switch::SawRuns);
 
-/// Steps an Operation and its jobs, and keeps all that came in and out.
-class OperationRun {
+/// Steps a Simulation and its jobs, and keeps all that came in and out.
+class SimulationRun {
  public:
   /// Starts with the blade at `bone_from_handle`. Borrows `bone`.
-  OperationRun(const simulator::Bone& bone, const RigidTransform& bone_from_handle,
-               const simulator::BladeSize& blade = {},
-               const simulator::ContactSettings& settings = {},
-               const simulator::WoundSettings& wound = {});
+  SimulationRun(const simulator::Bone& bone, const RigidTransform& bone_from_handle,
+                const simulator::BladeSize& blade = {},
+                const simulator::ContactSettings& settings = {},
+                const simulator::ToolEffectSettings& effects = {});
 
   /// One line of the tape with the handle where it was last.
   simulator::StepOutput step(std::initializer_list<simulator::Command> commands = {});
@@ -48,7 +49,7 @@ class OperationRun {
   bool applies_jobs = true;
 
   const simulator::Recording& recording() const noexcept { return recording_; }
-  const simulator::Operation& operation() const noexcept { return operation_; }
+  const simulator::Simulation& simulation() const noexcept { return simulation_; }
   const simulator::ImmediateJobs& jobs() const noexcept { return jobs_; }
   const std::vector<simulator::JobRequest>& requests() const noexcept { return requests_; }
   std::vector<simulator::CutEvent> events(simulator::CutEventKind kind) const;
@@ -59,7 +60,7 @@ class OperationRun {
  private:
   const simulator::Bone& bone_;
   simulator::TissueMap tissue_;
-  simulator::Operation operation_;
+  simulator::Simulation simulation_;
   simulator::ImmediateJobs jobs_;
   simulator::Recording recording_;
   std::vector<simulator::JobRequest> requests_;

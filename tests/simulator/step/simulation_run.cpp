@@ -1,4 +1,4 @@
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 #include "simulator/record/sample_force.h"
 
@@ -37,19 +37,19 @@ RigidTransform blade_down(const Vec3& tip_in_bone_mm, double lean_rad) {
   return {upright * rotation_about(Vec3{1.0, 0.0, 0.0}, lean_rad), tip_in_bone_mm};
 }
 
-OperationRun::OperationRun(const Bone& bone, const RigidTransform& bone_from_handle,
-                           const simulator::BladeSize& blade,
-                           const simulator::ContactSettings& settings,
-                           const simulator::WoundSettings& wound)
+SimulationRun::SimulationRun(const Bone& bone, const RigidTransform& bone_from_handle,
+                             const simulator::BladeSize& blade,
+                             const simulator::ContactSettings& settings,
+                             const simulator::ToolEffectSettings& effects)
     : bone_(bone),
       tissue_(bone),
-      operation_(tissue_, bone.world_from_bone, blade, settings, wound),
+      simulation_(tissue_, bone.world_from_bone, blade, settings, effects),
       jobs_(bone, blade),
       bone_from_handle_(bone_from_handle) {
   step({{CommandKind::Start, 0, 0}});
 }
 
-StepOutput OperationRun::step(std::initializer_list<Command> commands) {
+StepOutput SimulationRun::step(std::initializer_list<Command> commands) {
   TapeLine line;
   line.tick = tick_;
   line.ticks = ticks_per_line;
@@ -63,7 +63,7 @@ StepOutput OperationRun::step(std::initializer_list<Command> commands) {
     line.commands[line.command_count++] = {CommandKind::ApplyJob, result->request.id,
                                            result->request.tick};
   }
-  const StepOutput output = operation_.step(input);
+  const StepOutput output = simulation_.step(input);
   recording_.tape.push_back(line);
   recording_.samples.push_back(output.sample);
   recording_.events.insert(recording_.events.end(), output.events.begin(), output.events.end());
@@ -73,7 +73,7 @@ StepOutput OperationRun::step(std::initializer_list<Command> commands) {
   return output;
 }
 
-StepOutput OperationRun::glide(const RigidTransform& bone_from_handle, std::int64_t lines) {
+StepOutput SimulationRun::glide(const RigidTransform& bone_from_handle, std::int64_t lines) {
   const RigidTransform from = bone_from_handle_;
   StepOutput output;
   for (std::int64_t i = 1; i <= lines; ++i) {
@@ -84,9 +84,9 @@ StepOutput OperationRun::glide(const RigidTransform& bone_from_handle, std::int6
   return output;
 }
 
-StepOutput OperationRun::hold(std::int64_t lines) { return glide(bone_from_handle_, lines); }
+StepOutput SimulationRun::hold(std::int64_t lines) { return glide(bone_from_handle_, lines); }
 
-std::vector<CutEvent> OperationRun::events(CutEventKind kind) const {
+std::vector<CutEvent> SimulationRun::events(CutEventKind kind) const {
   std::vector<CutEvent> found;
   for (const CutEvent& event : recording_.events) {
     if (event.kind == kind) found.push_back(event);
@@ -94,11 +94,11 @@ std::vector<CutEvent> OperationRun::events(CutEventKind kind) const {
   return found;
 }
 
-RigidTransform OperationRun::bone_from_tool() const {
+RigidTransform SimulationRun::bone_from_tool() const {
   return inverse(bone_.world_from_bone) * transform_from(recording_.samples.back().world_from_tool);
 }
 
-Vec3 OperationRun::force_in_bone_newton() const {
+Vec3 SimulationRun::force_in_bone_newton() const {
   return transform_direction(inverse(bone_.world_from_bone),
                              simulator::force_newton(recording_.samples.back()));
 }

@@ -4,24 +4,24 @@
 #include <vector>
 
 #include "simulator/mesh/bone.h"
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 namespace hallux::tests {
 
-class WoundFollower {
+class RecordedEffects {
  public:
   /// Follows the whole record: the planes that were frozen, and each sample. Borrows `bone`.
-  WoundFollower(const simulator::Bone& bone, const simulator::Recording& recording,
-                const simulator::WoundSettings& settings = {}, bool is_guided = false);
+  RecordedEffects(const simulator::Bone& bone, const simulator::Recording& recording,
+                  const simulator::ToolEffectSettings& settings = {}, bool is_guided = false);
 
-  const simulator::Wound& wound() const noexcept { return wound_; }
+  const simulator::ToolEffects& effects() const noexcept { return effects_; }
   const std::vector<simulator::CutEvent>& events() const noexcept { return events_; }
   std::vector<simulator::CutEvent> events(simulator::CutEventKind kind) const;
 
  private:
   simulator::TissueMap tissue_;
   simulator::KerfSet kerfs_;
-  simulator::Wound wound_;
+  simulator::ToolEffects effects_;
   std::vector<simulator::CutEvent> events_;
 };
 

@@ -1,7 +1,7 @@
-/// What the saw does beside cutting: heat in the walls, danger zones that it touches, how far the blade bends.
+/// Effects of the saw besides the cut: heat in the walls, danger zones touched, bend of the blade.
 ///
-/// All of it follows the recorded samples and changes nothing of them; what happened comes out as events, one by one, so that
-/// they wait where a step has no room for them.
+/// All of them follow from the recorded samples and change none. What happened comes out as events,
+/// one by one, so that they wait where a step has no room for them.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace hallux::simulator {
 
-struct WoundSettings {
+struct ToolEffectSettings {
   std::vector<DangerCapsule> danger_zones =
       {};                           ///< at most danger_zone_limit; the rest is not watched
   double blade_thickness_mm = 0.4;  ///< of the steel
@@ -22,7 +22,8 @@ struct WoundSettings {
 struct SawInHand {
   double cycles_per_minute = 0.0;
   double sharpness = 1.0;
-  /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that tells of no bend.
+  /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that
+  /// tells of no bend.
   bool is_guided = false;
 };
 
@@ -32,15 +33,15 @@ struct BladeFlex {
   double deflection_mm = 0.0;   ///< along the blade's normal
 };
 
-class Wound {
+class ToolEffects {
  public:
   /// Takes all its memory here.
-  Wound(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
-        const WoundSettings& settings);
+  ToolEffects(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
+              const ToolEffectSettings& settings);
 
   /// needs   samples in their order; `bone` as it stands after the sample
   /// thread  haptic; allocates nothing
-  void follow(const ToolSample& sample, const StandingBone& bone) noexcept;
+  void apply(const ToolSample& sample, const StandingBone& bone) noexcept;
   /// The next thing that happened; danger first.
   bool take_event(const KerfSet& kerfs, CutEvent& event) noexcept;
 

@@ -1,8 +1,8 @@
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
@@ -10,7 +10,7 @@ namespace {
 
 using tests::blade_down;
 using tests::kinds_of;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double top_mm = 4.0;
 constexpr double above_mm = top_mm + 1.0;
@@ -24,15 +24,15 @@ bool has_status(const StepOutput& output, ToolStatus status) {
 }
 
 /// Half a second of sawing; the blade is then in its kerf.
-void saw_into(OperationRun& run) {
+void saw_into(SimulationRun& run) {
   run.glide(blade_down({0.0, above_mm, 0.0}), 10);
   run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 500);
 }
 
 TEST(Step, StartPutsTheToolInTheHandAndRunsTheClock) {
   const Bone bone = block();
-  const OperationRun run(bone, blade_down({3.0, above_mm, 0.5}));
-  EXPECT_TRUE(run.operation().is_running());
+  const SimulationRun run(bone, blade_down({3.0, above_mm, 0.5}));
+  EXPECT_TRUE(run.simulation().is_running());
   EXPECT_EQ(run.events(CutEventKind::Started).size(), 1U);
   EXPECT_NEAR(run.bone_from_tool().translation_mm.x, 3.0, 0.002);
   EXPECT_TRUE(has(run.recording().samples[0].status, ToolStatus::Running));
@@ -41,10 +41,10 @@ TEST(Step, StartPutsTheToolInTheHandAndRunsTheClock) {
 TEST(Step, NothingRunsBeforeTheStart) {
   const Bone bone = block();
   const TissueMap tissue{bone};
-  Operation operation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, bone.world_from_bone, {}, {});
   TapeLine line;
   line.device.switches = tests::saw_runs;
-  const StepOutput output = operation.step({line, {}});
+  const StepOutput output = simulation.step({line, {}});
   EXPECT_FALSE(has_status(output, ToolStatus::Running));
   EXPECT_EQ(output.events.size(), 0U);
   EXPECT_EQ(output.sample.force_mn, (std::array<std::int32_t, 3>{0, 0, 0}));
@@ -52,7 +52,7 @@ TEST(Step, NothingRunsBeforeTheStart) {
 
 TEST(Step, PauseHoldsTheToolAndItsForceUntilResume) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   saw_into(run);
   EXPECT_GT(run.force_in_bone_newton().y, 5.0);
   const QuantisedPose before = run.recording().samples.back().world_from_tool;
@@ -73,45 +73,45 @@ TEST(Step, AStartInAFaultPutsTheToolInTheHandOnceTheFaultIsOver) {
   Bone bone = tests::cancellous_bone(tests::solid_block({30.0, 8.0, 6.0}));
   bone.world_from_bone = {};
   const TissueMap tissue(bone);
-  Operation operation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, bone.world_from_bone, {}, {});
   const QuantisedPose hand = quantise(blade_down({0.0, above_mm + 3.0, 0.0}));
   TapeLine line;
   line.commands[0] = command(CommandKind::Start);
   line.command_count = 1;
   line.device = {{}, tests::saw_runs, static_cast<std::uint32_t>(DeviceFault::Lost)};
   for (int i = 0; i < 3; ++i) {
-    const StepOutput output = operation.step({line, {}});
+    const StepOutput output = simulation.step({line, {}});
     EXPECT_EQ(output.sample.force_mn, (std::array<std::int32_t, 3>{0, 0, 0}));
     line.command_count = 0;
     line.tick += line.ticks;
   }
   line.device = {hand, tests::saw_runs, 0};
   for (int i = 0; i < 100; ++i) {
-    const StepOutput output = operation.step({line, {}});
+    const StepOutput output = simulation.step({line, {}});
     EXPECT_EQ(output.sample.world_from_tool, hand) << i;
     for (const CutEvent& event : output.events) EXPECT_EQ(event.kind, CutEventKind::Fault);
     line.tick += line.ticks;
   }
-  EXPECT_EQ(operation.kerfs().count(), 0);
+  EXPECT_EQ(simulation.kerfs().count(), 0);
 }
 
 TEST(Step, AGapThatBeganBeforeTheStartIsNoPauseOfTheOperation) {
   const Bone bone = block();
   const TissueMap tissue(bone);
-  Operation operation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, bone.world_from_bone, {}, {});
   TapeLine line;
   const auto kinds_after = [&](const Command& said) {
     line.commands[0] = said;
     line.command_count = 1;
     std::vector<CutEventKind> kinds;
-    for (const CutEvent& event : operation.step({line, {}}).events) kinds.push_back(event.kind);
+    for (const CutEvent& event : simulation.step({line, {}}).events) kinds.push_back(event.kind);
     line.tick += line.ticks;
     return kinds;
   };
   EXPECT_TRUE(kinds_after(command(CommandKind::Pause, paused_by_loop)).empty());
   EXPECT_EQ(kinds_after(command(CommandKind::Start)), std::vector{CutEventKind::Started});
   EXPECT_TRUE(kinds_after(command(CommandKind::Resume, paused_by_loop)).empty());
-  EXPECT_TRUE(operation.is_running());
+  EXPECT_TRUE(simulation.is_running());
   EXPECT_EQ(kinds_after(command(CommandKind::Pause, paused_by_loop)),
             std::vector{CutEventKind::Paused});
   EXPECT_EQ(kinds_after(command(CommandKind::Resume, paused_by_loop)),
@@ -120,7 +120,7 @@ TEST(Step, AGapThatBeganBeforeTheStartIsNoPauseOfTheOperation) {
 
 TEST(Step, AStepDeclaredDoneIsAnEventThatNamesIt) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.step({command(CommandKind::StepDone, 2)});
   const auto done = run.events(CutEventKind::StepDone);
   ASSERT_EQ(done.size(), 1U);
@@ -130,7 +130,7 @@ TEST(Step, AStepDeclaredDoneIsAnEventThatNamesIt) {
 
 TEST(Step, APieceThatIsNotThereCannotBePickedUp) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   for (const std::int32_t piece : {-1, 0, 1, 1000000}) {
     run.step({command(CommandKind::PickUp, piece)});
   }
@@ -139,9 +139,9 @@ TEST(Step, APieceThatIsNotThereCannotBePickedUp) {
 
 TEST(Step, FinishEndsTheAttemptForGood) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.step({command(CommandKind::Finish)});
-  EXPECT_TRUE(run.operation().is_over());
+  EXPECT_TRUE(run.simulation().is_over());
   const StepOutput output = run.step({command(CommandKind::Start), command(CommandKind::Resume),
                                       command(CommandKind::StepDone, 1)});
   EXPECT_FALSE(has_status(output, ToolStatus::Running));
@@ -152,7 +152,7 @@ TEST(Step, FinishEndsTheAttemptForGood) {
 TEST(Step, ATouchThatGoesOnAtTheEndIsAScratch) {
   const Bone bone = block();
   for (const CommandKind end : {CommandKind::Finish, CommandKind::Abandon}) {
-    OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+    SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
     run.glide(blade_down({0.0, top_mm - 0.5, 0.0}), 100);
     run.hold(50);
     ASSERT_EQ(run.events(CutEventKind::Contact).size(), 1U);
@@ -169,15 +169,15 @@ TEST(Step, ATouchThatGoesOnAtTheEndIsAScratch) {
 
 TEST(Step, AbandonEndsItToo) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.step({command(CommandKind::Abandon)});
-  EXPECT_TRUE(run.operation().is_over());
+  EXPECT_TRUE(run.simulation().is_over());
   EXPECT_EQ(run.events(CutEventKind::Abandoned).size(), 1U);
 }
 
 TEST(Step, CommandsOfOneLineActInTheirOrder) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.step({command(CommandKind::Pause), command(CommandKind::Resume),
             command(CommandKind::StepDone, 0), command(CommandKind::Finish)});
   EXPECT_EQ(kinds_of(run.recording()),
@@ -187,7 +187,7 @@ TEST(Step, CommandsOfOneLineActInTheirOrder) {
 
 TEST(Step, AFaultFreezesTheToolAndTakesTheForceAway) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   saw_into(run);
   const QuantisedPose before = run.recording().samples.back().world_from_tool;
   run.faults = static_cast<std::uint32_t>(DeviceFault::NotFinite);
@@ -200,7 +200,7 @@ TEST(Step, AFaultFreezesTheToolAndTakesTheForceAway) {
 
 TEST(Step, AFaultIsOneEventWithItsBitsUntilTheyChange) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.faults = 1;
   run.hold(10);
   run.faults = 3;
@@ -218,7 +218,7 @@ TEST(Step, AFaultIsOneEventWithItsBitsUntilTheyChange) {
 
 TEST(Step, ASampleCarriesTheLastTickOfItsLine) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.ticks_per_line = 3;
   const StepOutput three = run.hold(1);
   run.ticks_per_line = 2;
@@ -229,8 +229,8 @@ TEST(Step, ASampleCarriesTheLastTickOfItsLine) {
 
 TEST(Step, LinesOfThreeTicksSawAboutAsFarAsThreeTimesAsManyLines) {
   const Bone bone = block();
-  OperationRun one(bone, blade_down({0.0, above_mm, 0.0}));
-  OperationRun three(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun one(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun three(bone, blade_down({0.0, above_mm, 0.0}));
   one.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 900);
   three.ticks_per_line = 3;
   three.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 300);
@@ -241,7 +241,7 @@ TEST(Step, LinesOfThreeTicksSawAboutAsFarAsThreeTimesAsManyLines) {
 
 TEST(Step, SwitchesAndContactAreInTheStatus) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.switches = tests::saw_runs | static_cast<std::uint32_t>(Switch::Irrigates);
   saw_into(run);
   const std::uint32_t status = run.recording().samples.back().status;
@@ -251,12 +251,13 @@ TEST(Step, SwitchesAndContactAreInTheStatus) {
   }
 }
 
-/// Nodes in which the step's first kerf differs from one that followed the record, and nodes that are open.
+/// Nodes in which the step's first kerf differs from one that followed the record, and nodes that
+/// are open.
 struct FieldComparison {
   std::int64_t open_count = 0, difference_count = 0;
 };
 
-FieldComparison compare_with_record(const OperationRun& run, const Bone& bone) {
+FieldComparison compare_with_record(const SimulationRun& run, const Bone& bone) {
   KerfSet followed({}, bone.world_from_bone);
   followed.freeze(run.events(CutEventKind::PlaneFrozen).at(0).pose);
   for (const ToolSample& sample : run.recording().samples) followed.follow(sample);
@@ -266,7 +267,7 @@ FieldComparison compare_with_record(const OperationRun& run, const Bone& bone) {
     for (std::int32_t u = 0; u < grid.u_count; ++u) {
       const float inside_mm = followed.field(0).at(u, v);
       if (inside_mm > 0.0F) ++result.open_count;
-      if (inside_mm != run.operation().kerfs().field(0).at(u, v)) ++result.difference_count;
+      if (inside_mm != run.simulation().kerfs().field(0).at(u, v)) ++result.difference_count;
     }
   }
   return result;
@@ -274,7 +275,7 @@ FieldComparison compare_with_record(const OperationRun& run, const Bone& bone) {
 
 TEST(Step, TheKerfIsOpenWhereTheRecordedPosesWere) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   saw_into(run);
   const FieldComparison result = compare_with_record(run, bone);
   EXPECT_GT(result.open_count, 10000);
@@ -283,10 +284,11 @@ TEST(Step, TheKerfIsOpenWhereTheRecordedPosesWere) {
 
 TEST(Step, PausesAndFaultsBreakTheSweepForTheStepAsForThoseWhoFollowTheRecord) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   saw_into(run);
   run.hold(200);
-  // While nothing moves the tool the hand goes back and aside: the blade's way there was never swept.
+  // While nothing moves the tool the hand goes back and aside: the blade's way there was never
+  // swept.
   run.step({command(CommandKind::Pause)});
   run.glide(blade_down({0.0, top_mm - 0.1, 3.0}), 1);
   run.step({command(CommandKind::Resume)});
@@ -301,19 +303,19 @@ TEST(Step, PausesAndFaultsBreakTheSweepForTheStepAsForThoseWhoFollowTheRecord) {
 TEST(Step, ResumeBeforeTheStartStartsNothing) {
   const Bone bone = block();
   const TissueMap tissue{bone};
-  Operation operation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, bone.world_from_bone, {}, {});
   TapeLine line;
   line.command_count = 1;
   line.commands[0] = command(CommandKind::Resume);
-  const StepOutput output = operation.step({line, {}});
+  const StepOutput output = simulation.step({line, {}});
   EXPECT_FALSE(has_status(output, ToolStatus::Running));
 }
 
 TEST(Step, TheSameInputGivesTheSameOutput) {
   const Bone bone = block();
-  OperationRun one(bone, blade_down({0.0, above_mm, 0.0}, 0.2));
-  OperationRun other(bone, blade_down({0.0, above_mm, 0.0}, 0.2));
-  for (OperationRun* run : {&one, &other}) {
+  SimulationRun one(bone, blade_down({0.0, above_mm, 0.0}, 0.2));
+  SimulationRun other(bone, blade_down({0.0, above_mm, 0.0}, 0.2));
+  for (SimulationRun* run : {&one, &other}) {
     run->glide(blade_down({0.3, top_mm - 8.0, 0.4}, 0.25), 700);
   }
   EXPECT_EQ(one.recording().samples, other.recording().samples);
