@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "assessment/progress.h"
+#include "simulator/base/progress.h"
 #include "simulator/base/transform.h"
 #include "simulator/cutting/field/opened_field.h"
 #include "simulator/record/record.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "database/assets.h"
 #include "database/records/attempt.h"
+#include "database/store/assets.h"
 #include "simulator/record/record.h"
 
 namespace hallux::database {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "database/files.h"
+#include "database/store/files.h"
 
 namespace hallux::database {
 

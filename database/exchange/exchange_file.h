@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "database/database_error.h"
+#include "database/store/database_error.h"
 #include "simulator/base/digest.h"
 
 namespace hallux::database {

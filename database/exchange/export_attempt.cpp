@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "database/attempts.h"
-#include "database/card_json.h"
+#include "database/course/score_json.h"
 #include "database/exchange/manifest.h"
 #include "database/exchange/record_tables.h"
 #include "database/exchange/score_table.h"
-#include "database/files.h"
-#include "database/origins.h"
-#include "database/recordings.h"
-#include "database/sql.h"
+#include "database/recording/attempts.h"
+#include "database/recording/recordings.h"
+#include "database/store/files.h"
+#include "database/store/own_directory.h"
+#include "database/store/sql.h"
 
 namespace hallux::database {
 

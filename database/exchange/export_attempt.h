@@ -12,8 +12,8 @@
 
 #include <filesystem>
 
-#include "database/connection.h"
 #include "database/exchange/derived_files.h"
+#include "database/store/connection.h"
 
 namespace hallux::database {
 

@@ -1,12 +1,12 @@
 #include "database/exchange/import_attempt.h"
 
-#include "database/attempts.h"
-#include "database/card_json.h"
-#include "database/certificate_json.h"
-#include "database/decisions.h"
-#include "database/origins.h"
-#include "database/scores.h"
-#include "database/sql.h"
+#include "database/course/decisions.h"
+#include "database/course/score_json.h"
+#include "database/course/scores.h"
+#include "database/exchange/origins.h"
+#include "database/recording/attempts.h"
+#include "database/recording/certificate_json.h"
+#include "database/store/sql.h"
 
 namespace hallux::database {
 

@@ -6,10 +6,10 @@
 
 #include <optional>
 
-#include "database/audit.h"
-#include "database/connection.h"
+#include "database/audit/audit.h"
 #include "database/exchange/read_exported.h"
 #include "database/records/score.h"
+#include "database/store/connection.h"
 
 namespace hallux::database {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "database/card_json.h"
+#include "database/course/score_json.h"
 
 namespace hallux::database {
 

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "database/assets.h"
 #include "database/exchange/exchange_file.h"
 #include "database/records/attempt.h"
 #include "database/records/decision.h"
+#include "database/store/assets.h"
 
 namespace hallux::database {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "database/chain.h"
+#include "database/recording/chain.h"
 
 namespace hallux::database {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "database/exchange/manifest.h"
-#include "database/json_fields.h"
+#include "database/store/json_fields.h"
 
 namespace hallux::database {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "database/chain.h"
 #include "database/exchange/exchange_file.h"
+#include "database/recording/chain.h"
 #include "simulator/record/record.h"
 
 namespace hallux::database {

@@ -21,8 +21,8 @@ class ArrowCheck(PlantedTree):
 
     def test_refuses_a_room_that_includes_the_screens(self):
         self.plant("ui/jobs/cut_mesh.h", "")
-        self.plant("database/people.cpp", '#include "ui/jobs/cut_mesh.h"\n')
-        self.expect_violation("database/people.cpp:1", "database may not include ui/jobs", "arrow_check.py")
+        self.plant("database/people/people.cpp", '#include "ui/jobs/cut_mesh.h"\n')
+        self.expect_violation("database/people/people.cpp:1", "database/people may not include ui/jobs", "arrow_check.py")
 
     def test_refuses_a_path_that_does_not_begin_at_the_root(self):
         self.plant("simulator/mesh/bvh.h", "")
@@ -46,26 +46,26 @@ class ArrowCheck(PlantedTree):
         self.expect_violation("ui/app/main.cpp:1", "does not name", "arrow_check.py")
 
     def test_lets_doors_be_used_by_whom_they_are_for(self):
-        self.plant("database/session.h", "Session sign_in(Database& database);\n")
+        self.plant("database/desks/session.h", "Session sign_in(Database& database);\n")
         self.plant("database/records/note.h", "")
-        self.plant("ui/jobs/come_in.cpp", '#include "database/session.h"\n#include "database/records/note.h"\n'
+        self.plant("ui/jobs/come_in.cpp", '#include "database/desks/session.h"\n#include "database/records/note.h"\n'
                    "void come(Database& database) { database::sign_in(database); desk.load_note(database); }\n")
         self.expect_clean("arrow_check.py")
 
     def test_refuses_a_header_behind_a_desk(self):
-        self.plant("database/notes.h", "")
-        self.plant("ui/jobs/read.cpp", '#include "database/notes.h"\n')
+        self.plant("database/course/notes.h", "")
+        self.plant("ui/jobs/read.cpp", '#include "database/course/notes.h"\n')
         self.expect_violation("ui/jobs/read.cpp:1", "behind a desk", "arrow_check.py")
 
     def test_refuses_a_function_behind_a_desk_that_another_header_brings_along(self):
-        self.plant("database/notes.h", "std::vector<Note> list_notes(Database& database,\n    AttemptId id);\n")
+        self.plant("database/course/notes.h", "std::vector<Note> list_notes(Database& database,\n    AttemptId id);\n")
         for call in ("database::list_notes(opened, id)", "list_notes(database, id)", "list_notes(*database_, id)"):
             self.plant("ui/jobs/read.cpp", f"auto read() {{ return {call}; }}\n")
-            self.expect_violation("ui/jobs/read.cpp:1", "list_notes() of database/notes.h", "arrow_check.py")
+            self.expect_violation("ui/jobs/read.cpp:1", "list_notes() of database/course/notes.h", "arrow_check.py")
 
     def test_refuses_a_door_that_is_for_another_file(self):
-        self.plant("database/verify.h", "void verify(Database& database);\n")
-        self.plant("ui/jobs/read.cpp", '#include "database/verify.h"\n')
+        self.plant("database/maintenance/verify.h", "void verify(Database& database);\n")
+        self.plant("ui/jobs/read.cpp", '#include "database/maintenance/verify.h"\n')
         self.expect_violation("ui/jobs/read.cpp:1", "behind a desk", "arrow_check.py")
 
     def test_refuses_a_cycle_in_the_table(self):

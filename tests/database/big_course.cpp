@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "database/card_json.h"
-#include "database/session.h"
-#include "database/standings.h"
+#include "database/course/score_json.h"
+#include "database/course/standings.h"
+#include "database/desks/session.h"
 #include "simulator/base/random.h"
 
 namespace hallux::database {

@@ -11,8 +11,9 @@
 #include <iostream>
 #include <thread>
 
-#include "database/audit.h"
-#include "database/sql.h"
+#include "database/audit/audit.h"
+#include "database/course/begin_attempt.h"
+#include "database/store/sql.h"
 #include "tests/database/killed_child.h"
 #include "tests/database/some_database.h"
 

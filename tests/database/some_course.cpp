@@ -1,6 +1,7 @@
 #include "tests/database/some_course.h"
 
-#include "database/audit.h"
+#include "database/audit/audit.h"
+#include "database/course/begin_attempt.h"
 
 namespace hallux::database {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "database/session.h"
+#include "database/desks/session.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {

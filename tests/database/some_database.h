@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <string>
 
-#include "database/attempts.h"
-#include "database/connection.h"
-#include "database/passwords.h"
-#include "database/recorder.h"
+#include "database/people/passwords.h"
+#include "database/recording/attempts.h"
+#include "database/recording/recorder.h"
+#include "database/store/connection.h"
 #include "simulator/record/channels.h"
 
 namespace hallux::database {

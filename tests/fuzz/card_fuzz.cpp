@@ -1,6 +1,6 @@
 /// Feeds any bytes to the reader of score cards: it must throw DatabaseError, or give a card that is written and read again.
-#include "database/card_json.h"
-#include "database/database_error.h"
+#include "database/course/score_json.h"
+#include "database/store/database_error.h"
 #include "simulator/base/check.h"
 #include "tests/fuzz/text_fuzz.h"
 

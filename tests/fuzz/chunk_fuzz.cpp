@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "database/chunk_codec.h"
-#include "database/column_coding.h"
+#include "database/recording/chunk_codec.h"
+#include "database/recording/column_coding.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto input = std::as_bytes(std::span{bytes, size});

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "database/columns.h"
+#include "database/recording/columns.h"
 #include "simulator/base/check.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/administrator_desk.h"
+#include "database/desks/administrator_desk.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {

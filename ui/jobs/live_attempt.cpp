@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "database/log_size.h"
+#include "database/store/log_size.h"
 
 namespace hallux::ui {
 

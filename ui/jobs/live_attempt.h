@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "database/trainee_desk.h"
+#include "database/desks/trainee_desk.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "database/certificate_json.h"
+#include "database/recording/certificate_json.h"
 #include "simulator/device/force_output.h"
 
 namespace hallux::ui {

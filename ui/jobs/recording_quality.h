@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "database/recorder.h"
+#include "database/recording/recorder.h"
 #include "database/records/certificate.h"
 #include "simulator/loop/attempt_loop.h"
 

@@ -110,9 +110,7 @@ Piece* shell_around(std::vector<Piece>& outward, const Piece& inward) {
 }
 
 void add_shell(Piece& piece, const Piece& shell) {
-  append_mesh(piece.solid.mesh, shell.solid.mesh);
-  piece.solid.origins.insert(piece.solid.origins.end(), shell.solid.origins.begin(),
-                             shell.solid.origins.end());
+  append_solid(piece.solid, shell.solid);
   piece.triangles.insert(piece.triangles.end(), shell.triangles.begin(), shell.triangles.end());
 }
 
@@ -123,6 +121,11 @@ CutSolid uncut_solid(IndexedMesh mesh) {
   solid.origins.resize(mesh.triangles.size());
   solid.mesh = std::move(mesh);
   return solid;
+}
+
+void append_solid(CutSolid& solid, const CutSolid& added) {
+  append_mesh(solid.mesh, added.mesh);
+  solid.origins.insert(solid.origins.end(), added.origins.begin(), added.origins.end());
 }
 
 std::vector<SolidPiece> find_pieces(const CutSolid& solid) {

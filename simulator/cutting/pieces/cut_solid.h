@@ -25,6 +25,9 @@ struct CutSolid {
 /// The solid of a bone that was never cut.
 CutSolid uncut_solid(IndexedMesh mesh);
 
+/// Appends the faces of `added` with their origins.
+void append_solid(CutSolid& solid, const CutSolid& added);
+
 /// The pieces of a solid, largest first; an inward-facing shell goes with the piece around it.
 /// source  volumes of equal size are ordered by their lowest point index, so the order is the same everywhere
 std::vector<CutSolid> split_pieces(const CutSolid& solid);

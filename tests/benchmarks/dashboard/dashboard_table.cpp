@@ -6,7 +6,7 @@
 #include <functional>
 #include <iostream>
 
-#include "database/session.h"
+#include "database/desks/session.h"
 #include "simulator/base/random.h"
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"

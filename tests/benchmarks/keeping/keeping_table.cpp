@@ -4,11 +4,11 @@
 #include <exception>
 #include <iostream>
 
-#include "database/backup.h"
-#include "database/erasures.h"
-#include "database/people.h"
-#include "database/restore.h"
-#include "database/retention.h"
+#include "database/maintenance/backup.h"
+#include "database/maintenance/erasures.h"
+#include "database/maintenance/restore.h"
+#include "database/maintenance/retention.h"
+#include "database/people/people.h"
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/database/some_database.h"

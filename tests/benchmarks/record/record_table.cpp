@@ -6,9 +6,10 @@
 #include <iostream>
 #include <thread>
 
-#include "database/recordings.h"
-#include "database/report_connection.h"
-#include "database/window_writer.h"
+#include "database/course/begin_attempt.h"
+#include "database/recording/recordings.h"
+#include "database/recording/window_writer.h"
+#include "database/reports/report_connection.h"
 #include "simulator/base/random.h"
 #include "tests/benchmarks/record/rows_store.h"
 #include "tests/benchmarks/report/spread.h"

@@ -1,7 +1,7 @@
 /// A course in which the shipped Akin is published beside a text that this program cannot read, and scored attempts at it.
 #pragma once
 
-#include "database/assets.h"
+#include "database/store/assets.h"
 #include "scenarios/scenario.h"
 #include "tests/database/some_course.h"
 

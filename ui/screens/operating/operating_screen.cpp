@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "database/assets.h"
+#include "database/store/assets.h"
 #include "scenarios/planned_guide.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/operation_work.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/menu.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

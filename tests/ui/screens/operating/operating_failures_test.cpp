@@ -4,8 +4,8 @@
 
 #include <ostream>
 
-#include "database/recordings.h"
-#include "database/verify.h"
+#include "database/maintenance/verify.h"
+#include "database/recording/recordings.h"
 #include "tests/support/faulty_vfs.h"
 #include "tests/ui/screens/operating/full_memory.h"
 #include "tests/ui/screens/operating/some_operation.h"

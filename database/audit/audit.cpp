@@ -1,0 +1,162 @@
+#include "database/audit/audit.h"
+
+#include <sodium.h>
+
+#include <array>
+
+#include "database/store/sql.h"
+#include "simulator/base/check.h"
+
+namespace hallux::database {
+
+namespace {
+
+using Salt = std::array<std::byte, 16>;
+constexpr std::int64_t rows_at_once = 1000;
+
+Digest salted_digest(std::span<const std::byte> salt, std::string_view text) {
+  Digester digester;
+  digester.add_bytes(salt);
+  digester.add_text(text);
+  return digester.finish();
+}
+
+Digest audit_link(const Digest& before, const AuditRow& row) {
+  Digester digester;
+  digester.add_digest(before);
+  digester.add_int(row.number);
+  digester.add_text(row.at_utc);
+  digester.add_int(row.entry.actor ? row.entry.actor->number : 0);
+  digester.add_text(row.entry.action);
+  digester.add_text(row.entry.subject_kind);
+  digester.add_text(row.entry.subject_id);
+  digester.add_text(row.entry.was_refused ? "refused" : "done");
+  digester.add_digest(row.entry.detail.value_or(Digest{}));
+  return digester.finish();
+}
+
+void store_text(Database& database, std::int64_t number, const Salt& salt,
+                const std::string& text) {
+  SQLite::Statement insert{database.connection(),
+                           "INSERT INTO audit_text (audit_id, salt, text) VALUES (?, ?, ?)"};
+  insert.bind(1, number);
+  insert.bindNoCopy(2, salt.data(), static_cast<int>(salt.size()));
+  insert.bind(3, text);
+  insert.exec();
+}
+
+void store_row(Database& database, const AuditRow& row, const Digest& link) {
+  SQLite::Statement insert{
+      database.connection(),
+      "INSERT INTO audit (audit_id, at_utc, actor_person_id, action, subject_kind, subject_id, "
+      "outcome, detail_digest, link) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  insert.bind(1, row.number);
+  insert.bind(2, row.at_utc);
+  if (row.entry.actor) insert.bind(3, row.entry.actor->number);
+  insert.bind(4, row.entry.action);
+  insert.bind(5, row.entry.subject_kind);
+  insert.bind(6, row.entry.subject_id);
+  insert.bind(7, row.entry.was_refused ? "refused" : "done");
+  if (row.entry.detail) bind_digest(insert, 8, *row.entry.detail);
+  bind_digest(insert, 9, link);
+  insert.exec();
+}
+
+/// needs   a transaction that began IMMEDIATE: two writers must not take the same number
+void append_in_transaction(Database& database, AuditEntry entry) {
+  Digest before;
+  std::int64_t last_number = 0;
+  {
+    SQLite::Statement last{database.connection(),
+                           "SELECT audit_id, link FROM audit ORDER BY audit_id DESC LIMIT 1"};
+    if (last.executeStep()) {
+      last_number = last.getColumn(0).getInt64();
+      before = digest_in(last.getColumn(1)).value_or(Digest{});
+    }
+  }
+  CHECK(entry.text.empty() || !entry.detail);
+  Salt salt{};
+  if (!entry.text.empty()) {
+    randombytes_buf(salt.data(), salt.size());
+    entry.detail = salted_digest(salt, entry.text);
+  }
+  const AuditRow row{last_number + 1, utc_now(database), std::move(entry)};
+  store_row(database, row, audit_link(before, row));
+  if (!row.entry.text.empty()) store_text(database, row.number, salt, row.entry.text);
+}
+
+AuditRow row_in(SQLite::Statement& rows) {
+  AuditRow row;
+  row.number = rows.getColumn(0).getInt64();
+  row.at_utc = rows.getColumn(1).getString();
+  if (!rows.getColumn(2).isNull()) row.entry.actor = PersonId{rows.getColumn(2).getInt64()};
+  row.entry.action = rows.getColumn(3).getString();
+  row.entry.subject_kind = rows.getColumn(4).getString();
+  row.entry.subject_id = rows.getColumn(5).getString();
+  row.entry.was_refused = rows.getColumn(6).getString() == "refused";
+  row.entry.detail = digest_in(rows.getColumn(7));
+  row.entry.text = rows.getColumn(9).getString();
+  return row;
+}
+
+/// A text that was not erased is the one that the row's digest is of.
+bool has_own_text(SQLite::Statement& rows, const AuditRow& row) {
+  if (rows.getColumn(9).isNull()) return true;
+  const SQLite::Column salt = rows.getColumn(10);
+  const auto* bytes = static_cast<const std::byte*>(salt.getBlob());
+  return salted_digest({bytes, static_cast<std::size_t>(salt.getBytes())}, row.entry.text) ==
+         row.entry.detail;
+}
+
+/// Some rows after number `last`, the link of which is `link`; that becomes the link of the last of them.
+std::vector<AuditRow> rows_after(Database& database, std::int64_t last, Digest& link) {
+  return translating(database, "read the audit", [&] {
+    SQLite::Statement rows{
+        database.connection(),
+        "SELECT a.audit_id, a.at_utc, a.actor_person_id, a.action, a.subject_kind, a.subject_id, "
+        "a.outcome, a.detail_digest, a.link, t.text, t.salt FROM audit a "
+        "LEFT JOIN audit_text t ON t.audit_id = a.audit_id WHERE a.audit_id > ? "
+        "ORDER BY a.audit_id LIMIT ?"};
+    rows.bind(1, last);
+    rows.bind(2, rows_at_once);
+    std::vector<AuditRow> some;
+    while (rows.executeStep()) {
+      AuditRow row = row_in(rows);
+      link = audit_link(link, row);
+      if (row.number != ++last || !has_own_text(rows, row) ||
+          link != digest_in(rows.getColumn(8))) {
+        throw DatabaseError{DatabaseErrorKind::Damaged,
+                            "row " + std::to_string(row.number) + " of the audit in " +
+                                database.file().string() +
+                                " was altered, or one before it was taken away"};
+      }
+      some.push_back(std::move(row));
+    }
+    return some;
+  });
+}
+
+}  // namespace
+
+void append_audit(Database& database, const AuditEntry& entry) {
+  in_transaction_of_caller(database, "add to the audit",
+                           [&] { append_in_transaction(database, entry); });
+}
+
+void walk_audit(Database& database, const std::function<void(const AuditRow&)>& visit) {
+  Digest link;
+  std::int64_t last = 0;
+  for (auto some = rows_after(database, last, link); !some.empty();
+       some = rows_after(database, last, link)) {
+    for (const AuditRow& row : some) visit(row);
+    last = some.back().number;
+  }
+}
+
+std::vector<AuditRow> read_audit(Database& database) {
+  std::vector<AuditRow> audit;
+  walk_audit(database, [&audit](const AuditRow& row) { audit.push_back(row); });
+  return audit;
+}
+
+}  // namespace hallux::database

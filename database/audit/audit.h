@@ -1,0 +1,53 @@
+/// The audit: what was done by whom to what, only ever added to, each row chained to the one before.
+///
+/// A row holds numbers, uuids and digests. Names and free text stand in audit_text with a salt, can be erased there, and
+/// are bound to the chain by their salted digest. What it can show: that a row was altered or one in the middle taken
+/// away. What it cannot: that the last rows were cut off, or that the whole file was written anew, by someone who owns
+/// the operating-system account.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/records/audit_line.h"
+#include "database/records/ids.h"
+#include "database/store/connection.h"
+#include "simulator/base/digest.h"
+
+namespace hallux::database {
+
+struct AuditEntry {
+  std::optional<PersonId> actor;         ///< nothing: nobody signed in
+  std::string action;                    ///< "signed_in", "attempt_sealed"
+  std::string subject_kind, subject_id;  ///< "attempt" and its uuid, "person" and its number
+  bool was_refused = false;
+  std::optional<Digest> detail;  ///< of what was sealed or stored; not together with `text`
+  std::string text;              ///< names and free text: kept where it can be erased
+};
+
+struct AuditRow {
+  std::int64_t number = 0;
+  std::string at_utc;
+  AuditEntry entry;
+};
+
+/// Appends inside the caller's transaction, or in one of its own where there is none.
+/// errors  DatabaseError
+void append_audit(Database& database, const AuditEntry& entry);
+
+/// Shows each row to `visit`, oldest first, a thousand in one reading.
+/// errors  DatabaseError Damaged naming the first row whose link does not fit; what `visit` throws
+void walk_audit(Database& database, const std::function<void(const AuditRow&)>& visit);
+
+/// All rows, oldest first.
+/// errors  DatabaseError Damaged naming the first row whose link does not fit
+std::vector<AuditRow> read_audit(Database& database);
+
+/// Newest first, with names where they can still be named. The chain is not checked: that is verify's.
+/// errors  DatabaseError
+AuditPage read_audit_page(Database& database, const AuditRequest& request);
+
+}  // namespace hallux::database

@@ -1,0 +1,194 @@
+#include "database/course/decisions.h"
+
+#include "database/recording/attempts.h"
+#include "database/store/free_text.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr std::int64_t score_milli_max = 100'000;
+
+/// The numbers of a decision as its audit row names them.
+constexpr const char* numbers_of_decision =
+    "r.decision_id || '/' || a.uuid || '/' || coalesce(r.score_id, 0) || '/' || "
+    "coalesce(r.score_milli, -1)";
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw DatabaseError{DatabaseErrorKind::BadInput, sentence};
+}
+
+[[noreturn]] void fail_altered(const Database& database, const std::string& row) {
+  throw DatabaseError{DatabaseErrorKind::Damaged,
+                      row + " in " + database.file().string() + " was altered; restore a backup"};
+}
+
+void check_decidable(const AttemptHeader& header, const NewDecision& decision) {
+  check_free_text("the reason", decision.reason);
+  if (header.state == AttemptState::Recording) {
+    refuse("attempt " + header.id.text + " is still being recorded; decide when it has ended");
+  }
+  if (decision.kind == DecisionKind::Voided) return;
+  if (!header.seal || !header.score_milli) {
+    refuse("attempt " + header.id.text +
+           " was interrupted or has no score; it can only be voided, or scored first");
+  }
+  if (decision.kind == DecisionKind::Overridden &&
+      (decision.score_milli < 0 || decision.score_milli > score_milli_max)) {
+    refuse("a score lies between 0 and 100; choose one in between");
+  }
+}
+
+/// Takes the decision in force out of force by naming itself; at most one row may be in force at a time.
+std::optional<std::int64_t> retire_decision_in_force(Database& database, const AttemptId& attempt) {
+  SQLite::Statement row{database.connection(),
+                        "SELECT decision_id FROM decision JOIN attempt USING (attempt_id) "
+                        "WHERE uuid = ? AND superseded_by IS NULL"};
+  row.bind(1, attempt.text);
+  if (!row.executeStep()) return std::nullopt;
+  const std::int64_t number = row.getColumn(0).getInt64();
+  SQLite::Statement update{database.connection(),
+                           "UPDATE decision SET superseded_by = decision_id WHERE decision_id = ?"};
+  update.bind(1, number);
+  update.exec();
+  return number;
+}
+
+void name_successor(Database& database, std::int64_t retired, DecisionId successor) {
+  SQLite::Statement update{database.connection(),
+                           "UPDATE decision SET superseded_by = ? WHERE decision_id = ?"};
+  update.bind(1, successor.number);
+  update.bind(2, retired);
+  update.exec();
+}
+
+DecisionId insert_decision(Database& database, const AttemptHeader& header,
+                           const NewDecision& decision, PersonId by) {
+  SQLite::Statement insert{
+      database.connection(),
+      "INSERT INTO decision (attempt_id, kind, score_id, score_milli, reason, "
+      "decided_by_person_id, decided_utc) SELECT a.attempt_id, ?, s.score_id, ?, ?, ?, ? "
+      "FROM attempt a LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
+      "WHERE a.uuid = ?"};
+  bind_text(insert, 1, name_of(decision.kind));
+  if (decision.kind == DecisionKind::Confirmed) insert.bind(2, *header.score_milli);
+  if (decision.kind == DecisionKind::Overridden) insert.bind(2, decision.score_milli);
+  insert.bind(3, decision.reason);
+  insert.bind(4, by.number);
+  insert.bind(5, utc_now(database));
+  insert.bind(6, header.id.text);
+  insert.exec();
+  return {database.connection().getLastInsertRowid()};
+}
+
+void set_state(Database& database, const AttemptHeader& header, DecisionKind kind) {
+  const AttemptState unvoided = header.seal ? AttemptState::Closed : AttemptState::Interrupted;
+  SQLite::Statement update{database.connection(), "UPDATE attempt SET state = ? WHERE uuid = ?"};
+  bind_text(update, 1, name_of(kind == DecisionKind::Voided ? AttemptState::Void : unvoided));
+  update.bind(2, header.id.text);
+  update.exec();
+}
+
+std::string audit_subject(Database& database, DecisionId id) {
+  SQLite::Statement row{database.connection(),
+                        std::string{"SELECT "} + numbers_of_decision +
+                            " FROM decision r JOIN attempt a USING (attempt_id) "
+                            "WHERE r.decision_id = ?"};
+  row.bind(1, id.number);
+  row.executeStep();
+  return row.getColumn(0).getString();
+}
+
+}  // namespace
+
+DecisionId decide(Database& database, const NewDecision& decision, PersonId by) {
+  return in_transaction_of_caller(database, "decide about a result", [&] {
+    const AttemptHeader header = load_header(database, decision.attempt);
+    check_decidable(header, decision);
+    const auto retired = retire_decision_in_force(database, header.id);
+    const DecisionId id = insert_decision(database, header, decision, by);
+    if (retired) name_successor(database, *retired, id);
+    set_state(database, header, decision.kind);
+    append_audit(database, {by,
+                            "result_" + std::string{name_of(decision.kind)},
+                            "decision",
+                            audit_subject(database, id),
+                            false,
+                            {},
+                            decision.reason});
+    return id;
+  });
+}
+
+std::vector<Decision> load_decisions(Database& database, const AttemptId& attempt) {
+  return translating(database, "read the decisions about attempt " + attempt.text, [&] {
+    SQLite::Statement rows{
+        database.connection(),
+        "SELECT r.decision_id, a.uuid, r.kind, r.score_id, r.score_milli, r.reason, "
+        "coalesce(d.display_name, ''), r.decided_utc, r.superseded_by IS NULL FROM decision r "
+        "JOIN attempt a USING (attempt_id) "
+        "LEFT JOIN person_detail d ON d.person_id = r.decided_by_person_id "
+        "WHERE a.uuid = ? ORDER BY r.decision_id DESC"};
+    rows.bind(1, attempt.text);
+    std::vector<Decision> decisions;
+    while (rows.executeStep()) {
+      Decision decision;
+      decision.id = {rows.getColumn(0).getInt64()};
+      decision.attempt = {rows.getColumn(1).getString()};
+      decision.kind =
+          decision_kind_from(rows.getColumn(2).getString()).value_or(DecisionKind::Voided);
+      if (!rows.getColumn(3).isNull()) decision.about = ScoreId{rows.getColumn(3).getInt64()};
+      if (!rows.getColumn(4).isNull()) decision.score_milli = rows.getColumn(4).getInt64();
+      decision.reason = rows.getColumn(5).getString();
+      decision.decided_by = rows.getColumn(6).getString();
+      decision.decided_utc = rows.getColumn(7).getString();
+      decision.is_in_force = rows.getColumn(8).getInt() != 0;
+      decisions.push_back(std::move(decision));
+    }
+    return decisions;
+  });
+}
+
+void check_decision(Database& database, const AuditEntry& entry) {
+  const std::string number = entry.subject_id.substr(0, entry.subject_id.find('/'));
+  SQLite::Statement row{database.connection(),
+                        std::string{"SELECT "} + numbers_of_decision +
+                            ", 'result_' || r.kind, r.reason, r.decided_by_person_id "
+                            "FROM decision r JOIN attempt a USING (attempt_id) "
+                            "WHERE r.decision_id = ?"};
+  row.bind(1, number);
+  const bool is_same = row.executeStep() && row.getColumn(0).getString() == entry.subject_id &&
+                       row.getColumn(1).getString() == entry.action &&
+                       (entry.text.empty() || row.getColumn(2).getString() == entry.text) &&
+                       entry.actor == PersonId{row.getColumn(3).getInt64()};
+  if (!is_same) fail_altered(database, "decision " + number);
+}
+
+void check_decisions_are_whole(Database& database) {
+  translating(database, "check the decisions", [&] {
+    SQLite::Statement rows{
+        database.connection(),
+        "SELECT r.decision_id FROM decision r JOIN attempt a USING (attempt_id) WHERE "
+        "(r.superseded_by IS NULL) <> (r.decision_id = (SELECT max(decision_id) FROM decision o "
+        "WHERE o.attempt_id = r.attempt_id)) "
+        "OR (r.superseded_by IS NULL AND (r.kind = 'voided') <> (a.state = 'void')) LIMIT 1"};
+    if (rows.executeStep()) fail_altered(database, "decision " + rows.getColumn(0).getString());
+    // Each row of the audit is checked against the decision it names; as many of both leave none without.
+    SQLite::Statement counts{
+        database.connection(),
+        "SELECT (SELECT count(*) FROM decision) <> (SELECT count(*) FROM audit "
+        "WHERE subject_kind = 'decision')"};
+    counts.executeStep();
+    if (counts.getColumn(0).getInt() != 0) fail_altered(database, "the list of decisions");
+    SQLite::Statement states{
+        database.connection(),
+        "SELECT uuid FROM attempt a WHERE state = 'void' AND NOT EXISTS "
+        "(SELECT 1 FROM decision r WHERE r.attempt_id = a.attempt_id) LIMIT 1"};
+    if (states.executeStep()) {
+      fail_altered(database, "the state of attempt " + states.getColumn(0).getString());
+    }
+  });
+}
+
+}  // namespace hallux::database

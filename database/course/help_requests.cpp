@@ -1,0 +1,127 @@
+#include "database/course/help_requests.h"
+
+#include "database/course/moment_columns.h"
+#include "database/course/notes.h"
+#include "database/recording/attempts.h"
+#include "database/store/free_text.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr const char* help_columns =
+    "SELECT h.help_request_id, a.uuid, v.name, h.moment_us, h.body, h.x_in_bone_mm, "
+    "h.y_in_bone_mm, h.z_in_bone_mm, h.asker_person_id, coalesce(d.display_name, ''), h.question, "
+    "h.asked_utc, h.answer, coalesce(e.display_name, ''), h.answered_utc "
+    "FROM help_request h JOIN attempt a USING (attempt_id) "
+    "JOIN scenario_version v USING (scenario_version_id) "
+    "LEFT JOIN person_detail d ON d.person_id = h.asker_person_id "
+    "LEFT JOIN person_detail e ON e.person_id = h.answered_by_person_id ";
+
+constexpr const char* listing_order =
+    "ORDER BY h.answered_utc IS NOT NULL, "
+    "CASE WHEN h.answered_utc IS NULL THEN h.help_request_id ELSE -h.help_request_id END ";
+/// After years there are ten thousand answered ones in an inbox; nobody turns so many pages.
+constexpr std::int32_t listed_most = 500;
+
+HelpRequest request_in(SQLite::Statement& row) {
+  HelpRequest request;
+  request.id = {row.getColumn(0).getInt64()};
+  request.attempt = {row.getColumn(1).getString()};
+  request.scenario_name = row.getColumn(2).getString();
+  request.moment = moment_in(row, 3);
+  request.asker = {row.getColumn(8).getInt64()};
+  request.asker_name = row.getColumn(9).getString();
+  request.question = row.getColumn(10).getString();
+  request.asked_utc = row.getColumn(11).getString();
+  if (!row.getColumn(12).isNull()) {
+    request.answer = HelpAnswer{row.getColumn(13).getString(), row.getColumn(12).getString(),
+                                row.getColumn(14).getString()};
+  }
+  return request;
+}
+
+}  // namespace
+
+HelpRequestId add_help_request(Database& database, const NewHelpRequest& request, PersonId asker) {
+  check_free_text("the question", request.question);
+  const AttemptHeader header = load_header(database, request.attempt);
+  check_moment(request.moment, header.duration_ticks);
+  return in_transaction_of_caller(database, "ask for help", [&] {
+    SQLite::Statement insert{
+        database.connection(),
+        "INSERT INTO help_request (attempt_id, asker_person_id, question, asked_utc, moment_us, "
+        "body, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm) "
+        "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
+    insert.bind(1, asker.number);
+    insert.bind(2, request.question);
+    insert.bind(3, utc_now(database));
+    bind_moment(insert, 4, request.moment);
+    insert.bind(9, header.id.text);
+    insert.exec();
+    return HelpRequestId{database.connection().getLastInsertRowid()};
+  });
+}
+
+std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter& filter) {
+  return translating(database, "list the help requests", [&] {
+    SQLite::Statement rows{
+        database.connection(),
+        std::string{help_columns} +
+            "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
+            "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
+            "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
+            "WHERE cohort_id = ?2 AND role = 'trainee')) "
+            "AND (h.answered_utc IS NULL OR NOT ?3) " +
+            listing_order + "LIMIT ?4) " + listing_order};
+    if (filter.asker) rows.bind(1, filter.asker->number);
+    if (filter.cohort) rows.bind(2, filter.cohort->number);
+    rows.bind(3, filter.open_only ? 1 : 0);
+    rows.bind(4, listed_most);
+    std::vector<HelpRequest> requests;
+    while (rows.executeStep()) requests.push_back(request_in(rows));
+    return requests;
+  });
+}
+
+std::optional<HelpRequest> find_help_request(Database& database, HelpRequestId id) {
+  return translating(database, "read a help request", [&]() -> std::optional<HelpRequest> {
+    SQLite::Statement row{database.connection(),
+                          std::string{help_columns} + "WHERE h.help_request_id = ?"};
+    row.bind(1, id.number);
+    if (!row.executeStep()) return std::nullopt;
+    return request_in(row);
+  });
+}
+
+HelpRequest load_help_request(Database& database, HelpRequestId id) {
+  if (std::optional<HelpRequest> request = find_help_request(database, id)) {
+    return *std::move(request);
+  }
+  throw DatabaseError{
+      DatabaseErrorKind::NotFound,
+      "there is no help request " + std::to_string(id.number) + " in " + database.file().string()};
+}
+
+void answer_help_request(Database& database, HelpRequestId id, const std::string& answer,
+                         PersonId by) {
+  check_free_text("the answer", answer);
+  in_transaction_of_caller(database, "answer a help request", [&] {
+    load_help_request(database, id);
+    SQLite::Statement update{
+        database.connection(),
+        "UPDATE help_request SET answer = ?, answered_by_person_id = ?, answered_utc = ? "
+        "WHERE help_request_id = ? AND answered_utc IS NULL"};
+    update.bind(1, answer);
+    update.bind(2, by.number);
+    update.bind(3, utc_now(database));
+    update.bind(4, id.number);
+    if (update.exec() == 1) return;
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        "help request " + std::to_string(id.number) +
+                            " was answered already; add a note to the attempt instead"};
+  });
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,114 @@
+#include "database/course/scores.h"
+
+#include "database/audit/audit.h"
+#include "database/course/score_json.h"
+#include "database/recording/attempts.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+/// Kept beside the card, so that whether a result passes is known without reading it.
+void bind_pass_facts(SQLite::Statement& insert, int first, const PassFacts& facts) {
+  insert.bind(first, facts.rubric_milli);
+  insert.bind(first + 1, facts.is_gated ? 1 : 0);
+  insert.bind(first + 2, facts.safety_measured_milli);
+  insert.bind(first + 3, facts.safety_earned_milli);
+}
+
+std::int64_t insert_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                          const std::string& json) {
+  SQLite::Statement insert{
+      database.connection(),
+      "INSERT INTO score (attempt_id, scenario_version, rubric_version, engine_version, "
+      "score_milli, measured_weight_milli, card_json, stored_utc, rubric_milli, is_gated, "
+      "safety_measured_milli, safety_earned_milli) "
+      "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
+  insert.bind(1, card.scenario_version);
+  insert.bind(2, card.rubric_version);
+  insert.bind(3, card.engine);
+  insert.bind(4, card.score_milli);
+  insert.bind(5, card.measured_milli);
+  insert.bind(6, json);
+  insert.bind(7, utc_now(database));
+  bind_pass_facts(insert, 8, pass_facts_of(card));
+  insert.bind(12, attempt.text);
+  insert.exec();
+  return database.connection().getLastInsertRowid();
+}
+
+/// Takes the score in force out of force by naming itself; at most one row may be in force at a time.
+std::optional<std::int64_t> retire_score_in_force(Database& database, const AttemptId& attempt) {
+  SQLite::Statement row{database.connection(),
+                        "SELECT score_id FROM score JOIN attempt USING (attempt_id) "
+                        "WHERE uuid = ? AND superseded_by IS NULL"};
+  row.bind(1, attempt.text);
+  if (!row.executeStep()) return std::nullopt;
+  const std::int64_t number = row.getColumn(0).getInt64();
+  SQLite::Statement update{database.connection(),
+                           "UPDATE score SET superseded_by = score_id WHERE score_id = ?"};
+  update.bind(1, number);
+  update.exec();
+  return number;
+}
+
+void name_successor(Database& database, std::int64_t retired, std::int64_t successor) {
+  SQLite::Statement update{database.connection(),
+                           "UPDATE score SET superseded_by = ? WHERE score_id = ?"};
+  update.bind(1, successor);
+  update.bind(2, retired);
+  update.exec();
+}
+
+}  // namespace
+
+Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept {
+  Digester digester;
+  digester.add_text(card_json);
+  digester.add_text(attempt.text);
+  return digester.finish();
+}
+
+ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                    std::optional<PersonId> actor) {
+  const AttemptHeader header = load_header(database, attempt);
+  const std::string json = json_from_card(card);
+  return in_transaction_of_caller(database, "store the score of attempt " + header.id.text, [&] {
+    const std::optional<StoredScore> in_force = load_score(database, header.id);
+    if (in_force && json_from_card(in_force->card) == json) return in_force->id;
+    const auto retired = retire_score_in_force(database, header.id);
+    const std::int64_t number = insert_score(database, header.id, card, json);
+    if (retired) name_successor(database, *retired, number);
+    append_audit(database, {actor, "score_stored", "score", std::to_string(number), false,
+                            score_digest(json, header.id), ""});
+    return ScoreId{number};
+  });
+}
+
+std::vector<StoredScore> load_scores(Database& database, const AttemptId& attempt) {
+  const AttemptHeader header = load_header(database, attempt);
+  return translating(database, "read the scores of attempt " + header.id.text, [&] {
+    SQLite::Statement rows{database.connection(),
+                           "SELECT score_id, stored_utc, superseded_by IS NULL, card_json FROM "
+                           "score JOIN attempt USING (attempt_id) WHERE uuid = ? "
+                           "ORDER BY score_id DESC"};
+    rows.bind(1, header.id.text);
+    std::vector<StoredScore> scores;
+    while (rows.executeStep()) {
+      scores.push_back({ScoreId{rows.getColumn(0).getInt64()}, rows.getColumn(1).getString(),
+                        rows.getColumn(2).getInt() != 0,
+                        card_from_json(rows.getColumn(3).getString())});
+    }
+    return scores;
+  });
+}
+
+std::optional<StoredScore> load_score(Database& database, const AttemptId& attempt) {
+  for (StoredScore& score : load_scores(database, attempt)) {
+    if (score.is_in_force) return std::move(score);
+  }
+  return std::nullopt;
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,38 @@
+/// Scores: a cache with versions. A new one supersedes the one in force; none is overwritten or deleted.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "database/records/ids.h"
+#include "database/records/score.h"
+#include "database/store/connection.h"
+#include "simulator/base/digest.h"
+
+namespace hallux::database {
+
+struct StoredScore {
+  ScoreId id;
+  std::string stored_utc;
+  bool is_in_force = false;
+  ScoreCard card;
+};
+
+/// Stores the card as the score in force, with an audit row that holds its digest and `actor` (nobody: the house). The
+/// same card again stores nothing.
+/// errors  DatabaseError: NotFound; storage failures
+ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                    std::optional<PersonId> actor = std::nullopt);
+
+/// What the audit keeps of a stored score: its card, and whose it is.
+Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept;
+
+/// The score in force; nothing where the attempt was not scored yet.
+/// errors  DatabaseError
+std::optional<StoredScore> load_score(Database& database, const AttemptId& attempt);
+
+/// All scores of an attempt, newest first.
+std::vector<StoredScore> load_scores(Database& database, const AttemptId& attempt);
+
+}  // namespace hallux::database

@@ -1,0 +1,42 @@
+/// Which backups are kept when new ones come, and taking them with what follows: audit, notices, letting go of old ones.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "database/maintenance/backup.h"
+#include "database/records/ids.h"
+
+namespace hallux::database {
+
+/// The newest ones, and the newest of each of so many days, weeks (from Monday) and months that have one.
+struct RotationRule {
+  int newest = 10, days = 7, weeks = 4, months = 12;
+};
+
+inline constexpr int rotation_most = 1000;
+
+/// What the administrator set, else as above.
+RotationRule load_rotation(Database& database);
+/// errors  DatabaseError BadInput outside 1 (the newest) or 0 (the others) to 1000
+void store_rotation(Database& database, const RotationRule& rule);
+
+/// One answer for each of these moments, which are newest first; the newest is always kept.
+std::vector<bool> kept_by(const RotationRule& rule, std::span<const std::string> made_utc);
+
+/// Removes the backups of this directory that the rule does not keep, each by its manifest first, and last the recordings
+/// that no manifest names. Killed in the middle it leaves whole backups; the next time goes on. Returns what went.
+/// errors  DatabaseError: Locked; storage failures
+std::vector<std::filesystem::path> rotate_backups(Database& database,
+                                                  const std::filesystem::path& folder,
+                                                  const RotationRule& rule);
+
+/// Backs up, writes the audit and rotates. Where there is no room for it, the administrators are told.
+/// errors  as back_up
+Backup keep_backup(Database& database, const std::filesystem::path& folder,
+                   std::optional<PersonId> actor, const BackupOptions& options = {});
+
+}  // namespace hallux::database

@@ -1,0 +1,221 @@
+#include "database/maintenance/recording_file.h"
+
+#include <array>
+#include <string_view>
+
+#include "database/store/durable_file.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view file_magic = "HALLUXR1";
+constexpr std::size_t uuid_bytes = 36, digest_bytes = 32;
+/// Twelve hours of a hand are 500 MB.
+constexpr std::int64_t file_bytes_max = std::int64_t{1} << 30U;
+
+struct KeptChunk {
+  std::int64_t seq = 0, stream = 0, first_tick = 0, row_count = 0;
+  std::span<const std::byte> bytes, link;
+};
+
+void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
+  file.insert(file.end(), bytes.begin(), bytes.end());
+}
+
+void append_text(std::vector<std::byte>& file, std::string_view text) {
+  append(file, std::as_bytes(std::span{text.data(), text.size()}));
+}
+
+void append_int(std::vector<std::byte>& file, std::int64_t value) {
+  for (unsigned shift = 0; shift < 64; shift += 8) {
+    file.push_back(static_cast<std::byte>((static_cast<std::uint64_t>(value) >> shift) & 0xFFU));
+  }
+}
+
+std::span<const std::byte> blob_in(const SQLite::Column& column) {
+  return {static_cast<const std::byte*>(column.getBlob()),
+          static_cast<std::size_t>(column.getBytes())};
+}
+
+std::vector<std::byte> content_from(Database& database, const AttemptId& attempt) {
+  return translating(database, "read the recording of attempt " + attempt.text, [&] {
+    SQLite::Statement rows{
+        database.connection(),
+        "SELECT c.seq, c.stream, c.first_tick, c.row_count, c.bytes, c.link FROM chunk c "
+        "JOIN attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream"};
+    rows.bind(1, attempt.text);
+    std::vector<std::byte> chunks;
+    std::int64_t count = 0;
+    for (; rows.executeStep(); ++count) {
+      for (int column = 0; column < 4; ++column) append_int(chunks, rows.getColumn(column));
+      const std::span<const std::byte> bytes = blob_in(rows.getColumn(4));
+      append_int(chunks, static_cast<std::int64_t>(bytes.size()));
+      append(chunks, bytes);
+      append(chunks, blob_in(rows.getColumn(5)));
+    }
+    std::vector<std::byte> file;
+    append_text(file, file_magic);
+    append_text(file, attempt.text);
+    append_int(file, count);
+    append(file, chunks);
+    return file;
+  });
+}
+
+[[noreturn]] void fail_damaged(const fs::path& file, const char* reason) {
+  throw DatabaseError{DatabaseErrorKind::Damaged, file.string() + " was altered or damaged: " +
+                                                      reason + "; take an older backup"};
+}
+
+/// Never beyond the end, whatever the file claims.
+class Reader {
+ public:
+  Reader(std::span<const std::byte> rest, const fs::path& file) : rest_(rest), file_(file) {}
+
+  std::span<const std::byte> take(std::size_t bytes) {
+    if (bytes > rest_.size()) fail_damaged(file_, "it ends too early");
+    const auto taken = rest_.first(bytes);
+    rest_ = rest_.subspan(bytes);
+    return taken;
+  }
+
+  std::int64_t take_int() {
+    std::uint64_t value = 0;
+    unsigned shift = 0;
+    for (const std::byte byte : take(8)) {
+      value |= std::to_integer<std::uint64_t>(byte) << shift;
+      shift += 8;
+    }
+    return static_cast<std::int64_t>(value);
+  }
+
+  bool takes(std::string_view text) {
+    const auto bytes = take(text.size());
+    return std::equal(bytes.begin(), bytes.end(), text.begin(),
+                      [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
+  }
+
+  KeptChunk take_chunk() {
+    KeptChunk chunk;
+    chunk.seq = take_int();
+    chunk.stream = take_int();
+    chunk.first_tick = take_int();
+    chunk.row_count = take_int();
+    const std::int64_t length = take_int();
+    if (length < 0) fail_damaged(file_, "a chunk has a length below zero");
+    chunk.bytes = take(static_cast<std::size_t>(length));
+    chunk.link = take(digest_bytes);
+    return chunk;
+  }
+
+  bool is_at_end() const noexcept { return rest_.empty(); }
+
+ private:
+  std::span<const std::byte> rest_;
+  const fs::path& file_;
+};
+
+Digest digest_from(std::span<const std::byte> bytes) {
+  Digest digest;
+  for (std::size_t i = 0; i < digest.bytes.size(); ++i) {
+    digest.bytes[i] = std::to_integer<std::uint8_t>(bytes[i]);
+  }
+  return digest;
+}
+
+/// What a file that is there says of itself; a backup does not read all of it again.
+KeptRecording found_file(const fs::path& file, const AttemptId& attempt) {
+  DurableFile found = DurableFile::open_to_read(file);
+  std::array<std::byte, file_magic.size() + uuid_bytes> head{};
+  const std::int64_t bytes = found.bytes();
+  Reader reader{{head.data(), found.read(head)}, file};
+  if (bytes < static_cast<std::int64_t>(head.size() + digest_bytes) || !reader.takes(file_magic) ||
+      !reader.takes(attempt.text)) {
+    throw DatabaseError{DatabaseErrorKind::BadInput,
+                        file.string() + " is not the recording of attempt " + attempt.text +
+                            "; move it away, the next backup writes it anew"};
+  }
+  std::array<std::byte, digest_bytes> tail{};
+  found.skip_to(bytes - static_cast<std::int64_t>(digest_bytes));
+  found.read(tail);
+  return {attempt, bytes, digest_from(tail)};
+}
+
+void insert_chunk(Database& database, std::int64_t attempt, const KeptChunk& chunk) {
+  SQLite::Statement insert{database.connection(),
+                           "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
+                           "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)"};
+  insert.bind(1, attempt);
+  insert.bind(2, chunk.seq);
+  insert.bind(3, chunk.stream);
+  insert.bind(4, chunk.first_tick);
+  insert.bind(5, chunk.row_count);
+  insert.bindNoCopy(6, chunk.bytes.data(), static_cast<int>(chunk.bytes.size()));
+  insert.bindNoCopy(7, chunk.link.data(), static_cast<int>(chunk.link.size()));
+  insert.exec();
+}
+
+std::int64_t attempt_without_chunks(Database& database, const AttemptId& attempt,
+                                    const fs::path& file) {
+  SQLite::Statement row{database.connection(),
+                        "SELECT attempt_id, seal IS NOT NULL AND NOT EXISTS (SELECT 1 FROM chunk c "
+                        "WHERE c.attempt_id = a.attempt_id) FROM attempt a WHERE uuid = ?"};
+  row.bind(1, attempt.text);
+  if (!row.executeStep() || row.getColumn(1).getInt() == 0) {
+    fail_damaged(file, "the backup has no closed attempt that lacks it");
+  }
+  return row.getColumn(0).getInt64();
+}
+
+}  // namespace
+
+fs::path recording_file(const fs::path& backups, const AttemptId& attempt) {
+  return backups / "recordings" / (attempt.text + ".recording");
+}
+
+KeptRecording keep_recording(Database& database, const AttemptId& attempt,
+                             const fs::path& backups) {
+  const fs::path file = recording_file(backups, attempt);
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file, error))) return found_file(file, attempt);
+  std::vector<std::byte> content = content_from(database, attempt);
+  const Digest digest = digest_of(content);
+  append(content, std::as_bytes(std::span{digest.bytes}));
+  const fs::path unfinished = file.string() + ".part";
+  {
+    DurableFile written = DurableFile::create(unfinished);
+    written.write(content);
+    written.sync();
+  }
+  put_in_place(unfinished, file);
+  return {attempt, static_cast<std::int64_t>(content.size()), digest};
+}
+
+void put_recording_back(Database& database, const KeptRecording& kept, const fs::path& backups) {
+  const fs::path file = recording_file(backups, kept.attempt);
+  const std::vector<std::byte> content = read_plain_file(file, file_bytes_max);
+  if (static_cast<std::int64_t>(content.size()) != kept.bytes || content.size() < digest_bytes) {
+    fail_damaged(file, "it has another size than the manifest says");
+  }
+  const auto body = std::span{content}.first(content.size() - digest_bytes);
+  const Digest digest = digest_of(body);
+  if (digest != kept.digest || digest != digest_from(std::span{content}.last(digest_bytes))) {
+    fail_damaged(file, "its bytes do not give the digest that the manifest says");
+  }
+  Reader reader{body, file};
+  if (!reader.takes(file_magic) || !reader.takes(kept.attempt.text)) {
+    fail_damaged(file, "it is the recording of another attempt");
+  }
+  const std::int64_t count = reader.take_int();
+  in_transaction(database, "put back the recording of attempt " + kept.attempt.text, [&] {
+    const std::int64_t attempt = attempt_without_chunks(database, kept.attempt, file);
+    for (std::int64_t i = 0; i < count; ++i) insert_chunk(database, attempt, reader.take_chunk());
+    if (!reader.is_at_end()) fail_damaged(file, "it has more bytes than chunks");
+  });
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,42 @@
+/// One closed attempt's recording as a file of a backup: its chunks as they are stored, written once, never altered.
+///
+///     "HALLUXR1"  uuid (36 characters)  number of chunks
+///     for each chunk, in the order of the chain: seq, stream, first_tick, row_count, length, bytes, link (32 bytes)
+///     BLAKE2b-256 of all that stands before (32 bytes)
+///
+/// Integers have 8 bytes, little-endian. Later backups name the same file, so a backup costs what is new.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "database/records/ids.h"
+#include "database/store/connection.h"
+#include "simulator/base/digest.h"
+
+namespace hallux::database {
+
+/// A recording that lies beside a backup.
+struct KeptRecording {
+  AttemptId attempt;
+  std::int64_t bytes = 0;
+  Digest digest;  ///< the last 32 bytes of the file
+
+  friend bool operator==(const KeptRecording&, const KeptRecording&) = default;
+};
+
+std::filesystem::path recording_file(const std::filesystem::path& backups,
+                                     const AttemptId& attempt);
+
+/// Writes the file unless it is there; whole or not at all.
+/// needs   the attempt is sealed, and its chain was checked
+/// errors  DatabaseError: storage failures; BadInput where what is there is no recording of that attempt
+KeptRecording keep_recording(Database& database, const AttemptId& attempt,
+                             const std::filesystem::path& backups);
+
+/// Puts the chunks of the file into the database, which knows the attempt but not its chunks, in one transaction.
+/// errors  DatabaseError: NotFound; Damaged where the file is not what was kept; BadInput for a link
+void put_recording_back(Database& database, const KeptRecording& kept,
+                        const std::filesystem::path& backups);
+
+}  // namespace hallux::database

@@ -1,0 +1,146 @@
+#include "database/maintenance/verify.h"
+
+#include <vector>
+
+#include "database/course/decisions.h"
+#include "database/course/standings.h"
+#include "database/exchange/import_attempt.h"
+#include "database/maintenance/verify_parts.h"
+#include "database/recording/attempts.h"
+#include "database/recording/certificate_json.h"
+#include "database/recording/recordings.h"
+#include "database/store/assets.h"
+#include "database/store/sql.h"
+#include "simulator/base/progress.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr std::int64_t attempts_at_once = 256;
+
+std::int64_t count_in(Database& database, const std::string& table) {
+  SQLite::Statement row{database.connection(), "SELECT count(*) FROM " + table};
+  row.executeStep();
+  return row.getColumn(0).getInt64();
+}
+
+void check_contents(Database& database, VerifyProgress& progress, Verification& found) {
+  progress.begin("the bones and scenarios", 0.2);
+  translating(database, "check the assets and scenarios", [&] {
+    const std::int64_t count = count_in(database, "asset");
+    SQLite::Statement next{
+        database.connection(),
+        "SELECT asset_id, digest FROM asset WHERE asset_id > ? ORDER BY asset_id LIMIT 1"};
+    for (std::int64_t last = 0;;) {
+      next.bind(1, last);
+      if (!next.executeStep()) break;
+      last = next.getColumn(0).getInt64();
+      const auto digest = digest_in(next.getColumn(1));
+      next.reset();
+      if (!digest) fail_altered(database, "asset " + std::to_string(last));
+      get_asset(database, *digest);
+      progress.tell(++found.assets, count);
+    }
+    SQLite::Statement versions{database.connection(),
+                               "SELECT scenario_version_id FROM scenario_version"};
+    while (versions.executeStep()) {
+      get_scenario_version(database, {versions.getColumn(0).getInt64()});
+    }
+  });
+}
+
+/// The facts that lists and limits go by must be those that were sealed.
+void check_standing_of(const Database& database, const AttemptHeader& header) {
+  const bool is_sealed = header.seal.has_value();
+  const bool has_fitting_state =
+      header.state == AttemptState::Void || is_sealed == (header.state == AttemptState::Closed);
+  if (!has_fitting_state) fail_altered(database, "the state of attempt " + header.id.text);
+  const std::optional<bool> expected =
+      is_sealed ? std::optional{is_valid_by(header.quality_json)} : std::nullopt;
+  if (header.is_valid != expected) {
+    fail_altered(database, "whether attempt " + header.id.text + " is valid");
+  }
+}
+
+std::vector<std::pair<std::int64_t, AttemptId>> attempts_after(Database& database,
+                                                               std::int64_t last) {
+  SQLite::Statement rows{database.connection(),
+                         "SELECT attempt_id, uuid FROM attempt WHERE attempt_id > ? "
+                         "ORDER BY attempt_id LIMIT ?"};
+  rows.bind(1, last);
+  rows.bind(2, attempts_at_once);
+  std::vector<std::pair<std::int64_t, AttemptId>> found;
+  while (rows.executeStep()) {
+    found.emplace_back(rows.getColumn(0).getInt64(), AttemptId{rows.getColumn(1).getString()});
+  }
+  return found;
+}
+
+/// A row under a name that no program gives was not written by one.
+AttemptHeader header_of(Database& database, const AttemptId& id) {
+  try {
+    return load_header(database, id);
+  } catch (const DatabaseError& error) {
+    if (error.kind() != DatabaseErrorKind::NotFound) throw;
+    fail_altered(database, "the uuid of attempt " + id.text);
+  }
+}
+
+void check_attempts(Database& database, VerifyProgress& progress, Verification& found) {
+  progress.begin("the attempts", 0.8);
+  const auto next = [&database](std::int64_t last) {
+    return translating(database, "list the attempts",
+                       [&] { return attempts_after(database, last); });
+  };
+  const std::int64_t count =
+      translating(database, "count the attempts", [&] { return count_in(database, "attempt"); });
+  for (auto some = next(0); !some.empty(); some = next(some.back().first)) {
+    for (const auto& [order, id] : some) {
+      const AttemptHeader header = header_of(database, id);
+      found.chunks += check_recording(database, id);
+      check_standing_of(database, header);
+      progress.tell(++found.attempts, count);
+    }
+  }
+}
+
+}  // namespace
+
+void fail_altered(const Database& database, const std::string& row) {
+  throw DatabaseError{DatabaseErrorKind::Damaged,
+                      row + " in " + database.file().string() + " was altered; restore a backup"};
+}
+
+void VerifyProgress::begin(std::string part, double end) {
+  part_ = std::move(part);
+  begin_ = end_;
+  end_ = end;
+}
+
+void VerifyProgress::tell(std::int64_t done, std::int64_t all) {
+  // Somebody may add rows meanwhile.
+  const double share = all > done ? static_cast<double>(done) / static_cast<double>(all) : 1.0;
+  if (!told_ || told_(begin_ + share * (end_ - begin_))) return;
+  throw Cancelled{"the check was stopped in " + part_ + "; no damage was found up to there"};
+}
+
+Verification verify(Database& database, const Progress& progress) {
+  Verification found;
+  VerifyProgress told{progress};
+  try {
+    check_pages(database, told);
+    check_contents(database, told, found);
+    check_attempts(database, told, found);
+    check_scores(database, told, found);
+    check_decisions_are_whole(database);
+    check_audit(database, told, found);
+    check_standings(database);
+  } catch (const DatabaseError& error) {
+    if (error.kind() != DatabaseErrorKind::Damaged) throw;
+    found.first_damage = error.what();
+  }
+  return found;
+}
+
+}  // namespace hallux::database

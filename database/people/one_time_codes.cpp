@@ -1,0 +1,109 @@
+#include "database/people/one_time_codes.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <array>
+
+#include "database/people/people.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+/// Crockford's base 32: no I, L, O, U.
+constexpr std::string_view code_letters = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
+constexpr std::size_t code_length = 12;
+
+/// What a person typed, as it is hashed.
+SecretText plain_code(const SecretText& typed) {
+  std::string text;
+  text.reserve(typed.view().size());
+  for (const char letter : typed.view()) {
+    if (letter == '-' || letter == ' ') continue;
+    const char upper = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
+    const bool is_one = upper == 'I' || upper == 'L';
+    text.push_back(is_one ? '1' : upper == 'O' ? '0' : upper);
+  }
+  return SecretText::take(text);
+}
+
+std::string time_after_days(Database& database, int days) {
+  SQLite::Statement row{database.connection(), "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', ?, ?)"};
+  row.bind(1, utc_now(database));
+  row.bind(2, "+" + std::to_string(days) + " days");
+  row.executeStep();
+  return row.getColumn(0).getString();
+}
+
+std::optional<std::string> live_hash(Database& database, PersonId person) {
+  SQLite::Statement row{
+      database.connection(),
+      "SELECT argon2id FROM one_time_code WHERE person_id = ? AND expires_utc > ?"};
+  row.bind(1, person.number);
+  row.bind(2, utc_now(database));
+  if (!row.executeStep()) return std::nullopt;
+  return row.getColumn(0).getString();
+}
+
+}  // namespace
+
+SecretText random_code() {
+  std::array<unsigned char, code_length> bytes{};
+  randombytes_buf(bytes.data(), bytes.size());
+  std::string text;
+  for (std::size_t i = 0; i < code_length; ++i) {
+    if (i == 4 || i == 8) text.push_back('-');
+    text.push_back(code_letters[bytes[i] & 31U]);
+  }
+  sodium_memzero(bytes.data(), bytes.size());
+  return SecretText::take(text);
+}
+
+IssuedCode issue_code(Database& database, PersonId person, PersonId issued_by,
+                      const PasswordCost& cost) {
+  SecretText code = random_code();
+  const std::string argon2id = hash_password(plain_code(code), cost);
+  std::string expires_utc;
+  in_transaction_of_caller(database, "issue a one-time code", [&] {
+    load_person(database, person);
+    expires_utc = time_after_days(database, one_time_code_days);
+    SQLite::Statement insert{
+        database.connection(),
+        "INSERT OR REPLACE INTO one_time_code (person_id, argon2id, "
+        "issued_by_person_id, issued_utc, expires_utc) VALUES (?, ?, ?, ?, ?)"};
+    insert.bind(1, person.number);
+    insert.bind(2, argon2id);
+    insert.bind(3, issued_by.number);
+    insert.bind(4, utc_now(database));
+    insert.bind(5, expires_utc);
+    insert.exec();
+  });
+  return {std::move(code), std::move(expires_utc)};
+}
+
+std::optional<Person> verify_code(Database& database, std::string_view login,
+                                  const SecretText& code, const PasswordCost& cost) {
+  return translating(database, "check a one-time code", [&]() -> std::optional<Person> {
+    std::optional<Person> person = known_person(database, login);
+    const auto argon2id = person ? live_hash(database, person->id) : std::nullopt;
+    if (!argon2id) {
+      spend_same_work(code, cost);
+      return std::nullopt;
+    }
+    if (!is_password(*argon2id, plain_code(code)) || person->is_disabled) return std::nullopt;
+    return person;
+  });
+}
+
+void remove_code(Database& database, PersonId person) {
+  in_transaction_of_caller(database, "remove a one-time code", [&] {
+    SQLite::Statement remove{database.connection(),
+                             "DELETE FROM one_time_code WHERE person_id = ?"};
+    remove.bind(1, person.number);
+    remove.exec();
+  });
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,194 @@
+#include "database/recording/attempts.h"
+
+#include "database/audit/audit.h"
+#include "database/recording/certificate_json.h"
+#include "database/recording/chain.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+constexpr std::string_view header_columns =
+    "SELECT a.uuid, a.scenario_version_id, a.person_id, a.hand, a.seed, a.device_class, a.pacing, "
+    "a.stereo_mode, a.bone_digest, a.engine_version, a.started_utc, a.state, a.duration_ticks, "
+    "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli, a.kind, "
+    "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
+    "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
+    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance, a.is_valid, o.directory_uuid, "
+    "o.is_accepted, s.rubric_version, s.measured_weight_milli, s.rubric_milli, "
+    "s.safety_measured_milli, s.safety_earned_milli, s.is_gated "
+    "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
+    "LEFT JOIN person_detail d ON d.person_id = a.person_id "
+    "LEFT JOIN origin o ON o.origin_id = a.origin_id "
+    "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
+    "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL ";
+
+constexpr std::string_view is_of_cohort =
+    " IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";
+
+NewAttempt begun_in(SQLite::Statement& row) {
+  NewAttempt begun;
+  begun.scenario = {row.getColumn(1).getInt64()};
+  if (!row.getColumn(2).isNull()) begun.person = PersonId{row.getColumn(2).getInt64()};
+  begun.hand = row.getColumn(3).getString();
+  begun.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
+  begun.device_class = row.getColumn(5).getString();
+  begun.pacing = row.getColumn(6).getString();
+  begun.stereo_mode = row.getColumn(7).getString();
+  begun.bone = digest_in(row.getColumn(8)).value_or(Digest{});
+  begun.engine = row.getColumn(9).getInt();
+  begun.kind = attempt_kind_from(row.getColumn(20).getString()).value_or(AttemptKind::Practice);
+  begun.guidance = guidance_from(row.getColumn(28).getString()).value_or(simulator::Guidance::None);
+  return begun;
+}
+
+AttemptHeader header_in(SQLite::Statement& row) {
+  AttemptHeader header;
+  header.id = {row.getColumn(0).getString()};
+  header.begun = begun_in(row);
+  header.started_utc = row.getColumn(10).getString();
+  header.state =
+      attempt_state_from(row.getColumn(11).getString()).value_or(AttemptState::Interrupted);
+  if (!row.getColumn(12).isNull()) header.duration_ticks = row.getColumn(12).getInt64();
+  header.quality_json = row.getColumn(13).getString();
+  header.seal = digest_in(row.getColumn(14));
+  header.scenario_name = row.getColumn(15).getString();
+  header.scenario_version = row.getColumn(16).getInt();
+  header.scenario_digest = digest_in(row.getColumn(17)).value_or(Digest{});
+  header.login = row.getColumn(18).getString();
+  if (!row.getColumn(19).isNull()) header.score_milli = row.getColumn(19).getInt64();
+  header.is_simulated = row.getColumn(21).getInt() != 0;
+  if (!row.getColumn(22).isNull()) {
+    header.decision = decision_kind_from(row.getColumn(22).getString());
+    if (!row.getColumn(23).isNull()) header.decided_milli = row.getColumn(23).getInt64();
+    header.decision_is_of_score_in_force = row.getColumn(24).getInt() != 0;
+  }
+  header.is_complete = row.getColumn(25).getInt() != 0;
+  header.order = row.getColumn(26).getInt64();
+  header.is_partial = row.getColumn(27).getInt() != 0;
+  if (!row.getColumn(29).isNull()) header.is_valid = row.getColumn(29).getInt() != 0;
+  if (!row.getColumn(30).isNull()) {
+    header.origin = DirectoryId{row.getColumn(30).getString()};
+    header.is_counted = row.getColumn(31).getInt() != 0;
+  }
+  if (header.score_milli) {
+    header.rubric_version = row.getColumn(32).getInt();
+    header.pass = {row.getColumn(33).getInt64(), row.getColumn(34).getInt64(),
+                   row.getColumn(35).getInt64(), row.getColumn(36).getInt64(),
+                   row.getColumn(37).getInt() != 0};
+  }
+  return header;
+}
+
+bool is_uuid_start(const std::string& text) noexcept {
+  return text.size() >= 4 && text.size() <= 36 &&
+         text.find_first_not_of("0123456789abcdef-") == std::string::npos;
+}
+
+/// So many attempts are gathered and sorted in a few milliseconds.
+constexpr std::int64_t gathered_most = 4000;
+
+struct CohortAttempts {
+  std::int64_t count = 0;
+  std::string last_started_utc;
+};
+
+CohortAttempts attempts_in(Database& database, CohortId cohort) {
+  return translating(database, "count the attempts of a cohort", [&] {
+    SQLite::Statement row{
+        database.connection(),
+        "SELECT coalesce(sum(t.attempts), 0), coalesce(max(t.last_started_utc), '') "
+        "FROM membership m JOIN standing t USING (person_id) WHERE m.cohort_id = ? "
+        "AND m.role = 'trainee'"};
+    row.bind(1, cohort.number);
+    row.executeStep();
+    return CohortAttempts{row.getColumn(0).getInt64(), row.getColumn(1).getString()};
+  });
+}
+
+}  // namespace
+
+std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter& filter) {
+  std::string where;
+  const auto either = [&where](std::string_view condition) {
+    where += (where.empty() ? "WHERE " : " OR ") + std::string{condition};
+  };
+  const CohortAttempts all =
+      filter.cohort ? attempts_in(database, *filter.cohort) : CohortAttempts{};
+  // The newest few of many are looked for from the newest on, instead of all being gathered and sorted: the sign keeps SQLite
+  // from its index of persons. Of few, or of a cohort that ended long ago, that would be the longer way.
+  const bool is_walked = filter.count_max && all.count > gathered_most;
+  const std::string owner = is_walked ? "+a.person_id" : "a.person_id";
+  if (filter.person) either(owner + " = ?1");
+  if (filter.cohort) either(owner + std::string{is_of_cohort});
+  if (filter.of_nobody) either(owner + " IS NULL");
+  const bool is_bounded = is_walked && !filter.of_nobody && !filter.person;
+  if (is_bounded) where += " AND a.started_utc <= ?4";
+  return translating(database, "list the attempts", [&] {
+    SQLite::Statement rows{database.connection(),
+                           std::string{header_columns} + where +
+                               " ORDER BY a.started_utc DESC, a.attempt_id DESC" +
+                               (filter.count_max ? " LIMIT ?3" : "")};
+    if (filter.person) rows.bind(1, filter.person->number);
+    if (filter.cohort) rows.bind(2, filter.cohort->number);
+    if (filter.count_max) rows.bind(3, *filter.count_max);
+    if (is_bounded) rows.bind(4, all.last_started_utc);
+    std::vector<AttemptHeader> headers;
+    while (rows.executeStep()) headers.push_back(header_in(rows));
+    return headers;
+  });
+}
+
+std::vector<AttemptHeader> headers_that_begin_with(Database& database, const AttemptId& id) {
+  return translating(database, "look for an attempt", [&] {
+    std::vector<AttemptHeader> found;
+    if (!is_uuid_start(id.text)) return found;
+    SQLite::Statement row{database.connection(), std::string{header_columns} +
+                                                     "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'"};
+    row.bind(1, id.text);
+    while (row.executeStep()) found.push_back(header_in(row));
+    return found;
+  });
+}
+
+AttemptHeader the_one_of(Database& database, std::vector<AttemptHeader> found,
+                         const AttemptId& id) {
+  if (found.size() == 1) return std::move(found.front());
+  throw DatabaseError{
+      DatabaseErrorKind::NotFound,
+      (found.empty() ? "there is no attempt '" : "more than one attempt begins with '") + id.text +
+          "' in " + database.file().string() + "; `hallux attempts` lists those there are"};
+}
+
+AttemptHeader load_header(Database& database, const AttemptId& id) {
+  return the_one_of(database, headers_that_begin_with(database, id), id);
+}
+
+void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,
+                  const std::string& quality_json, const Digest& last_link) {
+  in_transaction(database, "seal attempt " + id.text, [&] {
+    AttemptHeader header = load_header(database, id);
+    header.duration_ticks = duration_ticks;
+    header.quality_json = quality_json;
+    const Digest seal = seal_of(last_link, header);
+    SQLite::Statement update{database.connection(),
+                             "UPDATE attempt SET state = 'closed', duration_ticks = ?, "
+                             "quality_json = ?, seal = ?, is_valid = ? "
+                             "WHERE uuid = ? AND state = 'recording'"};
+    update.bind(1, duration_ticks);
+    update.bind(2, quality_json);
+    bind_digest(update, 3, seal);
+    update.bind(4, is_valid_by(quality_json) ? 1 : 0);
+    update.bind(5, header.id.text);
+    if (update.exec() != 1) {
+      throw DatabaseError{DatabaseErrorKind::NotFound, "could not seal attempt " + id.text +
+                                                           " in " + database.file().string() +
+                                                           ": it is not being recorded any more"};
+    }
+    append_audit(database, {header.begun.person, "attempt_sealed", "attempt", header.id.text, false,
+                            seal, ""});
+  });
+}
+
+}  // namespace hallux::database

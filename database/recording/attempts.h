@@ -1,0 +1,43 @@
+/// Attempts: listed, found, sealed. They begin in database/course/begin_attempt.h; their recordings are written by
+/// database/recording/recorder.h and read by database/recording/recordings.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/records/attempt.h"
+#include "database/records/person.h"
+#include "database/store/connection.h"
+
+namespace hallux::database {
+
+/// Whose attempts a list holds.
+struct AttemptFilter {
+  std::optional<PersonId> person;         ///< of this person
+  std::optional<CohortId> cohort;         ///< of the trainees of this cohort
+  bool of_nobody = false;                 ///< the robot's; alone or together with one of the others
+  std::optional<std::int32_t> count_max;  ///< at most so many, the newest
+};
+
+/// Newest first; all where the filter asks for nothing.
+std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter& filter = {});
+
+/// `id` may be shortened to at least 4 characters where only one attempt begins with them.
+/// errors  DatabaseError NotFound naming the id
+AttemptHeader load_header(Database& database, const AttemptId& id);
+
+/// All whose uuid is `id` or begins with it; none where it is no beginning of a uuid.
+std::vector<AttemptHeader> headers_that_begin_with(Database& database, const AttemptId& id);
+/// The only one that was found.
+/// errors  DatabaseError NotFound where there is none, or more than one
+AttemptHeader the_one_of(Database& database, std::vector<AttemptHeader> found, const AttemptId& id);
+
+/// Closes an attempt: state, duration, quality and seal, whether it is valid by that quality, with an audit row that holds the
+/// seal.
+/// needs   the writer of the attempt has committed its last window; `last_link` is the link of that
+/// errors  DatabaseError: NotFound where it is not in state recording
+void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,
+                  const std::string& quality_json, const Digest& last_link);
+
+}  // namespace hallux::database

@@ -1,0 +1,23 @@
+/// For the sources of this room only: a run of stored chunks as the rows that they hold.
+#pragma once
+
+#include <span>
+
+#include "database/recording/stored_chunks.h"
+#include "database/store/connection.h"
+#include "simulator/record/record.h"
+
+namespace hallux::database {
+
+/// Chunks in the order of the chain, the first of which stands at the beginning of a window.
+struct ChunkRun {
+  std::span<const StoredChunk> chunks;
+  Digest before;  ///< the link before the first of them
+};
+
+/// All rows of the run, its links checked, appended to `recording`; of a long run on two threads.
+/// errors  DatabaseError Damaged naming the first chunk that does not fit
+void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
+                simulator::Recording& recording);
+
+}  // namespace hallux::database

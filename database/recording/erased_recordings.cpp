@@ -1,0 +1,85 @@
+#include "database/recording/erased_recordings.h"
+
+#include "database/audit/audit.h"
+#include "database/recording/attempts.h"
+#include "database/store/cached_bytes.h"
+#include "database/store/sql.h"
+
+namespace hallux::database {
+
+namespace {
+
+struct Chain {
+  std::optional<Digest> last_link;
+  std::int64_t windows = 0, bytes = 0;
+};
+
+Chain chain_of(Database& database, std::int64_t attempt) {
+  SQLite::Statement sums{database.connection(),
+                         "SELECT count(DISTINCT seq), coalesce(sum(length(bytes)), 0) FROM chunk "
+                         "WHERE attempt_id = ?"};
+  sums.bind(1, attempt);
+  sums.executeStep();
+  Chain chain{{}, sums.getColumn(0).getInt64(), sums.getColumn(1).getInt64()};
+  SQLite::Statement last{
+      database.connection(),
+      "SELECT link FROM chunk WHERE attempt_id = ? ORDER BY seq DESC, stream DESC LIMIT 1"};
+  last.bind(1, attempt);
+  if (last.executeStep()) chain.last_link = digest_in(last.getColumn(0));
+  return chain;
+}
+
+void store_erasure(Database& database, std::int64_t attempt, const Chain& chain) {
+  SQLite::Statement insert{
+      database.connection(),
+      "INSERT INTO erased_recording (attempt_id, last_link, windows, erased_utc) "
+      "VALUES (?, ?, ?, ?)"};
+  const Digest last_link = chain.last_link.value_or(Digest{});
+  insert.bind(1, attempt);
+  bind_digest(insert, 2, last_link);
+  insert.bind(3, chain.windows);
+  insert.bind(4, utc_now(database));
+  insert.exec();
+  SQLite::Statement remove{database.connection(), "DELETE FROM chunk WHERE attempt_id = ?"};
+  remove.bind(1, attempt);
+  remove.exec();
+}
+
+}  // namespace
+
+std::optional<ErasedRecording> erased_recording(Database& database, const AttemptId& id) {
+  return translating(database, "look for an erased recording", [&] {
+    SQLite::Statement row{database.connection(),
+                          "SELECT e.last_link, e.windows, e.erased_utc FROM erased_recording e "
+                          "JOIN attempt a USING (attempt_id) WHERE a.uuid = ?"};
+    row.bind(1, id.text);
+    std::optional<ErasedRecording> erased;
+    if (row.executeStep()) {
+      erased = ErasedRecording{digest_in(row.getColumn(0)).value_or(Digest{}),
+                               row.getColumn(1).getInt64(), row.getColumn(2).getString()};
+    }
+    return erased;
+  });
+}
+
+std::int64_t erase_recording(Database& database, const AttemptId& id,
+                             std::optional<PersonId> actor) {
+  const AttemptHeader header = load_header(database, id);
+  const std::int64_t bytes = in_transaction_of_caller(database, "erase a recording", [&] {
+    const AttemptHeader now = load_header(database, header.id);
+    if (now.state == AttemptState::Recording) {
+      throw DatabaseError{
+          DatabaseErrorKind::Refused,
+          "attempt " + now.id.text + " is being recorded; erase its recording when it has ended"};
+    }
+    if (erased_recording(database, now.id)) return std::int64_t{0};
+    const Chain chain = chain_of(database, now.order);
+    store_erasure(database, now.order, chain);
+    append_audit(database, {actor, "recording_erased", "attempt", now.id.text, false, {}, ""});
+    return chain.bytes;
+  });
+  drop_kept(database.directory(), header.id.text + ".fields");
+  return bytes;
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,152 @@
+#include "database/store/connection.h"
+
+#include <sqlite3.h>
+
+#include <chrono>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "database/store/busy_wait.h"
+#include "database/store/file_system.h"
+#include "database/store/files.h"
+#include "database/store/log_size.h"
+#include "database/store/migrations.h"
+#include "database/store/schema_backup.h"
+#include "database/store/sql.h"
+#include "database/store/writer_lease.h"
+
+namespace hallux::database {
+
+namespace {
+
+std::unique_ptr<SQLite::Database> open_file(const std::filesystem::path& file,
+                                            const OpenOptions& options) {
+  const int flags =
+      (options.access == Access::ReadWrite ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY) |
+      SQLite::OPEN_NOMUTEX;
+  try {
+    auto connection = std::make_unique<SQLite::Database>(file.string(), flags, 0, options.vfs_name);
+    wait_when_busy(*connection, options.busy_timeout_ms);
+    return connection;
+  } catch (const SQLite::Exception& error) {
+    throw translated(error, "open the database", file);
+  }
+}
+
+/// Two processes that make the file at once hinder each other here, and SQLite waits for neither: both would wait for ever.
+bool becomes_wal(Database& database) {
+  constexpr std::chrono::milliseconds pause{5};
+  const auto deadline =
+      std::chrono::steady_clock::now() + std::chrono::milliseconds{database.busy_timeout_ms()};
+  for (;;) {
+    try {
+      SQLite::Statement mode{database.connection(), "PRAGMA journal_mode = WAL"};
+      mode.executeStep();
+      return mode.getColumn(0).getString() == "wal";
+    } catch (const SQLite::Exception& error) {
+      const bool is_busy = (error.getErrorCode() & 0xFF) == SQLITE_BUSY;
+      if (!is_busy || std::chrono::steady_clock::now() >= deadline) throw;
+    }
+    std::this_thread::sleep_for(pause);
+  }
+}
+
+void configure(Database& database, Access access) {
+  translating(database, "set up the connection", [&] {
+    SQLite::Database& connection = database.connection();
+    sqlite3_db_config(connection.getHandle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    connection.exec("PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON;");
+    if (access == Access::ReadOnly) return;
+    if (sqlite3_db_readonly(connection.getHandle(), "main") == 1) {
+      throw DatabaseError{DatabaseErrorKind::ReadOnly,
+                          "could not open " + database.file().string() +
+                              " for writing: it is read-only; make it writable or name another "
+                              "directory with --data"};
+    }
+    connection.exec("PRAGMA page_size = 8192;");
+    if (!becomes_wal(database)) {
+      throw DatabaseError{DatabaseErrorKind::ReadOnly,
+                          "could not set up " + database.file().string() +
+                              ": the file system has no shared memory (a network share?) or is "
+                              "read-only; name a local directory with --data"};
+    }
+    // What is erased is overwritten, not only unlinked.
+    connection.exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON;");
+    // SQLite leaves its log as long as it ever was; a slow reader must not fill the disk for good.
+    connection.exec("PRAGMA journal_size_limit = " + std::to_string(log_bytes_kept));
+  });
+}
+
+/// An attempt in state recording whose lease nobody holds lost its writer: killed, crashed, or out of power.
+void mark_interrupted_attempts(Database& database) {
+  std::vector<AttemptId> abandoned;
+  translating(database, "look for interrupted attempts", [&] {
+    SQLite::Statement rows{database.connection(),
+                           "SELECT uuid FROM attempt WHERE state = 'recording'"};
+    while (rows.executeStep()) {
+      AttemptId attempt{rows.getColumn(0).getString()};
+      if (!WriterLease::is_held(database.directory(), attempt)) {
+        abandoned.push_back(std::move(attempt));
+      }
+    }
+  });
+  for (const AttemptId& attempt : abandoned) {
+    in_transaction(database, "mark an interrupted attempt", [&] {
+      SQLite::Statement mark{
+          database.connection(),
+          "UPDATE attempt SET state = 'interrupted' WHERE uuid = ? AND state = 'recording'"};
+      mark.bind(1, attempt.text);
+      mark.exec();
+    });
+    WriterLease::clear(database.directory(), attempt);
+  }
+}
+
+void back_up_first(Database& database) {
+  if (!is_of_older_schema(database)) return;
+  try {
+    back_up_before_migration(database);
+  } catch (const DatabaseError& error) {
+    throw DatabaseError{error.kind(), "the schema of " + database.file().string() +
+                                          " is older and was not migrated, because no copy of it "
+                                          "could be made before: " +
+                                          error.what() +
+                                          "; `hallux attempts --no-backup` does without"};
+  }
+}
+
+}  // namespace
+
+Database::Database(std::filesystem::path directory, const OpenOptions& options)
+    : directory_(std::move(directory)), file_(directory_ / "hallux.db"), options_(options) {
+  if (options.access == Access::ReadWrite) {
+    check_file_system(directory_, options.file_system);
+    make_private_directory(directory_);
+    make_private_file(file_);
+  } else if (std::error_code error; !std::filesystem::exists(file_, error)) {
+    throw DatabaseError{DatabaseErrorKind::NotFound,
+                        "there is no database " + file_.string() + "; check --data"};
+  }
+  connection_ = open_file(file_, options);
+}
+
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+Database Database::open(const std::filesystem::path& directory, const OpenOptions& options) {
+  Database database{directory, options};
+  check_schema_is_known(database);
+  configure(database, options.access);
+  if (options.access == Access::ReadWrite) {
+    if (options.backs_up_before_migration) back_up_first(database);
+    translating(database, "migrate the schema", [&] { migrate(database); });
+    mark_interrupted_attempts(database);
+  }
+  return database;
+}
+
+Database Database::open_again() const { return open(directory_, options_); }
+
+}  // namespace hallux::database

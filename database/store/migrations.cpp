@@ -1,0 +1,71 @@
+#include "database/store/migrations.h"
+
+#include <span>
+
+#include "database/store/sql.h"
+#include "simulator/base/embedded.h"
+
+namespace hallux::database {
+
+std::span<const EmbeddedText> schema_files() noexcept;
+
+namespace {
+
+std::int32_t pragma_number(Database& database, const char* pragma) {
+  SQLite::Statement statement{database.connection(), pragma};
+  statement.executeStep();
+  return statement.getColumn(0).getInt();
+}
+
+bool has_tables(Database& database) {
+  return pragma_number(database, "SELECT count(*) FROM sqlite_schema") > 0;
+}
+
+}  // namespace
+
+std::int32_t newest_schema() noexcept { return static_cast<std::int32_t>(schema_files().size()); }
+
+void check_schema_is_known(Database& database) {
+  translating(database, "read the schema version", [&] {
+    // One moment for all of it: another process may be making the file.
+    const SQLite::Transaction moment{database.connection()};
+    const std::int32_t found = pragma_number(database, "PRAGMA user_version");
+    const std::int32_t owner = pragma_number(database, "PRAGMA application_id");
+    if (owner != application_id && (owner != 0 || found != 0 || has_tables(database))) {
+      throw DatabaseError{
+          DatabaseErrorKind::Damaged,
+          database.file().string() +
+              " is a database of another program; name another directory with --data"};
+    }
+    if (found > newest_schema()) {
+      throw DatabaseError{DatabaseErrorKind::Newer,
+                          database.file().string() + " has schema " + std::to_string(found) +
+                              " of a newer version of this program, which knows schema " +
+                              std::to_string(newest_schema()) +
+                              "; install the newer version, nothing was changed"};
+    }
+  });
+}
+
+bool is_of_older_schema(Database& database) {
+  return translating(database, "read the schema version", [&] {
+    const std::int32_t found = pragma_number(database, "PRAGMA user_version");
+    return found > 0 && found < newest_schema();
+  });
+}
+
+void migrate(Database& database) {
+  const auto files = schema_files();
+  if (pragma_number(database, "PRAGMA user_version") == newest_schema()) return;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    in_transaction(database, "migrate to " + std::string{files[i].name}, [&] {
+      // Read inside the transaction: a second process may have migrated in the meantime.
+      if (pragma_number(database, "PRAGMA user_version") > static_cast<std::int32_t>(i)) return;
+      database.connection().exec(std::string{files[i].text});
+      database.connection().exec("PRAGMA application_id = " + std::to_string(application_id));
+      database.connection().exec("PRAGMA user_version = " + std::to_string(i + 1));
+    });
+  }
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,88 @@
+#include "database/store/sql.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+
+namespace hallux::database {
+
+namespace {
+
+struct Reason {
+  DatabaseErrorKind kind;
+  std::string_view text;
+};
+
+Reason reason_of(int code) noexcept {
+  using enum DatabaseErrorKind;
+  switch (code & 0xFF) {
+    case SQLITE_FULL:
+      return {Full, "the disk is full; free some space and try again"};
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      return {ReadOnly, "it is read-only; make the directory writable or name another with --data"};
+    case SQLITE_CANTOPEN:
+      return {ReadOnly, "it cannot be opened; check that the directory exists and is yours"};
+    case SQLITE_CORRUPT:
+      return {Damaged, "the file is damaged; keep a copy and restore a backup"};
+    case SQLITE_ERROR:
+      return {Damaged,
+              "its tables are not as this program made them; keep a copy and restore a backup"};
+    case SQLITE_NOTADB:
+      return {Damaged, "the file is not a database; move it away or restore a backup"};
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {Locked, "another program keeps it busy; close that program and try again"};
+    case SQLITE_CONSTRAINT:
+      return {BadInput, "a rule of the schema forbids it"};
+    default:
+      return {InputOutput, "the disk or the file system answered with an error; check the disk"};
+  }
+}
+
+}  // namespace
+
+DatabaseError translated(const SQLite::Exception& error, std::string_view tried,
+                         const std::filesystem::path& file) {
+  const Reason reason = reason_of(error.getErrorCode());
+  return {reason.kind, "could not " + std::string{tried} + " in " + file.string() + ": " +
+                           std::string{reason.text} + " (" + error.what() + ")"};
+}
+
+bool is_in_transaction(Database& database) noexcept {
+  return sqlite3_get_autocommit(database.connection().getHandle()) == 0;
+}
+
+std::int64_t page_bytes(Database& database) {
+  return translating(database, "ask for the size", [&] {
+    SQLite::Statement row{database.connection(),
+                          "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size"};
+    row.executeStep();
+    return row.getColumn(0).getInt64();
+  });
+}
+
+std::string utc_now(Database& database) {
+  if (!database.pretended_utc().empty()) return database.pretended_utc();
+  SQLite::Statement now{database.connection(), "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"};
+  now.executeStep();
+  return now.getColumn(0).getString();
+}
+
+void bind_digest(SQLite::Statement& statement, int index, const Digest& digest) {
+  statement.bindNoCopy(index, digest.bytes.data(), static_cast<int>(digest.bytes.size()));
+}
+
+void bind_text(SQLite::Statement& statement, int index, std::string_view text) {
+  statement.bind(index, std::string{text});
+}
+
+std::optional<Digest> digest_in(const SQLite::Column& column) {
+  const auto* bytes = static_cast<const std::uint8_t*>(column.getBlob());
+  if (bytes == nullptr || column.getBytes() != 32) return std::nullopt;
+  Digest digest;
+  std::copy_n(bytes, 32, digest.bytes.begin());
+  return digest;
+}
+
+}  // namespace hallux::database

@@ -1,0 +1,138 @@
+/// Old databases, stored as the program of their time wrote them, are opened by the program of today.
+#include "database/store/migrations.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "database/maintenance/verify.h"
+#include "database/recording/recordings.h"
+#include "tests/database/some_course.h"
+
+namespace hallux::database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A stored database of an old schema in a directory of its own.
+fs::path place(const TemporaryDirectory& temporary, const char* name) {
+  fs::create_directories(temporary.data());
+  fs::copy_file(fs::path{HALLUX_OLD_DATABASES} / name, temporary.data() / "hallux.db");
+  return temporary.data();
+}
+
+std::int64_t number(Database& database, const char* query) {
+  SQLite::Statement row{database.connection(), query};
+  row.executeStep();
+  return row.getColumn(0).getInt64();
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaOneAndKeepItsRows) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_1.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  const auto attempts = list_attempts(database);
+  ASSERT_EQ(attempts.size(), 1U);
+  EXPECT_EQ(attempts[0].scenario_name, "akin");
+  EXPECT_EQ(attempts[0].state, AttemptState::Closed);
+  EXPECT_EQ(attempts[0].begun.kind, AttemptKind::Practice);
+  EXPECT_FALSE(attempts[0].is_simulated);
+  EXPECT_FALSE(attempts[0].decision);
+  EXPECT_TRUE(attempts[0].is_complete);
+  EXPECT_TRUE(load_score(database, attempts[0].id));
+  EXPECT_EQ(load_recording(database, attempts[0].id).samples.size(),
+            static_cast<std::size_t>(*attempts[0].duration_ticks));
+  EXPECT_FALSE(is_published(database, attempts[0].begun.scenario));
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaTwoWhoseAttemptsNothingGuided) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_2.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  const auto attempts = list_attempts(database);
+  ASSERT_EQ(attempts.size(), 1U);
+  EXPECT_EQ(attempts[0].begun.guidance, simulator::Guidance::None);
+  EXPECT_EQ(attempts[0].begun.kind, AttemptKind::Practice);
+  EXPECT_EQ(attempts[0].begun.engine, 4);
+  EXPECT_THROW(
+      database.connection().exec("UPDATE attempt SET guidance = 'soft', kind = 'assessment'"),
+      SQLite::Exception);
+  EXPECT_EQ(load_recording(database, attempts[0].id).samples.size(),
+            static_cast<std::size_t>(*attempts[0].duration_ticks));
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.audit_rows, 8);
+  EXPECT_EQ(
+      sign_in(database, "ada", secret("saw bone hinge wire")).administrator()->people().size(), 3U);
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaThreeWithItsCourseAndDecisions) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_3.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt WHERE is_valid = 1"), 5);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt WHERE is_valid IS NULL"), 1)
+      << "the interrupted one";
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt WHERE guidance = 'soft'"), 1);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM decision WHERE kind = 'overridden'"), 1);
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.scores, 6);
+  Session kim = sign_in(database, "kim", secret(good_password));
+  EXPECT_EQ(kim.instructor_of(CohortId{1})->help_requests().size(), 1U);
+}
+
+TEST(Migrations, GiveEachDirectoryAnIdentityOfItsOwnForGood) {
+  const TemporaryDirectory first, second;
+  Database one = Database::open(place(first, "schema_3.db"));
+  Database other = Database::open(place(second, "schema_3.db"));
+  const auto identity = [](Database& database) {
+    SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
+    row.executeStep();
+    return row.getColumn(0).getString();
+  };
+  EXPECT_EQ(identity(one).size(), 32U);
+  EXPECT_NE(identity(one), identity(other));
+  EXPECT_THROW(one.connection().exec("UPDATE directory SET uuid = lower(hex(randomblob(16)))"),
+               SQLite::Exception);
+}
+
+TEST(Migrations, LeaveEveryChainOfSchemaOneWhole) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_1.db"));
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.attempts, 1);
+  EXPECT_EQ(found.scores, 1);
+  EXPECT_EQ(found.audit_rows, 9);
+}
+
+TEST(Migrations, LetThePeopleOfSchemaOneInAsBefore) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_1.db"));
+  Session ada = sign_in(database, "ada", secret("saw bone hinge wire"));
+  AdministratorDesk desk = *ada.administrator();
+  EXPECT_EQ(desk.people().size(), 3U);
+  ASSERT_EQ(desk.cohorts().size(), 1U);
+  const auto members = desk.members(desk.cohorts()[0].id);
+  ASSERT_EQ(members.size(), 2U);
+  EXPECT_EQ(members[0].login, "kim");
+  EXPECT_EQ(members[0].role, CohortRole::Instructor);
+  EXPECT_EQ(members[0].enrolled_utc, "") << "was not noted then";
+  EXPECT_THROW(sign_in(database, "ada", secret("not the password")), DatabaseError);
+}
+
+TEST(Migrations, AreDoneOnce) {
+  const TemporaryDirectory temporary;
+  const fs::path directory = place(temporary, "schema_1.db");
+  { Database::open(directory); }
+  Database database = Database::open(directory);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM audit"), 9);
+  EXPECT_TRUE(verify(database).is_whole());
+}
+
+}  // namespace
+
+}  // namespace hallux::database
