@@ -17,7 +17,7 @@ class LinkCheck(PlantedTree):
         self.build = self.root / "build"
         self.program("ui/app/hallux", "/usr/lib/x86_64-linux-gnu/libsodium.so")
         self.room("simulator/base", "hallux_base", "glm::glm PkgConfig::sodium")
-        self.room("simulator/mesh", "hallux_mesh", "hallux_base OpenMeshCore")
+        self.room("simulator/mesh", "hallux_mesh", "hallux_base")
 
     def program(self, output, libraries):
         self.plant("build/build.ninja", LINKED.format(output=output, libraries=libraries))

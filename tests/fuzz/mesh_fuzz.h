@@ -8,7 +8,6 @@
 #include "simulator/base/check.h"
 #include "simulator/mesh/bvh.h"
 #include "simulator/mesh/read_mesh.h"
-#include "simulator/mesh/solid_mesh.h"
 
 namespace hallux::tests {
 
@@ -18,8 +17,7 @@ inline void feed_reader(const std::uint8_t* bytes, std::size_t size, simulator::
     const IndexedMesh mesh =
         parse_mesh(std::as_bytes(std::span{bytes, size}), format, "fuzz",
                    {.bytes = std::size_t{1} << 20U, .triangles = 20000, .points = 20000});
-    const SolidMesh solid{mesh, "fuzz"};
-    CHECK(solid.triangle_count() == mesh.triangles.size());
+    check_closed_solid(mesh, "fuzz");
     CHECK(Bvh{mesh}.nearest(mesh.points_mm.front()).has_value());
   } catch (const MeshError&) {
   }

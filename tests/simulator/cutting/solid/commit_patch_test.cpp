@@ -6,7 +6,7 @@
 
 #include "simulator/cutting/solid/mend_solid.h"
 #include "simulator/cutting/solid/opened_volume.h"
-#include "simulator/mesh/solid_mesh.h"
+#include "simulator/mesh/read_mesh.h"
 #include "tests/simulator/cutting/worlds/cut_through.h"
 #include "tests/simulator/cutting/worlds/outlines.h"
 #include "tests/simulator/cutting/worlds/shown_solid.h"
@@ -51,7 +51,7 @@ TEST(CommitPatch, TrianglesThatWereNotHiddenKeepTheirOrderAndTheirBits) {
     ++at;
   }
   EXPECT_EQ(next_hidden, patch.hidden.size());
-  EXPECT_NO_THROW(SolidMesh(committed.mesh, "committed"));
+  EXPECT_NO_THROW(check_closed_solid(committed.mesh, "committed"));
 }
 
 TEST(CutKerf, SaysWhatItTookAndWhetherTheSectionIsGone) {
