@@ -138,11 +138,6 @@ double atan2(double y, double x) noexcept {
   return y < 0.0 ? -value : value;
 }
 
-double acos(double x) noexcept {
-  const double clamped = x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : x);
-  return atan2(std::sqrt((1.0 - clamped) * (1.0 + clamped)), clamped);
-}
-
 double asin(double x) noexcept {
   const double clamped = x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : x);
   return atan2(clamped, std::sqrt((1.0 - clamped) * (1.0 + clamped)));

@@ -12,11 +12,8 @@ namespace hallux::elementary {
 double sin(double x) noexcept;
 double cos(double x) noexcept;
 double atan2(double y, double x) noexcept;  ///< (-pi, pi]; 0 for (0, 0)
-double acos(double x) noexcept;             ///< x is clamped to [-1, 1]
 double asin(double x) noexcept;             ///< x is clamped to [-1, 1]
 double exp(double x) noexcept;              ///< 0 below -745, infinity above 709.78
 double log(double x) noexcept;              ///< x > 0; -infinity at 0, NaN below
-double pow(double base,
-           double exponent) noexcept;  ///< base >= 0; 1e-14 relative for |exponent| <= 16
 
 }  // namespace hallux::elementary

@@ -6,9 +6,8 @@
 
 #include "simulator/base/elementary.h"
 
-/// exp, log and pow. Powers of two are taken off by the exponent bits, which is exact; what is left
-/// is small enough for a series. pow carries the logarithm as a sum of two numbers, because the
-/// product with the exponent magnifies its error by up to 709.
+/// exp and log. Powers of two are taken off by the exponent bits, which is exact; what is left is
+/// small enough for a series.
 namespace hallux::elementary {
 
 namespace {
@@ -20,31 +19,6 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double ln2_high = 0x1.62e42fefa2000p-1;
 constexpr double ln2_low = 0x1.9ef35793c7673p-41;
 constexpr double one_over_ln2 = 0x1.71547652b82fep+0;
-
-struct Sum {
-  double high = 0.0;
-  double low = 0.0;
-};
-
-/// a + b without loss (Knuth).
-Sum exact_sum(double a, double b) noexcept {
-  const double high = a + b;
-  const double b_seen = high - a;
-  return {high, (a - (high - b_seen)) + (b - b_seen)};
-}
-
-/// a * b without loss and without a fused multiply-add (Dekker 1971); needs |a|, |b| < 2^996.
-Sum exact_product(double a, double b) noexcept {
-  constexpr double splitter = 134217729.0;
-  const double a_scaled = splitter * a;
-  const double b_scaled = splitter * b;
-  const double a_high = a_scaled - (a_scaled - a);
-  const double b_high = b_scaled - (b_scaled - b);
-  const double a_low = a - a_high;
-  const double b_low = b - b_high;
-  const double high = a * b;
-  return {high, ((a_high * b_high - high) + a_high * b_low + a_low * b_high) + a_low * b_low};
-}
 
 /// 2^power, for -1022 <= power <= 1023.
 double power_of_two(int power) noexcept {
@@ -58,15 +32,15 @@ double polynomial(const std::array<double, Count>& coefficients, double x) noexc
   return value;
 }
 
-/// exp(x.high + x.low) for -746 < x.high < 710.
-double exponential(const Sum& x) noexcept {
+/// For -746 < x < 710.
+double exponential(double x) noexcept {
   constexpr std::array<double, 12> series{1.0 / 2.0,        1.0 / 6.0,         1.0 / 24.0,
                                           1.0 / 120.0,      1.0 / 720.0,       1.0 / 5040.0,
                                           1.0 / 40320.0,    1.0 / 362880.0,    1.0 / 3628800.0,
                                           1.0 / 39916800.0, 1.0 / 479001600.0, 1.0 / 6227020800.0};
-  const double doublings = std::floor(x.high * one_over_ln2 + 0.5);
-  const double near = x.high - doublings * ln2_high;
-  const double correction = x.low - doublings * ln2_low;
+  const double doublings = std::floor(x * one_over_ln2 + 0.5);
+  const double near = x - doublings * ln2_high;
+  const double correction = 0.0 - doublings * ln2_low;
   const double rest = near + correction;
   const double lost = (near - rest) + correction;
   const double value = 1.0 + (rest + (lost + rest * rest * polynomial(series, rest)));
@@ -105,36 +79,13 @@ double artanh_tail(double square) noexcept {
   return square * polynomial(series, square);
 }
 
-/// The logarithm as a sum that is good to about 1e-18 of its size: log(1 + f) = 2 artanh(f / (2 +
-/// f)).
-Sum exact_logarithm(double x) noexcept {
-  const Scaled scaled = scale(x);
-  const double f = scaled.fraction - 1.0;
-  const Sum divisor = exact_sum(2.0, f);
-  const double s = f / divisor.high;
-  const Sum back = exact_product(s, divisor.high);
-  const double s_low = (((f - back.high) - back.low) - s * divisor.low) / divisor.high;
-  const Sum head = exact_sum(scaled.power * ln2_high, 2.0 * s);
-  const double tail = s * artanh_tail(s * s) + (2.0 * s_low + scaled.power * ln2_low);
-  const double low = head.low + tail;
-  const double high = head.high + low;
-  return {high, (head.high - high) + low};
-}
-
-/// pow where a zero, an infinity or a NaN takes part.
-double power_at_the_edges(double base, double exponent) noexcept {
-  if (!(base >= 0.0) || !(exponent == exponent)) return nan_value;
-  const bool is_growing = (base > 1.0) == (exponent > 0.0);
-  return is_growing ? infinity : 0.0;
-}
-
 }  // namespace
 
 double exp(double x) noexcept {
   if (!(x == x)) return nan_value;
   if (x > 709.782712893384) return infinity;
   if (x < -745.1332191019412) return 0.0;
-  return exponential({x, 0.0});
+  return exponential(x);
 }
 
 double log(double x) noexcept {
@@ -147,18 +98,6 @@ double log(double x) noexcept {
   const double half_square = 0.5 * f * f;
   const double small = s * (half_square + artanh_tail(s * s)) + scaled.power * ln2_low;
   return scaled.power * ln2_high - ((half_square - small) - f);
-}
-
-double pow(double base, double exponent) noexcept {
-  if (exponent == 0.0 || base == 1.0) return 1.0;
-  const bool is_ordinary = base > 0.0 && base < infinity && exponent - exponent == 0.0;
-  if (!is_ordinary) return power_at_the_edges(base, exponent);
-  const Sum logarithm = exact_logarithm(base);
-  const double estimate = exponent * logarithm.high;
-  if (estimate > 709.79) return infinity;
-  if (estimate < -745.14) return 0.0;
-  const Sum product = exact_product(exponent, logarithm.high);
-  return exponential({product.high, product.low + exponent * logarithm.low});
 }
 
 }  // namespace hallux::elementary

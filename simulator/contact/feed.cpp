@@ -32,11 +32,4 @@ double feed_rate_mm_s(const Engagement& engaged, double force_newton, double cyc
       excess_newton / (bone_quality * resistance_newton_s_mm(engaged, cycles_per_minute)));
 }
 
-double feed_force_newton(const Engagement& engaged, double rate_mm_s, double cycles_per_minute,
-                         double bone_quality) noexcept {
-  if (!(engaged.width_mm() > 0.0)) return 0.0;
-  return bone_quality * (threshold_newton(engaged) +
-                         rate_mm_s * resistance_newton_s_mm(engaged, cycles_per_minute));
-}
-
 }  // namespace hallux::simulator

@@ -1,4 +1,4 @@
-/// The feed law: how fast a running saw advances through mixed tissue under a force, and the force a rate needs.
+/// The feed law: how fast a running saw advances through mixed tissue under a force.
 ///
 /// Per tissue the rate is K (F - F0) (cycles / 12000) / width. Over a tooth line in several tissues the forces add up:
 /// each engaged width carries its own share, so F = F0 + rate * sum(width_i / K_i) * (12000 / cycles). Bone of another
@@ -28,9 +28,5 @@ inline constexpr double law_cycles_per_minute = 12000.0;
 /// needs   bone_quality > 0; 1 is bone as the constants have it
 double feed_rate_mm_s(const Engagement& engaged, double force_newton, double cycles_per_minute,
                       double bone_quality = 1.0) noexcept;
-
-/// The force that the rate needs, the inverse of the law below its ceiling; 0 where no bone is engaged [N].
-double feed_force_newton(const Engagement& engaged, double rate_mm_s, double cycles_per_minute,
-                         double bone_quality = 1.0) noexcept;
 
 }  // namespace hallux::simulator

@@ -105,12 +105,6 @@ double HeatField::hottest_now_celsius() const noexcept {
   return *std::max_element(hottest_celsius_.begin(), hottest_celsius_.end());
 }
 
-double HeatField::dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
-  const std::int32_t number = cell_at(place_mm);
-  if (number < 0) return 0.0;
-  return cells_[cell_of(kerf, number)].dose_min;
-}
-
 void HeatField::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
   const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
   last_tick_ = sample.tick;

@@ -66,7 +66,6 @@ class HeatField {
   double hottest_now_celsius() const noexcept;
   /// Body temperature and 0 outside the cells.
   double celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
-  double dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
 
  private:
   static constexpr std::size_t group_count = 16;

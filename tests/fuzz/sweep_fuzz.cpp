@@ -6,6 +6,7 @@
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/field/region_outline.h"
+#include "tests/support/outline_area.h"
 #include "ui/jobs/cut_sweep.h"
 
 namespace {
@@ -27,7 +28,7 @@ void stamp(const ui::Sweep& sweep) {
   double before_mm2 = 0.0;
   for (std::size_t i = 0; i < path.poses.size(); ++i) {
     ui::stamp_motion(field, path.blade, path.poses[i == 0 ? 0 : i - 1], path.poses[i]);
-    const double opened_mm2 = area_mm2(outline_of(field));
+    const double opened_mm2 = tests::area_mm2(outline_of(field));
     CHECK(std::isfinite(opened_mm2) && opened_mm2 > before_mm2 - 1.0e-2);
     before_mm2 = opened_mm2;
   }

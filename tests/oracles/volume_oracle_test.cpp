@@ -13,6 +13,7 @@
 #include "tests/benchmarks/worlds/bone_like.h"
 #include "tests/oracles/outline_prism.h"
 #include "tests/simulator/cutting/worlds/cut_through.h"
+#include "tests/support/outline_area.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::oracles {
@@ -178,7 +179,8 @@ TEST(VolumeOracle, ItsOwnPrismOfARegionHasTheRegionsVolume) {
     const RegionOutline region = region_from(random);
     const CgalExactSolid prism(prism_of(region, plane));
     EXPECT_TRUE(prism.is_closed());
-    EXPECT_NEAR(prism.volume_mm3(), area_mm2(region) * plane.thickness_mm, 1e-9 * area_mm2(region));
+    EXPECT_NEAR(prism.volume_mm3(), tests::area_mm2(region) * plane.thickness_mm,
+                1e-9 * tests::area_mm2(region));
   }
 }
 

@@ -30,9 +30,6 @@ struct RegionOutline {
 ///         on the loop alone
 RegionOutline outline_of(const KerfField& field);
 
-/// Sum of the loops' signed areas: what is opened, less the holes.
-double area_mm2(const RegionOutline& outline) noexcept;
-
 /// Follows the outline of one field; contours only the tiles where the field changed since the last call.
 class OutlineTracker {
  public:

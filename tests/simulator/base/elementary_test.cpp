@@ -73,18 +73,15 @@ TEST(Elementary, ArcTangentKnowsTheAxes) {
   EXPECT_TRUE(std::isnan(elementary::atan2(not_a_number, 1.0)));
 }
 
-TEST(Elementary, ArcCosineAndArcSineAgreeWithLibm) {
+TEST(Elementary, ArcSineAgreesWithLibm) {
   Random random{3};
   for (int i = 0; i < 40000; ++i) {
     const double near_end = 1.0 - elementary::exp(random.uniform(-36.0, 0.0));
     const double x = (i % 2 == 0 ? near_end : random.uniform()) * (i % 4 < 2 ? 1.0 : -1.0);
-    ASSERT_LE(relative_error(elementary::acos(x), std::acos(x)), accuracy) << x;
     ASSERT_LE(relative_error(elementary::asin(x), std::asin(x)), accuracy) << x;
   }
-  EXPECT_EQ(elementary::acos(1.0 + 1.0e-9), 0.0);
-  EXPECT_EQ(elementary::acos(-2.0), pi);
   EXPECT_EQ(elementary::asin(2.0), 0.5 * pi);
-  EXPECT_TRUE(std::isnan(elementary::acos(not_a_number)));
+  EXPECT_TRUE(std::isnan(elementary::asin(not_a_number)));
 }
 
 TEST(Elementary, ExponentialAgreesWithLibm) {
@@ -124,32 +121,6 @@ TEST(Elementary, LogarithmAgreesWithLibm) {
   EXPECT_TRUE(std::isnan(elementary::log(not_a_number)));
 }
 
-TEST(Elementary, PowerAgreesWithLibm) {
-  Random random{7};
-  for (int i = 0; i < 40000; ++i) {
-    const double base = elementary::exp(random.uniform(-44.0, 44.0));
-    const double exponent = random.uniform(-16.0, 16.0);
-    ASSERT_LE(relative_error(elementary::pow(base, exponent), std::pow(base, exponent)), 1.0e-14)
-        << base << " " << exponent;
-  }
-}
-
-TEST(Elementary, PowerKnowsItsEdges) {
-  EXPECT_EQ(elementary::pow(0.0, 2.0), 0.0);
-  EXPECT_EQ(elementary::pow(0.0, 0.0), 1.0);
-  EXPECT_EQ(elementary::pow(0.0, -1.0), infinity);
-  EXPECT_EQ(elementary::pow(1.0, 1.0e300), 1.0);
-  EXPECT_EQ(elementary::pow(2.0, 10.0), 1024.0);
-  EXPECT_EQ(elementary::pow(10.0, 400.0), infinity);
-  EXPECT_EQ(elementary::pow(10.0, -400.0), 0.0);
-  EXPECT_EQ(elementary::pow(infinity, 2.0), infinity);
-  EXPECT_EQ(elementary::pow(infinity, -2.0), 0.0);
-  EXPECT_EQ(elementary::pow(0.5, infinity), 0.0);
-  EXPECT_EQ(elementary::pow(0.5, -infinity), infinity);
-  EXPECT_TRUE(std::isnan(elementary::pow(-1.0, 2.0)));
-  EXPECT_TRUE(std::isnan(elementary::pow(2.0, not_a_number)));
-}
-
 /// These bits are the promise itself: the same on every machine and with every compiler.
 TEST(Elementary, GivesTheseBitsEverywhere) {
   EXPECT_EQ(elementary::sin(1.0), 0x1.aed548f090ceep-1);
@@ -157,7 +128,6 @@ TEST(Elementary, GivesTheseBitsEverywhere) {
   EXPECT_EQ(elementary::exp(1.0), 0x1.5bf0a8b14576ap+1);
   EXPECT_EQ(elementary::log(10.0), 0x1.26bb1bbb55516p+1);
   EXPECT_EQ(elementary::atan2(1.0, 3.0), 0x1.4978fa3269ee1p-2);
-  EXPECT_EQ(elementary::pow(2.0, 0.5), 0x1.6a09e667f3bccp+0);
 }
 
 }  // namespace

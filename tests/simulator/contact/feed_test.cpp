@@ -3,8 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
+#include "tests/simulator/contact/feed_force.h"
+
 namespace hallux::simulator {
 namespace {
+
+using tests::feed_force_newton;
 
 constexpr double full_speed = law_cycles_per_minute;
 
@@ -37,8 +43,6 @@ TEST(Feed, IsProportionalToTheSpeedOfTheSaw) {
 TEST(Feed, OfBoneOfAnotherQualityNeedsThatShareOfTheForce) {
   const Engagement mixed{3.0, 5.0};
   for (const double quality : {0.5, 0.8, 1.5}) {
-    EXPECT_NEAR(feed_force_newton(mixed, 0.8, full_speed, quality),
-                quality * feed_force_newton(mixed, 0.8, full_speed), 1e-12);
     EXPECT_NEAR(feed_rate_mm_s(mixed, quality * 6.0, full_speed, quality),
                 feed_rate_mm_s(mixed, 6.0, full_speed), 1e-12);
   }
@@ -46,19 +50,6 @@ TEST(Feed, OfBoneOfAnotherQualityNeedsThatShareOfTheForce) {
   EXPECT_NEAR(feed_rate_mm_s({10.0, 0.0}, 10.0, full_speed, 1.5), 0.35 / 1.5 * 7.75 / 10.0, 1e-12);
   EXPECT_EQ(feed_rate_mm_s({10.0, 0.0}, 2.2, full_speed, 1.5), 0.0);
   EXPECT_EQ(feed_rate_mm_s(mixed, 6.3, full_speed, 1.0), feed_rate_mm_s(mixed, 6.3, full_speed));
-}
-
-TEST(Feed, NeedsNoForceWhereNothingIsEngaged) {
-  EXPECT_EQ(feed_force_newton({0.0, 0.0}, 3.0, full_speed), 0.0);
-}
-
-TEST(Feed, ForcesOfMixedTissueAddUpOverTheEngagedWidth) {
-  const double rate_mm_s = 0.8;
-  const Engagement mixed{3.0, 5.0};
-  // Threshold: the mean over the width; resistance: each width carries its own share.
-  const double expected_newton =
-      (3.0 * 1.5 + 5.0 * 0.3) / 8.0 + rate_mm_s * (3.0 / 0.35 + 5.0 / 2.0);
-  EXPECT_NEAR(feed_force_newton(mixed, rate_mm_s, full_speed), expected_newton, 1e-12);
 }
 
 RC_GTEST_PROP(Feed, ForceOfARateIsTheInverseOfTheRateOfAForce, ()) {

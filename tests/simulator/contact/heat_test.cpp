@@ -211,7 +211,6 @@ TEST(Heat, StandsStillWhileTheAttemptDoesNotRun) {
 TEST(Heat, IsBodyTemperatureBeyondItsCells) {
   const SawnBlock block({});
   EXPECT_EQ(block.field().celsius_at(0, {1000.0, 0.0}), body_celsius);
-  EXPECT_EQ(block.field().dose_min_at(0, {0.0, -1000.0}), 0.0);
 }
 
 TEST(Heat, MissedTicksChangeItByLittle) {

@@ -5,6 +5,7 @@
 
 #include "simulator/base/units.h"
 #include "simulator/contact/blade_probe.h"
+#include "tests/simulator/contact/feed_force.h"
 #include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
@@ -57,7 +58,8 @@ TEST(ToolInKerf, TheForceSettlesAtWhatTheHandsRateNeeds) {
   const double rate_mm_s = 1.0;
   run.glide(blade_down({0.0, above_mm - 3.0, 0.0}), 3000);
   const Engagement engaged{0.0, 13.0 * 10.0 / static_cast<double>(tooth_count)};
-  EXPECT_NEAR(run.force_in_bone_newton().y, feed_force_newton(engaged, rate_mm_s, 12000.0), 0.03);
+  EXPECT_NEAR(run.force_in_bone_newton().y, tests::feed_force_newton(engaged, rate_mm_s, 12000.0),
+              0.03);
   EXPECT_NEAR(run.force_in_bone_newton().z, 0.0, 0.03);
 }
 

@@ -86,7 +86,7 @@ double damping_newton_s_per_mm() {
 
 std::array<StabilityColumn, map_delays> map_stability() {
   std::array<StabilityColumn, map_delays> columns;
-  const double factor = elementary::pow(2.0, 1.0 / cells_per_octave);
+  const double factor = elementary::exp(elementary::log(2.0) / cells_per_octave);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     StabilityColumn& column = columns[i];
     column.delay_ticks = static_cast<std::int32_t>(i);

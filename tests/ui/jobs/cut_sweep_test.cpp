@@ -6,6 +6,7 @@
 
 #include "simulator/base/units.h"
 #include "simulator/cutting/field/region_outline.h"
+#include "tests/support/outline_area.h"
 
 namespace hallux::ui {
 namespace {
@@ -107,7 +108,7 @@ TEST(Sweep, ATurnOfTheBladeOpensTheSectorThatItPasses) {
   stamp_motion(field, blade, from, to);
   const double sides_mm2 = 2.0 * 0.5 * 8.0;
   const double corner_mm2 = 8.0 * 8.0 + 0.5 * 0.5;  // the blade's far corners run a little outside
-  const double opened_mm2 = area_mm2(outline_of(field));
+  const double opened_mm2 = tests::area_mm2(outline_of(field));
   EXPECT_GT(opened_mm2, 0.25 * pi * 8.0 * 8.0 + sides_mm2 - 0.05);
   EXPECT_LT(opened_mm2, 0.25 * pi * corner_mm2 + sides_mm2 + 0.5);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/simulator/cutting/field/random_stamps.h"
+#include "tests/support/outline_area.h"
 
 namespace hallux::simulator {
 namespace {
@@ -87,7 +88,7 @@ TEST(OpenedField, LiesHalfASpacingFromTheOutlineOfThenAtMost) {
       }
       first = end;
     }
-    EXPECT_NEAR(area_mm2(outline_at(stamped.opened, tick)), area_mm2(then),
+    EXPECT_NEAR(tests::area_mm2(outline_at(stamped.opened, tick)), tests::area_mm2(then),
                 0.5 * tests::small_grid().spacing_mm * length_mm);
   }
 }

@@ -9,6 +9,7 @@
 
 #include "simulator/cutting/field/region_outline.h"
 #include "tests/simulator/cutting/field/random_stamps.h"
+#include "tests/support/outline_area.h"
 
 namespace hallux::tests {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/allocation_counter.h"
+#include "tests/support/outline_area.h"
 
 namespace hallux::tests {
 namespace {
