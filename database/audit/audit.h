@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "database/records/audit_line.h"
 #include "database/records/ids.h"
 #include "database/store/connection.h"
 #include "simulator/base/digest.h"
@@ -45,9 +44,5 @@ void walk_audit(Database& database, const std::function<void(const AuditRow&)>& 
 /// All rows, oldest first.
 /// errors  DatabaseError Damaged naming the first row whose link does not fit
 std::vector<AuditRow> read_audit(Database& database);
-
-/// Newest first, with names where they can still be named. The chain is not checked: that is verify's.
-/// errors  DatabaseError
-AuditPage read_audit_page(Database& database, const AuditRequest& request);
 
 }  // namespace hallux::database

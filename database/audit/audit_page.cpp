@@ -1,7 +1,8 @@
+#include "database/audit/audit_page.h"
+
 #include <algorithm>
 #include <limits>
 
-#include "database/audit/audit.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {

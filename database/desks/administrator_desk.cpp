@@ -1,6 +1,7 @@
 #include "database/desks/administrator_desk.h"
 
 #include "database/audit/audit.h"
+#include "database/audit/audit_page.h"
 #include "database/course/limits.h"
 #include "database/exchange/import_attempt.h"
 #include "database/exchange/origins.h"

@@ -4,6 +4,7 @@
 #include "database/course/score_json.h"
 #include "database/course/scores.h"
 #include "database/exchange/origins.h"
+#include "database/exchange/read_manifest.h"
 #include "database/recording/attempts.h"
 #include "database/recording/certificate_json.h"
 #include "database/store/sql.h"

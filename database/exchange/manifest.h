@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "database/exchange/exchange_file.h"
@@ -48,12 +47,5 @@ struct Manifest {
   std::vector<ExportedDecision> decisions;  ///< oldest first; the last one is in force
   std::vector<ExchangeFile> files;          ///< beside it, by name
 };
-
-/// The same manifest gives the same bytes.
-/// errors  DatabaseError Damaged where a text in it is not UTF-8
-std::string json_from_manifest(const Manifest& manifest);
-
-/// errors  DatabaseError: BadInput where the text is no manifest or contradicts itself; Newer for a later format
-Manifest manifest_from_json(std::string_view json);
 
 }  // namespace hallux::database

@@ -1,7 +1,9 @@
+#include "database/maintenance/verify_audit.h"
+
+#include "database/audit/audit.h"
 #include "database/course/decisions.h"
 #include "database/course/scores.h"
 #include "database/exchange/import_attempt.h"
-#include "database/maintenance/verify_parts.h"
 #include "database/recording/attempts.h"
 #include "database/recording/chain.h"
 #include "database/store/sql.h"

@@ -1,9 +1,10 @@
+#include "database/maintenance/verify_pages.h"
+
 #include <algorithm>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
-#include "database/maintenance/verify_parts.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
