@@ -6,7 +6,8 @@
 
 namespace hallux::database {
 
-/// Newest first, with names where they can still be named. The chain is not checked: that is verify's.
+/// Newest first, with names where they can still be named. The chain is not checked: that is
+/// verify's.
 /// errors  DatabaseError
 AuditPage read_audit_page(Database& database, const AuditRequest& request);
 

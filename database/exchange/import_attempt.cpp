@@ -122,7 +122,8 @@ void insert_chunks(Database& database, std::int64_t number, const ImportedAttemp
                });
 }
 
-/// Scores and decisions in the order in which they came to be there: a decision is about the score in force.
+/// Scores and decisions in the order in which they came to be there: a decision is about the score
+/// in force.
 void replay_results(Database& database, const Manifest& manifest, std::int64_t origin,
                     PersonId by) {
   const AttemptId& id = manifest.header.id;

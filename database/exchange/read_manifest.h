@@ -1,4 +1,4 @@
-/// The manifest of an exported attempt from JSON text that nobody vouches for.
+/// Reader of the manifest of an exported attempt, from JSON text that nobody vouches for.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,8 @@
 
 namespace hallux::database {
 
-/// errors  DatabaseError: BadInput where the text is no manifest or contradicts itself; Newer for a later format
+/// errors  DatabaseError: BadInput where the text is no manifest or contradicts itself; Newer for a
+///         later format
 Manifest manifest_from_json(std::string_view json);
 
 }  // namespace hallux::database

@@ -1,4 +1,4 @@
-/// The manifest of an exported attempt as JSON text.
+/// Writer of the manifest of an exported attempt, as JSON text.
 #pragma once
 
 #include <string>

@@ -1,11 +1,12 @@
-/// Verification of the audit: its chain, and that what it names is there unaltered and nothing else is.
+/// Verification of the audit: its chain, and what it names against what is stored.
 #pragma once
 
 #include "database/maintenance/verify_progress.h"
 
 namespace hallux::database {
 
-/// The chain of the audit, and that what it names as begun, sealed, stored and decided is still so and nothing else is.
+/// The chain of the audit, and that what it names as begun, sealed, stored and decided is still so
+/// and nothing else is.
 /// errors  DatabaseError Damaged; VerificationStopped
 void check_audit(Database& database, VerifyProgress& progress, Verification& found);
 

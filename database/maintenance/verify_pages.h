@@ -5,7 +5,8 @@
 
 namespace hallux::database {
 
-/// SQLite's own checks, table by table, and of the chunks that each row stands in the indices that reading goes by.
+/// SQLite's own checks, table by table, and of the chunks that each row stands in the indices that
+/// reading goes by.
 /// errors  DatabaseError Damaged; VerificationStopped
 void check_pages(Database& database, VerifyProgress& progress);
 

@@ -1,4 +1,4 @@
-/// Progress of a verification, told by each of its parts, and the sentence about a row that was altered.
+/// Progress of a verification, told by its parts, and the error of a row that was altered.
 #pragma once
 
 #include <functional>
