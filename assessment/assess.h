@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "assessment/measurement.h"
-#include "assessment/progress.h"
 #include "assessment/rebuild/cut_face.h"
 #include "assessment/rebuild/rebuild.h"
 #include "database/records/score.h"
 #include "scenarios/plan.h"
 #include "scenarios/scenario.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 

@@ -11,7 +11,7 @@
 #include "assessment/metrics/akin.h"
 #include "assessment/number_text.h"
 #include "simulator/base/units.h"
-#include "simulator/cutting/hinge_gap.h"
+#include "simulator/cutting/hinge/hinge_gap.h"
 
 namespace hallux::assessment {
 

@@ -8,6 +8,7 @@
 #include "scenarios/foot/first_proximal_phalanx.h"
 #include "scenarios/landmark_of.h"
 #include "simulator/base/elementary.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -226,7 +227,7 @@ Plan plan_on(const Scenario& scenario, const Bone& bone) {
   return plan;
 }
 
-Bone make_patient(const Scenario& scenario, const std::function<bool(double)>& progress) {
+Bone make_patient(const Scenario& scenario, const Progress& progress) {
   const PatientRequest& patient = scenario.patient;
   const BoneRequest request{.length_mm = patient.length_mm,
                             .eminence_mm = patient.eminence_mm,

@@ -1,13 +1,13 @@
 /// A scenario's plan on one patient: planes and points in that bone's frame.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scenarios/planned_zones.h"
 #include "scenarios/scenario.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 
 namespace hallux::scenarios {
@@ -69,7 +69,6 @@ Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
 
 /// The patient that the scenario asks for; `progress` is told the fraction done and may return false to cancel.
 /// errors  ScenarioError (see make_first_metatarsal)
-simulator::Bone make_patient(const Scenario& scenario,
-                             const std::function<bool(double)>& progress = {});
+simulator::Bone make_patient(const Scenario& scenario, const Progress& progress = {});
 
 }  // namespace hallux::scenarios

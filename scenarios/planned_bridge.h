@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "scenarios/plan.h"
-#include "simulator/operation/job.h"
+#include "simulator/bone/planned_bridge.h"
 
 namespace hallux::scenarios {
 

@@ -10,7 +10,7 @@
 
 #include "scenarios/scenario_error.h"
 #include "simulator/base/embedded.h"
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 
 namespace hallux::scenarios {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
 #include "simulator/record/record.h"
 
 namespace hallux::assessment {

@@ -1,7 +1,7 @@
 #include "assessment/rebuild/opened_fields.h"
 
 #include "assessment/rebuild/open_kerfs.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
 
 namespace hallux::assessment {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "assessment/progress.h"
+#include "simulator/base/progress.h"
 #include "simulator/base/transform.h"
-#include "simulator/cutting/opened_field.h"
+#include "simulator/cutting/field/opened_field.h"
 #include "simulator/record/record.h"
 
 namespace hallux::assessment {

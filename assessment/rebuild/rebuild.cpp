@@ -5,13 +5,15 @@
 
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
-#include "simulator/cutting/opened_volume.h"
+#include "simulator/bone/cut_bone.h"
+#include "simulator/cutting/solid/opened_volume.h"
+#include "simulator/cutting/solid/slab_volume.h"
 
 namespace hallux::assessment {
 
 namespace {
 
-using simulator::Bvh;
+using simulator::CutBone;
 using simulator::CutSolid;
 using simulator::KerfField;
 using simulator::Recording;
@@ -80,43 +82,26 @@ void measure_regions(RebuiltKerf& kerf, const CutSolid& solid) {
   }
 }
 
-/// Takes one kerf out of the solid; whether the solid changed.
-bool cut_kerf(CutSolid& solid, const Bvh& bvh, RebuiltBone& rebuilt, std::int32_t index) {
+/// The kerf in the bone that the kerfs before it leave.
+void cut_kerf(RebuiltBone& rebuilt, CutBone& bone, std::int32_t index) {
   RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const KerfField& field = rebuilt.fields.field(index);
   const simulator::KerfPlane& plane = rebuilt.fields.plane(index);
-  kerf.section = slice_section(solid, bvh, plane);
+  const simulator::SolidWithTree before = bone.before(index);
+  kerf.section = slice_section(before.solid, before.bvh, plane);
   kerf.outline = outline_of(field);
-  measure_regions(kerf, solid);
-  simulator::KerfCut cut =
-      simulator::cut_kerf(solid, bvh, plane, index, field.grid(), kerf.outline);
-  kerf.removed_mm3 = cut.removed_mm3;
-  rebuilt.removed_mm3 += cut.removed_mm3;
-  solid = std::move(cut.solid);
-  return cut.removed_mm3 > 0.0;
+  measure_regions(kerf, before.solid);
+  bone.put_kerf(index, {index, plane, field.grid(), kerf.outline});
+  kerf.removed_mm3 = bone.cut(index).removed_mm3;
+  rebuilt.removed_mm3 += kerf.removed_mm3;
 }
 
 void keep_pieces(RebuiltBone& rebuilt, const CutSolid& solid) {
-  for (CutSolid& piece : split_pieces(solid)) {
-    const double volume_mm3 = signed_volume_mm3(piece.mesh);
-    if (volume_mm3 < simulator::debris_limit_mm3) {
-      rebuilt.debris_mm3 += volume_mm3;
-      ++rebuilt.debris_count;
-      continue;
-    }
-    rebuilt.piece_volumes_mm3.push_back(volume_mm3);
-    rebuilt.pieces.push_back(std::move(piece));
-  }
-}
-
-void cut_kerfs(CutSolid& solid, RebuiltBone& rebuilt, const Progress& progress) {
-  Bvh bvh(solid.mesh);
-  const std::int32_t count = rebuilt.fields.count();
-  for (std::int32_t index = 0; index < count; ++index) {
-    report(progress, stamping_share + (1.0 - stamping_share) * index / count);
-    const bool is_last = index + 1 == count;
-    if (cut_kerf(solid, bvh, rebuilt, index) && !is_last) bvh = Bvh(solid.mesh);
-  }
+  simulator::SortedBodies sorted = sort_bodies(split_pieces(solid));
+  rebuilt.pieces = std::move(sorted.bodies);
+  rebuilt.piece_volumes_mm3 = std::move(sorted.volumes_mm3);
+  rebuilt.debris_mm3 = sorted.debris_mm3;
+  rebuilt.debris_count = static_cast<std::int32_t>(sorted.crumbs.size());
 }
 
 }  // namespace
@@ -142,10 +127,14 @@ RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& bla
   } else {
     stamp_kerfs(rebuilt, recording, progress);
   }
-  CutSolid solid = simulator::uncut_solid(solid_of(bone));
-  rebuilt.input_mm3 = signed_volume_mm3(solid.mesh);
-  if (rebuilt.fields.count() > 0) cut_kerfs(solid, rebuilt, progress);
-  keep_pieces(rebuilt, solid);
+  CutBone cut(solid_of(bone));
+  rebuilt.input_mm3 = signed_volume_mm3(cut.whole().mesh);
+  const std::int32_t count = rebuilt.fields.count();
+  for (std::int32_t index = 0; index < count; ++index) {
+    report(progress, stamping_share + (1.0 - stamping_share) * index / count);
+    cut_kerf(rebuilt, cut, index);
+  }
+  keep_pieces(rebuilt, cut.after_all());
   report(progress, 1.0);
   return rebuilt;
 }

@@ -4,11 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "assessment/progress.h"
 #include "assessment/rebuild/opened_fields.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/cut.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 

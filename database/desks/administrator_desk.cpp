@@ -8,6 +8,7 @@
 #include "database/reports/report_connection.h"
 #include "database/store/settings.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -104,8 +105,7 @@ void AdministratorDesk::set_administrator(const std::string& login, bool is_admi
 }
 
 ErasedPieces AdministratorDesk::erase_person(const EraseRequest& request,
-                                             const PasswordProof& proof,
-                                             const std::function<bool(double)>& progress) {
+                                             const PasswordProof& proof, const Progress& progress) {
   const Person person = find_person(*database_, request.login);
   require(*database_, holder_, Action::ErasePerson, relation_to_person(person),
           "the person " + request.login);
@@ -116,7 +116,7 @@ ErasedPieces AdministratorDesk::erase_person(const EraseRequest& request,
 
 PersonExport AdministratorDesk::export_person(const std::string& login,
                                               const std::filesystem::path& directory,
-                                              const std::function<bool(double)>& progress) {
+                                              const Progress& progress) {
   const Person person = find_person(*database_, login);
   require(*database_, holder_, Action::ExportPerson, relation_to_person(person),
           "the data of " + login);
@@ -210,7 +210,7 @@ AuditPage AdministratorDesk::audit_page(const AuditRequest& request) {
 }
 
 Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
-                                  const std::function<bool(double)>& progress) {
+                                  const Progress& progress) {
   require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
   return back_up_with_rotation(*database_,
                                directory.empty() ? database_->directory() / "backups" : directory,
@@ -312,7 +312,7 @@ std::vector<RetentionPiece> AdministratorDesk::retention_plan() {
   return plan_retention(*database_);
 }
 
-RetentionDone AdministratorDesk::retain(const std::function<bool(double)>& progress) {
+RetentionDone AdministratorDesk::retain(const Progress& progress) {
   require(*database_, holder_, Action::Retain, Relation::Other, "what need not be kept");
   return apply_retention(*database_, holder_.person, progress);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "database/records/limit.h"
 #include "database/records/origin.h"
 #include "database/records/report.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -54,12 +54,12 @@ class AdministratorDesk : public AttemptDesk {
   void set_administrator(const std::string& login, bool is_administrator);
   /// Takes all that names them away, for good.
   /// errors  DatabaseError: Refused for oneself, and where the proof is not the administrator's; as
-  ///         in database/maintenance/erasures.h; ErasureStopped
+  ///         in database/maintenance/erasures.h; Cancelled
   ErasedPieces erase_person(const EraseRequest& request, const PasswordProof& proof,
-                            const std::function<bool(double)>& progress = {});
+                            const Progress& progress = {});
   /// All that is kept of them, for them (database/maintenance/person_export.h).
   PersonExport export_person(const std::string& login, const std::filesystem::path& directory,
-                             const std::function<bool(double)>& progress = {});
+                             const Progress& progress = {});
 
   // Cohorts.
   std::vector<Cohort> cohorts();
@@ -86,8 +86,7 @@ class AdministratorDesk : public AttemptDesk {
   AuditPage audit_page(const AuditRequest& request);
   /// Into `directory`, or where that is empty into `backups` of the data directory; lets go of old
   /// ones (rotation).
-  Backup back_up(const std::filesystem::path& directory = {},
-                 const std::function<bool(double)>& progress = {});
+  Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
   /// The answer to one SELECT over what reports may read; the statement is written to the audit,
   /// also where it fails.
   /// errors  DatabaseError as ReportConnection::answer
@@ -116,7 +115,7 @@ class AdministratorDesk : public AttemptDesk {
   void set_retention(const RetentionRules& rules);
   /// A dry run: exactly what would go now.
   std::vector<RetentionPiece> retention_plan();
-  RetentionDone retain(const std::function<bool(double)>& progress = {});
+  RetentionDone retain(const Progress& progress = {});
 
  private:
   friend class Session;

@@ -2,6 +2,7 @@
 
 #include "database/audit/audit.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -72,7 +73,7 @@ void TraineeDesk::acknowledge(NoticeId notice) {
 }
 
 PersonExport TraineeDesk::export_own(const std::filesystem::path& directory,
-                                     const std::function<bool(double)>& progress) {
+                                     const Progress& progress) {
   require(*database_, holder_, Action::ExportPerson, Relation::Own, "your data");
   const PersonExport made = export_person(*database_, *holder_.person, directory, progress);
   audit("person_exported", "person", std::to_string(holder_.person->number));

@@ -8,6 +8,7 @@
 #include "database/course/help_requests.h"
 #include "database/desks/desks.h"
 #include "database/maintenance/person_export.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -33,8 +34,7 @@ class TraineeDesk : public CourseDesk {
   /// errors  DatabaseError Refused where it was told to somebody else, or there is none
   void acknowledge(NoticeId notice);
   /// All that is kept of this person (database/maintenance/person_export.h).
-  PersonExport export_own(const std::filesystem::path& directory,
-                          const std::function<bool(double)>& progress = {});
+  PersonExport export_own(const std::filesystem::path& directory, const Progress& progress = {});
 
  private:
   friend class Session;

@@ -16,6 +16,7 @@
 #include "database/store/durable_file.h"
 #include "database/store/own_directory.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -27,20 +28,20 @@ namespace fs = std::filesystem;
 /// enough.
 constexpr double part_of_recordings = 0.7, part_of_tables = 0.95;
 
-class Progress {
+class BackupProgress {
  public:
-  explicit Progress(const std::function<bool(double)>& told) : told_(told) {}
+  explicit BackupProgress(const Progress& told) : told_(told) {}
   bool goes_on() {
     is_stopped_ = is_stopped_ || (told_ && !told_(part_));
     return !is_stopped_;
   }
   void reach(double part) {
     part_ = part;
-    if (!goes_on()) throw BackupStopped{"the backup was stopped; none was left"};
+    if (!goes_on()) throw Cancelled{"the backup was stopped; none was left"};
   }
 
  private:
-  const std::function<bool(double)>& told_;
+  const Progress& told_;
   double part_ = 0.0;
   bool is_stopped_ = false;
 };
@@ -154,7 +155,7 @@ class BackupWriter {
   Database source_;
   BackupFolder folder_;
   const BackupOptions& options_;
-  Progress progress_;
+  BackupProgress progress_;
   BackupManifest manifest_;
 };
 

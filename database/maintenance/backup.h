@@ -18,13 +18,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "database/store/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -44,16 +44,9 @@ struct Backup {
   std::int64_t damaged = 0;
 };
 
-/// Thrown where `progress` asked to stop: no backup was left; recordings that were written serve
-/// the next one.
-class BackupStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 struct BackupOptions {
   /// Told the part done; false stops.
-  std::function<bool(double)> progress = {};
+  Progress progress = {};
   /// For tests of a disk that fills.
   std::optional<std::uintmax_t> pretended_free_bytes = {};
 };
@@ -63,7 +56,7 @@ struct BackupOptions {
 /// ensures a writer goes on meanwhile; what it commits after the snapshot is not in the copy, and
 ///         does not delay it
 /// errors  DatabaseError: Full where less than twice what is to be written is free; Locked where
-///         another backup is being made; storage failures; BackupStopped
+///         another backup is being made; storage failures; Cancelled
 Backup back_up(Database& database, const std::filesystem::path& folder,
                const BackupOptions& options = {});
 

@@ -10,6 +10,7 @@
 #include "database/store/free_text.h"
 #include "database/store/own_directory.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -143,13 +144,13 @@ void check_erasable(Database& database, const Person& person, const std::string&
 }
 
 void erase_recordings_of(Database& database, PersonId person, std::optional<PersonId> actor,
-                         const std::function<bool(double)>& progress, ErasedPieces& erased) {
+                         const Progress& progress, ErasedPieces& erased) {
   const std::vector<AttemptHeader> headers = list_attempts(database, {person, {}, false, {}});
   double done = 0.0;
   for (const AttemptHeader& header : headers) {
     if (progress && !progress(0.9 * done / static_cast<double>(headers.size()))) {
-      throw ErasureStopped{"the erasure was stopped after " + std::to_string(erased.recordings) +
-                           " recordings; the person is still there, once more goes on"};
+      throw Cancelled{"the erasure was stopped after " + std::to_string(erased.recordings) +
+                      " recordings; the person is still there, once more goes on"};
     }
     const std::int64_t bytes = erase_recording(database, header.id, actor);
     erased.recording_bytes += bytes;
@@ -180,8 +181,7 @@ bool is_erased(Database& database, PersonId person) {
 }
 
 ErasedPieces erase_person(Database& database, const ErasureOrder& order,
-                          std::optional<PersonId> actor,
-                          const std::function<bool(double)>& progress) {
+                          std::optional<PersonId> actor, const Progress& progress) {
   check_free_text("the reason", order.reason);
   const JournalLine line{own_directory(database).text, order.person, order.with_recordings,
                          utc_now(database)};

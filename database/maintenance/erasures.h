@@ -3,13 +3,13 @@
 /// (docs/decisions/0008-what-an-erasure-takes.md).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "database/maintenance/erasure_journal.h"
 #include "database/store/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -28,23 +28,15 @@ struct ErasedPieces {
   bool is_log_cleared = false;
 };
 
-/// Thrown where `progress` asked to stop: the person is still there, perhaps with fewer recordings.
-/// Once more goes on.
-class ErasureStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 bool is_erased(Database& database, PersonId person);
 
 /// Writes the journal, erases the recordings one by one where that was ordered, then all else in
 /// one transaction, and clears SQLite's log. Killed in the middle it may be done once more.
 /// errors  DatabaseError: NotFound; Refused for the last administrator who can sign in, for
 ///         somebody who is operating, and for somebody erased before; BadInput for the reason;
-///         storage failures; ErasureStopped
+///         storage failures; Cancelled
 ErasedPieces erase_person(Database& database, const ErasureOrder& order,
-                          std::optional<PersonId> actor,
-                          const std::function<bool(double)>& progress = {});
+                          std::optional<PersonId> actor, const Progress& progress = {});
 
 /// What was erased in this directory, as lines of a journal.
 std::vector<JournalLine> list_erasures(Database& database);

@@ -1,6 +1,7 @@
 #include "database/maintenance/open_maintenance.h"
 
 #include "database/people/people.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -16,8 +17,7 @@ void OpenMaintenance::require_nobody() const {
                           " in the meantime; an administrator must do this"};
 }
 
-Backup OpenMaintenance::back_up(const std::filesystem::path& directory,
-                                const std::function<bool(double)>& progress) {
+Backup OpenMaintenance::back_up(const std::filesystem::path& directory, const Progress& progress) {
   require_nobody();
   return back_up_with_rotation(*database_,
                                directory.empty() ? database_->directory() / "backups" : directory,
@@ -44,7 +44,7 @@ std::vector<RetentionPiece> OpenMaintenance::retention_plan() {
   return plan_retention(*database_);
 }
 
-RetentionDone OpenMaintenance::retain(const std::function<bool(double)>& progress) {
+RetentionDone OpenMaintenance::retain(const Progress& progress) {
   require_nobody();
   return apply_retention(*database_, std::nullopt, progress);
 }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "database/maintenance/backup_rotation.h"
 #include "database/maintenance/retention.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -18,13 +18,12 @@ class OpenMaintenance {
   /// Nothing where there are people.
   static std::optional<OpenMaintenance> enter(Database& database);
 
-  Backup back_up(const std::filesystem::path& directory = {},
-                 const std::function<bool(double)>& progress = {});
+  Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
   std::vector<Backup> backups();
   RetentionRules retention();
   void set_retention(const RetentionRules& rules);
   std::vector<RetentionPiece> retention_plan();
-  RetentionDone retain(const std::function<bool(double)>& progress = {});
+  RetentionDone retain(const Progress& progress = {});
 
  private:
   explicit OpenMaintenance(Database& database) : database_(&database) {}

@@ -12,6 +12,7 @@
 #include "database/store/durable_file.h"
 #include "database/store/fresh_directory.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -173,14 +174,14 @@ class PersonWriter {
   PersonWriter(Database& database, PersonId person, const std::filesystem::path& directory)
       : database_(database), person_(person), fresh_(directory), done_{directory} {}
 
-  PersonExport write(const std::function<bool(double)>& progress) {
+  PersonExport write(const Progress& progress) {
     std::string explanation = beginning;
     translating(database_, "export a person", [&] {
       const SQLite::Transaction snapshot{database_.connection()};
       double part = 0.0;
       const auto add = [&](const KeptTable& table) {
         if (progress && !progress(part))
-          throw ExportStopped{"the export was stopped; nothing was left"};
+          throw Cancelled{"the export was stopped; nothing was left"};
         write_table(table);
         explanation += std::string{table.name} + ".csv\r\n  " + table.meaning + "\r\n\r\n";
         part += 1.0 / static_cast<double>(tables_of_deeds.size() + tables_of_words.size());
@@ -237,8 +238,7 @@ class PersonWriter {
 }  // namespace
 
 PersonExport export_person(Database& database, PersonId person,
-                           const std::filesystem::path& directory,
-                           const std::function<bool(double)>& progress) {
+                           const std::filesystem::path& directory, const Progress& progress) {
   load_person(database, person);
   return PersonWriter{database, person, directory}.write(progress);
 }

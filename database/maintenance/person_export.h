@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 
 #include "database/records/ids.h"
 #include "database/store/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -16,20 +16,13 @@ struct PersonExport {
   std::int64_t files = 0, rows = 0;
 };
 
-/// Thrown where `progress` asked to stop: nothing was left.
-class ExportStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Writes `explanation.txt`, `person.json` with everything, and a CSV file for each table, all from
 /// one moment, into a directory that is new or empty; complete or not there. Other people are named
 /// where the person sees their names anyway; notes that are private to instructors are not in it,
 /// and their number is.
 /// errors  DatabaseError: NotFound; Refused where the directory holds something; storage failures;
-///         ExportStopped
+///         Cancelled
 PersonExport export_person(Database& database, PersonId person,
-                           const std::filesystem::path& directory,
-                           const std::function<bool(double)>& progress = {});
+                           const std::filesystem::path& directory, const Progress& progress = {});
 
 }  // namespace hallux::database

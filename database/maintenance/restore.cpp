@@ -15,6 +15,7 @@
 #include "database/store/fresh_directory.h"
 #include "database/store/own_directory.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -22,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* stopped = "restoring was stopped; nothing was left";
 constexpr double part_of_tables = 0.1, part_of_recordings = 0.6, part_of_checks = 0.98;
 /// The first schema in which a directory has a uuid.
 constexpr int schema_with_identity = 4;
@@ -81,7 +83,7 @@ void check_schema_is_ours(Database& database, const fs::path& workplace, const f
 
 class Restorer {
  public:
-  Restorer(const RestoreOrder& order, const std::function<bool(double)>& progress)
+  Restorer(const RestoreOrder& order, const Progress& progress)
       : order_(order), progress_(progress), workplace_(order.directory) {
     restored_.backup = chosen_backup(order.backup);
   }
@@ -115,9 +117,7 @@ class Restorer {
 
  private:
   void report(double part) const {
-    if (progress_ && !progress_(part)) {
-      throw RestoreStopped{"restoring was stopped; nothing was left"};
-    }
+    cancelled_as(stopped, [&] { hallux::report(progress_, part); });
   }
 
   fs::path folder() const { return restored_.backup.parent_path(); }
@@ -201,16 +201,9 @@ class Restorer {
   }
 
   void check_all(Database& database) {
-    const Verification found = [&] {
-      try {
-        return verify(database, [this](double part) {
-          return !progress_ ||
-                 progress_(part_of_recordings + (part_of_checks - part_of_recordings) * part);
-        });
-      } catch (const VerificationStopped&) {
-        throw RestoreStopped{"restoring was stopped; nothing was left"};
-      }
-    }();
+    const Verification found = cancelled_as(stopped, [&] {
+      return verify(database, part_of(progress_, part_of_recordings, part_of_checks));
+    });
     if (found.is_whole()) return;
     if (order_.even_damaged) return note_damage(*found.first_damage);
     throw DatabaseError{
@@ -225,7 +218,7 @@ class Restorer {
   }
 
   const RestoreOrder& order_;
-  const std::function<bool(double)>& progress_;
+  const Progress& progress_;
   FreshDirectory workplace_;
   Restored restored_;
   std::optional<BackupManifest> manifest_;
@@ -234,7 +227,7 @@ class Restorer {
 
 }  // namespace
 
-Restored restore(const RestoreOrder& order, const std::function<bool(double)>& progress) {
+Restored restore(const RestoreOrder& order, const Progress& progress) {
   return Restorer{order, progress}.restore();
 }
 

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "database/store/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -35,19 +35,13 @@ struct Restored {
   std::optional<std::string> first_damage = {};
 };
 
-/// Thrown where `progress` asked to stop: nothing was left.
-class RestoreStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Copies the backup beside `directory`, checking each digest, puts the recordings back, applies
 /// the journal of erasures, verifies all chains and seals, and names the result `directory` at the
 /// end. Nothing in the backup is altered, nothing outside its folder is read, no link is followed.
 /// errors  DatabaseError: NotFound; Damaged, Newer, BadInput for the backup; Refused where the
-///         directory holds something; storage failures; RestoreStopped. Even damaged: the tables
-///         must still be what the manifest says. Then nothing was left; what a kill left is cleared
-///         by the next try
-Restored restore(const RestoreOrder& order, const std::function<bool(double)>& progress = {});
+///         directory holds something; storage failures; Cancelled. Even damaged: the tables must
+///         still be what the manifest says. Then nothing was left; what a kill left is cleared by
+///         the next try
+Restored restore(const RestoreOrder& order, const Progress& progress = {});
 
 }  // namespace hallux::database

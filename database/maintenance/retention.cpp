@@ -11,6 +11,7 @@
 #include "database/recording/erased_recordings.h"
 #include "database/store/settings.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -213,7 +214,7 @@ std::vector<RetentionPiece> plan_retention(Database& database) {
 }
 
 RetentionDone apply_retention(Database& database, std::optional<PersonId> actor,
-                              const std::function<bool(double)>& progress) {
+                              const Progress& progress) {
   const RetentionRules rules = load_retention(database);
   const std::vector<RetentionPiece> pieces = plan_retention(database);
   RetentionDone done;
@@ -225,7 +226,7 @@ RetentionDone apply_retention(Database& database, std::optional<PersonId> actor,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (progress && !progress(static_cast<double>(i) / static_cast<double>(pieces.size()))) {
       say_what_went();
-      throw RetentionStopped{"it was stopped after " + sentence_of(done) + "; once more goes on"};
+      throw Cancelled{"it was stopped after " + sentence_of(done) + "; once more goes on"};
     }
     let_go(database, rules, pieces[i], actor, done);
   }

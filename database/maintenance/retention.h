@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,6 +16,7 @@
 
 #include "database/records/ids.h"
 #include "database/store/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -47,13 +47,6 @@ struct RetentionDone {
   std::int64_t recordings = 0, accounts = 0, cached = 0, bytes = 0;
 };
 
-/// Thrown where `progress` asked to stop: what went is gone and in the audit, the rest is as it
-/// was.
-class RetentionStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 RetentionRules load_retention(Database& database);
 /// errors  DatabaseError BadInput outside 1 to 36500 days
 void store_retention(Database& database, const RetentionRules& rules);
@@ -63,8 +56,8 @@ std::vector<RetentionPiece> plan_retention(Database& database);
 
 /// Lets it go, each piece in a transaction of its own that asks once more; clears SQLite's log at
 /// the end. Killed in the middle each piece is there or gone; once more goes on.
-/// errors  DatabaseError: storage failures; RetentionStopped
+/// errors  DatabaseError: storage failures; Cancelled
 RetentionDone apply_retention(Database& database, std::optional<PersonId> actor,
-                              const std::function<bool(double)>& progress = {});
+                              const Progress& progress = {});
 
 }  // namespace hallux::database

@@ -14,6 +14,7 @@
 #include "database/recording/recordings.h"
 #include "database/store/assets.h"
 #include "database/store/sql.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -109,7 +110,7 @@ void check_attempts(Database& database, VerifyProgress& progress, Verification& 
 
 }  // namespace
 
-Verification verify(Database& database, const std::function<bool(double)>& progress) {
+Verification verify(Database& database, const Progress& progress) {
   Verification found;
   VerifyProgress told{progress};
   try {

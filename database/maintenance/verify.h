@@ -6,13 +6,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "database/records/ids.h"
 #include "database/store/connection.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::database {
 
@@ -25,18 +25,12 @@ struct Verification {
   bool is_whole() const noexcept { return !first_damage.has_value(); }
 };
 
-/// Thrown where `progress` asked to stop: nothing is known of what was not checked yet.
-class VerificationStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// SQLite's own checks, every chunk chain, seal, score, asset, scenario text and the audit chain;
 /// that what the audit names is there unaltered, and that no attempt, score, decision or
 /// administrator is there that it does not name. Reads in pieces: a recording goes on meanwhile,
 /// and no more is held than some hundred rows. `progress` is told the part done and may return
 /// false to stop.
-/// errors  DatabaseError for storage failures other than damage; VerificationStopped
-Verification verify(Database& database, const std::function<bool(double)>& progress = {});
+/// errors  DatabaseError for storage failures other than damage; Cancelled
+Verification verify(Database& database, const Progress& progress = {});
 
 }  // namespace hallux::database

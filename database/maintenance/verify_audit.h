@@ -7,7 +7,7 @@ namespace hallux::database {
 
 /// The chain of the audit, and that what it names as begun, sealed, stored and decided is still so
 /// and nothing else is.
-/// errors  DatabaseError Damaged; VerificationStopped
+/// errors  DatabaseError Damaged; Cancelled
 void check_audit(Database& database, VerifyProgress& progress, Verification& found);
 
 }  // namespace hallux::database

@@ -7,7 +7,7 @@ namespace hallux::database {
 
 /// SQLite's own checks, table by table, and of the chunks that each row stands in the indices that
 /// reading goes by.
-/// errors  DatabaseError Damaged; VerificationStopped
+/// errors  DatabaseError Damaged; Cancelled
 void check_pages(Database& database, VerifyProgress& progress);
 
 }  // namespace hallux::database

@@ -17,8 +17,7 @@ void VerifyProgress::tell(std::int64_t done, std::int64_t all) {
   // Somebody may add rows meanwhile.
   const double share = all > done ? static_cast<double>(done) / static_cast<double>(all) : 1.0;
   if (!told_ || told_(begin_ + share * (end_ - begin_))) return;
-  throw VerificationStopped{"the check was stopped in " + part_ +
-                            "; no damage was found up to there"};
+  throw Cancelled{"the check was stopped in " + part_ + "; no damage was found up to there"};
 }
 
 }  // namespace hallux::database

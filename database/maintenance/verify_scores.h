@@ -6,7 +6,7 @@
 namespace hallux::database {
 
 /// Every score is what its card says, and the newest of an attempt is in force.
-/// errors  DatabaseError Damaged; VerificationStopped
+/// errors  DatabaseError Damaged; Cancelled
 void check_scores(Database& database, VerifyProgress& progress, Verification& found);
 
 }  // namespace hallux::database

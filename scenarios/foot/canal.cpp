@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scenarios/foot/topology.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::scenarios {
@@ -56,7 +57,7 @@ SampleBox shaft_box(const simulator::IndexedMesh& outer, const simulator::Cortex
 
 simulator::IndexedMesh make_canal(const simulator::IndexedMesh& outer,
                                   const simulator::CortexLaw& cortex, double edge_mm,
-                                  const RemeshProgress& progress) {
+                                  const Progress& progress) {
   const simulator::Bvh tree(outer);
   const Field field = [&](const Vec3& point_mm) { return marrow_field(tree, cortex, point_mm); };
   const SampledField samples = sample_field(field, shaft_box(outer, cortex, edge_mm));

@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "simulator/base/progress.h"
+
 namespace hallux::scenarios {
 namespace {
 
@@ -104,7 +106,7 @@ std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
 }  // namespace
 
 simulator::Bone make_first_metatarsal(const BoneTable& table, const BoneRequest& request,
-                                      const BoneProgress& progress) {
+                                      const Progress& progress) {
   return make_bone(table, request, {"first_metatarsal", landmarks_of}, progress);
 }
 

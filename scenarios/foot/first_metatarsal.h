@@ -2,12 +2,13 @@
 #pragma once
 
 #include "scenarios/foot/make_bone.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::scenarios {
 
 /// source  docs/foot.md; table `tables/first_metatarsal.txt`; promises and errors as make_bone
 simulator::Bone make_first_metatarsal(const BoneTable& table, const BoneRequest& request,
-                                      const BoneProgress& progress = {});
+                                      const Progress& progress = {});
 
 /// The shipped table of the first metatarsal (MT1A).
 BoneTable first_metatarsal_table();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "simulator/base/progress.h"
+
 namespace hallux::scenarios {
 namespace {
 
@@ -56,7 +58,7 @@ std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
 }  // namespace
 
 simulator::Bone make_first_proximal_phalanx(const BoneTable& table, const BoneRequest& request,
-                                            const BoneProgress& progress) {
+                                            const Progress& progress) {
   return make_bone(table, request, {"first_proximal_phalanx", landmarks_of}, progress);
 }
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "scenarios/foot/make_bone.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::scenarios {
 
 /// errors  as make_bone; besides where an eminence is asked for, which this bone has not
 /// source  docs/foot.md; table `tables/first_proximal_phalanx.txt`; promises as make_bone
 simulator::Bone make_first_proximal_phalanx(const BoneTable& table, const BoneRequest& request,
-                                            const BoneProgress& progress = {});
+                                            const Progress& progress = {});
 
 /// The shipped table of the first proximal phalanx (PP1).
 BoneTable first_proximal_phalanx_table();

@@ -11,6 +11,7 @@
 #include "scenarios/foot/march_tetrahedra.h"
 #include "scenarios/foot/remesh.h"
 #include "scenarios/foot/topology.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -50,19 +51,7 @@ void check_request(const BoneTable& table, const BoneRequest& request) {
   check_range("edge_mm", request.edge_mm, 0.2, 1.5, "");
 }
 
-void report(const BoneProgress& progress, double fraction) {
-  if (progress && !progress(fraction)) throw ScenarioError("cancelled");
-}
-
-/// The share of the whole work between two fractions, for a part that counts from 0 to 1.
-RemeshProgress part_of(const BoneProgress& progress, double from, double to) {
-  return [&progress, from, to](double fraction) {
-    return !progress || progress(from + (to - from) * fraction);
-  };
-}
-
-simulator::IndexedMesh make_outer(const BoneField& bone, double edge_mm,
-                                  const BoneProgress& progress) {
+simulator::IndexedMesh make_outer(const BoneField& bone, double edge_mm, const Progress& progress) {
   const Field field = [&bone](const Vec3& point_mm) { return bone.at(point_mm); };
   SampleBox box;
   box.low_mm = bone.low_mm();
@@ -92,7 +81,7 @@ RigidTransform placed(const BonePlace& place) {
 }  // namespace
 
 simulator::Bone make_bone(const BoneTable& table, const BoneRequest& request, const BoneKind& kind,
-                          const BoneProgress& progress) {
+                          const Progress& progress) {
   if (table.bone != kind.name) {
     throw ScenarioError("a table of the bone \"" + table.bone + "\" was given to make a " +
                         std::string(kind.name) + "; give that bone's own table");

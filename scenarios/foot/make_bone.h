@@ -1,12 +1,12 @@
 /// One bone from its table: what the bones of the parametric foot have in common.
 #pragma once
 
-#include <functional>
 #include <string_view>
 #include <vector>
 
 #include "scenarios/foot/bone_table.h"
 #include "scenarios/foot/landmarks.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 
 namespace hallux::scenarios {
@@ -19,9 +19,6 @@ struct BoneRequest {
   bool with_canal = true;
 };
 
-/// Called with the fraction done [0, 1]; returning false cancels.
-using BoneProgress = std::function<bool(double)>;
-
 /// What tells one bone from another beside its table.
 struct BoneKind {
   std::string_view name;  ///< as in the table's line `bone`
@@ -31,9 +28,9 @@ struct BoneKind {
 /// Builds the bone: field, marching tetrahedra, isotropic remesh with projection, canal, landmarks, placement.
 /// ensures outer and canal are closed, genus 0, one component each; the same request gives the same bytes
 /// errors  ScenarioError where the table is another bone's, the request is out of range, or the surface came out with
-///         another topology (says which); ScenarioError("cancelled") where progress said so
+///         another topology (says which); Cancelled where progress said so
 /// source  docs/foot.md
 simulator::Bone make_bone(const BoneTable& table, const BoneRequest& request, const BoneKind& kind,
-                          const BoneProgress& progress);
+                          const Progress& progress);
 
 }  // namespace hallux::scenarios

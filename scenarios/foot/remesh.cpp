@@ -5,6 +5,7 @@
 
 #include "scenarios/foot/triangle_graph.h"
 #include "scenarios/scenario_error.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -137,7 +138,7 @@ void relax_onto(TriangleGraph& graph, const Field& field, int steps, double long
 }  // namespace
 
 simulator::IndexedMesh remesh(const simulator::IndexedMesh& raw, const Field& field, double edge_mm,
-                              const RemeshProgress& progress) {
+                              const Progress& progress) {
   TriangleGraph graph(raw);
   const double longest_mm = edge_mm * 4.0 / 3.0;
   const double shortest_mm = edge_mm * 4.0 / 5.0;
@@ -146,9 +147,7 @@ simulator::IndexedMesh remesh(const simulator::IndexedMesh& raw, const Field& fi
     collapse_short(graph, shortest_mm, longest_mm);
     flip_to_even_valences(graph);
     relax_onto(graph, field, round + 1 < rounds ? 1 : 3, 0.3 * edge_mm);
-    if (progress && !progress(static_cast<double>(round + 1) / rounds)) {
-      throw ScenarioError("cancelled");
-    }
+    report(progress, static_cast<double>(round + 1) / rounds);
   }
   return graph.indexed();
 }

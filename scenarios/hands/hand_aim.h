@@ -7,7 +7,7 @@
 
 #include "scenarios/hands/hand_skill.h"
 #include "scenarios/plan.h"
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/slice/section.h"
 
 namespace hallux::scenarios {
 

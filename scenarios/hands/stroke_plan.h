@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/slice/section.h"
 
 namespace hallux::scenarios {
 

@@ -87,7 +87,7 @@ DangerWatch::DangerWatch(const RigidTransform& world_from_bone, const BladeSize&
   CHECK(zones.size() <= danger_zone_limit);
 }
 
-void DangerWatch::follow(const ToolSample& sample) noexcept {
+void DangerWatch::apply(const ToolSample& sample) noexcept {
   const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
   last_tick_ = sample.tick;
   const bool is_running =

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "simulator/base/fixed_array.h"
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/record/record.h"
 
 namespace hallux::simulator {
@@ -60,7 +60,7 @@ class DangerWatch {
   /// Follows the record by one sample.
   /// errors  none: total, allocates nothing
   /// thread  haptic (and, on its own copy, assessment)
-  void follow(const ToolSample& sample) noexcept;
+  void apply(const ToolSample& sample) noexcept;
 
   /// What happened and was not taken yet; of one zone its beginning before its end.
   bool take_news(DangerNews& news) noexcept;

@@ -111,7 +111,7 @@ double HeatField::dose_min_at(std::int32_t kerf, const Vec2& place_mm) const noe
   return cells_[cell_of(kerf, number)].dose_min;
 }
 
-void HeatField::follow(const ToolSample& sample, const StandingBone& bone) noexcept {
+void HeatField::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
   const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
   last_tick_ = sample.tick;
   if (!has(sample.status, ToolStatus::Running)) {

@@ -57,7 +57,7 @@ class HeatField {
   /// needs   samples in their order; `bone` as it stands after the sample
   /// errors  none: total, allocates nothing
   /// thread  haptic (and, on its own copy, assessment)
-  void follow(const ToolSample& sample, const StandingBone& bone) noexcept;
+  void apply(const ToolSample& sample, const StandingBone& bone) noexcept;
 
   /// The next mark that waits, no sooner than `ticks_per_heat_mark` after the one before.
   bool take_mark(HeatMark& mark) noexcept;

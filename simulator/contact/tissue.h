@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "simulator/cutting/kerf_set.h"
-#include "simulator/cutting/remaining_bone.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/remaining/remaining_bone.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/mesh/bvh.h"
 

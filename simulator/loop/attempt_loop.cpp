@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
@@ -57,7 +58,7 @@ class Spread {
 class AttemptRun {
  public:
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels,
-             const AttemptProgress& progress)
+             const Progress& progress)
       : setup_(setup),
         device_(
             device,
@@ -67,7 +68,7 @@ class AttemptRun {
         channels_(channels),
         progress_(progress),
         tissue_(setup.bone),
-        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
+        simulation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.effects),
         step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
         late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
     if (setup.job_runner != nullptr) {
@@ -101,7 +102,7 @@ class AttemptRun {
       failure = std::current_exception();
     }
     device_.let_go();
-    if (operation_.is_over()) statistics_.end = AttemptEnd::Finished;
+    if (simulation_.is_over()) statistics_.end = AttemptEnd::Finished;
     channels_.closed.store(true, std::memory_order_release);
     if (setup_.watch != nullptr) close_watch();
     if (!failure) failure = jobs_->failure();
@@ -113,7 +114,7 @@ class AttemptRun {
  private:
   void operate() {
     deadline_ = Clock::now() + tick_time;
-    while (tick_ <= setup_.last_tick && !operation_.is_over() && !is_cut_short()) {
+    while (tick_ <= setup_.last_tick && !simulation_.is_over() && !is_cut_short()) {
       const std::int64_t ticks = setup_.pacing == Pacing::RealTime ? wait_for_tick() : 1;
       if (is_cut_short()) return;
       advance(ticks);
@@ -247,7 +248,7 @@ class AttemptRun {
     add_commands(line, results);
 
     const Clock::time_point before = Clock::now();
-    const StepOutput output = operation_.step({line, results});
+    const StepOutput output = simulation_.step({line, results});
     step_times_.add(Clock::now() - before);
 
     device_.give(output, ticks);
@@ -307,9 +308,9 @@ class AttemptRun {
   const AttemptSetup& setup_;
   DeviceLink device_;
   AttemptChannels& channels_;
-  const AttemptProgress& progress_;
+  const Progress& progress_;
   TissueMap tissue_;
-  Operation operation_;
+  Simulation simulation_;
   std::unique_ptr<JobRunner> own_jobs_;  ///< none where the setup brings its own
   JobRunner* jobs_ = nullptr;
   Spread step_times_, late_times_;
@@ -328,7 +329,7 @@ class AttemptRun {
 }  // namespace
 
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
-                           AttemptChannels& channels, const AttemptProgress& progress) {
+                           AttemptChannels& channels, const Progress& progress) {
   return AttemptRun(setup, device, channels, progress).run();
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "simulator/contact/tool_motion.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/scripted.h"
@@ -15,7 +15,7 @@
 #include "simulator/loop/jobs.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/channels.h"
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 namespace hallux::simulator {
 
@@ -33,7 +33,7 @@ struct AttemptSetup {
   std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
   JobDelay job_delay = {};                 ///< RealTime only
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
-  WoundSettings wound = {};                ///< danger zones and the blade's steel
+  ToolEffectSettings effects = {};         ///< danger zones and the blade's steel
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
   AttemptOperator* attempt_operator =
       nullptr;  ///< who answers to what comes out; outlives the attempt
@@ -64,13 +64,10 @@ struct LoopStatistics {
   ForceLaw force_law = ForceLaw::Simulated;  ///< what the arm was made to feel
 };
 
-/// Called about ten times a second with the fraction done [0, 1]; returning false cancels the attempt.
-using AttemptProgress = std::function<bool(double)>;
-
 /// Runs the attempt on the calling thread until its end, and closes the channels.
 /// ensures every line of the tape, every sample and every event was pushed; none is dropped
 /// errors  what a job (std::bad_alloc) or `progress` threw, after the device was let go and channels and watch were closed
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
-                           AttemptChannels& channels, const AttemptProgress& progress = {});
+                           AttemptChannels& channels, const Progress& progress = {});
 
 }  // namespace hallux::simulator

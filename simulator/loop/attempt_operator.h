@@ -1,7 +1,7 @@
 /// An operator that answers to what it sees: after each step it is shown what came out, before the next it says commands.
 #pragma once
 
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
 

@@ -11,7 +11,7 @@
 
 #include "simulator/contact/feed.h"
 #include "simulator/contact/heat_law.h"
-#include "simulator/operation/job.h"
+#include "simulator/jobs/geometry_job.h"
 #include "simulator/record/latest.h"
 #include "simulator/record/record.h"
 #include "simulator/record/ring.h"

@@ -15,7 +15,7 @@
 #include "simulator/device/historic_law.h"
 #include "simulator/loop/watchdog.h"
 #include "simulator/record/record.h"
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
 

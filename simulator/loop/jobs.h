@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "simulator/base/random.h"
-#include "simulator/operation/job.h"
+#include "simulator/jobs/geometry_job.h"
 #include "simulator/record/ring.h"
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
 
@@ -47,10 +47,10 @@ class ImmediateJobs final : public JobRunner {
   const JobResult* take_ready() noexcept override;
   /// The result of that job, or null where none of that number was asked for.
   const JobResult* find(std::int32_t job) const noexcept;
-  const OperationGeometry& geometry() const noexcept { return geometry_; }
+  const AttemptGeometry& geometry() const noexcept { return geometry_; }
 
  private:
-  OperationGeometry geometry_;
+  AttemptGeometry geometry_;
   std::vector<std::unique_ptr<const JobResult>> results_;
   std::size_t taken_ = 0;
 };
@@ -79,7 +79,7 @@ class ThreadedJobs final : public JobRunner {
   void take_in(const Feed& feed, const std::stop_token& stop);
   void wait_for_delay(const std::stop_token& stop);
 
-  OperationGeometry geometry_;  ///< worker's
+  AttemptGeometry geometry_;  ///< worker's
   JobDelay delay_;
   Random random_;
   std::vector<std::unique_ptr<const JobResult>> results_;  ///< worker's

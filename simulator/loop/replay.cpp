@@ -1,5 +1,6 @@
 #include "simulator/loop/replay.h"
 
+#include "simulator/base/progress.h"
 #include "simulator/loop/jobs.h"
 
 namespace hallux::simulator {
@@ -13,14 +14,14 @@ class ReplayRun {
   ReplayRun(const Recording& recording, const ReplaySetup& setup)
       : recording_(recording),
         tissue_(setup.bone),
-        operation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.wound),
+        simulation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.effects),
         jobs_(setup.bone, setup.blade, setup.bridge) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());
     outputs_.events.reserve(recording.events.size());
   }
 
-  ReplayResult run(const ReplayProgress& progress) {
+  ReplayResult run(const Progress& progress) {
     for (std::size_t i = 0; i < recording_.tape.size() && result_.difference.empty(); ++i) {
       advance(recording_.tape[i]);
       const double done = static_cast<double>(i) / static_cast<double>(recording_.tape.size());
@@ -65,7 +66,7 @@ class ReplayRun {
   void advance(const TapeLine& line) {
     StepInput input{line, {}};
     if (!find_results(line, input)) return;
-    const StepOutput output = operation_.step(input);
+    const StepOutput output = simulation_.step(input);
     next_tick_ = line.tick + line.ticks;
     for (const CutEvent& event : output.events) {
       const std::size_t at = outputs_.events.size();
@@ -88,7 +89,7 @@ class ReplayRun {
 
   const Recording& recording_;
   TissueMap tissue_;
-  Operation operation_;
+  Simulation simulation_;
   ImmediateJobs jobs_;
   Recording outputs_;
   ReplayResult result_;
@@ -98,7 +99,7 @@ class ReplayRun {
 }  // namespace
 
 ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
-                    const ReplayProgress& progress) {
+                    const Progress& progress) {
   return ReplayRun(recording, setup).run(progress);
 }
 

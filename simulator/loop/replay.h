@@ -2,15 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "simulator/base/progress.h"
 #include "simulator/contact/tool_motion.h"
+#include "simulator/jobs/geometry_job.h"
 #include "simulator/mesh/bone.h"
-#include "simulator/operation/job.h"
 #include "simulator/record/record.h"
-#include "simulator/step/wound.h"
+#include "simulator/step/tool_effects.h"
 
 namespace hallux::simulator {
 
@@ -29,15 +29,12 @@ struct ReplaySetup {
   BladeSize blade;
   ContactSettings contact;
   std::optional<PlannedBridge> bridge = std::nullopt;
-  WoundSettings wound = {};
+  ToolEffectSettings effects = {};
 };
-
-/// Called with the fraction done [0, 1]; returning false cancels.
-using ReplayProgress = std::function<bool(double)>;
 
 /// Stops at the first difference. A tape that the step could not have been given is a difference, never a crash.
 /// needs   the recording was made by this engine version
 ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
-                    const ReplayProgress& progress = {});
+                    const Progress& progress = {});
 
 }  // namespace hallux::simulator

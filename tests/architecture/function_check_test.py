@@ -62,7 +62,7 @@ class FunctionCheck(PlantedTree):
         self.expect_refused("simulator/mesh", brought + "double f(double x) { return std::cos(x); }\n", "cos")
 
     def test_refuses_random_sources(self):
-        self.expect_refused("simulator/operation", "#include <cstdlib>\nint f() { return std::rand(); }\n", "rand")
+        self.expect_refused("simulator/jobs", "#include <cstdlib>\nint f() { return std::rand(); }\n", "rand")
         self.expect_refused("simulator/mesh", "#include <random>\n"
                             "unsigned f() { std::random_device device; return device(); }\n", "std::random_device")
         self.expect_refused("scenarios/foot", "#include <random>\ndouble f(std::mt19937& g) {\n"

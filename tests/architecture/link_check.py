@@ -60,12 +60,12 @@ def read_rooms(root):
 
 
 def why_refused(table, folders, folder, library):
-    unit = table.unit_of(folder)
     if library == "hallux_rules":
         return None
     if library in folders:
-        other = table.unit_of(folders[library])
-        return None if table.may_include(unit, other) else f"{unit} may not link {library} of {other}"
+        is_allowed = any(table.may_include(unit, other) for unit in table.units_of(folder)
+                         for other in table.units_of(folders[library]))
+        return None if is_allowed else f"{folder} may not link {library} of {folders[library]}"
     if library not in table.libraries:
         return f"links {library}, which the arrow table does not name"
     held = [allowed for allowed in table.libraries[library]
@@ -78,7 +78,7 @@ def check_rooms(root, table, findings):
     rooms = list(read_rooms(root))
     folders = {name: folder for name, folder, _ in rooms}
     for name, folder, uses in rooms:
-        if table.unit_of(folder) is None:
+        if not table.units_of(folder):
             findings.append((f"{folder}/CMakeLists.txt", f"{name} belongs to no unit of the arrow table"))
             continue
         for library in uses:

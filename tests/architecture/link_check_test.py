@@ -41,6 +41,13 @@ class LinkCheck(PlantedTree):
         self.room("simulator/base", "hallux_base", "hallux_mesh")
         self.expect_violation("simulator/base/CMakeLists.txt", "may not link hallux_mesh", "link_check.py", self.build)
 
+    def test_reads_the_arrows_of_a_library_that_holds_several_corners(self):
+        self.room("simulator/cutting", "hallux_cutting", "hallux_base hallux_mesh")
+        self.room("simulator/contact", "hallux_contact", "hallux_cutting")
+        self.expect_clean("link_check.py", self.build)
+        self.room("simulator/mesh", "hallux_mesh", "hallux_cutting")
+        self.expect_violation("simulator/mesh/CMakeLists.txt", "may not link hallux_cutting", "link_check.py", self.build)
+
     def test_refuses_a_foreign_library_outside_its_home(self):
         self.room("simulator/mesh", "hallux_mesh", "hallux_base SQLiteCpp")
         self.expect_violation("simulator/mesh/CMakeLists.txt", "may not link SQLiteCpp", "link_check.py", self.build)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Refuses what clang-format and clang-tidy do not see: sizes, names of files, macros, places of one machine.
+"""Refuses what clang-format and clang-tidy do not see: names of files, macros, places of one machine.
 
 usage: style_check.py ROOT
 """
@@ -14,14 +14,10 @@ FOLDERS = ("simulator", "scenarios", "database", "assessment", "ui", "tests", "d
 FILES = ("run", "test", "README.md", "CMakeLists.txt", "CMakePresets.json")
 CODE = (".h", ".cpp")
 TEXT = CODE + (".py", ".sh", ".txt", ".md", ".cmake", ".json", ".sql", "")
-MAX_SOURCE_LINES = 500
-MAX_FUNCTION_LINES = 70
 FILE_NAME = re.compile(r"^[a-z0-9_]+(\.[a-z0-9_]+)*$")
 MACHINE_PATH = re.compile(r"(?<![\w.$}])/(home|root|work|Users|mnt)/\w")
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 MACRO = re.compile(r"^\s*#\s*define\s+(\w+)")
-# Opens something whose braces are no function's: what is inside is looked at on its own.
-CONTAINER = re.compile(r"\b(namespace|class|struct|union|enum|extern)\b[^;()]*$|=\s*$|\bextern \"C\"\s*$")
 
 
 def files_of(root):
@@ -31,44 +27,8 @@ def files_of(root):
     yield from (root / name for name in FILES if (root / name).is_file())
 
 
-def without_comments_and_text(source):
-    """The source with comments, strings and characters blanked out; every newline stays."""
-    pattern = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Fa-f])\'(?:\\.|[^\'\\\n])+\'',
-                         re.DOTALL)
-    blank = pattern.sub(lambda found: re.sub(r"[^\n]", " ", found.group(0)), source)
-    return re.sub(r"^[ \t]*#[^\n]*", "", blank, flags=re.MULTILINE)
-
-
-def function_lengths(source):
-    """(first line, lines) of each outermost pair of braces that is not a namespace, a type or a table."""
-    text = without_comments_and_text(source)
-    line, head, stack = 1, "", []
-    for letter in text:
-        if letter == "\n":
-            line += 1
-        if letter == "{":
-            inside_function = any(is_function for is_function, _ in stack)
-            stack.append((not inside_function and not CONTAINER.search(head.strip()), line))
-            head = ""
-        elif letter == "}" and stack:
-            is_function, first = stack.pop()
-            if is_function:
-                yield first, line - first + 1
-            head = ""
-        elif letter == ";":
-            head = ""
-        else:
-            head += letter
-
-
 def check_code(path, text, findings):
     lines = text.splitlines()
-    if len(lines) > MAX_SOURCE_LINES:
-        findings.append((path, f"{len(lines)} lines; a source stops at {MAX_SOURCE_LINES}"))
-    for first, length in function_lengths(text):
-        if length > MAX_FUNCTION_LINES:
-            findings.append((f"{path}:{first}",
-                             f"a function of {length} lines; it stops at {MAX_FUNCTION_LINES}"))
     for number, line in enumerate(lines, 1):
         macro = MACRO.match(line)
         if macro and macro.group(1) != "CHECK":

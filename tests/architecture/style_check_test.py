@@ -10,25 +10,9 @@ HEADER = "/// What this is for.\n#pragma once\n"
 
 class StyleCheck(PlantedTree):
     def test_lets_good_code_pass(self):
-        body = "  a();\n" * 68
         self.plant("simulator/base/good.h", HEADER + "namespace hallux {\nstruct A {\n  int b{0};\n};\n}\n")
-        self.plant("simulator/base/good.cpp", f"namespace hallux {{\nvoid f() {{\n{body}}}\n}}  // namespace hallux\n")
-        self.plant("simulator/base/table.cpp", "constexpr int table[] = {\n" + "  1,\n" * 200 + "};\n")
+        self.plant("simulator/base/good.cpp", "namespace hallux {\nvoid f() { a(); }\n}  // namespace hallux\n")
         self.expect_clean("style_check.py")
-
-    def test_refuses_a_long_function(self):
-        body = "  if (a) { b(); }  // }\n" * 70
-        self.plant("ui/jobs/long.cpp", f"namespace hallux {{\n\nvoid f() {{\n{body}}}\n\n}}\n")
-        self.expect_violation("ui/jobs/long.cpp:3", "a function of 72 lines", "style_check.py")
-
-    def test_refuses_a_long_member_function(self):
-        body = '  use("}");\n' * 70
-        self.plant("ui/jobs/long.h", HEADER + f"class A {{\n public:\n  void f() noexcept {{\n{body}  }}\n}};\n")
-        self.expect_violation("ui/jobs/long.h:5", "a function of 72 lines", "style_check.py")
-
-    def test_refuses_a_long_file(self):
-        self.plant("ui/jobs/long.cpp", "int a();\n" * 501)
-        self.expect_violation("ui/jobs/long.cpp", "501 lines", "style_check.py")
 
     def test_refuses_a_name_that_is_not_snake_case(self):
         self.plant("simulator/mesh/SolidMesh.cpp", "")

@@ -10,7 +10,7 @@
 #include "scenarios/plan.h"
 #include "simulator/loop/jobs.h"
 #include "simulator/loop/replay.h"
-#include "simulator/step/step.h"
+#include "simulator/step/simulation.h"
 #include "tests/database/some_database.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
@@ -49,10 +49,10 @@ struct Costs {
 /// Steps through the tape again, with a clock around each step and each job.
 Costs retrace(const RecordedSilver& recorded) {
   const simulator::TissueMap tissue(recorded.bone);
-  simulator::Operation operation(
+  simulator::Simulation simulation(
       tissue, recorded.bone.world_from_bone, recorded.silver.blade.size,
       contact_of(recorded.silver),
-      wound_of(recorded.silver, plan_on(recorded.silver, recorded.bone)));
+      effects_of(recorded.silver, plan_on(recorded.silver, recorded.bone)));
   simulator::ImmediateJobs jobs(recorded.bone, recorded.silver.blade.size);
   Costs costs;
   costs.step_us.reserve(recorded.recording.tape.size());
@@ -63,7 +63,7 @@ Costs retrace(const RecordedSilver& recorded) {
       input.job_results[i] = jobs.find(line.commands[i].argument);
     }
     const Clock::time_point before_step = Clock::now();
-    const simulator::StepOutput output = operation.step(input);
+    const simulator::StepOutput output = simulation.step(input);
     costs.step_us.push_back(microseconds_since(before_step));
     const Clock::time_point before_jobs = Clock::now();
     jobs.follow(output);
@@ -104,7 +104,7 @@ void replay_of_an_attempt(benchmark::State& state) {
                              recorded.silver.blade.size,
                              contact_of(recorded.silver),
                              {},
-                             wound_of(recorded.silver, plan_on(recorded.silver, recorded.bone))});
+                             effects_of(recorded.silver, plan_on(recorded.silver, recorded.bone))});
     if (!result.is_identical) state.SkipWithError("the replay differs");
   }
   state.counters["times_real_time"] = benchmark::Counter(

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "simulator/base/random.h"
-#include "simulator/cutting/remaining_bone.h"
+#include "simulator/cutting/remaining/remaining_bone.h"
 #include "simulator/mesh/bvh.h"
 #include "simulator/mesh/swept_box.h"
 #include "simulator/record/record.h"

@@ -9,8 +9,8 @@
 
 #include "simulator/base/elementary.h"
 #include "simulator/base/random.h"
-#include "simulator/cutting/kerf.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/kerf.h"
+#include "simulator/cutting/field/region_outline.h"
 
 namespace hallux::tests {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "simulator/base/check.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/region_outline.h"
 #include "ui/jobs/cut_sweep.h"
 
 namespace {

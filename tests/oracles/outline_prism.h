@@ -1,8 +1,8 @@
 /// A region of a kerf as a solid of its own, made without our kernel: what an oracle takes out of a bone.
 #pragma once
 
-#include "simulator/cutting/kerf.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/kerf.h"
+#include "simulator/cutting/field/region_outline.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::oracles {

@@ -6,13 +6,13 @@
 
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/cut.h"
-#include "simulator/cutting/opened_volume.h"
+#include "simulator/cutting/solid/commit_patch.h"
+#include "simulator/cutting/solid/opened_volume.h"
+#include "simulator/cutting/solid/remove_slab.h"
 #include "tests/benchmarks/peers/cgal_solid.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 #include "tests/oracles/outline_prism.h"
-#include "tests/simulator/cutting/cut_through.h"
+#include "tests/simulator/cutting/worlds/cut_through.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::oracles {

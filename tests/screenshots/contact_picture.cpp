@@ -3,7 +3,7 @@
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/plane_view.h"
 #include "tests/screenshots/sawn_bones.h"
-#include "tests/simulator/cutting/cut_through.h"
+#include "tests/simulator/cutting/worlds/cut_through.h"
 
 namespace hallux::tests {
 

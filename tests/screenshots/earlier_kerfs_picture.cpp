@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "simulator/base/check.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/plane_view.h"
 #include "tests/screenshots/sawn_bones.h"
-#include "tests/simulator/cutting/cut_through.h"
+#include "tests/simulator/cutting/worlds/cut_through.h"
 
 namespace hallux::tests {
 

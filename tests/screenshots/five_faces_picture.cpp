@@ -4,11 +4,11 @@
 #include <map>
 
 #include "simulator/base/check.h"
-#include "simulator/cutting/plane_slice.h"
+#include "simulator/cutting/slice/plane_slice.h"
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/sawn_bones.h"
-#include "tests/simulator/cutting/cut_through.h"
-#include "tests/simulator/cutting/shown_solid.h"
+#include "tests/simulator/cutting/worlds/cut_through.h"
+#include "tests/simulator/cutting/worlds/shown_solid.h"
 
 namespace hallux::tests {
 

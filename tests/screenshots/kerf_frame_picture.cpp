@@ -4,7 +4,7 @@
 // plane, that plane, what lies between, the near plane, what lies before it.
 #include <cmath>
 
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/sawn_bones.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "simulator/cutting/kerf_contact.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/region_outline.h"
+#include "simulator/cutting/slice/kerf_contact.h"
 #include "tests/screenshots/svg_page.h"
 
 namespace hallux::tests {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "simulator/base/check.h"
-#include "simulator/cutting/plane_slice.h"
-#include "tests/simulator/cutting/shown_solid.h"
+#include "simulator/cutting/slice/plane_slice.h"
+#include "tests/simulator/cutting/worlds/shown_solid.h"
 
 namespace hallux::tests {
 

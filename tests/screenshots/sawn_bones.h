@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "scenarios/plan.h"
-#include "simulator/cutting/hinge_gap.h"
-#include "simulator/cutting/solid_patch.h"
+#include "simulator/cutting/hinge/hinge_gap.h"
+#include "simulator/cutting/solid/solid_patch.h"
 #include "tests/screenshots/scene.h"
 
 namespace hallux::tests {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/cutting/cut_solid.h"
+#include "simulator/cutting/pieces/cut_solid.h"
 #include "tests/screenshots/svg_page.h"
 
 namespace hallux::tests {

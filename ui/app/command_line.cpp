@@ -6,32 +6,32 @@
 #include <iostream>
 #include <optional>
 
-#include "assessment/progress.h"
 #include "database/maintenance/verify.h"
 #include "database/store/database_error.h"
 #include "scenarios/scenario_error.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/record/record.h"
-#include "ui/app/interrupt.h"
-#include "ui/app/open_window.h"
-#include "ui/app/terminal_text.h"
-#include "ui/app/verb_attempt.h"
-#include "ui/app/verb_cut.h"
-#include "ui/app/verb_demo.h"
-#include "ui/app/verb_error.h"
-#include "ui/app/verb_exchange.h"
-#include "ui/app/verb_export_person.h"
-#include "ui/app/verb_keep.h"
-#include "ui/app/verb_replay.h"
-#include "ui/app/verb_rescore.h"
-#include "ui/app/verb_scenario.h"
-#include "ui/app/verb_score.h"
-#include "ui/app/verb_sql.h"
-#include "ui/app/verb_user.h"
-#include "ui/app/verb_verify.h"
+#include "ui/app/terminal/interrupt.h"
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/app/verbs/verb_attempt.h"
+#include "ui/app/verbs/verb_backup.h"
+#include "ui/app/verbs/verb_cut.h"
+#include "ui/app/verbs/verb_demo.h"
+#include "ui/app/verbs/verb_error.h"
+#include "ui/app/verbs/verb_exchange.h"
+#include "ui/app/verbs/verb_export_person.h"
+#include "ui/app/verbs/verb_replay.h"
+#include "ui/app/verbs/verb_rescore.h"
+#include "ui/app/verbs/verb_scenario.h"
+#include "ui/app/verbs/verb_score.h"
+#include "ui/app/verbs/verb_sql.h"
+#include "ui/app/verbs/verb_user.h"
+#include "ui/app/verbs/verb_verify.h"
+#include "ui/app/window/open_window.h"
 #include "ui/jobs/attempt_jobs.h"
-#include "ui/jobs/output_error.h"
-#include "ui/jobs/read_small_file.h"
+#include "ui/jobs/files/output_error.h"
+#include "ui/jobs/files/read_small_file.h"
 
 namespace hallux::ui {
 
@@ -90,16 +90,12 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
     return fail(error, exit_code_of(error.kind()));
   } catch (const Cancelled& error) {
     return fail(error, ExitCode::Interrupted);
-  } catch (const database::VerificationStopped& error) {
-    return fail(error, ExitCode::Interrupted);
   } catch (const simulator::MeshError& error) {
     return fail(error, ExitCode::BadInput);
   } catch (const FileRefused& error) {
     return fail(error, ExitCode::BadInput);
   } catch (const scenarios::ScenarioError& error) {
     return fail(error, ExitCode::BadInput);
-  } catch (const assessment::Cancelled& error) {
-    return fail(error, ExitCode::Interrupted);
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(error, ExitCode::Storage);
   } catch (const std::bad_alloc&) {

@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "ui/app/exit_code.h"
+#include "ui/app/terminal/exit_code.h"
 
 namespace hallux::ui {
 

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "assessment/progress.h"
 #include "database/recording/recordings.h"
 #include "database/store/assets.h"
 #include "scenarios/foot/first_metatarsal.h"
@@ -10,6 +9,7 @@
 #include "scenarios/planned_bridge.h"
 #include "scenarios/planned_guide.h"
 #include "simulator/base/check.h"
+#include "simulator/base/progress.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "simulator/device/scripted.h"
 
@@ -22,17 +22,9 @@ constexpr std::string_view bone_asset = "bone";
 }  // namespace
 
 simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress) {
-  const auto report = progress("Building the bone");
-  bool is_cancelled = false;
-  try {
-    return scenarios::make_patient(scenario, [&](double fraction) {
-      is_cancelled = report && !report(fraction);
-      return !is_cancelled;
-    });
-  } catch (const scenarios::ScenarioError&) {
-    if (is_cancelled) throw Cancelled("stopped while the bone was being built; nothing was stored");
-    throw;
-  }
+  return cancelled_as("stopped while the bone was being built; nothing was stored", [&] {
+    return scenarios::make_patient(scenario, progress("Building the bone"));
+  });
 }
 
 void put_bone(database::Database& database, const simulator::Bone& bone,
@@ -93,8 +85,8 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
   return settings;
 }
 
-simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
-                                        const scenarios::Plan& plan) {
+simulator::ToolEffectSettings tool_effect_settings(const scenarios::Scenario& scenario,
+                                                   const scenarios::Plan& plan) {
   return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
 }
 
@@ -104,7 +96,7 @@ simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
   simulator::AttemptSetup setup{bone, scenario.blade.size,
                                 contact_settings(scenario, plan, guidance)};
   setup.bridge = planned_bridge(plan);
-  setup.wound = wound_settings(scenario, plan);
+  setup.effects = tool_effect_settings(scenario, plan);
   return setup;
 }
 
@@ -163,7 +155,7 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
       replay(material.recording,
              {material.bone, material.scenario.blade.size,
               contact_settings(material.scenario, plan, material.header.begun.guidance),
-              planned_bridge(plan), wound_settings(material.scenario, plan)},
+              planned_bridge(plan), tool_effect_settings(material.scenario, plan)},
              [&](double fraction) {
                is_cancelled = report && !report(fraction);
                return !is_cancelled;
@@ -175,12 +167,10 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
 
 assessment::Examination score_attempt(const AttemptMaterial& material,
                                       const StageProgress& progress) {
-  try {
+  return cancelled_as("stopped while scoring; nothing was changed", [&] {
     return assessment::examine(material.scenario, material.bone, material.recording,
                                progress("Scoring"));
-  } catch (const assessment::Cancelled&) {
-    throw Cancelled("stopped while scoring; nothing was changed");
-  }
+  });
 }
 
 }  // namespace hallux::ui

@@ -12,20 +12,15 @@
 #include "database/recording/recorder.h"
 #include "database/records/attempt.h"
 #include "scenarios/plan.h"
+#include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"
 #include "simulator/loop/replay.h"
 #include "ui/jobs/recording_quality.h"
 
 namespace hallux::ui {
 
-/// Thrown where the user stopped a job; what was kept before stays.
-class Cancelled : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Gives the progress function of one stage of a job ("Building the bone"); see progress_on.
-using StageProgress = std::function<std::function<bool(double)>(const std::string& stage)>;
+using StageProgress = std::function<Progress(const std::string& stage)>;
 
 struct ScriptedAttempt {
   scenarios::Scenario scenario;
@@ -79,8 +74,8 @@ simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
                                             simulator::Guidance guidance);
 
 /// What is watched beside the cut; the same for the attempt and its replay.
-simulator::WoundSettings wound_settings(const scenarios::Scenario& scenario,
-                                        const scenarios::Plan& plan);
+simulator::ToolEffectSettings tool_effect_settings(const scenarios::Scenario& scenario,
+                                                   const scenarios::Plan& plan);
 
 /// How a scenario's operation runs; borrows the bone. What paces it and commands it is the caller's to add.
 simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "simulator/base/units.h"
-#include "simulator/cutting/hinge_gap.h"
-#include "simulator/cutting/plane_slice.h"
+#include "simulator/cutting/hinge/hinge_gap.h"
+#include "simulator/cutting/slice/plane_slice.h"
 
 namespace hallux::ui {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "simulator/cutting/hinge.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "ui/jobs/sawn_bone.h"
 
 namespace hallux::ui {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "simulator/mesh/read_mesh.h"
 #include "ui/jobs/close_wedge.h"
 #include "ui/jobs/write_pieces.h"
@@ -90,7 +91,7 @@ std::vector<IndexedMesh> name_pieces(std::vector<CutSolid> bodies,
 }
 
 /// The progress of one stage out of several.
-assessment::Progress stage_of(const assessment::Progress& progress, double stage, double stages) {
+Progress stage_of(const Progress& progress, double stage, double stages) {
   return [&progress, stage, stages](double fraction) {
     return !progress || progress((stage + fraction) / stages);
   };
@@ -104,25 +105,25 @@ double CutReport::missing_mm3() const noexcept {
   return missing_mm3;
 }
 
-CutReport cut_mesh(const CutRequest& request, const assessment::Progress& progress) {
-  assessment::report(progress, 0.0);
+CutReport cut_mesh(const CutRequest& request, const Progress& progress) {
+  report(progress, 0.0);
   SawnBone bone(read_mesh(request.mesh_file));
   CutReport report;
   report.input_mm3 = signed_volume_mm3(bone.whole().mesh);
   const double stages = static_cast<double>(request.groups.size()) + 2.0;
   for (const CutGroup& group : request.groups) {
     const double stage = static_cast<double>(report.cuts.size()) + 1.0;
-    assessment::report(progress, stage / stages);
+    hallux::report(progress, stage / stages);
     report.cuts.push_back(bone.saw(group, stage_of(progress, stage, stages)));
   }
   report.removed_mm3 = bone.removed_mm3();
-  assessment::report(progress, (stages - 1.0) / stages);
+  hallux::report(progress, (stages - 1.0) / stages);
   std::vector<CutSolid> bodies = bodies_of(bone.solid(), report);
   const std::optional<WedgeClosure> closure = close_if_asked(request, bone, report, bodies);
   const std::vector<std::size_t> order = by_volume(bodies);
   if (closure) report.hinge = hinge_report(*closure, order);
   const std::vector<IndexedMesh> meshes = name_pieces(std::move(bodies), order, report);
-  assessment::report(progress, (stages - 0.5) / stages);
+  hallux::report(progress, (stages - 0.5) / stages);
   write_pieces(meshes, request.output_folder);
   if (progress) progress(1.0);
   return report;

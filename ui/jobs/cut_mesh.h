@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/progress.h"
-#include "simulator/cutting/hinge.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "ui/jobs/sawn_bone.h"
 
 namespace hallux::ui {
@@ -55,6 +55,6 @@ struct CutReport {
 /// errors  MeshError (CutInputError) for the mesh, the sweeps, and kerfs without a wedge; KernelRefusal; OutputError where
 ///         the folder cannot be made or written; Cancelled. After an error no piece is new.
 /// thread  any; it is a job: not the render thread
-CutReport cut_mesh(const CutRequest& request, const assessment::Progress& progress);
+CutReport cut_mesh(const CutRequest& request, const Progress& progress);
 
 }  // namespace hallux::ui

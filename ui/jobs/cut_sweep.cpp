@@ -6,7 +6,7 @@
 
 #include "scenarios/json_node.h"
 #include "simulator/base/units.h"
-#include "ui/jobs/read_small_file.h"
+#include "ui/jobs/files/read_small_file.h"
 
 namespace hallux::ui {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/mesh_error.h"
 
 namespace hallux::ui {

@@ -3,6 +3,7 @@
 #include "assessment/rebuild/rebuild.h"
 #include "database/exchange/read_exported.h"
 #include "database/store/fresh_directory.h"
+#include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
 
@@ -16,11 +17,10 @@ using database::DatabaseErrorKind;
 /// A thousand pieces are none that a saw leaves; their names end where those of an export do.
 constexpr std::size_t pieces_max = 200;
 
-std::function<bool(double)> part_of(const std::function<bool(double)>& whole, std::size_t index,
-                                    std::size_t count) {
-  return [whole, index, count](double fraction) {
-    return !whole || whole((static_cast<double>(index) + fraction) / static_cast<double>(count));
-  };
+/// One of `count` attempts that take the same share each.
+Progress one_of(const Progress& whole, std::size_t index, std::size_t count) {
+  const auto all = static_cast<double>(count);
+  return part_of(whole, static_cast<double>(index) / all, static_cast<double>(index + 1) / all);
 }
 
 scenarios::Scenario scenario_of(const database::Manifest& manifest) {
@@ -95,16 +95,15 @@ std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& mat
 
 void export_attempts(const ExportRequest& request, const FindDesk& desk_of,
                      const StageProgress& progress) {
-  const auto report = progress("Exporting");
+  const Progress progress_of_all = progress("Exporting");
   const database::FreshDirectory fresh(request.folder);
   for (std::size_t i = 0; i < request.attempts.size(); ++i) {
-    if (!part_of(report, i, request.attempts.size())(0.0)) {
-      throw Cancelled("stopped while exporting; nothing was left in " + request.folder.string());
-    }
+    cancelled_as("stopped while exporting; nothing was left in " + request.folder.string(),
+                 [&] { hallux::report(one_of(progress_of_all, i, request.attempts.size()), 0.0); });
     desk_of(request.attempts[i]).export_attempt(request.attempts[i], fresh.path(), meshes_of);
   }
   fresh.finish();
-  if (report) report(1.0);
+  if (progress_of_all) progress_of_all(1.0);
 }
 
 ImportReport import_attempts(database::AdministratorDesk& desk, const std::filesystem::path& folder,
@@ -114,18 +113,14 @@ ImportReport import_attempts(database::AdministratorDesk& desk, const std::files
   const auto whole = progress("Importing");
   ImportReport report;
   for (std::size_t i = 0; i < folders.size(); ++i) {
-    auto part = part_of(whole, i, folders.size());
+    const Progress part = one_of(whole, i, folders.size());
     const StageProgress within = [&part](const std::string&) { return part; };
-    const auto stopped = [&] {
-      return Cancelled("stopped; " + std::to_string(report.imported.size()) +
-                       " attempts were taken in, each of them whole");
-    };
-    if (!part(0.0)) throw stopped();
-    try {
+    const std::string stopped = "stopped; " + std::to_string(report.imported.size()) +
+                                " attempts were taken in, each of them whole";
+    cancelled_as(stopped, [&] {
+      hallux::report(part, 0.0);
       import_one(desk, folders[i], within, report);
-    } catch (const Cancelled&) {
-      throw stopped();
-    }
+    });
   }
   if (whole) whole(1.0);
   return report;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "simulator/cutting/opened_volume.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/solid/opened_volume.h"
 
 namespace hallux::ui {
 
@@ -41,11 +42,11 @@ void KerfFrames::build(const RegionOutline& region) {
   outcome_.triangles_max = std::max(outcome_.triangles_max, patch_.triangles.size());
 }
 
-void KerfFrames::follow(const BladePath& path, const assessment::Progress& progress) {
+void KerfFrames::follow(const BladePath& path, const Progress& progress) {
   OutlineTracker tracker(kerf_.grid);
   tracker.update(*kerf_.field);
   for (std::size_t i = 0; i < path.poses.size(); ++i) {
-    assessment::report(progress, static_cast<double>(i) / static_cast<double>(path.poses.size()));
+    report(progress, static_cast<double>(i) / static_cast<double>(path.poses.size()));
     const auto start = Clock::now();
     stamp_motion(*kerf_.field, path.blade, path.poses[i == 0 ? 0 : i - 1], path.poses[i]);
     tracker.update(*kerf_.field);

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "assessment/progress.h"
-#include "simulator/cutting/commit_patch.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "ui/jobs/cut_sweep.h"
 
 namespace hallux::ui {
@@ -50,7 +50,7 @@ class KerfFrames {
   /// One frame a pose: stamp, outline, patch.
   /// needs   kerf.field
   /// errors  Cancelled
-  void follow(const BladePath& path, const assessment::Progress& progress);
+  void follow(const BladePath& path, const Progress& progress);
   /// One frame in which all of the section goes; the kerf is through from then on.
   void open_all();
   /// What is left. A last frame that was refused is built again beside it (see cut_kerf).

@@ -5,6 +5,7 @@
 
 #include "database/course/score_json.h"
 #include "database/store/assets.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::ui {
 
@@ -105,8 +106,7 @@ RescoredAttempt rescored(database::Database& database, const Listed& listed,
 
 std::vector<RescoredAttempt> rescore(database::Database& database,
                                      std::vector<database::AttemptDesk>& desks,
-                                     const Rescoring& rescoring,
-                                     const std::function<bool(double)>& progress) {
+                                     const Rescoring& rescoring, const Progress& progress) {
   const std::vector<Listed> listed = listed_at(desks, rescoring.scenario_name);
   if (listed.empty()) {
     throw DatabaseError(DatabaseErrorKind::NotFound,
@@ -120,13 +120,9 @@ std::vector<RescoredAttempt> rescore(database::Database& database,
   for (const Listed& each : listed) {
     const double done = static_cast<double>(attempts.size()) / static_cast<double>(listed.size());
     if (progress && !progress(done)) stop(attempts.size(), listed.size(), stored);
-    const StageProgress stage = [&](const std::string&) -> std::function<bool(double)> {
-      return [&](double) { return !progress || progress(done); };
-    };
+    const StageProgress stage = [&](const std::string&) { return part_of(progress, done, done); };
     try {
       attempts.push_back(rescored(database, each, scenario, stage));
-    } catch (const assessment::Cancelled&) {
-      stop(attempts.size(), listed.size(), stored);
     } catch (const Cancelled&) {
       stop(attempts.size(), listed.size(), stored);
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
@@ -40,7 +41,6 @@ struct RescoredAttempt {
 ///         stored before stays, and the sentence says how many those are
 std::vector<RescoredAttempt> rescore(database::Database& database,
                                      std::vector<database::AttemptDesk>& desks,
-                                     const Rescoring& rescoring,
-                                     const std::function<bool(double)>& progress);
+                                     const Rescoring& rescoring, const Progress& progress);
 
 }  // namespace hallux::ui

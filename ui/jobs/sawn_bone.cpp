@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/plane_slice.h"
+#include "simulator/cutting/slice/plane_slice.h"
+#include "simulator/cutting/solid/commit_patch.h"
 
 namespace hallux::ui {
 
@@ -150,8 +151,8 @@ void SawnBone::reopen_kerf(std::size_t place) {
   }
 }
 
-void SawnBone::open_last_kerf(const std::optional<BladePath>& path,
-                              const assessment::Progress& progress, GroupOutcome& outcome) {
+void SawnBone::open_last_kerf(const std::optional<BladePath>& path, const Progress& progress,
+                              GroupOutcome& outcome) {
   OpenedKerf& kerf = kerfs_.back();
   KerfFrames frames(solid_, kerf, outcome);
   if (path) {
@@ -164,7 +165,7 @@ void SawnBone::open_last_kerf(const std::optional<BladePath>& path,
   solid_ = std::move(cut.solid);
 }
 
-GroupOutcome SawnBone::saw(const CutGroup& group, const assessment::Progress& progress) {
+GroupOutcome SawnBone::saw(const CutGroup& group, const Progress& progress) {
   ++group_count_;
   const KerfPlane asked = plane_of(group, middle_mm_);
   const std::optional<std::size_t> place = place_of_kerf_in(asked);

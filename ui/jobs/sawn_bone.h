@@ -9,7 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/cutting/section.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bvh.h"
 #include "ui/jobs/kerf_frames.h"
 
@@ -29,7 +30,7 @@ class SawnBone {
 
   /// Saws the next group.
   /// errors  CutInputError for the sweep; KernelRefusal; Cancelled
-  GroupOutcome saw(const CutGroup& group, const assessment::Progress& progress);
+  GroupOutcome saw(const CutGroup& group, const Progress& progress);
 
   const simulator::CutSolid& whole() const noexcept { return whole_; }
   const simulator::CutSolid& solid() const noexcept { return solid_; }
@@ -42,7 +43,7 @@ class SawnBone {
   std::optional<std::size_t> place_of_kerf_in(const simulator::KerfPlane& asked) const;
   bool begin_kerf(const CutGroup& group, const simulator::KerfPlane& asked);
   void reopen_kerf(std::size_t place);
-  void open_last_kerf(const std::optional<BladePath>& path, const assessment::Progress& progress,
+  void open_last_kerf(const std::optional<BladePath>& path, const Progress& progress,
                       GroupOutcome& outcome);
 
   simulator::CutSolid whole_, solid_;

@@ -9,7 +9,7 @@
 
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
-#include "ui/jobs/output_error.h"
+#include "ui/jobs/files/output_error.h"
 
 namespace hallux::ui {
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "ui/render/bone_painter.h"
-#include "ui/render/frame.h"
-#include "ui/render/headless_context.h"
-#include "ui/render/overlay_painter.h"
-#include "ui/render/saw_painter.h"
-#include "ui/render/still_scene.h"
-#include "ui/render/tool_shadow.h"
+#include "ui/render/gl/headless_context.h"
+#include "ui/render/painters/bone_painter.h"
+#include "ui/render/painters/frame.h"
+#include "ui/render/painters/overlay_painter.h"
+#include "ui/render/painters/saw_painter.h"
+#include "ui/render/painters/still_scene.h"
+#include "ui/render/painters/tool_shadow.h"
 
 namespace hallux::ui {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "ui/render/camera.h"
-#include "ui/render/render_target.h"
-#include "ui/render/scene.h"
+#include "ui/render/gl/render_target.h"
+#include "ui/render/scene/camera.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::ui {
 

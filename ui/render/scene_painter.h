@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "ui/render/renderer.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/scene.h"
 #include "ui/render/stereo.h"
 
 namespace hallux::ui {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "simulator/base/check.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 
 namespace hallux::ui {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "ui/render/gl/shader_program.h"
 #include "ui/render/renderer.h"
-#include "ui/render/shader_program.h"
 
 namespace hallux::ui {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 
@@ -84,7 +85,7 @@ assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
 
 Traces traces_of(const Recording& recording, const Bone& bone, const assessment::SawOfRecord& saw,
                  const simulator::KerfSet& kerfs, std::size_t points_max,
-                 const assessment::Progress& progress) {
+                 const Progress& progress) {
   Traces traces;
   const RigidTransform bone_from_world = inverse(bone.world_from_bone);
   const std::size_t count = recording.samples.size();
@@ -107,13 +108,13 @@ Traces traces_of(const Recording& recording, const Bone& bone, const assessment:
     before_mm = point.advance_mm;
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
-  const assessment::WoundTrack wound =
-      assessment::follow_wound(bone, saw, recording, stretch, progress);
+  const assessment::EffectTrack effects =
+      assessment::track_effects(bone, saw, recording, stretch, progress);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
-    traces.points[point].hottest_celsius = wound.hottest_celsius[point];
+    traces.points[point].hottest_celsius = effects.hottest_celsius[point];
   }
-  traces.heat = wound.heat;
-  traces.greatest_deflection_mm = wound.greatest_deflection_mm;
+  traces.heat = effects.heat;
+  traces.greatest_deflection_mm = effects.greatest_deflection_mm;
   for (const CutEvent& event : recording.events) {
     const std::string text = mark_text(event.kind);
     if (!text.empty()) traces.marks.push_back({second_from_tick(event.tick), text});

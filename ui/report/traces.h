@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "assessment/progress.h"
-#include "assessment/wound_track.h"
+#include "assessment/effect_track.h"
 #include "scenarios/scenario.h"
+#include "simulator/base/progress.h"
 #include "simulator/contact/heat.h"
-#include "simulator/cutting/kerf_set.h"
+#include "simulator/cutting/field/kerf_set.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/guidance.h"
 #include "simulator/record/record.h"
@@ -50,10 +50,10 @@ assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
 
 /// Force, feed, advance and heat in at most `points_max` stretches of equal time.
 /// needs   `kerfs` as the recording opened them
-/// errors  assessment::Cancelled
+/// errors  Cancelled
 Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
                  const assessment::SawOfRecord& saw, const simulator::KerfSet& kerfs,
-                 std::size_t points_max = 480, const assessment::Progress& progress = {});
+                 std::size_t points_max = 480, const Progress& progress = {});
 
 /// How often and how long the running saw was in each danger zone of the scenario, in its order.
 std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,

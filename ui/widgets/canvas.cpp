@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/widgets/text_layout.h"
+#include "ui/widgets/texts/text_layout.h"
 
 namespace hallux::ui {
 namespace {

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/widgets/color.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/geometry.h"
-#include "ui/widgets/widget.h"
+#include "ui/widgets/input/widget.h"
+#include "ui/widgets/look/color.h"
+#include "ui/widgets/look/fonts.h"
+#include "ui/widgets/look/geometry.h"
 
 struct ImDrawList;
 

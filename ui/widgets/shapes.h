@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/widgets/canvas.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/look/theme.h"
 
 namespace hallux::ui {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "simulator/base/check.h"
-#include "ui/widgets/focus.h"
-#include "ui/widgets/text_layout.h"
+#include "ui/widgets/input/focus.h"
+#include "ui/widgets/texts/text_layout.h"
 
 namespace hallux::ui {
 namespace {

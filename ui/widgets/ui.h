@@ -20,11 +20,11 @@
 #include <vector>
 
 #include "ui/widgets/canvas.h"
-#include "ui/widgets/event_queue.h"
-#include "ui/widgets/text_edit.h"
-#include "ui/widgets/texts.h"
-#include "ui/widgets/theme.h"
-#include "ui/widgets/widget.h"
+#include "ui/widgets/input/event_queue.h"
+#include "ui/widgets/input/widget.h"
+#include "ui/widgets/look/theme.h"
+#include "ui/widgets/texts/text_edit.h"
+#include "ui/widgets/texts/texts.h"
 
 struct ImDrawData;
 

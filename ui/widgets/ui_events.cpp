@@ -2,7 +2,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "ui/widgets/focus.h"
+#include "ui/widgets/input/focus.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {

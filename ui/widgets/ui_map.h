@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ui/widgets/widget.h"
+#include "ui/widgets/input/widget.h"
 
 namespace hallux::ui {
 

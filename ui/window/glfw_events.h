@@ -1,7 +1,7 @@
 /// Puts what GLFW reports into our event queue, in order.
 #pragma once
 
-#include "ui/widgets/event_queue.h"
+#include "ui/widgets/input/event_queue.h"
 
 struct GLFWwindow;
 

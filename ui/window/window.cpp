@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "ui/render/gl/software_renderer.h"
 #include "ui/render/imgui_painter.h"
 #include "ui/render/picture.h"
 #include "ui/render/scene_painter.h"
-#include "ui/render/software_renderer.h"
 #include "ui/widgets/ui_map.h"
 #include "ui/window/glfw_events.h"
 #include "ui/window/shell/shell.h"

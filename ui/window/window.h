@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "ui/widgets/texts.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/look/theme.h"
+#include "ui/widgets/texts/texts.h"
 
 namespace hallux::ui {
 

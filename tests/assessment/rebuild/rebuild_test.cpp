@@ -4,6 +4,7 @@
 
 #include "assessment/rebuild/cut_face.h"
 #include "scenarios/plan.h"
+#include "simulator/base/progress.h"
 #include "tests/assessment/block_attempt.h"
 
 namespace hallux::assessment {

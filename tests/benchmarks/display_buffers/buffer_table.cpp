@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/benchmarks/display_buffers/sections.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 
 namespace hallux::benchmarks {
 

@@ -14,8 +14,8 @@
 #include "tests/benchmarks/display_buffers/workloads.h"
 #include "tests/benchmarks/report/chart.h"
 #include "tests/benchmarks/report/spread.h"
-#include "ui/render/bone_mesh.h"
-#include "ui/render/display_buffer.h"
+#include "ui/render/gl/display_buffer.h"
+#include "ui/render/scene/bone_mesh.h"
 
 namespace hallux::benchmarks {
 

@@ -13,7 +13,7 @@
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/ui/render/operating_world.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 #include "ui/render/stereo.h"
 
 namespace hallux::benchmarks {

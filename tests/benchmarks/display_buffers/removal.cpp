@@ -15,7 +15,7 @@
 #include "tests/benchmarks/display_buffers/workloads.h"
 #include "tests/benchmarks/report/chart.h"
 #include "tests/benchmarks/report/spread.h"
-#include "ui/render/display_buffer.h"
+#include "ui/render/gl/display_buffer.h"
 
 namespace hallux::benchmarks {
 

@@ -9,10 +9,10 @@
 #include "tests/benchmarks/display_buffers/sections.h"
 #include "tests/benchmarks/display_buffers/workloads.h"
 #include "tests/benchmarks/report/spread.h"
-#include "ui/render/bone_view.h"
-#include "ui/render/display_buffer.h"
-#include "ui/render/render_target.h"
-#include "ui/render/shader_program.h"
+#include "ui/render/gl/display_buffer.h"
+#include "ui/render/gl/render_target.h"
+#include "ui/render/gl/shader_program.h"
+#include "ui/render/painters/bone_view.h"
 
 namespace hallux::benchmarks {
 

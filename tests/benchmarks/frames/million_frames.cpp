@@ -1,5 +1,6 @@
-// A million random frames, each checked as in tests/simulator/cutting/kerf_frames_test.cpp: none open, none refused, all in
-// balance. Worlds are independent, so every core plays its own; what they were is printed, faults end with an exit code.
+// A million random frames, each checked as in tests/simulator/cutting/frames/kerf_frames_test.cpp:
+// none open, none refused, all in balance. Worlds are independent, so every core plays its own; what
+// they were is printed, faults end with an exit code.
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -11,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/simulator/cutting/frame_count.h"
+#include "tests/simulator/cutting/frames/frame_count.h"
 
 namespace hallux::benchmarks {
 

@@ -14,7 +14,7 @@
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/benchmarks/worlds/bone_like.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::benchmarks {
 
@@ -22,7 +22,7 @@ namespace {
 
 using simulator::Bone;
 using tests::blade_down;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double coupling_newton_per_mm = 2.0;
 
@@ -36,7 +36,7 @@ Vec3 middle_of(const Bone& bone) {
   return 0.5 * (least + most);
 }
 
-void push_for(OperationRun& run, const Vec3& place_mm, double force_newton, int ticks) {
+void push_for(SimulationRun& run, const Vec3& place_mm, double force_newton, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     const double lead_mm = force_newton / coupling_newton_per_mm;
     run.glide(blade_down({place_mm.x, run.bone_from_tool().translation_mm.y - lead_mm, place_mm.z}),
@@ -47,7 +47,7 @@ void push_for(OperationRun& run, const Vec3& place_mm, double force_newton, int 
 /// Two strokes side by side, the second in the slot of the first.
 simulator::Recording sawn(const Bone& bone) {
   const Vec3 middle = middle_of(bone);
-  OperationRun run(bone, blade_down(middle + Vec3{0.0, 12.0, 0.0}));
+  SimulationRun run(bone, blade_down(middle + Vec3{0.0, 12.0, 0.0}));
   for (const double aside_mm : {-2.0, 2.0}) {
     const Vec3 place = middle + Vec3{0.0, 12.0, aside_mm};
     run.glide(blade_down(place), 300);
@@ -61,7 +61,7 @@ simulator::Recording sawn(const Bone& bone) {
 simulator::Recording laid(const Bone& bone) {
   const Vec3 middle = middle_of(bone);
   const Quat flat = rotation_from_axes(Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, 1.0});
-  OperationRun run(bone, {flat, middle + Vec3{8.0, 12.0, 0.0}});
+  SimulationRun run(bone, {flat, middle + Vec3{8.0, 12.0, 0.0}});
   run.switches = 0;
   for (int i = 0; i < 4000; ++i) {
     const double swing = elementary::sin(0.003 * i);
@@ -75,7 +75,7 @@ simulator::Recording laid(const Bone& bone) {
 /// Each call once more through a step of its own.
 Spread cost_us(const Bone& bone, const simulator::Recording& recording) {
   const simulator::TissueMap tissue(bone);
-  simulator::Operation operation(tissue, bone.world_from_bone, {}, {});
+  simulator::Simulation simulation(tissue, bone.world_from_bone, {}, {});
   simulator::ImmediateJobs jobs(bone, {});
   std::vector<double> times_us;
   times_us.reserve(recording.tape.size());
@@ -86,7 +86,7 @@ Spread cost_us(const Bone& bone, const simulator::Recording& recording) {
       input.job_results[i] = jobs.find(line.commands[i].argument);
     }
     const Stopwatch watch;
-    const simulator::StepOutput output = operation.step(input);
+    const simulator::StepOutput output = simulation.step(input);
     times_us.push_back(1000.0 * watch.worked_milliseconds());
     jobs.follow(output);
   }

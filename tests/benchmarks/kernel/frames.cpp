@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "simulator/cutting/cut_solid.h"
+#include "simulator/cutting/pieces/cut_solid.h"
 #include "simulator/mesh/bvh.h"
 #include "tests/benchmarks/kernel/our_cut.h"
 #include "tests/benchmarks/kernel/results.h"

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulator/cutting/kerf_contact.h"
-#include "simulator/cutting/region_outline.h"
-#include "simulator/cutting/solid_patch.h"
+#include "simulator/cutting/field/region_outline.h"
+#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/solid/solid_patch.h"
 
 namespace hallux::benchmarks {
 

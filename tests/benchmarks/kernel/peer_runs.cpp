@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "simulator/cutting/commit_patch.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "tests/benchmarks/kernel/our_cut.h"
 #include "tests/benchmarks/peers/cgal_solid.h"
 #include "tests/benchmarks/peers/thesis_mesh.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/indexed_mesh.h"
 #include "tests/benchmarks/report/spread.h"
 

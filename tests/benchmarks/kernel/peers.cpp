@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/cutting/cut.h"
+#include "simulator/cutting/solid/remove_slab.h"
+#include "simulator/cutting/solid/slab_volume.h"
 #include "tests/benchmarks/kernel/peer_runs.h"
 #include "tests/benchmarks/kernel/results.h"
 #include "tests/benchmarks/report/chart.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "simulator/cutting/cut_solid.h"
+#include "simulator/cutting/pieces/cut_solid.h"
 #include "simulator/mesh/bvh.h"
 #include "tests/benchmarks/kernel/our_cut.h"
 #include "tests/benchmarks/kernel/results.h"

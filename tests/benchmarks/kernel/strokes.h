@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 
 namespace hallux::benchmarks {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "simulator/cutting/commit_patch.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "simulator/mesh/bvh.h"
 #include "tests/benchmarks/kernel/our_cut.h"
 #include "tests/benchmarks/kernel/results.h"

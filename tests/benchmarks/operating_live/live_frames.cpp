@@ -13,7 +13,7 @@
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/ui/screens/operating/drawn_operation.h"
-#include "ui/render/software_renderer.h"
+#include "ui/render/gl/software_renderer.h"
 
 namespace hallux::benchmarks {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 
 namespace hallux::benchmarks {
 

@@ -14,7 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::benchmarks {

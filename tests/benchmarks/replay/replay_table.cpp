@@ -5,13 +5,14 @@
 
 #include "assessment/rebuild/rebuild.h"
 #include "scenarios/plan.h"
+#include "scenarios/planned_bridge.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/random.h"
 #include "tests/benchmarks/report/spread.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
-#include "ui/jobs/kept_fields.h"
-#include "ui/screens/replay/bone_history.h"
+#include "ui/jobs/cached_fields.h"
+#include "ui/screens/replay/history_picture.h"
 
 namespace hallux::benchmarks {
 
@@ -28,6 +29,10 @@ struct Attempt {
   OpenedFields followed() const {
     return assessment::opened_fields(scenario.blade.size, bone.world_from_bone, recording);
   }
+  std::shared_ptr<const simulator::BoneHistory> history(OpenedFields opened) const {
+    return simulator::build_history(
+        {bone, recording, std::move(opened), scenarios::planned_bridge(plan)});
+  }
 
   scenarios::Scenario scenario;
   simulator::Bone bone;
@@ -41,10 +46,8 @@ void add_row(Table& table, const char* what, const Spread& spread) {
 }
 
 Spread scrubbing_ms(const Attempt& attempt) {
-  const auto history =
-      ui::build_history({attempt.bone, attempt.plan, attempt.recording, attempt.followed(),
-                         ui::look_of(1, attempt.bone), "measured"});
-  ui::BoneMoment moment(*history);
+  const auto history = attempt.history(attempt.followed());
+  simulator::BoneMoment moment(*history);
   Random random(1, "scrubbing");
   std::vector<double> times_ms;
   for (int i = 0; i < 300; ++i) {
@@ -84,8 +87,7 @@ Table table_of(const std::string& name) {
   add_row(table, "the bone's look",
           time_ms({}, nothing, [&](int) { return ui::look_of(1, attempt.bone); }));
   add_row(table, "replay opened, fields and look at hand", time_ms({}, nothing, [&](int) {
-            return ui::build_history(
-                {attempt.bone, attempt.plan, attempt.recording, fields, look, "opened"});
+            return ui::picture_of(attempt.history(fields), look, "opened");
           }));
   add_row(table, "a moment anywhere", scrubbing_ms(attempt));
   return table;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::benchmarks {

@@ -17,6 +17,7 @@
 #include "database/recording/erased_recordings.h"
 #include "database/recording/recordings.h"
 #include "database/store/assets.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 #include "tests/support/faulty_vfs.h"
 
@@ -164,7 +165,7 @@ TEST(Backup, StoppedLeavesNothing) {
                            last = part;
                            return part < end;
                          }}),
-                 BackupStopped);
+                 Cancelled);
     EXPECT_TRUE(list_backups(backups_of(database)).empty());
     EXPECT_LE(file_count(backups_of(database)), 1U) << end;
   }

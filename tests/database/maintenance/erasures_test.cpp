@@ -15,6 +15,7 @@
 #include "database/recording/recordings.h"
 #include "database/store/cached_bytes.h"
 #include "database/store/own_directory.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 #include "tests/support/faulty_vfs.h"
 
@@ -240,7 +241,7 @@ TEST(Erasure, StoppedBetweenTwoRecordingsGoesOnLater) {
   int asked = 0;
   const ErasureOrder order = order_for(course, true);
   EXPECT_THROW(erase_person(course.database(), order, {}, [&](double) { return ++asked > 1; }),
-               ErasureStopped);
+               Cancelled);
   EXPECT_FALSE(is_erased(course.database(), course.id()));
   erase_person(course.database(), order, {});
   expect_no_canary(course.database());

@@ -18,6 +18,7 @@
 #include "database/maintenance/retention.h"
 #include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -25,7 +26,7 @@ namespace hallux::database {
 namespace {
 
 namespace fs = std::filesystem;
-using Progress = std::function<bool(double)>;
+using Progress = Progress;
 
 /// Runs `work` in a process of its own and kills it at that report, or after that time; true where it ended before.
 bool ended_before_kill(const std::function<void(const Progress&)>& work, int report,

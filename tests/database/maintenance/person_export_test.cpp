@@ -10,6 +10,7 @@
 #include "database/course/help_requests.h"
 #include "database/maintenance/erasures.h"
 #include "database/store/csv_text.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -115,7 +116,7 @@ TEST(PersonExport, IsThereWholeOrNotAtAll) {
   const PersonId ada = course.id_of("ada");
   EXPECT_THROW(export_person(course.database(), ada, course.target(),
                              [](double part) { return part < 0.5; }),
-               ExportStopped);
+               Cancelled);
   EXPECT_TRUE(fs::is_empty(course.target().parent_path()));
   fs::create_directories(course.target());
   std::ofstream{course.target() / "mine"} << "of value";

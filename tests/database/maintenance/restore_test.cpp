@@ -18,6 +18,7 @@
 #include "database/maintenance/erasures.h"
 #include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -208,7 +209,7 @@ TEST(Restore, StoppedAnywhereLeavesNothing) {
   for (const double end : {0.0, 0.2, 0.6, 0.9}) {
     EXPECT_THROW(
         restore({course.manifest(), course.target(), {}}, [&](double part) { return part < end; }),
-        RestoreStopped);
+        Cancelled);
     course.expect_nothing_left();
   }
   EXPECT_EQ(restore({course.manifest(), course.target(), {}}).attempts, 2);

@@ -12,6 +12,7 @@
 #include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
 #include "database/store/settings.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -185,7 +186,7 @@ TEST(Retention, StoppedSaysWhatWentAndGoesOnLater) {
   store_retention(course.database(), {90, 90, {}, {}});
   int asked = 0;
   EXPECT_THROW(apply_retention(course.database(), {}, [&](double) { return ++asked < 2; }),
-               RetentionStopped);
+               Cancelled);
   EXPECT_EQ(course.due().size(), 1U);
   EXPECT_EQ(course.last_audit().action, "retention_applied");
   EXPECT_EQ(apply_retention(course.database(), {}).recordings, 1);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "database/course/scores.h"
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -195,7 +196,7 @@ TEST(Verify, SaysInWhichPartItWasStopped) {
   try {
     verify(database, [](double done) { return done < 0.8; });
     ADD_FAILURE() << "it went on";
-  } catch (const VerificationStopped& stopped) {
+  } catch (const Cancelled& stopped) {
     EXPECT_TRUE(names(stopped.what(), "stopped in the attempts")) << stopped.what();
   }
 }
@@ -260,7 +261,7 @@ TEST(Verify, StoppedIsNotDamaged) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
   record(database, some_attempt(database), some_recording(10));
-  EXPECT_THROW(verify(database, [](double) { return false; }), VerificationStopped);
+  EXPECT_THROW(verify(database, [](double) { return false; }), Cancelled);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/foot/first_proximal_phalanx.h"
 #include "scenarios/foot/topology.h"
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/mesh/bvh.h"
 
@@ -21,16 +22,16 @@ using simulator::IndexedMesh;
 
 struct FineCase {
   const char* name;
-  Bone (*make)(const BoneProgress&);
+  Bone (*make)(const Progress&);
   std::size_t least_triangles, most_triangles;
 };
 
-Bone make_metatarsal(const BoneProgress& progress) {
+Bone make_metatarsal(const Progress& progress) {
   return make_first_metatarsal(first_metatarsal_table(), {.eminence_mm = 4.0, .edge_mm = 0.3},
                                progress);
 }
 
-Bone make_phalanx(const BoneProgress& progress) {
+Bone make_phalanx(const Progress& progress) {
   return make_first_proximal_phalanx(first_proximal_phalanx_table(), {.edge_mm = 0.3}, progress);
 }
 
@@ -45,7 +46,7 @@ class FineBone : public testing::TestWithParam<FineCase> {
   inline static std::map<std::string, Bone> bones;
 
  private:
-  static BoneProgress stopwatch() {
+  static Progress stopwatch() {
     const auto start = std::chrono::steady_clock::now();
     return [start](double fraction) {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "scenarios/foot/topology.h"
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 
 namespace hallux::scenarios {
@@ -114,12 +115,8 @@ TEST_F(FirstMetatarsal, StandsInTheFootWithItsHeadBeforeItsBase) {
 TEST_F(FirstMetatarsal, StopsWhenToldTo) {
   for (const double stop_at : {0.0, 0.2}) {
     const auto until = [stop_at](double fraction) { return fraction < stop_at; };
-    try {
-      make_first_metatarsal(first_metatarsal_table(), coarse(4.0), until);
-      FAIL() << stop_at;
-    } catch (const ScenarioError& error) {
-      EXPECT_STREQ(error.what(), "cancelled");
-    }
+    EXPECT_THROW(make_first_metatarsal(first_metatarsal_table(), coarse(4.0), until), Cancelled)
+        << stop_at;
   }
 }
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "simulator/base/units.h"
-#include "simulator/cutting/kerf_set.h"
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/slice/section.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::tests {

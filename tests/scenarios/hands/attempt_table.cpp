@@ -50,7 +50,7 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
   const scenarios::Plan plan = plan_on(scenario, bone);
   const simulator::ReplayResult replayed =
       replay(recording, {bone, scenario.blade.size, contact_of(scenario), planned_bridge(plan),
-                         wound_of(scenario, plan)});
+                         effects_of(scenario, plan)});
   row.is_identical = replayed.is_identical;
   row.difference_tick = replayed.first_difference_tick;
   row.duration_s = static_cast<double>(recording.samples.size()) / 1000.0;

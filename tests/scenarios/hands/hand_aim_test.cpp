@@ -8,7 +8,7 @@
 
 #include "scenarios/hands/feeling_hand.h"
 #include "simulator/base/units.h"
-#include "simulator/cutting/section.h"
+#include "simulator/cutting/slice/section.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::scenarios {

@@ -8,7 +8,7 @@
 
 #include "simulator/record/sample_force.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {

@@ -13,18 +13,18 @@ namespace hallux::tests {
 
 namespace {
 
-using simulator::Operation;
+using simulator::Simulation;
 using simulator::ToolSample;
 using simulator::ToolStatus;
 
-double hottest_celsius(const Operation& operation) {
+double hottest_celsius(const Simulation& simulation) {
   constexpr std::int32_t half = simulator::heat_cells / 2;
   double hottest = simulator::body_celsius;
-  for (std::int32_t kerf = 0; kerf < operation.kerfs().count(); ++kerf) {
+  for (std::int32_t kerf = 0; kerf < simulation.kerfs().count(); ++kerf) {
     for (std::int32_t u = -half; u < half; ++u) {
       for (std::int32_t v = -half; v < half; ++v) {
         const Vec2 middle_mm = simulator::heat_cell_mm * Vec2(u + 0.5, v + 0.5);
-        hottest = std::max(hottest, operation.wound().heat().celsius_at(kerf, middle_mm));
+        hottest = std::max(hottest, simulation.effects().heat().celsius_at(kerf, middle_mm));
       }
     }
   }
@@ -39,7 +39,7 @@ class Tracer {
     trace_.bone_mm = region.max_mm.x - region.min_mm.x;
   }
 
-  void follow(const ToolSample& sample, const Operation& operation) {
+  void follow(const ToolSample& sample, const Simulation& simulation) {
     const RigidTransform plane_from_tool =
         plane_from_world_ * simulator::transform_from(sample.world_from_tool);
     const Vec3 force = simulator::force_newton(sample);
@@ -56,17 +56,17 @@ class Tracer {
     if (sample.tick % ticks_per_moment != 0) return;
     next_.time_s = second_from_tick(sample.tick);
     next_.depth_mm = depth_mm;
-    next_.hottest_celsius = hottest_celsius(operation);
+    next_.hottest_celsius = hottest_celsius(simulation);
     trace_.moments.push_back(next_);
     next_ = {};
   }
 
-  HandTrace finish(const Operation& operation) {
-    const simulator::HeatSummary& heat = operation.wound().heat().summary();
+  HandTrace finish(const Simulation& simulation) {
+    const simulator::HeatSummary& heat = simulation.effects().heat().summary();
     trace_.hot_s = heat.hot_s;
     trace_.hottest_celsius = heat.hottest_celsius;
     trace_.necrotic_mm3 = heat.necrotic_mm3;
-    for (const simulator::DangerTrack& zone : operation.wound().danger().tracks()) {
+    for (const simulator::DangerTrack& zone : simulation.effects().danger().tracks()) {
       trace_.zone_contacts += zone.contacts;
       trace_.zone_s += zone.contact_s;
     }
@@ -87,8 +87,8 @@ HandTrace trace_hand(const scenarios::Scenario& scenario, const simulator::Bone&
                      const scenarios::Plan& plan, scenarios::FeelingHand& hand) {
   const simulator::Recording recording = run_hand(scenario, bone, plan, hand).recording;
   const simulator::TissueMap tissue(bone);
-  Operation operation(tissue, bone.world_from_bone, scenario.blade.size, contact_of(scenario),
-                      wound_of(scenario, plan));
+  Simulation simulation(tissue, bone.world_from_bone, scenario.blade.size, contact_of(scenario),
+                        effects_of(scenario, plan));
   simulator::ImmediateJobs jobs(bone, scenario.blade.size, planned_bridge(plan));
   const scenarios::AimedCut& aimed = hand.cuts().at(0);
   Tracer tracer(inverse(bone.world_from_bone * aimed.plane.bone_from_kerf), aimed.region);
@@ -99,11 +99,11 @@ HandTrace trace_hand(const scenarios::Scenario& scenario, const simulator::Bone&
         input.job_results[i] = jobs.take_ready();
       }
     }
-    const simulator::StepOutput output = operation.step(input);
+    const simulator::StepOutput output = simulation.step(input);
     jobs.follow(output);
-    tracer.follow(output.sample, operation);
+    tracer.follow(output.sample, simulation);
   }
-  return tracer.finish(operation);
+  return tracer.finish(simulation);
 }
 
 }  // namespace hallux::tests

@@ -27,7 +27,7 @@ class ReplayDifference : public testing::Test {
                                    const simulator::ContactSettings& settings) const {
     return replay(
         recording,
-        {bone_, silver_.blade.size, settings, {}, wound_of(silver_, plan_on(silver_, bone_))});
+        {bone_, silver_.blade.size, settings, {}, effects_of(silver_, plan_on(silver_, bone_))});
   }
   /// The first tick of which the tool has this status.
   std::int64_t first_tick(ToolStatus status) const {

@@ -32,8 +32,8 @@ simulator::ContactSettings contact_of(const scenarios::Scenario& scenario) {
   return settings;
 }
 
-simulator::WoundSettings wound_of(const scenarios::Scenario& scenario,
-                                  const scenarios::Plan& plan) {
+simulator::ToolEffectSettings effects_of(const scenarios::Scenario& scenario,
+                                         const scenarios::Plan& plan) {
   return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
 }
 
@@ -42,7 +42,7 @@ ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::B
   simulator::AttemptSetup setup{bone, scenario.blade.size, contact_of(scenario),
                                 planned_bridge(plan)};
   setup.last_tick = scenarios::FeelingHand::last_tick;
-  setup.wound = wound_of(scenario, plan);
+  setup.effects = effects_of(scenario, plan);
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels(ring_capacity);
   ScriptedAttempt attempt;

@@ -16,7 +16,8 @@ namespace hallux::tests {
 simulator::ContactSettings contact_of(const scenarios::Scenario& scenario);
 
 /// What is watched beside the cut, as the program sets it up.
-simulator::WoundSettings wound_of(const scenarios::Scenario& scenario, const scenarios::Plan& plan);
+simulator::ToolEffectSettings effects_of(const scenarios::Scenario& scenario,
+                                         const scenarios::Plan& plan);
 
 struct ScriptedAttempt {
   simulator::Recording recording;

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "tests/ui/app/course_window.h"
-#include "ui/render/headless_context.h"
+#include "tests/ui/app/window/course_window.h"
+#include "ui/render/gl/headless_context.h"
 #include "ui/render/imgui_painter.h"
 #include "ui/render/scene_painter.h"
 

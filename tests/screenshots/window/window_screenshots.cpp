@@ -6,7 +6,7 @@
 
 #include "tests/database/some_database.h"
 #include "tests/screenshots/window/course_pictures.h"
-#include "ui/jobs/demo_course.h"
+#include "ui/jobs/demo/demo_course.h"
 
 namespace {
 

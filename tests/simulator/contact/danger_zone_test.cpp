@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::simulator {
 namespace {
@@ -82,7 +82,7 @@ class Approach {
           quantise(place_ * tests::blade_down({0.0, distance_mm + 1.0 + half_kerf_mm, 0.0}));
       if (saw_runs) sample.status |= static_cast<std::uint32_t>(ToolStatus::SawOn);
       if (is_running) sample.status |= static_cast<std::uint32_t>(ToolStatus::Running);
-      watch_.follow(sample);
+      watch_.apply(sample);
       for (DangerNews news; watch_.take_news(news);) heard.push_back(news);
     }
   }

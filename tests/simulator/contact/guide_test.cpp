@@ -6,16 +6,16 @@
 #include <cmath>
 
 #include "simulator/contact/tool_motion.h"
-#include "tests/simulator/step/operation_run.h"
-#include "tests/simulator/step/wound_follower.h"
+#include "tests/simulator/step/recorded_effects.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
 namespace {
 
 using tests::blade_down;
-using tests::OperationRun;
-using tests::WoundFollower;
+using tests::RecordedEffects;
+using tests::SimulationRun;
 
 constexpr double top_mm = 10.0;
 constexpr GuideStrength full{.stiffness_newton_per_mm = 2.0,
@@ -75,7 +75,7 @@ Bone block() { return tests::cortical_bone(tests::solid_block({40.0, 20.0, 30.0}
 
 TEST(GuidedHand, IsLedInAirAfterHalfASecond) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun run(bone, blade_down({5.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
   EXPECT_LT(length(run.force_in_bone_newton()), 0.02) << "it comes in softly";
   run.hold(249);
   EXPECT_NEAR(run.force_in_bone_newton().x, -0.5 * 1.2 * 1.5, 0.005);
@@ -88,7 +88,7 @@ TEST(GuidedHand, OfATiltedBladeIsTurned) {
   const Bone bone = block();
   RigidTransform tilted = blade_down({3.0, top_mm + 8.0, 0.0});
   tilted.rotation = normalised(rotation_about(Vec3(0.0, 0.0, 1.0), 0.05) * tilted.rotation);
-  OperationRun run(bone, tilted, {}, guided_by(Guidance::Slot));
+  SimulationRun run(bone, tilted, {}, guided_by(Guidance::Slot));
   const StepOutput output = run.hold(600);
   const Vec3 torque_newton_mm =
       transform_direction(inverse(bone.world_from_bone), output.torque_in_world_newton_mm);
@@ -97,10 +97,10 @@ TEST(GuidedHand, OfATiltedBladeIsTurned) {
 
 TEST(GuidedHand, GoesFreeWhereNobodyAskedForAGuideOrTheStepHasNone) {
   const Bone bone = block();
-  OperationRun free(bone, blade_down({8.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::None));
+  SimulationRun free(bone, blade_down({8.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::None));
   free.hold(600);
   EXPECT_EQ(length(free.force_in_bone_newton()), 0.0);
-  OperationRun next(bone, blade_down({8.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun next(bone, blade_down({8.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
   next.hold(600);
   EXPECT_GT(length(next.force_in_bone_newton()), 4.0);
   for (const std::int32_t step : {0, 1, 1000000, -5}) {
@@ -114,7 +114,7 @@ TEST(GuidedHand, ComesInAnewWithTheNextStep) {
   const Bone bone = block();
   ContactSettings settings;
   settings.guide = {Guidance::Slot, {plane, GuidePlane{Vec3(1.0, 0.0, 0.0), -3.0}}};
-  OperationRun run(bone, blade_down({3.0, top_mm + 3.0, 0.0}), {}, settings);
+  SimulationRun run(bone, blade_down({3.0, top_mm + 3.0, 0.0}), {}, settings);
   run.hold(600);
   EXPECT_EQ(length(run.force_in_bone_newton()), 0.0);
   run.step({{CommandKind::StepDone, 0, 0}});
@@ -125,7 +125,7 @@ TEST(GuidedHand, ComesInAnewWithTheNextStep) {
 
 TEST(GuidedHand, IsLedSoftlyAgainAfterAPauseAGapAndAFault) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun run(bone, blade_down({5.0, top_mm + 3.0, 0.0}), {}, guided_by(Guidance::Slot));
   const auto expect_led_anew = [&](const char* after) {
     EXPECT_LT(length(run.force_in_bone_newton()), 0.05) << after;
     run.hold(600);
@@ -147,7 +147,8 @@ TEST(GuidedHand, IsLedSoftlyAgainAfterAPauseAGapAndAFault) {
 TEST(GuidedHand, IsLetGoOnceTheTeethHaveAKerfOfTheirOwn) {
   const Bone bone = block();
   const double off_mm = 5.0;
-  OperationRun guided(bone, blade_down({off_mm, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun guided(bone, blade_down({off_mm, top_mm + 0.5, 0.0}), {},
+                       guided_by(Guidance::Slot));
   guided.hold(600);
   EXPECT_NEAR(guided.force_in_bone_newton().x, -1.2 * 1.5, 0.002);
   guided.glide(blade_down({off_mm, top_mm - 4.0, 0.0}), 600);
@@ -161,7 +162,7 @@ TEST(GuidedHand, IsLetGoOnceTheTeethHaveAKerfOfTheirOwn) {
 
 TEST(GuidedHand, BendsNoBladeThatStandsOnBone) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({8.0, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun run(bone, blade_down({8.0, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));
   run.switches = 0;
   run.hold(600);
   run.glide(blade_down({8.0, top_mm - 0.5, 0.0}), 100);
@@ -170,8 +171,8 @@ TEST(GuidedHand, BendsNoBladeThatStandsOnBone) {
   EXPECT_LT(run.force_in_bone_newton().x, -4.0);
   EXPECT_EQ(output.flex.deflection_mm, 0.0);
   const auto bend_mm = [&](bool is_guided) {
-    const WoundFollower follower(bone, run.recording(), {}, is_guided);
-    return std::abs(follower.wound().flex().deflection_mm);
+    const RecordedEffects follower(bone, run.recording(), {}, is_guided);
+    return std::abs(follower.effects().flex().deflection_mm);
   };
   EXPECT_EQ(bend_mm(true), 0.0);
   EXPECT_GT(bend_mm(false), 0.5) << "the same record, as if the blade bore it all";
@@ -179,7 +180,7 @@ TEST(GuidedHand, BendsNoBladeThatStandsOnBone) {
 
 TEST(GuidedHand, LeavesNothingOfItInASampleOfAKerf) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({8.0, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun run(bone, blade_down({8.0, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));
   run.hold(600);
   run.glide(blade_down({8.0, top_mm - 4.0, 0.0}), 600);
   run.hold(1500);
@@ -198,7 +199,7 @@ TEST(GuidedHand, LeavesNothingOfItInASampleOfAKerf) {
 TEST(GuidedHand, CutsToTheSameBitsWhereItsHandleIsTheSame) {
   const Bone bone = block();
   const auto tool_at_end = [&](Guidance guidance) {
-    OperationRun run(bone, blade_down({5.0, top_mm + 0.5, 0.0}), {}, guided_by(guidance));
+    SimulationRun run(bone, blade_down({5.0, top_mm + 0.5, 0.0}), {}, guided_by(guidance));
     run.glide(blade_down({5.0, top_mm - 6.0, 0.0}), 1500);
     return run.recording().samples.back().world_from_tool;
   };
@@ -208,11 +209,11 @@ TEST(GuidedHand, CutsToTheSameBitsWhereItsHandleIsTheSame) {
 
 TEST(GuidedHand, FeelsAtMostTheGreatestForceOfAll) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({33.0, top_mm + 1.0, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun run(bone, blade_down({33.0, top_mm + 1.0, 0.0}), {}, guided_by(Guidance::Slot));
   run.switches = 0;
   run.hold(600);
   EXPECT_NEAR(length(run.force_in_bone_newton()), 10.5, 0.002);
-  OperationRun pressed(bone, blade_down({13.0, top_mm + 1.0, 0.0}), {}, guided_by(Guidance::Slot));
+  SimulationRun pressed(bone, blade_down({13.0, top_mm + 1.0, 0.0}), {}, guided_by(Guidance::Slot));
   pressed.switches = 0;
   pressed.glide(blade_down({13.0, top_mm - 16.0, 0.0}), 700);
   EXPECT_LE(length(pressed.force_in_bone_newton()), 30.002);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulator/base/units.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
@@ -49,7 +49,7 @@ class SawnBlock {
     if (saw_runs) sample.status |= static_cast<std::uint32_t>(ToolStatus::SawOn);
     if (sawing_.is_irrigated) sample.status |= static_cast<std::uint32_t>(ToolStatus::Irrigated);
     kerfs_.follow(sample);
-    field_.follow(sample, {tissue_, kerfs_, {}});
+    field_.apply(sample, {tissue_, kerfs_, {}});
     for (HeatMark mark; field_.take_mark(mark);) marks.push_back({sample.tick, mark});
   }
   void saw(double seconds) { run(seconds, sawing_.feed_mm_s, true); }
@@ -202,7 +202,7 @@ TEST(Heat, StandsStillWhileTheAttemptDoesNotRun) {
   for (std::int64_t tick = 8000; tick < 9000; ++tick) {
     ToolSample sample;
     sample.tick = tick;
-    field.follow(sample, {tissue, block.kerfs(), {}});
+    field.apply(sample, {tissue, block.kerfs(), {}});
   }
   EXPECT_EQ(field.celsius_at(0, {3.5, 0.5}), before_celsius);
   EXPECT_EQ(field.summary().hot_s, block.summary().hot_s);

@@ -8,14 +8,14 @@
 #include <cmath>
 
 #include "simulator/record/sample_force.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
 namespace {
 
 using tests::blade_down;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double top_mm = 10.0;
 constexpr double side_mm = 15.0;
@@ -65,7 +65,7 @@ TEST(Kick, GoesAwayFromTheBoneThatCaughtIt) {
 Bone block() { return tests::cortical_bone(tests::solid_block({40.0, 20.0, 2.0 * side_mm})); }
 
 /// Forces along the tooth line over the next ticks, the hand held still [N].
-std::vector<double> forces_along_teeth(OperationRun& run, int ticks) {
+std::vector<double> forces_along_teeth(SimulationRun& run, int ticks) {
   std::vector<double> forces;
   for (int i = 0; i < ticks; ++i) {
     run.hold(1);
@@ -81,7 +81,7 @@ double sum_of(const std::vector<double>& values) {
 }
 
 /// The cause of the only kick so far, None without one.
-KickCause kicked(const OperationRun& run) {
+KickCause kicked(const SimulationRun& run) {
   const auto kicks = run.events(CutEventKind::Kick);
   EXPECT_LE(kicks.size(), 1U);
   return kicks.empty() ? KickCause::None : static_cast<KickCause>(kicks[0].subject);
@@ -89,7 +89,7 @@ KickCause kicked(const OperationRun& run) {
 
 TEST(KickedHand, WhereTheSawIsStartedWhileItsTeethStandOnBone) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, top_mm + 2.0, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 2.0, 0.0}));
   run.switches = 0;
   run.glide(blade_down({0.0, top_mm - 2.0, 0.0}), 200);
   ASSERT_EQ(kicked(run), KickCause::None) << "a blade at rest catches nothing";
@@ -111,7 +111,7 @@ TEST(KickedHand, WhereTheBladeMeetsBoneWithACorner) {
   const Bone bone = block();
   for (const double side : {1.0, -1.0}) {
     const double along_mm = side * (side_mm + 5.0 - 1.0);
-    OperationRun run(bone, blade_down({0.0, top_mm + 1.0, along_mm}));
+    SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, along_mm}));
     run.glide(blade_down({0.0, top_mm - 1.0, along_mm}), 100);
     const std::vector<double> forces = forces_along_teeth(run, 40);
     EXPECT_EQ(kicked(run), KickCause::Corner);
@@ -133,7 +133,7 @@ KickCause kick_of_touch(const RigidTransform& bone_from_handle) {
   above.translation_mm.y += 4.0;
   RigidTransform below = bone_from_handle;
   below.translation_mm.y -= 1.0;
-  OperationRun run(bone, above);
+  SimulationRun run(bone, above);
   run.glide(below, 400);
   EXPECT_EQ(run.events(CutEventKind::Contact).size(), 1U);
   return kicked(run);
@@ -156,7 +156,7 @@ TEST(KickedHand, IsNoneWhereTheBladeIsLaidOnALittleAslantAndOneWhereMuch) {
 
 TEST(KickedHand, OfASawAtRestIsNoneAtACorner) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, side_mm + 4.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, side_mm + 4.0}));
   run.switches = 0;
   run.glide(blade_down({0.0, top_mm - 1.0, side_mm + 4.0}), 100);
   EXPECT_EQ(run.events(CutEventKind::Contact).size(), 1U);
@@ -165,7 +165,7 @@ TEST(KickedHand, OfASawAtRestIsNoneAtACorner) {
 
 TEST(KickedHand, InTheSlotOnlyWhereTheTeethArePressedOnBone) {
   const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 30.0}));
-  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
   run.glide(blade_down({0.0, top_mm - 5.0, 0.0}), 3000);
   const double tip_mm = run.bone_from_tool().translation_mm.y;
   run.switches = 0;
@@ -183,7 +183,7 @@ TEST(KickedHand, InTheSlotOnlyWhereTheTeethArePressedOnBone) {
 
 TEST(KickedHand, StaysWithinTheGreatestForce) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({0.0, top_mm + 2.0, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 2.0, 0.0}));
   run.switches = 0;
   run.glide(blade_down({0.0, top_mm - 14.9, 0.0}), 300);
   ASSERT_NEAR(run.force_in_bone_newton().y, 29.8, 0.1);

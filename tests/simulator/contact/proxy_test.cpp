@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::simulator {
 namespace {

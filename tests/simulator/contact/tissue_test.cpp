@@ -6,7 +6,7 @@
 
 #include "scenarios/foot/first_metatarsal.h"
 #include "simulator/base/random.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {

@@ -4,20 +4,20 @@
 
 #include <cmath>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
 namespace {
 
 using tests::blade_down;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double top_mm = 10.0;
 constexpr double coupling_newton_per_mm = 2.0;
 
 /// A hand that feels its push and keeps it: the handle leads the teeth by the stretch.
-void push_for(OperationRun& run, double force_newton, int ticks) {
+void push_for(SimulationRun& run, double force_newton, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     const double tip_mm = run.bone_from_tool().translation_mm.y;
     run.glide(blade_down({0.0, tip_mm - force_newton / coupling_newton_per_mm, 0.0}), 1);
@@ -38,7 +38,7 @@ struct Saw {
 /// The rate over a while under the push, begun `first_mm` below the top.
 Feed feed_under(const Bone& bone, double force_newton, double first_mm, int ticks,
                 const Saw& saw = {}) {
-  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}), saw.blade, saw.settings);
+  SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}), saw.blade, saw.settings);
   while (run.bone_from_tool().translation_mm.y > top_mm - first_mm &&
          run.recording().tape.size() < 30000) {
     push_for(run, 20.0, 1);
@@ -51,7 +51,7 @@ Feed feed_under(const Bone& bone, double force_newton, double first_mm, int tick
       run.glide(blade_down({0.0, tip_mm - force_newton / coupling_newton_per_mm, 0.0}), 1);
   const double way_mm = before_mm - run.bone_from_tool().translation_mm.y;
   return {way_mm / (0.001 * ticks), output.engaged,
-          run.operation().wound().heat().summary().hottest_celsius};
+          run.simulation().effects().heat().summary().hottest_celsius};
 }
 
 Bone block(double width_mm) {
@@ -113,7 +113,7 @@ TEST(FeedOnABlock, TooWideABladeIsSlower) {
 TEST(FeedOnABlock, APushAgainstTheWallCostsItsFriction) {
   const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 30.0}));
   const auto way_mm = [&](double aside_mm) {
-    OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
+    SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
     while (run.bone_from_tool().translation_mm.y > top_mm - 0.5) push_for(run, 10.0, 1);
     run.glide(blade_down({aside_mm, top_mm - 6.0, 0.0}), 100);
     const double before_mm = run.bone_from_tool().translation_mm.y;
@@ -125,7 +125,7 @@ TEST(FeedOnABlock, APushAgainstTheWallCostsItsFriction) {
 
 TEST(BladeInItsSlot, IsHeldByFrictionWhereItIsPressedAgainstAWall) {
   const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 30.0}));
-  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
   run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 4000);
   run.switches = 0;
   const double tip_mm = run.bone_from_tool().translation_mm.y;
@@ -142,7 +142,7 @@ TEST(BladeInItsSlot, IsHeldByFrictionWhereItIsPressedAgainstAWall) {
 
 TEST(BladeInItsSlot, TurnsTheHandBackIntoItsPlane) {
   const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 30.0}));
-  OperationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}));
   run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 3000);
   const double tip_mm = run.bone_from_tool().translation_mm.y;
   const auto torque_newton_mm = [&](double lean_rad) {
@@ -159,7 +159,7 @@ TEST(BladeInItsSlot, TurnsTheHandBackIntoItsPlane) {
 TEST(BreakThrough, LetsTheBladeGoAtTwoTenthsOfAMetreASecond) {
   const Bone bone = tests::cancellous_bone(tests::moved(
       tests::solid_block({40.0, 4.0, 6.0}), {{1.0, 0.0, 0.0, 0.0}, {0.0, top_mm - 2.0, 0.0}}));
-  OperationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}));
   run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 300);
   while (run.events(CutEventKind::Breakthrough).empty() && run.recording().tape.size() < 4000)
     run.hold(1);

@@ -5,14 +5,14 @@
 
 #include "simulator/base/units.h"
 #include "simulator/contact/blade_probe.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
 namespace {
 
 using tests::blade_down;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double top_mm = 10.0;
 constexpr double above_mm = top_mm + 1.0;
@@ -27,7 +27,7 @@ Bone thin_block() {
 }
 
 /// Saws down at a place for a while and withdraws the blade.
-void stroke(OperationRun& run, const Vec3& place_mm, double lean_rad = 0.0) {
+void stroke(SimulationRun& run, const Vec3& place_mm, double lean_rad = 0.0) {
   const auto at = [&](double y_mm) { return blade_down({place_mm.x, y_mm, place_mm.z}, lean_rad); };
   run.glide(at(above_mm), 60);
   run.glide(at(place_mm.y), 200);
@@ -38,7 +38,7 @@ void stroke(OperationRun& run, const Vec3& place_mm, double lean_rad = 0.0) {
 
 TEST(ToolInKerf, ADeepTouchFreezesAPlaneWhereTheBladeIs) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({2.0, above_mm, 1.0}, 0.1));
+  SimulationRun run(bone, blade_down({2.0, above_mm, 1.0}, 0.1));
   run.glide(blade_down({2.0, top_mm - 8.0, 1.0}, 0.1), 400);
   const auto frozen = run.events(CutEventKind::PlaneFrozen);
   ASSERT_EQ(frozen.size(), 1U);
@@ -53,7 +53,7 @@ TEST(ToolInKerf, ADeepTouchFreezesAPlaneWhereTheBladeIs) {
 TEST(ToolInKerf, TheForceSettlesAtWhatTheHandsRateNeeds) {
   const Bone bone = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 6.0}));
   // A stiff spring settles in a fraction of a second.
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}), {}, {.coupling_newton_per_mm = 20.0});
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}), {}, {.coupling_newton_per_mm = 20.0});
   const double rate_mm_s = 1.0;
   run.glide(blade_down({0.0, above_mm - 3.0, 0.0}), 3000);
   const Engagement engaged{0.0, 13.0 * 10.0 / static_cast<double>(tooth_count)};
@@ -63,7 +63,7 @@ TEST(ToolInKerf, TheForceSettlesAtWhatTheHandsRateNeeds) {
 
 TEST(ToolInKerf, WithdrawingTheBladeFreesTheTool) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
   EXPECT_EQ(run.recording().samples.back().kerf, 0);
   EXPECT_LT(run.bone_from_tool().translation_mm.y, top_mm - 0.3);
@@ -77,7 +77,7 @@ TEST(ToolInKerf, WithdrawingTheBladeFreesTheTool) {
 
 TEST(ToolInKerf, TheSawMustRunToGoDeeper) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
   run.switches = 0;
   const double before_mm = run.bone_from_tool().translation_mm.y;
@@ -87,7 +87,7 @@ TEST(ToolInKerf, TheSawMustRunToGoDeeper) {
 
 TEST(ToolInKerf, BoneAtTheEdgeHoldsTheBladeSideways) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
   run.switches = 0;
   run.glide(blade_down({0.0, top_mm - 6.0, 3.0}), 100);
@@ -97,7 +97,7 @@ TEST(ToolInKerf, BoneAtTheEdgeHoldsTheBladeSideways) {
 
 TEST(ToolInKerf, TheSlotHoldsTheBladeInItsPlane) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
   run.glide(blade_down({1.3, top_mm - 6.0, 0.0}), 100);
   // Beyond 0.1 mm of play two springs in line share the way: 2 / (2 + 10) of it.
@@ -107,7 +107,7 @@ TEST(ToolInKerf, TheSlotHoldsTheBladeInItsPlane) {
 
 TEST(ToolInKerf, AHandFeelsTheSlotAsTwoSpringsInLine) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
   run.glide(blade_down({1.3, top_mm - 6.0, 0.0}), 100);
   EXPECT_NEAR(run.force_in_bone_newton().x, -(1.3 - 0.3) * 2.0, 0.01);
@@ -118,7 +118,7 @@ TEST(ToolInKerf, AHandFeelsTheSlotAsTwoSpringsInLine) {
 
 TEST(ToolInKerf, ABladeBendsNoFurtherThanTheGreatestForceBendsIt) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 6.0, 0.0}), 600);
   run.switches = 0;
   run.glide(blade_down({31.0, top_mm - 6.0, 0.0}), 1000);
@@ -134,7 +134,7 @@ TEST(ToolInKerf, ABladeBendsNoFurtherThanTheGreatestForceBendsIt) {
 
 TEST(ToolInKerf, AHandleThatStandsAcrossThePlaneLeavesTheBladeItsDirection) {
   const Bone bone = thin_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 300);
   run.hold(3000);
   ASSERT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
@@ -152,7 +152,7 @@ TEST(ToolInKerf, AHandleThatStandsAcrossThePlaneLeavesTheBladeItsDirection) {
 
 TEST(ToolInKerf, ASecondStrokeInTheSamePlaneOpensTheSameKerf) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   stroke(run, {0.0, top_mm - 8.0, -6.0});
   stroke(run, {0.05, top_mm - 8.0, 6.0}, 0.004);  // no overlap: within 0.5 degree and 0.1 mm
   EXPECT_EQ(run.events(CutEventKind::PlaneFrozen).size(), 1U);
@@ -161,7 +161,7 @@ TEST(ToolInKerf, ASecondStrokeInTheSamePlaneOpensTheSameKerf) {
 
 TEST(ToolInKerf, ABladeOverTheSlotIsCapturedByIt) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   stroke(run, {0.0, top_mm - 8.0, -4.0});
   stroke(run, {0.4, top_mm - 8.0, 4.0}, 0.035);  // 2 mm overlap, 0.4 mm and 2 degrees off
   EXPECT_EQ(run.events(CutEventKind::PlaneFrozen).size(), 1U);
@@ -169,7 +169,7 @@ TEST(ToolInKerf, ABladeOverTheSlotIsCapturedByIt) {
 
 TEST(ToolInKerf, ACapturedBladeComesToItsSlotAtTwoTenthsOfAMetreASecond) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   stroke(run, {0.0, top_mm - 8.0, -4.0});
   const std::size_t first = run.recording().samples.size();
   stroke(run, {0.6, top_mm - 8.0, 4.0}, 0.08);
@@ -201,7 +201,7 @@ TEST(ToolInKerf, ACapturedBladeComesToItsSlotAtTwoTenthsOfAMetreASecond) {
 
 TEST(ToolInKerf, WithoutAnOverlapABladeAsFarOffOpensAKerfOfItsOwn) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   stroke(run, {0.0, top_mm - 8.0, -6.0});
   stroke(run, {0.4, top_mm - 8.0, 6.0}, 0.035);
   EXPECT_EQ(run.events(CutEventKind::PlaneFrozen).size(), 2U);
@@ -209,7 +209,7 @@ TEST(ToolInKerf, WithoutAnOverlapABladeAsFarOffOpensAKerfOfItsOwn) {
 
 TEST(ToolInKerf, AStrokeThreeMillimetresBesideThePlaneOpensANewKerf) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   stroke(run, {0.0, top_mm - 8.0, 0.0});
   stroke(run, {3.0, top_mm - 8.0, 0.0});
   const auto frozen = run.events(CutEventKind::PlaneFrozen);
@@ -219,7 +219,7 @@ TEST(ToolInKerf, AStrokeThreeMillimetresBesideThePlaneOpensANewKerf) {
 
 TEST(ToolInKerf, AKerfBeyondTheLimitIsRefusedWithAnEvent) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
   for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {3.0 * i - 9.0, top_mm - 8.0, 0.0});
   EXPECT_EQ(run.events(CutEventKind::PlaneFrozen).size(), static_cast<std::size_t>(kerf_limit));
   EXPECT_EQ(run.events(CutEventKind::KerfRefused).size(), 0U);
@@ -230,7 +230,7 @@ TEST(ToolInKerf, AKerfBeyondTheLimitIsRefusedWithAnEvent) {
 
 TEST(ToolInKerf, ARefusedKerfIsOneEventAndTheTeethGoNoDeeper) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
   for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {3.0 * i - 9.0, top_mm - 8.0, 0.0});
   run.glide(blade_down({9.0, above_mm, 0.0}), 60);
   run.glide(blade_down({9.0, top_mm - 8.0, 0.0}), 1000);
@@ -240,7 +240,7 @@ TEST(ToolInKerf, ARefusedKerfIsOneEventAndTheTeethGoNoDeeper) {
 
 TEST(ToolInKerf, LeavingTheBoneAtTheFarSideIsABreakThrough) {
   const Bone bone = thin_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 12.0, 0.0}), 1500);
   run.hold(500);
   const auto through = run.events(CutEventKind::Breakthrough);
@@ -264,8 +264,8 @@ RigidTransform beside_middle(double aside_mm, double tip_mm) {
 }
 
 /// The first stroke, from -6 to 3 mm beside the middle, all the way through and out again.
-OperationRun after_first_stroke(const Bone& bone) {
-  OperationRun run(bone, beside_middle(-2.0, 8.0));
+SimulationRun after_first_stroke(const Bone& bone) {
+  SimulationRun run(bone, beside_middle(-2.0, 8.0));
   run.glide(beside_middle(-2.0, -8.0), 5000);
   run.hold(2000);
   run.glide(beside_middle(-2.0, 9.0), 500);
@@ -275,7 +275,7 @@ OperationRun after_first_stroke(const Bone& bone) {
 
 TEST(ToolInKerf, EachOfTwoStrokesSideBySideOnARoundBoneBreaksThrough) {
   const Bone bone = round_bone();
-  OperationRun run = after_first_stroke(bone);
+  SimulationRun run = after_first_stroke(bone);
   ASSERT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
   // Its last tooth in bone comes out 5 mm deep; those in the first stroke's kerf are out a millimetre later.
   run.glide(beside_middle(4.5, -8.0), 5000);
@@ -291,7 +291,7 @@ TEST(ToolInKerf, EachOfTwoStrokesSideBySideOnARoundBoneBreaksThrough) {
 
 TEST(ToolInKerf, ATremblingHandBreaksThroughAsWell) {
   const Bone bone = round_bone();
-  OperationRun run = after_first_stroke(bone);
+  SimulationRun run = after_first_stroke(bone);
   double tip_mm = 8.0;
   for (int i = 0; tip_mm > -8.0; ++i) {
     // A light hand: the spring is slack before the blade is out. 0.2 mm to and fro ten times a second.
@@ -305,7 +305,7 @@ TEST(ToolInKerf, ATremblingHandBreaksThroughAsWell) {
 
 TEST(ToolInKerf, ABladeDrawnBackFromBoneAndLedThroughTheOpenKerfBreaksNothing) {
   const Bone bone = round_bone();
-  OperationRun run = after_first_stroke(bone);
+  SimulationRun run = after_first_stroke(bone);
   run.glide(beside_middle(4.5, -2.0), 4000);
   ASSERT_TRUE(has(run.recording().samples.back().status, ToolStatus::Cutting));
   ASSERT_LT(run.bone_from_tool().translation_mm.y, 2.0);
@@ -319,7 +319,7 @@ TEST(ToolInKerf, ABladeDrawnBackFromBoneAndLedThroughTheOpenKerfBreaksNothing) {
 
 TEST(ToolInKerf, ABladeThatSlidesOutSidewaysBreaksNothing) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 10.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 10.0}));
   run.glide(blade_down({0.0, top_mm - 8.0, 10.0}), 2000);
   const double tip_mm = run.bone_from_tool().translation_mm.y;
   ASSERT_LT(tip_mm, top_mm - 2.0);
@@ -334,22 +334,22 @@ TEST(ToolInKerf, ABladeThatSlidesOutSidewaysBreaksNothing) {
 TEST(ToolInKerf, ABladeShorterThanTheSectionNeverBreaksThrough) {
   const Bone bone = wide_block();
   const auto sawn_with = [&](double depth_mm) {
-    OperationRun run(bone, blade_down({0.0, above_mm, 0.0}), {.depth_mm = depth_mm});
+    SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}), {.depth_mm = depth_mm});
     run.glide(blade_down({0.0, -top_mm - 8.0, 0.0}), 6000);
     run.hold(12000);
     return run;
   };
-  const OperationRun shorter = sawn_with(15.0);
+  const SimulationRun shorter = sawn_with(15.0);
   EXPECT_TRUE(shorter.events(CutEventKind::Breakthrough).empty());
   EXPECT_NEAR(shorter.bone_from_tool().translation_mm.y, top_mm - 15.0, 0.05);
   EXPECT_GT(shorter.force_in_bone_newton().y, 20.0) << "the collar stands on the bone";
-  const OperationRun longer = sawn_with(30.0);
+  const SimulationRun longer = sawn_with(30.0);
   EXPECT_EQ(longer.events(CutEventKind::Breakthrough).size(), 1U);
 }
 
 TEST(ToolInKerf, TheForceDropsAtTheBreakThrough) {
   const Bone bone = thin_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({0.0, top_mm - 9.0, 0.0}), 300);
   while (run.events(CutEventKind::Breakthrough).empty() && run.recording().tape.size() < 4000)
     run.hold(1);
@@ -361,7 +361,7 @@ TEST(ToolInKerf, TheForceDropsAtTheBreakThrough) {
 
 TEST(ToolInKerf, NoForceIsEverAboveTheLimit) {
   const Bone bone = wide_block();
-  OperationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
   run.glide(blade_down({4.0, top_mm - 30.0, 8.0}, 0.3), 500);
   bool was_limited = false;
   for (const ToolSample& sample : run.recording().samples) {

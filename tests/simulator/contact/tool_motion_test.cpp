@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "simulator/contact/blade_probe.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulator/base/random.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {

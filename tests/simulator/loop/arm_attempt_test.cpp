@@ -10,7 +10,7 @@
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/recorded_run.h"
 #include "tests/simulator/loop/watched_device.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::simulator {
 namespace {

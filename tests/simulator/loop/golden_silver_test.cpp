@@ -14,7 +14,7 @@ TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
   const Bone bone = scenarios::make_patient(scenario);
   const scenarios::Plan plan = plan_on(scenario, bone);
   scenarios::FeelingHand hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1);
-  const WoundSettings wound{capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
+  const ToolEffectSettings effects{capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
   const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute,
                                 .sharpness = scenario.blade.sharpness};
   const AttemptSetup setup{.bone = bone,
@@ -23,11 +23,11 @@ TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
                            .commands = {},
                            .last_tick = scenarios::FeelingHand::last_tick,
                            .job_delay = {},
-                           .wound = wound,
+                           .effects = effects,
                            .attempt_operator = &hand};
   const Recording recording = tests::record(setup, hand).recording;
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
-  const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}, wound});
+  const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}, effects});
   EXPECT_TRUE(result.is_identical) << result.difference;
 }
 

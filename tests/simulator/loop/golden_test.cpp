@@ -6,7 +6,7 @@
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/golden.h"
 #include "tests/simulator/loop/recorded_run.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
@@ -54,7 +54,7 @@ TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
                            .commands = motion.commands,
                            .last_tick = motion.last_tick(),
                            .job_delay = {},
-                           .wound = {.danger_zones = {below_the_tube}}};
+                           .effects = {.danger_zones = {below_the_tube}}};
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   const auto kinds = tests::kinds_of(recording);

@@ -10,7 +10,7 @@
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/recorded_run.h"
 #include "tests/simulator/loop/watched_device.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::simulator {
 namespace {
@@ -84,7 +84,7 @@ TEST(KickFelt, ByAMouseIsAThrowAsideAndBack) {
   const Bone bone = tests::loop_block();
   const RigidTransform above = tests::blade_down({5.0, 2.0, 0.0});
   const RigidTransform pressed = tests::blade_down({5.0, -2.0, 0.0});
-  tests::OperationRun run(bone, above);
+  tests::SimulationRun run(bone, above);
   MouseDevice mouse(bone.world_from_bone * above);
   RawDeviceState state;
   double thrown_mm = 0.0, at_end_mm = 0.0;

@@ -8,7 +8,7 @@
 #include "simulator/device/mouse.h"
 #include "simulator/record/sample_force.h"
 #include "tests/simulator/loop/recorded_run.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::simulator {
 namespace {

@@ -3,7 +3,8 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/simulator/step/operation_run.h"
+#include "simulator/base/progress.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {
@@ -64,13 +65,13 @@ simulator::AttemptSetup setup_for(const Bone& bone, const HandMotion& motion,
 }
 
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   std::size_t ring_capacity, const simulator::AttemptProgress& progress) {
+                   std::size_t ring_capacity, const simulator::Progress& progress) {
   AttemptChannels channels(ring_capacity);
   return record(setup, device, channels, progress);
 }
 
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   AttemptChannels& channels, const simulator::AttemptProgress& progress) {
+                   AttemptChannels& channels, const simulator::Progress& progress) {
   RecordedRun run;
   std::jthread recorder([&] { empty_rings(channels, run.recording); });
   run.statistics = run_attempt(setup, device, channels, progress);

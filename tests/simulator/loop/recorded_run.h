@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"
 #include "simulator/record/channels.h"
 #include "simulator/record/record.h"
@@ -26,13 +27,11 @@ struct RecordedRun {
 
 /// Runs the attempt; a thread of its own empties the rings, as the recorder does.
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   std::size_t ring_capacity = 4096,
-                   const simulator::AttemptProgress& progress = {});
+                   std::size_t ring_capacity = 4096, const simulator::Progress& progress = {});
 
 /// The same through channels of the caller, who may set their flags meanwhile.
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   simulator::AttemptChannels& channels,
-                   const simulator::AttemptProgress& progress = {});
+                   simulator::AttemptChannels& channels, const simulator::Progress& progress = {});
 
 /// The digest of every column of the input tape.
 Digest digest_of_tape(const simulator::Recording& recording) noexcept;

@@ -6,7 +6,7 @@
 
 #include "simulator/base/random.h"
 #include "tests/simulator/loop/recorded_run.h"
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 
 namespace hallux::simulator {
 namespace {

@@ -1,9 +1,10 @@
-/// The step takes nothing from the heap, whatever happens in it. Jobs do, and run outside of what is counted.
+/// The step takes nothing from the heap, whatever happens in it. Jobs do, and run outside of what
+/// is counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/worlds.h"
 
@@ -13,7 +14,7 @@ namespace {
 using tests::blade_down;
 using tests::kinds_of;
 
-WoundSettings zones_below() {
+ToolEffectSettings zones_below() {
   return {.danger_zones = std::vector<DangerCapsule>(danger_zone_limit,
                                                      {{-9.0, -5.0, 0.0}, {9.0, -5.0, 0.0}, 1.0})};
 }
@@ -25,10 +26,11 @@ ContactSettings guided() {
   return settings;
 }
 
-/// A hundred thousand lines under a guide: a scratch, a saw started on the bone, two cuts through the block, a piece picked up,
-/// a hinge that is not there, a pause and a fault; then a blade laid on what is left, pressed and slid about.
+/// A hundred thousand lines under a guide: a scratch, a saw started on the bone, two cuts through
+/// the block, a piece picked up, a hinge that is not there, a pause and a fault; then a blade laid
+/// on what is left, pressed and slid about.
 Recording eventful_attempt(const Bone& bone) {
-  tests::OperationRun run(bone, blade_down({6.0, 3.0, 0.0}), {}, guided(), zones_below());
+  tests::SimulationRun run(bone, blade_down({6.0, 3.0, 0.0}), {}, guided(), zones_below());
   run.glide(blade_down({6.0, 0.5, 0.0}), 70);
   run.glide(blade_down({6.0, 4.0, 0.0}), 600);
   run.switches = 0;
@@ -59,10 +61,10 @@ Recording eventful_attempt(const Bone& bone) {
   return run.recording();
 }
 
-/// The tape once more through a step of its own; the heap calls of Operation::step alone.
+/// The tape once more through a step of its own; the heap calls of Simulation::step alone.
 std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording) {
   const TissueMap tissue{bone};
-  Operation operation(tissue, bone.world_from_bone, {}, guided(), zones_below());
+  Simulation simulation(tissue, bone.world_from_bone, {}, guided(), zones_below());
   ImmediateJobs jobs(bone, {});
   std::uint64_t allocations = 0;
   for (const TapeLine& line : recording.tape) {
@@ -73,7 +75,7 @@ std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording)
       }
     }
     const std::uint64_t before = tests::allocations_of_this_thread();
-    const StepOutput output = operation.step(input);
+    const StepOutput output = simulation.step(input);
     allocations += tests::allocations_of_this_thread() - before;
     jobs.follow(output);
   }

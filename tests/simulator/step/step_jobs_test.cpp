@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/simulator/step/operation_run.h"
+#include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
@@ -11,7 +11,7 @@ namespace {
 
 using tests::blade_down;
 using tests::kinds_of;
-using tests::OperationRun;
+using tests::SimulationRun;
 
 constexpr double top_mm = 2.0;
 constexpr double above_mm = top_mm + 1.0;
@@ -21,7 +21,7 @@ constexpr double piece_mm3 = 4.75 * 4.0 * 6.0;
 Bone block() { return tests::cancellous_bone(tests::solid_block({20.0, 4.0, 6.0})); }
 
 /// One stroke at x through the whole block, and the blade withdrawn.
-void saw_off(OperationRun& run, double x_mm) {
+void saw_off(SimulationRun& run, double x_mm) {
   run.glide(blade_down({x_mm, above_mm, 0.0}), 50);
   run.glide(blade_down({x_mm, top_mm - 10.0, 0.0}), 200);
   run.hold(900);
@@ -34,7 +34,7 @@ std::size_t place_of(const std::vector<CutEventKind>& kinds, CutEventKind kind) 
 
 TEST(StepJobs, AStrokeThroughTheBoneGoesFromContactToAFreePiece) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   const auto kinds = kinds_of(run.recording());
   const std::vector<CutEventKind> order{CutEventKind::Contact,        CutEventKind::PlaneFrozen,
@@ -47,7 +47,8 @@ TEST(StepJobs, AStrokeThroughTheBoneGoesFromContactToAFreePiece) {
     EXPECT_GT(place, last) << static_cast<int>(kind);  // the first event is the start
     last = place;
   }
-  // The pieces are asked for as the teeth leave the bone and, as the kerf has grown since, when the blade leaves it.
+  // The pieces are asked for as the teeth leave the bone and, as the kerf has grown since, when the
+  // blade leaves it.
   ASSERT_EQ(run.requests().size(), 3U);
   EXPECT_EQ(run.requests()[0].kind, JobKind::Contact);
   EXPECT_EQ(run.requests()[1].kind, JobKind::Pieces);
@@ -56,7 +57,7 @@ TEST(StepJobs, AStrokeThroughTheBoneGoesFromContactToAFreePiece) {
 
 TEST(StepJobs, EventsCarryTheSectionsAreaAndThePiecesVolume) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   const auto known = run.events(CutEventKind::SectionKnown);
   const auto freed = run.events(CutEventKind::PieceFreed);
@@ -68,7 +69,7 @@ TEST(StepJobs, EventsCarryTheSectionsAreaAndThePiecesVolume) {
 
 TEST(StepJobs, AJobIsAskedForAtTheTickWhoseStateItSees) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   ASSERT_GE(run.requests().size(), 2U);
   EXPECT_EQ(run.requests()[0].tick, run.events(CutEventKind::PlaneFrozen).at(0).tick);
@@ -78,7 +79,7 @@ TEST(StepJobs, AJobIsAskedForAtTheTickWhoseStateItSees) {
 
 TEST(StepJobs, WithoutTheirResultsNothingIsKnownOfSectionsAndPieces) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   run.applies_jobs = false;
   saw_off(run, 5.0);
   EXPECT_TRUE(run.events(CutEventKind::SectionKnown).empty());
@@ -88,7 +89,7 @@ TEST(StepJobs, WithoutTheirResultsNothingIsKnownOfSectionsAndPieces) {
 
 TEST(StepJobs, ALateResultFindsTheSectionCoveredAlready) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   run.applies_jobs = false;
   saw_off(run, 5.0);
   run.applies_jobs = true;
@@ -99,7 +100,7 @@ TEST(StepJobs, ALateResultFindsTheSectionCoveredAlready) {
 
 TEST(StepJobs, AKerfThatStopsInTheBoneIsCommittedWhenTheBladeLeavesIt) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   run.glide(blade_down({5.0, above_mm, 0.0}), 50);
   run.glide(blade_down({5.0, 0.0, 0.0}), 200);
   run.hold(900);
@@ -114,7 +115,7 @@ TEST(StepJobs, AKerfThatStopsInTheBoneIsCommittedWhenTheBladeLeavesIt) {
 
 TEST(StepJobs, AHingeThatWasNotPlannedIsRefusedOnce) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   run.step({{CommandKind::CloseHinge, 0, 0}, {CommandKind::CloseHinge, 0, 0}});
   run.hold(2);
@@ -125,7 +126,7 @@ TEST(StepJobs, AHingeThatWasNotPlannedIsRefusedOnce) {
 
 TEST(StepJobs, TeethFindNoBoneWhereAPieceWasPickedUp) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   const std::int32_t piece = run.events(CutEventKind::PieceFreed).at(0).subject;
   run.step({{CommandKind::PickUp, piece, 0}});
@@ -139,7 +140,7 @@ TEST(StepJobs, TeethFindNoBoneWhereAPieceWasPickedUp) {
 
 TEST(StepJobs, TeethFindBoneInAPieceThatStillLiesThere) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   run.switches = 0;
   run.glide(blade_down({8.0, above_mm + 2.0, 0.0}), 20);
@@ -149,7 +150,7 @@ TEST(StepJobs, TeethFindBoneInAPieceThatStillLiesThere) {
 
 TEST(StepJobs, APieceIsPickedUpOnce) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   const std::int32_t piece = run.events(CutEventKind::PieceFreed).at(0).subject;
   run.step({{CommandKind::PickUp, piece, 0}, {CommandKind::PickUp, piece, 0}});
@@ -159,7 +160,7 @@ TEST(StepJobs, APieceIsPickedUpOnce) {
 
 TEST(StepJobs, ThePieceThatCameFreeLastCanBePickedUpWithoutItsNumber) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({6.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({6.0, above_mm, 0.0}));
   run.step({{CommandKind::PickUp, piece_freed_last, 0}});
   saw_off(run, 6.0);
   saw_off(run, -6.0);
@@ -169,8 +170,9 @@ TEST(StepJobs, ThePieceThatCameFreeLastCanBePickedUpWithoutItsNumber) {
   EXPECT_EQ(removed[0].subject, run.events(CutEventKind::PieceFreed).at(1).subject);
 }
 
-/// The blade is withdrawn while the pieces of the last stroke are worked out: asked for once more, not applied yet.
-void saw_off_with_pieces_waiting(OperationRun& run, double x_mm) {
+/// The blade is withdrawn while the pieces of the last stroke are worked out: asked for once more,
+/// not applied yet.
+void saw_off_with_pieces_waiting(SimulationRun& run, double x_mm) {
   saw_off(run, x_mm);
   run.glide(blade_down({-x_mm, above_mm, 0.0}), 50);
   run.glide(blade_down({-x_mm, top_mm - 10.0, 0.0}), 200);
@@ -181,7 +183,7 @@ void saw_off_with_pieces_waiting(OperationRun& run, double x_mm) {
 
 TEST(StepJobs, APieceAskedForWhileThePiecesAreWorkedOutComesAfterThem) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({6.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({6.0, above_mm, 0.0}));
   saw_off_with_pieces_waiting(run, 6.0);
   ASSERT_EQ(run.events(CutEventKind::PieceFreed).size(), 2U);
   run.step({{CommandKind::PickUp, piece_freed_last, 0}});
@@ -198,7 +200,7 @@ TEST(StepJobs, APieceAskedForWhileThePiecesAreWorkedOutComesAfterThem) {
 
 TEST(StepJobs, AHingeAskedForWhileThePiecesAreWorkedOutComesAfterThem) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({6.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({6.0, above_mm, 0.0}));
   saw_off_with_pieces_waiting(run, 6.0);
   run.step({{CommandKind::CloseHinge, 0, 0}});
   run.hold(100);
@@ -211,7 +213,7 @@ TEST(StepJobs, AHingeAskedForWhileThePiecesAreWorkedOutComesAfterThem) {
 
 TEST(StepJobs, TheLargestPieceIsTheBoneAndStays) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
   saw_off(run, 5.0);
   run.step({{CommandKind::PickUp, 0, 0}});
   EXPECT_TRUE(run.events(CutEventKind::PieceRemoved).empty());
@@ -219,7 +221,7 @@ TEST(StepJobs, TheLargestPieceIsTheBoneAndStays) {
 
 TEST(StepJobs, TwoCutsFreeTwoPiecesWithNumbersOfTheirOwn) {
   const Bone bone = block();
-  OperationRun run(bone, blade_down({6.0, above_mm, 0.0}));
+  SimulationRun run(bone, blade_down({6.0, above_mm, 0.0}));
   saw_off(run, 6.0);
   saw_off(run, -6.0);
   const auto freed = run.events(CutEventKind::PieceFreed);

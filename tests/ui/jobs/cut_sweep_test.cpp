@@ -5,7 +5,7 @@
 #include <string>
 
 #include "simulator/base/units.h"
-#include "simulator/cutting/region_outline.h"
+#include "simulator/cutting/field/region_outline.h"
 
 namespace hallux::ui {
 namespace {

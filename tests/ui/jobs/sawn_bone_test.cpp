@@ -1,6 +1,7 @@
 #include "ui/jobs/sawn_bone.h"
 
-#include "simulator/cutting/outline_tile.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/field/outline_tile.h"
 #include "simulator/mesh/read_mesh.h"
 #include "tests/support/worlds.h"
 #include "tests/ui/jobs/sweep_files.h"
@@ -151,7 +152,7 @@ TEST_F(SawnBlock, StopsBetweenFramesWhenItIsToldTo) {
     reached = fraction;
     return fraction < 0.5;
   };
-  EXPECT_THROW(bone_.saw(group, progress), assessment::Cancelled);
+  EXPECT_THROW(bone_.saw(group, progress), Cancelled);
   EXPECT_DOUBLE_EQ(reached, 0.5);
   EXPECT_EQ(bone_.solid().mesh, bone_.whole().mesh);
 }

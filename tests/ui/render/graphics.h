@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "ui/render/headless_context.h"
-#include "ui/render/render_target.h"
+#include "ui/render/gl/headless_context.h"
+#include "ui/render/gl/render_target.h"
 
 namespace hallux::tests {
 

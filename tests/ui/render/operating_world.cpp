@@ -6,8 +6,8 @@
 #include "scenarios/foot/first_proximal_phalanx.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/check.h"
-#include "simulator/cutting/commit_patch.h"
-#include "simulator/cutting/cut_solid.h"
+#include "simulator/cutting/pieces/cut_solid.h"
+#include "simulator/cutting/solid/commit_patch.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::tests {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "scenarios/plan.h"
-#include "simulator/cutting/region_outline.h"
-#include "simulator/cutting/solid_patch.h"
-#include "ui/render/camera.h"
-#include "ui/render/scene.h"
+#include "simulator/cutting/field/region_outline.h"
+#include "simulator/cutting/solid/solid_patch.h"
+#include "ui/render/scene/camera.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::tests {
 

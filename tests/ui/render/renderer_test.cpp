@@ -10,7 +10,7 @@
 
 #include "tests/ui/render/graphics.h"
 #include "tests/ui/render/operating_world.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 #include "ui/render/picture.h"
 #include "ui/render/scene_painter.h"
 #include "ui/render/stereo.h"

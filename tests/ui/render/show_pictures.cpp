@@ -6,10 +6,10 @@
 #include <string>
 
 #include "tests/ui/render/operating_world.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 #include "ui/render/picture.h"
+#include "ui/render/scene/swarf.h"
 #include "ui/render/stereo.h"
-#include "ui/render/swarf.h"
 
 namespace hallux::tests {
 

@@ -4,8 +4,8 @@
 
 #include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/some_places.h"
-#include "ui/screens/inbox_screen.h"
-#include "ui/screens/questions_screen.h"
+#include "ui/screens/instructor/inbox_screen.h"
+#include "ui/screens/trainee/questions_screen.h"
 
 namespace hallux::ui {
 namespace {

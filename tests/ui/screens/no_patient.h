@@ -1,12 +1,12 @@
 /// A patient whose bones have a size and no surface, at once: for tests that are not about what the picture shows.
 #pragma once
 
-#include "ui/screens/patient_pictures.h"
+#include "simulator/base/progress.h"
+#include "ui/screens/pictures/patient_pictures.h"
 
 namespace hallux::ui {
 
-inline PatientView no_patient(const scenarios::Scenario& scenario,
-                              const std::function<bool(double)>&) {
+inline PatientView no_patient(const scenarios::Scenario& scenario, const Progress&) {
   PatientView view;
   view.scenario_name = scenario.name;
   view.bone.mesh.high_mm = Vec3(20.0);

@@ -64,6 +64,13 @@ void fill_gaps(Recording& recording, std::int64_t last_tick) {
   recording.samples = std::move(whole);
 }
 
+/// The job of the pieces, asked for after that tick and applied at the next.
+void apply_pieces(Recording& recording, std::int64_t asked_tick) {
+  TapeLine& line = recording.tape[static_cast<std::size_t>(asked_tick) + 1];
+  line.command_count = 1;
+  line.commands[0] = {simulator::CommandKind::ApplyJob, 0, asked_tick};
+}
+
 }  // namespace
 
 SomeOperation some_operation() {
@@ -95,6 +102,7 @@ SomeOperation some_operation() {
   events.push_back(event_at(operation.wedge_out_tick, CutEventKind::PieceRemoved, 1));
   events.push_back(event_at(operation.wedge_out_tick + 60, CutEventKind::Finished, -1));
   fill_gaps(recording, operation.wedge_out_tick + 60);
+  apply_pieces(recording, sawn_tick + 9);
   return operation;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/screens/places.h"
+#include "ui/screens/parts/places.h"
 
 namespace hallux::ui {
 

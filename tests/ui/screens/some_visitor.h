@@ -3,7 +3,7 @@
 
 #include "tests/database/some_course.h"
 #include "tests/ui/widgets/driver.h"
-#include "ui/screens/visit.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {

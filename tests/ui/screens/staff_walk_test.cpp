@@ -8,13 +8,13 @@
 #include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_visitor.h"
-#include "ui/screens/cohort_screen.h"
-#include "ui/screens/cohorts_screen.h"
-#include "ui/screens/inbox_screen.h"
-#include "ui/screens/people_screen.h"
-#include "ui/screens/questions_screen.h"
-#include "ui/screens/records_screen.h"
-#include "ui/screens/scenarios_screen.h"
+#include "ui/screens/administrator/audit_screen.h"
+#include "ui/screens/administrator/cohorts_screen.h"
+#include "ui/screens/administrator/people_screen.h"
+#include "ui/screens/administrator/scenarios_screen.h"
+#include "ui/screens/instructor/cohort_screen.h"
+#include "ui/screens/instructor/inbox_screen.h"
+#include "ui/screens/trainee/questions_screen.h"
 
 namespace hallux::ui {
 namespace {

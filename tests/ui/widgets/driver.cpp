@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "ui/widgets/text_layout.h"
+#include "ui/widgets/texts/text_layout.h"
 
 namespace hallux::ui {
 namespace {

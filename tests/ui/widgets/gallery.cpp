@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "ui/widgets/card.h"
-#include "ui/widgets/field.h"
-#include "ui/widgets/marks.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/menu.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

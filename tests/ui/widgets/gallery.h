@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "ui/widgets/choice.h"
-#include "ui/widgets/table.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/table.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {

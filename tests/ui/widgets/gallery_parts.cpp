@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "tests/ui/widgets/gallery.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/chart_view.h"
-#include "ui/widgets/field.h"
-#include "ui/widgets/marks.h"
-#include "ui/widgets/navigation.h"
-#include "ui/widgets/picture_card.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/chart_view.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/navigation.h"
+#include "ui/widgets/controls/picture_card.h"
 
 namespace hallux::ui {
 namespace {

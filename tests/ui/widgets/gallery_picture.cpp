@@ -6,7 +6,7 @@
 
 #include "tests/ui/widgets/driver.h"
 #include "tests/ui/widgets/gallery.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 #include "ui/render/imgui_painter.h"
 #include "ui/render/picture.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "tests/ui/widgets/driver.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/field.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/field.h"
 
 namespace hallux::ui {
 namespace {

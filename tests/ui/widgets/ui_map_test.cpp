@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "tests/ui/widgets/driver.h"
-#include "ui/widgets/field.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/menu.h"
 
 namespace hallux::ui {
 namespace {

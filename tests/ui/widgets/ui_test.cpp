@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/widgets/driver.h"
-#include "ui/widgets/button.h"
-#include "ui/widgets/choice.h"
-#include "ui/widgets/field.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/menu.h"
 
 namespace hallux::ui {
 namespace {

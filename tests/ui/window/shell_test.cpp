@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/widgets/driver.h"
-#include "ui/widgets/button.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/field.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/field.h"
 
 namespace hallux::ui {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "scenarios/planned_bridge.h"
-#include "ui/screens/bone_stage.h"
-#include "ui/screens/kept_look.h"
+#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/cached_look.h"
 
 namespace hallux::ui {
 
@@ -21,7 +21,7 @@ constexpr std::int64_t ticks_between_solids = 500;
 }  // namespace
 
 BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_directory,
-                       const std::function<void(double)>& progress) {
+                       const Progress& progress) {
   BonePicture picture;
   picture.look = kept_look_of(data_directory, bone, progress);
   // The same bone has the same picture, whoever shows it.
@@ -33,21 +33,15 @@ BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_direc
 
 /// What a patch is built with; the mesh it lies on stays while it is at hand.
 struct BoneBeingCut::KerfAtHand {
-  KerfAtHand(std::shared_ptr<const BoneMesh> on, const KerfSet& kerfs, std::int32_t number)
+  KerfAtHand(std::shared_ptr<const BoneMesh> on, const Bvh& bvh, const KerfSet& kerfs,
+             std::int32_t number)
       : kerf(number),
         mesh(std::move(on)),
-        bvh(mesh->solid.mesh),
-        contact(slice_contact(mesh->solid, bvh, kerfs.plane(number), number,
-                              kerfs.field(number).grid())),
-        builder(contact),
-        tracker(kerfs.field(number).grid()) {}
+        growing({mesh->solid, bvh}, kerfs.plane(number), number, kerfs.field(number).grid()) {}
 
   std::int32_t kerf;
   std::shared_ptr<const BoneMesh> mesh;
-  Bvh bvh;
-  KerfContact contact;
-  PatchBuilder builder;
-  OutlineTracker tracker;
+  GrowingKerf growing;
 };
 
 BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
@@ -137,7 +131,7 @@ void BoneBeingCut::take(const CutEvent& event) {
   geometry_.follow(event);
   if (event.kind == CutEventKind::PieceRemoved) {
     at_hand_.reset();
-    is_solid_due_ = has_taken_out_ = true;
+    is_solid_due_ = true;
   }
   if (event.kind == CutEventKind::HingeClosed) show_hinge(transform_from(event.pose));
   const std::scoped_lock turn(turn_);
@@ -163,28 +157,19 @@ void BoneBeingCut::bring_up_to_date() {
   solid_tick_ = tick_;
 }
 
-/// Nothing else was opened and nothing taken out: what lies below its patch is the bone as it was.
-bool BoneBeingCut::is_only_kerf(std::int32_t kerf) const {
-  const KerfSet& kerfs = geometry_.kerfs();
-  for (std::int32_t other = 0; other < kerfs.count(); ++other) {
-    if (other != kerf && !outline_of(kerfs.field(other)).corners_mm.empty()) return false;
-  }
-  return !has_taken_out_;
-}
-
 void BoneBeingCut::begin_kerf(std::int32_t kerf) {
   at_hand_.reset();
   const std::optional<CutSolid> base = geometry_.solid_without(kerf);
   if (!base) return;
-  at_hand_ = std::make_unique<KerfAtHand>(is_only_kerf(kerf) ? picture_.mesh : lit_mesh(*base),
-                                          geometry_.kerfs(), kerf);
+  auto mesh = geometry_.is_only_kerf(kerf) ? picture_.mesh : lit_mesh(*base);
+  const Bvh bvh(mesh->solid.mesh);
+  at_hand_ = std::make_unique<KerfAtHand>(std::move(mesh), bvh, geometry_.kerfs(), kerf);
 }
 
 /// A frame whose outline is not simple shows the patch before it.
 void BoneBeingCut::show_patch() {
   has_grown_ = false;
-  at_hand_->tracker.update(geometry_.kerfs().field(at_hand_->kerf));
-  if (!at_hand_->builder.build(at_hand_->tracker.outline(), patch_)) return;
+  if (!at_hand_->growing.follow(geometry_.kerfs().field(at_hand_->kerf), patch_)) return;
   const std::scoped_lock turn(turn_);
   newest_.bodies = {{at_hand_->mesh, world_from_bone_}};
   std::swap(newest_.patch, patch_);
@@ -204,12 +189,8 @@ void BoneBeingCut::show_hinge(const RigidTransform& bone_from_moved) {
 }
 
 std::shared_ptr<const BoneMesh> BoneBeingCut::lit_mesh(const CutSolid& solid) {
-  auto mesh = std::make_shared<BoneMesh>(
-      mesh_of(picture_id(name_ + std::to_string(meshes_++)), solid, picture_.look));
-  const Bvh bvh(mesh->solid.mesh);
-  const Occluder self{&bvh, {}};
-  light_cut_faces(*mesh, std::span(&self, 1));
-  return mesh;
+  return std::make_shared<const BoneMesh>(
+      lit_mesh_of(picture_id(name_ + std::to_string(meshes_++)), solid, picture_.look));
 }
 
 void BoneBeingCut::publish(std::vector<Body> bodies) {

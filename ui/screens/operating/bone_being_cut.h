@@ -14,9 +14,10 @@
 #include <thread>
 #include <vector>
 
-#include "simulator/cutting/region_outline.h"
+#include "simulator/base/progress.h"
+#include "simulator/bone/growing_kerf.h"
 #include "ui/jobs/live_attempt.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/scene.h"
 
 namespace hallux::ui {
 
@@ -26,9 +27,9 @@ struct BonePicture {
   std::shared_ptr<const BoneMesh> mesh;
 };
 
-/// errors  whatever `progress` throws
+/// errors  Cancelled
 BonePicture picture_of(const simulator::Bone& bone, const std::filesystem::path& data_directory,
-                       const std::function<void(double)>& progress = {});
+                       const Progress& progress = {});
 
 class BoneBeingCut {
  public:
@@ -69,7 +70,6 @@ class BoneBeingCut {
   void take(const simulator::CutEvent& event);
   void take(const simulator::JobRequest& request);
   void bring_up_to_date();
-  bool is_only_kerf(std::int32_t kerf) const;
   void begin_kerf(std::int32_t kerf);
   void show_patch();
   void show_solid(const simulator::CutSolid& solid);
@@ -82,16 +82,15 @@ class BoneBeingCut {
   const BonePicture picture_;
   simulator::AttemptWatch& watch_;
   // the thread's
-  simulator::OperationGeometry geometry_;
+  simulator::AttemptGeometry geometry_;
   std::unique_ptr<KerfAtHand> at_hand_;
   std::unique_ptr<const simulator::JobResult> hinge_;
   simulator::SolidPatch patch_;
   std::uint64_t next_revision_ = 1;
   int meshes_ = 0;
-  std::int32_t kerf_ = -1;      ///< in which the teeth were last
-  bool has_grown_ = false;      ///< since it was shown
-  bool is_solid_due_ = false;   ///< another mesh must be made
-  bool has_taken_out_ = false;  ///< a piece
+  std::int32_t kerf_ = -1;     ///< in which the teeth were last
+  bool has_grown_ = false;     ///< since it was shown
+  bool is_solid_due_ = false;  ///< another mesh must be made
   std::int64_t solid_tick_ = 0, tick_ = 0;
   // between the two
   std::mutex turn_;

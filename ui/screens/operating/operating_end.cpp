@@ -4,8 +4,8 @@
 #include "simulator/base/units.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/operating/operation_work.h"
-#include "ui/widgets/button.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/menu.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -7,9 +7,9 @@
 
 #include "simulator/base/units.h"
 #include "simulator/contact/heat_law.h"
-#include "ui/widgets/button.h"
 #include "ui/widgets/charts/timeline.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

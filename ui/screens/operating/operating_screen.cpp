@@ -11,8 +11,8 @@
 #include "simulator/record/sample_force.h"
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/operation_work.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/menu.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

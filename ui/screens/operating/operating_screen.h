@@ -9,14 +9,14 @@
 #include <memory>
 #include <string>
 
+#include "ui/render/scene/swarf.h"
 #include "ui/render/stereo.h"
-#include "ui/render/swarf.h"
 #include "ui/screens/operating/bone_being_cut.h"
 #include "ui/screens/operating/operating_hud.h"
 #include "ui/screens/operating/steering.h"
-#include "ui/screens/places.h"
-#include "ui/screens/reading.h"
-#include "ui/screens/visit.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/sound/saw_player.h"
 #include "ui/window/shell/shell.h"
 

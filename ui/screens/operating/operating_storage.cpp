@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ui/screens/operating/operating_screen.h"
-#include "ui/widgets/button.h"
+#include "ui/widgets/controls/button.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "database/store/assets.h"
+#include "simulator/base/progress.h"
 
 namespace hallux::ui {
 
@@ -40,11 +41,12 @@ PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId sc
   PreparedOperation prepared;
   prepared.table = std::make_shared<const OperatingTable>(
       lay_table(scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
-  prepared.picture = picture_of(prepared.table->bone, directory, [&](double fraction) {
-    if (!report.reached(patient_share + (1.0 - patient_share) * fraction)) {
-      throw Cancelled("stopped while the picture was being made; nothing was stored");
-    }
-  });
+  prepared.picture =
+      cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
+        return picture_of(prepared.table->bone, directory, [&](double fraction) {
+          return report.reached(patient_share + (1.0 - patient_share) * fraction);
+        });
+      });
   return prepared;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scenarios/plan.h"
-#include "simulator/cutting/kerf.h"
+#include "simulator/cutting/field/kerf.h"
 
 namespace hallux::ui {
 

@@ -5,7 +5,7 @@
 
 #include "simulator/device/mouse.h"
 #include "ui/jobs/live_attempt.h"
-#include "ui/render/camera.h"
+#include "ui/render/scene/camera.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ui/widgets/charts/timeline.h"
-#include "ui/widgets/field.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/screens/attempt_desks.h"
-#include "ui/screens/reading.h"
-#include "ui/screens/visit.h"
+#include "ui/screens/parts/attempt_desks.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ui/widgets/charts/timeline.h"
-#include "ui/widgets/choice.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

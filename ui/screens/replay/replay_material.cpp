@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/planned_bridge.h"
+#include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
-#include "ui/jobs/kept_fields.h"
+#include "ui/jobs/cached_fields.h"
 #include "ui/report/traces.h"
-#include "ui/screens/kept_look.h"
+#include "ui/screens/pictures/cached_look.h"
 
 namespace hallux::ui {
 
@@ -21,7 +23,7 @@ using simulator::ToolStatus;
 
 constexpr const char* stopped = "stopped before the bone could be shown";
 /// Of what is left after loading.
-constexpr double follow_share = 0.3, look_share = 0.5;
+constexpr double follow_share = 0.3, look_share = 0.5, history_share = 0.75;
 constexpr double load_share = 0.1;
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
@@ -110,26 +112,20 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
   measure_bone(*material, attempt.bone);
   const std::string name =
       "replay " + attempt.header.id.text + " " + std::to_string(attempt.recording.samples.size());
-  const auto reached = [&](double fraction) {
+  const Progress reached = [&](double fraction) {
     return report.reached(load_share + (1.0 - load_share) * fraction);
   };
-  try {
-    assessment::OpenedFields opened = fields_of(attempt, loaded.directory, [&](double fraction) {
-      return reached(follow_share * fraction);
-    });
-    const auto report_from = [&](double first, double last) {
-      return [&reached, first, last](double fraction) {
-        if (!reached(first + (last - first) * fraction)) throw Cancelled(stopped);
-      };
-    };
+  cancelled_as(stopped, [&] {
+    assessment::OpenedFields opened =
+        fields_of(attempt, loaded.directory, part_of(reached, 0.0, follow_share));
     BoneLook look =
-        kept_look_of(loaded.directory, attempt.bone, report_from(follow_share, look_share));
-    material->history = build_history(
-        {attempt.bone, material->plan, attempt.recording, std::move(opened), std::move(look), name},
-        report_from(look_share, 1.0));
-  } catch (const assessment::Cancelled&) {
-    throw Cancelled(stopped);
-  }
+        kept_look_of(loaded.directory, attempt.bone, part_of(reached, follow_share, look_share));
+    auto history = simulator::build_history(
+        {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material->plan)},
+        part_of(reached, look_share, history_share));
+    material->bone =
+        picture_of(std::move(history), std::move(look), name, part_of(reached, history_share, 1.0));
+  });
   material->events = events_of(attempt.recording);
   material->duration_s = duration_s_of(attempt.recording);
   material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);

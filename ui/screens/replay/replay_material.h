@@ -8,10 +8,10 @@
 
 #include "database/records/score.h"
 #include "scenarios/plan.h"
-#include "ui/screens/attempt_desks.h"
-#include "ui/screens/attempt_timeline.h"
-#include "ui/screens/replay/bone_history.h"
-#include "ui/screens/visit.h"
+#include "ui/screens/parts/attempt_desks.h"
+#include "ui/screens/parts/attempt_timeline.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/replay/history_picture.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/window/shell/background.h"
 
@@ -40,7 +40,7 @@ struct ReplayMaterial {
   std::vector<TimelineStep> steps;
   std::vector<ChartPoint> force_newton, to_plan_mm;  ///< thinned out, x in seconds
   double duration_s = 0.001;
-  std::shared_ptr<const BoneHistory> history;
+  std::shared_ptr<const HistoryPicture> bone;
 };
 
 /// errors  DatabaseError, ScenarioError, MeshError; Cancelled

@@ -6,13 +6,13 @@
 #include <cstdio>
 
 #include "simulator/base/units.h"
-#include "ui/screens/planned_frame.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/result/result_cards.h"
-#include "ui/screens/words.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/chart_view.h"
-#include "ui/widgets/choice.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/chart_view.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -60,7 +60,7 @@ void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 }
 
 void ReplayScreen::open(Ui& ui) {
-  bone_ = std::make_unique<BoneMoment>(*material().history);
+  bone_ = std::make_unique<simulator::BoneMoment>(*material().bone->history);
   std::vector<double> event_s;
   for (const AttemptEvent& event : material().events) event_s.push_back(event.time_s);
   player_.open(material().duration_s, std::move(event_s), first_moment_s_);
@@ -123,7 +123,7 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
 Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
-  scene.bones = bone_->bones(material().world_from_bone);
+  scene.bones = bones_of(*material().bone, *bone_, material().world_from_bone);
   const scenarios::SawBlade& blade = material().scenario.blade;
   const double swing = std::sin(2.0 * pi * swings_per_second * player_.now_s());
   scene.saw =

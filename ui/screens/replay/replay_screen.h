@@ -4,15 +4,15 @@
 #include <memory>
 #include <optional>
 
-#include "ui/screens/bone_stage.h"
-#include "ui/screens/places.h"
-#include "ui/screens/reading.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/message_form.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/pictures/bone_stage.h"
 #include "ui/screens/replay/notes_panel.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
-#include "ui/screens/visit.h"
-#include "ui/screens/words_form.h"
-#include "ui/widgets/table.h"
+#include "ui/widgets/controls/table.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -52,7 +52,7 @@ class ReplayScreen : public Screen {
   database::AttemptId attempt_;
   double first_moment_s_;
   Reading<std::shared_ptr<const ReplayMaterial>> material_;
-  std::unique_ptr<BoneMoment> bone_;  ///< of the material
+  std::unique_ptr<simulator::BoneMoment> bone_;  ///< of the material
   BoneStage stage_;
   Player player_;
   NotesPanel notes_;

@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "ui/screens/words.h"
-#include "ui/widgets/choice.h"
-#include "ui/widgets/dialog.h"
-#include "ui/widgets/field.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/dialog.h"
+#include "ui/widgets/controls/field.h"
 
 namespace hallux::ui {
 

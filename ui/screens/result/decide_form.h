@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "ui/screens/parts/screen_work.h"
 #include "ui/screens/result/result_material.h"
-#include "ui/screens/screen_work.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {

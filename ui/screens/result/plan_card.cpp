@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/render/palette.h"
-#include "ui/widgets/choice.h"
-#include "ui/widgets/menu.h"
+#include "ui/render/scene/palette.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/menu.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

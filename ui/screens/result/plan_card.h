@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/screens/bone_stage.h"
+#include "ui/screens/pictures/bone_stage.h"
 #include "ui/screens/result/result_material.h"
 
 namespace hallux::ui {

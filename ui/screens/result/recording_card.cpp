@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ui/screens/operating/operating_health.h"
-#include "ui/widgets/card.h"
+#include "ui/widgets/controls/card.h"
 
 namespace hallux::ui {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "assessment/pass_mark.h"
-#include "ui/screens/words.h"
-#include "ui/widgets/card.h"
+#include "ui/screens/parts/value_text.h"
 #include "ui/widgets/charts/timeline.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "ui/screens/result/result_words.h"
+#include "ui/screens/result/result_text.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assessment/progress.h"
 #include "database/store/assets.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/digest.h"
+#include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
-#include "ui/jobs/kept_fields.h"
-#include "ui/screens/bone_stage.h"
-#include "ui/screens/kept_look.h"
-#include "ui/screens/planned_frame.h"
+#include "ui/jobs/cached_fields.h"
+#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/cached_look.h"
+#include "ui/screens/pictures/planned_frame.h"
 
 namespace hallux::ui {
 
@@ -43,7 +43,7 @@ std::optional<scenarios::Scenario> read_scenario_of(database::Database& database
 }
 
 StageProgress stages_on(WorkReport& report) {
-  return [&report](const std::string&) -> std::function<bool(double)> {
+  return [&report](const std::string&) -> Progress {
     return [&report](double fraction) {
       return report.reached(read_share + (score_share - read_share) * fraction);
     };
@@ -153,9 +153,10 @@ void add_pictures(ExaminedAttempt& examined, const Loaded& loaded, const Examina
   const AttemptMaterial& material = loaded.attempt;
   const std::string name = "result " + material.header.id.text + " " +
                            std::to_string(material.recording.samples.size()) + " ";
-  examined.look = kept_look_of(loaded.directory, material.bone, [&](double fraction) {
-    if (!report.reached(wound_share + 0.2 * fraction))
-      throw Cancelled("stopped before the bone was drawn");
+  examined.look = cancelled_as("stopped before the bone was drawn", [&] {
+    return kept_look_of(loaded.directory, material.bone, [&](double fraction) {
+      return report.reached(wound_share + 0.2 * fraction);
+    });
   });
   std::size_t number = 0;
   for (const simulator::CutSolid& piece : examination.rebuilt.pieces) {
@@ -171,16 +172,13 @@ void add_pictures(ExaminedAttempt& examined, const Loaded& loaded, const Examina
 WoundFacts wound_of(const AttemptMaterial& material, const Examination& examination,
                     WorkReport& report) {
   WoundFacts wound;
-  try {
-    wound.traces =
-        traces_of(material.recording, material.bone,
-                  saw_of_record(material.scenario.blade, material.header.begun.guidance),
-                  examination.rebuilt.fields, trace_points, [&](double fraction) {
-                    return report.reached(score_share + (wound_share - score_share) * fraction);
-                  });
-  } catch (const assessment::Cancelled&) {
-    throw Cancelled("stopped before the heat was followed");
-  }
+  wound.traces = cancelled_as("stopped before the heat was followed", [&] {
+    return traces_of(material.recording, material.bone,
+                     saw_of_record(material.scenario.blade, material.header.begun.guidance),
+                     examination.rebuilt.fields, trace_points, [&](double fraction) {
+                       return report.reached(score_share + (wound_share - score_share) * fraction);
+                     });
+  });
   wound.zones = watched_zones(material.scenario, material.recording);
   wound.events = events_of(material.recording);
   wound.duration_s = duration_s_of(material.recording);

@@ -9,12 +9,12 @@
 #include "database/desks/session.h"
 #include "scenarios/scenario.h"
 #include "ui/jobs/recording_quality.h"
-#include "ui/render/bone_mesh.h"
-#include "ui/render/scene.h"
+#include "ui/render/scene/bone_mesh.h"
+#include "ui/render/scene/scene.h"
 #include "ui/report/traces.h"
-#include "ui/screens/attempt_desks.h"
-#include "ui/screens/attempt_timeline.h"
-#include "ui/screens/visit.h"
+#include "ui/screens/parts/attempt_desks.h"
+#include "ui/screens/parts/attempt_timeline.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/window/shell/background.h"
 
 namespace hallux::ui {

@@ -4,13 +4,13 @@
 #include <array>
 
 #include "simulator/base/units.h"
+#include "ui/screens/parts/value_text.h"
 #include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_cards.h"
 #include "ui/screens/result/wound_card.h"
-#include "ui/screens/words.h"
-#include "ui/widgets/card.h"
 #include "ui/widgets/charts/timeline.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

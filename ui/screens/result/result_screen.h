@@ -6,14 +6,14 @@
 #include <optional>
 #include <vector>
 
-#include "ui/screens/places.h"
-#include "ui/screens/reading.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/message_form.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/result/decide_form.h"
 #include "ui/screens/result/plan_card.h"
 #include "ui/screens/result/result_material.h"
-#include "ui/screens/visit.h"
-#include "ui/screens/words_form.h"
-#include "ui/widgets/table.h"
+#include "ui/widgets/controls/table.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "ui/report/wound_text.h"
-#include "ui/screens/attempt_timeline.h"
-#include "ui/widgets/button.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/chart_view.h"
-#include "ui/widgets/marks.h"
+#include "ui/screens/parts/attempt_timeline.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/chart_view.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/widgets/geometry.h"
+#include "ui/widgets/look/geometry.h"
 
 namespace hallux::ui {
 

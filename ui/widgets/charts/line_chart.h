@@ -7,7 +7,7 @@
 
 #include "ui/widgets/charts/axis.h"
 #include "ui/widgets/charts/painter.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/look/theme.h"
 
 namespace hallux::ui {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "ui/widgets/color.h"
-#include "ui/widgets/geometry.h"
-#include "ui/widgets/type_scale.h"
+#include "ui/widgets/look/color.h"
+#include "ui/widgets/look/geometry.h"
+#include "ui/widgets/look/type_scale.h"
 
 namespace hallux::ui {
 

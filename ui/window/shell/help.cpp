@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ui/widgets/button.h"
-#include "ui/widgets/marks.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

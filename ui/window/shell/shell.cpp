@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "ui/render/scene_painter.h"
-#include "ui/widgets/card.h"
-#include "ui/widgets/marks.h"
-#include "ui/widgets/menu.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/menu.h"
 #include "ui/widgets/shapes.h"
 #include "ui/window/shell/help.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/widgets/navigation.h"
+#include "ui/widgets/controls/navigation.h"
 #include "ui/window/shell/background.h"
 #include "ui/window/shell/screen.h"
 

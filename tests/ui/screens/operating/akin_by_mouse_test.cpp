@@ -7,6 +7,7 @@
 #include "database/recording/recordings.h"
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/stroke_plan.h"
+#include "simulator/base/progress.h"
 #include "tests/ui/screens/operating/steady_hand.h"
 #include "ui/jobs/attempt_jobs.h"
 
@@ -139,9 +140,8 @@ TEST_F(AkinByMouse, IsOperatedToItsClosedHingeAndScoredWhole) {
   }
   EXPECT_THAT(done, ElementsAre(0, 1, 2, 3, 4));
   const AttemptMaterial material = load_attempt(course_.course().database(), desk, header.id);
-  const database::ScoreCard card = score_attempt(material, [](const std::string&) {
-                                     return std::function<bool(double)>();
-                                   }).card;
+  const database::ScoreCard card =
+      score_attempt(material, [](const std::string&) { return Progress(); }).card;
   EXPECT_EQ(card.score_milli, header.score_milli);
   std::int64_t whole_milli = 0;
   for (const scenarios::RubricItem& item : table_.scenario.rubric.items) {

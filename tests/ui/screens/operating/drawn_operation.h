@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/ui/screens/operating/some_operation.h"
-#include "ui/render/headless_context.h"
+#include "ui/render/gl/headless_context.h"
 #include "ui/render/imgui_painter.h"
 #include "ui/render/picture.h"
 #include "ui/render/scene_painter.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "database/recording/recordings.h"
+#include "simulator/base/progress.h"
 #include "tests/ui/screens/operating/some_operation.h"
 
 namespace hallux::ui {
@@ -100,7 +101,7 @@ TEST(Operating, WhatWasOperatedLiveReplaysBitForBit) {
   database::TraineeDesk desk = course.course().trainee("ada");
   const AttemptMaterial material =
       load_attempt(course.course().database(), desk, course.attempt().id);
-  const auto silent = [](const std::string&) { return std::function<bool(double)>(); };
+  const auto silent = [](const std::string&) { return Progress(); };
   const std::optional<simulator::ReplayResult> again = replay_attempt(material, silent);
   ASSERT_TRUE(again.has_value());
   EXPECT_TRUE(again->is_identical) << again->difference;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "simulator/base/progress.h"
 #include "tests/ui/screens/some_visitor.h"
 
 namespace hallux::ui {
@@ -100,7 +101,7 @@ bool soon(const std::function<bool()>& holds) {
   return true;
 }
 
-std::function<bool(double)> no_progress(const std::string&) { return {}; }
+Progress no_progress(const std::string&) { return {}; }
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
                    ScenePainter* painter) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 #include "tests/ui/screens/some_places.h"
 #include "tests/ui/widgets/driver.h"
@@ -57,7 +58,7 @@ class OperableCourse {
 /// Waits until it holds, at most a minute.
 bool soon(const std::function<bool()>& holds);
 /// For jobs of which nobody hears how far they are.
-std::function<bool(double)> no_progress(const std::string& stage);
+Progress no_progress(const std::string& stage);
 
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for the one that notes;
 /// it must have begun a frame whenever one is made.

@@ -11,9 +11,9 @@
 #include "tests/ui/screens/some_reviewer.h"
 #include "ui/report/wound_text.h"
 #include "ui/screens/result/recording_card.h"
-#include "ui/screens/result/result_words.h"
+#include "ui/screens/result/result_text.h"
 #include "ui/screens/result/wound_card.h"
-#include "ui/widgets/texts.h"
+#include "ui/widgets/texts/texts.h"
 
 namespace hallux::ui {
 namespace {

@@ -1,0 +1,44 @@
+#include "assessment/effect_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/rebuild/open_kerfs.h"
+#include "simulator/base/check.h"
+#include "simulator/cutting/field/kerf_set.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+constexpr std::size_t samples_per_report = 4096;
+
+}  // namespace
+
+EffectTrack track_effects(const simulator::Bone& bone, const SawOfRecord& saw,
+                          const simulator::Recording& recording, std::size_t stretch,
+                          const Progress& progress) {
+  CHECK(stretch > 0);
+  const simulator::TissueMap tissue(bone);
+  simulator::KerfSet kerfs(saw.blade, bone.world_from_bone);
+  simulator::ToolEffects effects(bone.world_from_bone, saw.blade, saw.in_hand,
+                                 {{}, saw.thickness_mm});
+  EffectTrack track;
+  const std::size_t count = recording.samples.size();
+  open_kerfs(
+      kerfs, recording, [](std::int64_t) {},
+      [&](std::size_t index, const simulator::FieldWindow&) {
+        effects.apply(recording.samples[index], {tissue, kerfs, {}});
+        track.greatest_deflection_mm =
+            std::max(track.greatest_deflection_mm, std::abs(effects.flex().deflection_mm));
+        const bool ends_stretch = (index + 1) % stretch == 0 || index + 1 == count;
+        if (ends_stretch) track.hottest_celsius.push_back(effects.heat().hottest_now_celsius());
+        if (index % samples_per_report == 0)
+          report(progress, static_cast<double>(index) / static_cast<double>(count));
+      });
+  track.heat = effects.heat().summary();
+  report(progress, 1.0);
+  return track;
+}
+
+}  // namespace hallux::assessment

@@ -1,0 +1,38 @@
+/// What an attempt did to the bone beside the cut, computed again from its samples as the step
+/// computed it: heat, and how far the blade bent.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "simulator/base/progress.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/record.h"
+#include "simulator/step/tool_effects.h"
+
+namespace hallux::assessment {
+
+struct EffectTrack {
+  /// Of the hottest bone at the end of each stretch [degrees Celsius].
+  std::vector<double> hottest_celsius;
+  simulator::HeatSummary heat;          ///< of the whole recording
+  double greatest_deflection_mm = 0.0;  ///< of the blade along its normal, without sign
+};
+
+/// The saw that made a recording.
+struct SawOfRecord {
+  simulator::BladeSize blade;
+  double thickness_mm = 0.0;  ///< of the steel
+  simulator::SawInHand in_hand;
+};
+
+/// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still
+/// leads heat away here: a recording holds no bodies of pieces.
+/// needs   recording's samples and events are in the order of their ticks; stretch > 0
+/// errors  Cancelled
+/// thread  any
+EffectTrack track_effects(const simulator::Bone& bone, const SawOfRecord& saw,
+                          const simulator::Recording& recording, std::size_t stretch,
+                          const Progress& progress = {});
+
+}  // namespace hallux::assessment

@@ -1,0 +1,87 @@
+/// A bone after its kerfs: cut in order, split, its pieces numbered, some of them taken out.
+///
+///     bone --kerf 0--> cut(0) --kerf 1--> cut(1) ... --split--> pieces 0, 1, 2 ... and debris
+///
+/// One rule for whoever asks: the jobs of an attempt, its scoring, its replay, the live picture and `hallux cut`. Who
+/// asks says how far each kerf is open at the moment that is meant; what earlier kerfs left is kept, so that a kerf that
+/// grows costs the cuts from it on.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "simulator/bone/numbered_pieces.h"
+#include "simulator/cutting/solid/commit_patch.h"
+
+namespace hallux::simulator {
+
+/// A kerf as far as it is open at one moment.
+struct OpenedKerf {
+  /// The number that the faces of its walls carry (FaceOrigin::kerf).
+  std::int32_t number = 0;
+  KerfPlane plane;
+  FieldGrid grid;
+  /// Without a corner where nothing was opened yet.
+  RegionOutline region;
+};
+
+/// A solid with the tree over its mesh; borrowed from the bone until a kerf before it changes.
+struct SolidWithTree {
+  const CutSolid& solid;
+  const Bvh& bvh;
+};
+
+/// thread  one at a time; work without a bound: not the haptic one
+class CutBone {
+ public:
+  /// needs   the mesh is closed
+  explicit CutBone(IndexedMesh whole);
+
+  // The kerfs, by their place in the order of cutting.
+  std::int32_t kerf_count() const noexcept { return static_cast<std::int32_t>(kerfs_.size()); }
+  const OpenedKerf& kerf(std::int32_t place) const noexcept { return kerfs_[index(place)]; }
+  /// Opens a kerf as far as this, more or less than before.
+  /// needs   place <= kerf_count()
+  void put_kerf(std::int32_t place, OpenedKerf kerf);
+  /// The kerf at `place` becomes the last to be cut; the faces keep their numbers.
+  void move_last(std::int32_t place);
+
+  /// The bone that was never cut.
+  const CutSolid& whole() const noexcept { return whole_.cut.solid; }
+  /// What the kerfs before this one leave; `kerf_count()`: all of them.
+  SolidWithTree before(std::int32_t place);
+  /// What this kerf leaves of that.
+  const KerfCut& cut(std::int32_t place);
+  /// What all kerfs leave; pieces that were taken out count as if they lay there.
+  const CutSolid& after_all();
+  /// The same without one kerf, from which all others are cut.
+  /// place   -1: none is left out
+  CutSolid all_but(std::int32_t place);
+
+  /// Numbers the pieces that the kerfs leave as they are now open.
+  void number_pieces() { pieces_.number(split_pieces(after_all())); }
+  /// See NumberedPieces.
+  const Bvh* take_out(std::int32_t piece) { return pieces_.take_out(piece); }
+  const NumberedPieces& pieces() const noexcept { return pieces_; }
+
+ private:
+  /// The bone after one more kerf; its tree once it was asked for.
+  struct Stage {
+    KerfCut cut;
+    std::unique_ptr<const Bvh> bvh;
+  };
+
+  static std::size_t index(std::int32_t place) noexcept { return static_cast<std::size_t>(place); }
+  Stage& stage_before(std::int32_t place);
+
+  Stage whole_;
+  std::vector<OpenedKerf> kerfs_;
+  /// After the first kerf, the second ...; those that still hold.
+  std::deque<Stage> stages_;
+  NumberedPieces pieces_;
+};
+
+}  // namespace hallux::simulator

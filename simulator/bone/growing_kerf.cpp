@@ -1,0 +1,16 @@
+#include "simulator/bone/growing_kerf.h"
+
+namespace hallux::simulator {
+
+GrowingKerf::GrowingKerf(const SolidWithTree& stands, const KerfPlane& plane, std::int32_t number,
+                         const FieldGrid& grid)
+    : contact_(slice_contact(stands.solid, stands.bvh, plane, number, grid)),
+      builder_(contact_),
+      tracker_(grid) {}
+
+bool GrowingKerf::follow(const KerfField& field, SolidPatch& patch) {
+  tracker_.update(field);
+  return builder_.build(tracker_.outline(), patch);
+}
+
+}  // namespace hallux::simulator

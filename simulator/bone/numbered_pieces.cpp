@@ -1,0 +1,133 @@
+#include "simulator/bone/numbered_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hallux::simulator {
+
+namespace {
+
+/// Both triangles beside a cut share its plane, so a point is asked this far inside the skin.
+constexpr double inward_mm = 1.0e-3;
+constexpr std::size_t points_asked = 64;
+
+const Bvh& tree_of(PieceBody& piece) {
+  if (!piece.bvh) piece.bvh = std::make_unique<const Bvh>(piece.solid.mesh);
+  return *piece.bvh;
+}
+
+}  // namespace
+
+PieceBody copy_of(const PieceBody& piece) {
+  return {piece.id, piece.is_new, piece.volume_mm3, piece.solid,
+          std::make_unique<const Bvh>(piece.solid.mesh)};
+}
+
+bool lies_in(const CutSolid& piece, const Bvh& body) {
+  const std::size_t count = piece.mesh.triangles.size();
+  const std::size_t step = std::max<std::size_t>(1, count / points_asked);
+  std::size_t asked = 0, inside = 0;
+  for (std::size_t i = 0; i < count; i += step) {
+    const Triangle& corners = piece.mesh.triangles[i];
+    const Vec3& a = piece.mesh.points_mm[corners[0]];
+    const Vec3& b = piece.mesh.points_mm[corners[1]];
+    const Vec3& c = piece.mesh.points_mm[corners[2]];
+    const Vec3 outward = glm::cross(b - a, c - a);
+    const double length = std::sqrt(glm::dot(outward, outward));
+    if (length == 0.0) continue;
+    ++asked;
+    const Vec3 point_mm = (a + b + c) / 3.0 - inward_mm / length * outward;
+    if (body.contains(point_mm)) ++inside;
+  }
+  return 2 * inside > asked;
+}
+
+SortedBodies sort_bodies(std::vector<CutSolid> solids) {
+  SortedBodies sorted;
+  for (CutSolid& solid : solids) {
+    const double volume_mm3 = signed_volume_mm3(solid.mesh);
+    if (volume_mm3 < debris_limit_mm3) {
+      sorted.debris_mm3 += volume_mm3;
+      sorted.crumbs.push_back(std::move(solid));
+    } else {
+      sorted.volumes_mm3.push_back(volume_mm3);
+      sorted.bodies.push_back(std::move(solid));
+    }
+  }
+  return sorted;
+}
+
+NumberedPieces::NumberedPieces(const CutSolid& whole) {
+  pieces_.push_back({0, false, signed_volume_mm3(whole.mesh), whole, nullptr});
+}
+
+std::size_t NumberedPieces::body_of(const CutSolid& solid) const {
+  const auto body = std::find_if(taken_out_.begin(), taken_out_.end(),
+                                 [&](const auto& taken) { return lies_in(solid, *taken); });
+  return static_cast<std::size_t>(body - taken_out_.begin());
+}
+
+/// The number of the piece that this one was cut from, if no larger part of that has taken it; else -1.
+std::int32_t NumberedPieces::inherited_id(const CutSolid& solid, std::vector<std::int32_t>& taken) {
+  for (PieceBody& piece : pieces_) {
+    if (std::find(taken.begin(), taken.end(), piece.id) != taken.end()) continue;
+    if (!lies_in(solid, tree_of(piece))) continue;
+    taken.push_back(piece.id);
+    return piece.id;
+  }
+  return -1;
+}
+
+void NumberedPieces::number(std::vector<CutSolid> solids) {
+  std::erase_if(solids, [&](const CutSolid& solid) { return body_of(solid) < taken_out_.size(); });
+  SortedBodies sorted = sort_bodies(std::move(solids));
+  std::vector<PieceBody> numbered;
+  std::vector<std::int32_t> taken;
+  for (std::size_t i = 0; i < sorted.bodies.size(); ++i) {
+    CutSolid& solid = sorted.bodies[i];
+    const std::int32_t inherited = inherited_id(solid, taken);
+    const bool is_new = inherited < 0;
+    auto bvh = std::make_unique<const Bvh>(solid.mesh);
+    numbered.push_back({is_new ? next_id_++ : inherited, is_new, sorted.volumes_mm3[i],
+                        std::move(solid), std::move(bvh)});
+  }
+  pieces_ = std::move(numbered);
+  crumbs_ = std::move(sorted.crumbs);
+  debris_mm3_ = sorted.debris_mm3;
+}
+
+const Bvh* NumberedPieces::take_out(std::int32_t id) {
+  const auto found = std::find_if(pieces_.begin(), pieces_.end(),
+                                  [id](const PieceBody& piece) { return piece.id == id; });
+  if (found == pieces_.end()) return nullptr;
+  tree_of(*found);
+  taken_out_.push_back(std::move(found->bvh));
+  pieces_.erase(found);
+  return taken_out_.back().get();
+}
+
+CutSolid NumberedPieces::gathered() const {
+  CutSolid all;
+  for (const PieceBody& piece : pieces_) append_solid(all, piece.solid);
+  for (const CutSolid& crumb : crumbs_) append_solid(all, crumb);
+  return all;
+}
+
+std::optional<CutSolid> NumberedPieces::without_taken_out(const CutSolid& solid) const {
+  if (taken_out_.empty()) return solid;
+  std::vector<bool> is_found(taken_out_.size(), false);
+  CutSolid left;
+  for (const CutSolid& piece : split_pieces(solid)) {
+    const std::size_t body = body_of(piece);
+    if (body < taken_out_.size()) {
+      is_found[body] = true;
+    } else {
+      append_solid(left, piece);
+    }
+  }
+  if (std::find(is_found.begin(), is_found.end(), false) != is_found.end()) return std::nullopt;
+  return left;
+}
+
+}  // namespace hallux::simulator

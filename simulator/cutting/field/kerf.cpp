@@ -1,0 +1,215 @@
+#include "simulator/cutting/field/kerf.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "simulator/base/check.h"
+#include "simulator/cutting/field/swept_blade.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+constexpr double limit_spacings = 1.0;
+
+bool is_finite(const PlanarPose& pose) noexcept {
+  return std::isfinite(pose.tip_mm.x) && std::isfinite(pose.tip_mm.y) &&
+         std::isfinite(pose.direction.x) && std::isfinite(pose.direction.y);
+}
+
+void take_in(NodeSpan& span, std::int32_t v) noexcept {
+  span = span.is_empty() ? NodeSpan{v, v + 1}
+                         : NodeSpan{std::min(span.first, v), std::max(span.last, v + 1)};
+}
+
+void take_in(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept {
+  if (window.is_empty()) {
+    window = {u, span.first, u + 1, span.last};
+    return;
+  }
+  window.u_first = std::min(window.u_first, u);
+  window.v_first = std::min(window.v_first, span.first);
+  window.u_last = std::max(window.u_last, u + 1);
+  window.v_last = std::max(window.v_last, span.last);
+}
+
+}  // namespace
+
+PlanarPose planar_pose(const KerfPlane& plane, const RigidTransform& bone_from_tool) noexcept {
+  const RigidTransform kerf_from_tool = inverse(plane.bone_from_kerf) * bone_from_tool;
+  const Vec3 direction = transform_direction(kerf_from_tool, Vec3(1.0, 0.0, 0.0));
+  const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+  PlanarPose pose;
+  pose.tip_mm = Vec2(kerf_from_tool.translation_mm.x, kerf_from_tool.translation_mm.y);
+  if (length > 0.0) pose.direction = Vec2(direction.x / length, direction.y / length);
+  return pose;
+}
+
+KerfField::KerfField(const FieldGrid& grid)
+    : grid_(grid),
+      limit_mm_(static_cast<float>(limit_spacings * grid.spacing_mm)),
+      deep_(grid.u_count, grid.v_count),
+      open_(grid.u_count, grid.v_count),
+      covers_(static_cast<std::size_t>(std::max(grid.u_count, 0))),
+      tile_rows_(tiles_over(grid.v_count)) {
+  CHECK(grid.spacing_mm > 0.0 && grid.u_count > 0 && grid.v_count > 0);
+  inside_mm_.assign(line_start(grid.u_count), -limit_mm_);
+  tile_revisions_.resize(static_cast<std::size_t>(tile_rows_) *
+                         static_cast<std::size_t>(tiles_over(grid.u_count)));
+}
+
+bool KerfField::is_open(const Vec2& point_mm) const noexcept {
+  const Vec2 node = (point_mm - grid_.origin_mm) / grid_.spacing_mm;
+  const double u_floor = std::floor(node.x), v_floor = std::floor(node.y);
+  if (!(u_floor >= 0.0 && v_floor >= 0.0 && u_floor + 1.0 < grid_.u_count &&
+        v_floor + 1.0 < grid_.v_count)) {
+    return false;
+  }
+  const auto u = static_cast<std::int32_t>(u_floor), v = static_cast<std::int32_t>(v_floor);
+  const double part_u = node.x - u_floor, part_v = node.y - v_floor;
+  const double lower =
+      (1.0 - part_u) * static_cast<double>(at(u, v)) + part_u * static_cast<double>(at(u + 1, v));
+  const double upper = (1.0 - part_u) * static_cast<double>(at(u, v + 1)) +
+                       part_u * static_cast<double>(at(u + 1, v + 1));
+  return (1.0 - part_v) * lower + part_v * upper > 0.0;
+}
+
+void KerfField::reset() noexcept {
+  std::fill(inside_mm_.begin(), inside_mm_.end(), -limit_mm_);
+  deep_.clear();
+  open_.clear();
+  std::fill(covers_.begin(), covers_.end(), LineCover{});
+  ++revision_;
+  for (std::uint32_t& tile : tile_revisions_) tile = tile == 0 ? 0 : revision_;
+}
+
+void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm) noexcept {
+  ++revision_;
+  FieldWindow all_changed;
+  auto next = inside_mm.begin();
+  for (std::int32_t u = window.u_first; u < window.u_last; ++u) {
+    NodeSpan changed;
+    for (std::int32_t v = window.v_first; v < window.v_last; ++v) {
+      if (put_node(u, v, *next++)) take_in(changed, v);
+    }
+    if (changed.is_empty()) continue;
+    note_risen(u, changed, all_changed);
+    covers_[static_cast<std::size_t>(u)] = LineCover{};
+  }
+}
+
+/// Whether the value was another one.
+bool KerfField::put_node(std::int32_t u, std::int32_t v, float wanted_mm) noexcept {
+  const float value_mm = wanted_mm > -limit_mm_ ? std::min(wanted_mm, limit_mm_) : -limit_mm_;
+  float& kept_mm = inside_mm_[line_start(u) + static_cast<std::size_t>(v)];
+  if (kept_mm == value_mm) return false;
+  kept_mm = value_mm;
+  open_.put(u, v, value_mm > 0.0F);
+  deep_.put(u, v, value_mm == limit_mm_);
+  return true;
+}
+
+void KerfField::stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
+                      FieldWindow& changed) noexcept {
+  changed = {};
+  if (!is_finite(from) || !is_finite(to)) return;
+  ++revision_;
+  const SweptBlade swept(grid_, blade, from, to, static_cast<double>(limit_mm_));
+  for (std::int32_t u = swept.lines().first; u < swept.lines().last; ++u) {
+    stamp_line(swept, u, changed);
+  }
+}
+
+/// The part of a line at one end of a stamp.
+struct KerfField::Rim {
+  const SweptBlade& swept;
+  const SweptBlade::Line& line;
+  std::int32_t u;
+  NodeSpan nodes;
+  std::size_t likely_edge;  ///< holds the least value at most of the nodes
+};
+
+/// The value at a node is a function of stamp and node alone, never of what was stamped before; which nodes are looked at
+/// depends on that, since nodes at the limit and nodes under a cover cannot rise.
+void KerfField::stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept {
+  LineCover& cover = covers_[static_cast<std::size_t>(u)];
+  if (swept.is_covered(u, cover)) return;
+  const SweptBlade::Line line = swept.line(u);
+  const auto note = [&](const NodeSpan& risen) {
+    if (!risen.is_empty()) note_risen(u, risen, changed);
+  };
+  if (line.deep.is_empty()) {
+    note(raise_rim({swept, line, u, line.near, line.rising_edge}));
+    return;
+  }
+  const LineCover& bounds = line.bounds;
+  if (!swept.is_low_covered(line, cover)) {
+    note(raise_rim({swept, line, u, {line.near.first, line.deep.first}, line.rising_edge}));
+    if (bounds.low_deep < cover.low_deep || bounds.low_deep > cover.low_end) {
+      cover.low_near = bounds.low_near;
+      cover.low_deep = bounds.low_deep;
+      cover.low_end = bounds.low_end;
+    }
+  }
+  if (!swept.is_high_covered(line, cover)) {
+    note(raise_rim({swept, line, u, {line.deep.last, line.near.last}, line.falling_edge}));
+    if (bounds.high_deep > cover.high_deep || bounds.high_deep < cover.high_end) {
+      cover.high_near = bounds.high_near;
+      cover.high_deep = bounds.high_deep;
+      cover.high_end = bounds.high_end;
+    }
+  }
+  note(fill_deep(u, line.deep));
+}
+
+/// The nodes that rose.
+NodeSpan KerfField::raise_rim(const Rim& rim) noexcept {
+  const double limit_mm = static_cast<double>(limit_mm_);
+  float* const values_mm = inside_mm_.data() + line_start(rim.u);
+  NodeSpan risen;
+  for (std::int32_t v = rim.nodes.first; v < rim.nodes.last; ++v) {
+    // The least over all edges cannot rise above what is there where one edge cannot.
+    const double likely_mm = std::min(rim.swept.edge_mm(rim.line, rim.likely_edge, v), limit_mm);
+    if (static_cast<float>(likely_mm) <= values_mm[v]) continue;
+    const auto value_mm = static_cast<float>(std::min(rim.swept.inside_mm(rim.line, v), limit_mm));
+    if (value_mm <= values_mm[v]) continue;
+    values_mm[v] = value_mm;
+    if (value_mm > 0.0F) open_.set(rim.u, v);
+    if (value_mm == limit_mm_) deep_.set(rim.u, v);
+    take_in(risen, v);
+  }
+  return risen;
+}
+
+/// Brings all nodes of the span to the limit; those that rose.
+NodeSpan KerfField::fill_deep(std::int32_t u, const NodeSpan& deep) noexcept {
+  float* const values_mm = inside_mm_.data() + line_start(u);
+  NodeSpan risen;
+  deep_.for_missing(u, deep.first, deep.last, [&](std::int32_t v, std::uint64_t missing) {
+    const std::int32_t first = v + std::countr_zero(missing);
+    const std::int32_t last = v + 64 - std::countl_zero(missing);
+    std::fill(values_mm + first, values_mm + last, limit_mm_);
+    take_in(risen, first);
+    take_in(risen, last - 1);
+  });
+  if (risen.is_empty()) return risen;
+  open_.set_span(u, risen.first, risen.last);
+  deep_.set_span(u, risen.first, risen.last);
+  return risen;
+}
+
+/// Node u belongs to cells u and u + 1.
+void KerfField::note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept {
+  take_in(changed, u, risen);
+  for (std::int32_t column = u / tile_cells; column <= (u + 1) / tile_cells; ++column) {
+    const std::int32_t start = column * tile_rows_;
+    const std::int32_t first_tile = start + risen.first / tile_cells;
+    const std::int32_t last_tile = start + risen.last / tile_cells;
+    const auto first = static_cast<std::size_t>(first_tile);
+    const auto last = static_cast<std::size_t>(last_tile);
+    for (std::size_t tile = first; tile <= last; ++tile) tile_revisions_[tile] = revision_;
+  }
+}
+
+}  // namespace hallux::simulator

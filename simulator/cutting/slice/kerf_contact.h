@@ -1,0 +1,105 @@
+/// The contact slice: the skin of a bone between a kerf's two planes, cut once into triangles that end on the planes.
+///
+///     above        outer parts: what a crossed triangle has above +w/2
+///   -- +w/2 --     contour edges, level +1
+///     strip        strip triangles, between crossings and mesh points
+///   -- -w/2 --     contour edges, level -1
+///     below        outer parts: what a crossed triangle has below -w/2
+///
+/// From here on, taking a region of the slab away is a question in the plane: docs/cutting.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "simulator/cutting/field/kerf.h"
+#include "simulator/cutting/pieces/cut_solid.h"
+#include "simulator/cutting/slice/plane_lattice.h"
+#include "simulator/cutting/slice/plane_slice.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::simulator {
+
+inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
+
+/// A mesh point inside the slab, or the crossing of a mesh edge with one of the planes.
+struct StripPoint {
+  LatticePoint place;
+  std::int64_t height = 0;  ///< in lattice steps
+  Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
+  std::uint32_t base_point = no_index;  ///< the mesh point; none for a crossing
+  std::uint32_t touched = no_index;     ///< a touched triangle that has it
+};
+
+/// Runs from a to b; contour edges (level not 0) run as their strip triangle does: counter-clockwise around bone on the
+/// lower plane, clockwise on the upper one.
+struct StripEdge {
+  std::uint32_t a = 0, b = 0;
+  std::int8_t level = 0;  ///< +1 or -1: lies in the upper or lower plane; 0: between them
+  std::uint32_t touched = no_index;  ///< a touched triangle that has it
+};
+
+struct StripTriangle {
+  std::array<std::uint32_t, 3> points{}, edges{};  ///< edge k joins points k and k + 1
+  std::array<bool, 3> runs_along{};                ///< side k runs as its edge does
+  std::int8_t facing =
+      0;  ///< +1 where it is counter-clockwise in the plane, -1 clockwise, 0 upright
+  std::uint32_t touched = 0;
+};
+
+/// The part of a touched triangle beyond one plane: ring a, corners, b of its contour edge.
+struct OuterPart {
+  std::uint32_t edge = 0;  ///< its contour edge
+  std::uint32_t touched = 0;
+  std::array<std::uint32_t, 2> corners{};  ///< mesh points, the first `corner_count`
+  std::uint8_t corner_count = 1;
+};
+
+/// A triangle of the mesh that reaches into the slab, with the runs of strip triangles and outer parts made of it.
+struct TouchedTriangle {
+  std::uint32_t base_triangle = 0;
+  std::uint32_t skin = 0;  ///< connected part of the strip
+  std::uint32_t first_strip = 0, first_outer = 0;
+};
+
+struct KerfContact {
+  KerfPlane plane;
+  KerfAxes axes;
+  std::int32_t kerf = 0;
+  PlaneLattice lattice;
+  LatticePoint min, max;  ///< box of the strip's points
+  std::uint32_t base_point_count = 0;
+  std::vector<StripPoint> points;
+  std::vector<StripEdge> edges;
+  std::vector<StripTriangle> triangles;
+  std::vector<OuterPart> outer_parts;
+  std::vector<TouchedTriangle> touched;  ///< ascending by base_triangle
+  std::vector<FaceOrigin> origins;       ///< of each touched triangle
+  std::uint32_t skin_count = 0;
+
+  /// The strip's points in an order in which each but the first of a skin comes after its parent.
+  struct TreeEdge {
+    std::uint32_t point = 0;
+    std::uint32_t parent = no_index;  ///< none: the first of its skin
+    std::uint32_t edge = no_index;
+    std::uint32_t skin = 0;
+  };
+  std::vector<TreeEdge> tree;
+};
+
+/// needs   solid is closed; bvh was built over solid.mesh; `min_mm`, `max_mm` is a box in the kerf's plane that holds every
+///         region asked about later
+/// ensures cost grows with the triangles that reach into the slab, beyond the search in the tree
+/// errors  none: a plane that misses gives no points
+/// thread  worker
+/// source  docs/cutting.md
+KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
+                          std::int32_t kerf, const Vec2& min_mm, const Vec2& max_mm);
+
+/// The same with room for regions that a field can hold.
+KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
+                          std::int32_t kerf, const FieldGrid& grid);
+
+}  // namespace hallux::simulator

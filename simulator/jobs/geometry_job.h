@@ -1,0 +1,78 @@
+/// Work without a bound: what a kerf's plane meets, which pieces the kerfs leave, and whether a hinge closes.
+///
+/// A job is a pure function of the attempt at the tick of its request. It is computed beside the step, on a copy of
+/// the kerfs that was opened from the same samples, and its result enters the step as the command ApplyJob.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "simulator/bone/planned_bridge.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/mesh/bone.h"
+
+namespace hallux::simulator {
+
+enum class JobKind : std::int32_t {
+  Contact,  ///< slice the bone along a kerf that was just frozen
+  Pieces,   ///< commit what the blade has opened and see what comes free
+  Hinge     ///< close the wedge beside the planned bridge
+};
+
+struct JobRequest {
+  std::int32_t id = -1;
+  JobKind kind = JobKind::Contact;
+  std::int32_t kerf = -1;  ///< the one that asked; none for Hinge
+  std::int64_t tick = 0;   ///< the state after this tick is what the job sees
+};
+
+/// Never changes once made; the step borrows it for the rest of the attempt.
+struct JobResult {
+  JobRequest request;
+  double section_mm2 = 0.0;             ///< Contact: of the solid as it stood, at the kerf's planes
+  std::vector<PieceBody> pieces;        ///< Pieces: without debris, largest first
+  std::vector<std::int32_t> completed;  ///< Pieces: kerfs that took their whole section, ascending
+  double debris_mm3 = 0.0;              ///< Pieces: in the wound as it is
+  double removed_mm3 = 0.0;             ///< Pieces: taken by the blade so far in the attempt
+  std::uint32_t nudges = 0;             ///< Pieces: see KerfCut; expected 0
+  ClosedHinge hinge;                    ///< Hinge
+};
+
+/// The attempt as the jobs see it: a copy of the kerfs, and the bone that they leave.
+class AttemptGeometry {
+ public:
+  AttemptGeometry(const Bone& bone, const BladeSize& blade,
+                  std::optional<PlannedBridge> bridge = {});
+
+  /// Follows what the step gave out; events of a tick before its sample.
+  void follow(const CutEvent& event);
+  void follow(const ToolSample& sample);
+  /// thread  worker, or the caller's in virtual time
+  std::unique_ptr<const JobResult> run(const JobRequest& request);
+
+  /// What lies in the wound, as the last job of pieces left it.
+  CutSolid solid() const { return bone_.pieces().gathered(); }
+  const KerfSet& kerfs() const noexcept { return kerfs_; }
+  /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
+  bool is_only_kerf(std::int32_t kerf) const;
+  /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none), for a display that shows
+  /// that one's cut on it. Nothing where a piece that was taken out would hang on the bone again.
+  /// thread  the one that follows
+  std::optional<CutSolid> solid_without(std::int32_t kerf);
+
+ private:
+  void run_contact(JobResult& result);
+  void run_pieces(JobResult& result);
+  /// Opens the bone's kerfs as far as the fields are open now.
+  void bring_up_to_date();
+
+  KerfSet kerfs_;
+  std::optional<PlannedBridge> bridge_;
+  CutBone bone_;
+  /// Per kerf: its field rose since the bone followed it.
+  std::vector<std::uint8_t> has_risen_;
+};
+
+}  // namespace hallux::simulator

@@ -1,0 +1,82 @@
+#include "simulator/jobs/recorded_jobs.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace hallux::simulator {
+
+namespace {
+
+std::span<const CutEvent> events_at(const Recording& recording, std::int64_t tick) {
+  const auto first =
+      std::partition_point(recording.events.begin(), recording.events.end(),
+                           [tick](const CutEvent& event) { return event.tick < tick; });
+  const auto last = std::partition_point(
+      first, recording.events.end(), [tick](const CutEvent& event) { return event.tick == tick; });
+  return {first, last};
+}
+
+bool has_event(std::span<const CutEvent> events, CutEventKind kind, std::int32_t subject) {
+  return std::any_of(events.begin(), events.end(), [&](const CutEvent& event) {
+    return event.kind == kind && event.subject == subject;
+  });
+}
+
+bool has_hinge(std::span<const CutEvent> events) {
+  return std::any_of(events.begin(), events.end(), [](const CutEvent& event) {
+    return event.kind == CutEventKind::HingeClosed || event.kind == CutEventKind::HingeRefused;
+  });
+}
+
+/// Names the jobs of one line of the tape after the other.
+class JobNames {
+ public:
+  explicit JobNames(const Recording& recording) : recording_(recording) {}
+
+  void take(const TapeLine& line, std::vector<RecordedJob>& jobs) {
+    const std::int64_t tick = line.tick + line.ticks - 1;
+    const std::span<const CutEvent> said = events_at(recording_, tick);
+    bool has_unnamed_hinge = has_hinge(said);
+    for (std::size_t i = 0; i < line.command_count && i < commands_per_tick; ++i) {
+      const Command& command = line.commands[i];
+      if (command.kind != CommandKind::ApplyJob) continue;
+      RecordedJob job{{command.argument, JobKind::Pieces, -1, command.detail}, tick};
+      if (const std::optional<std::int32_t> kerf = section_of(command.detail, said)) {
+        job.request.kind = JobKind::Contact;
+        job.request.kerf = *kerf;
+      } else if (has_unnamed_hinge) {
+        job.request.kind = JobKind::Hinge;
+        has_unnamed_hinge = false;
+      }
+      jobs.push_back(job);
+    }
+  }
+
+ private:
+  /// The kerf that was frozen at that tick and whose section is known by these events, once.
+  std::optional<std::int32_t> section_of(std::int64_t tick, std::span<const CutEvent> said) {
+    for (const CutEvent& event : events_at(recording_, tick)) {
+      if (event.kind != CutEventKind::PlaneFrozen) continue;
+      const bool is_known = std::find(known_.begin(), known_.end(), event.subject) != known_.end();
+      if (is_known || !has_event(said, CutEventKind::SectionKnown, event.subject)) continue;
+      known_.push_back(event.subject);
+      return event.subject;
+    }
+    return std::nullopt;
+  }
+
+  const Recording& recording_;
+  std::vector<std::int32_t> known_;
+};
+
+}  // namespace
+
+std::vector<RecordedJob> recorded_jobs(const Recording& recording) {
+  std::vector<RecordedJob> jobs;
+  JobNames names(recording);
+  for (const TapeLine& line : recording.tape) names.take(line, jobs);
+  return jobs;
+}
+
+}  // namespace hallux::simulator

@@ -1,0 +1,116 @@
+/// The heart: one step of an attempt. No clock, thread, file, window, random source or allocation.
+///
+/// The loop calls it 1000 times a second; tests and replay call the same function. Everything it
+/// may depend on is in the line of the input tape, and in results of jobs that are themselves
+/// functions of earlier lines.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "simulator/base/fixed_list.h"
+#include "simulator/contact/tissue.h"
+#include "simulator/contact/tool_motion.h"
+#include "simulator/jobs/geometry_job.h"
+#include "simulator/record/record.h"
+#include "simulator/step/attempt_clock.h"
+#include "simulator/step/guide_of_step.h"
+#include "simulator/step/hinge_requests.h"
+#include "simulator/step/piece_book.h"
+#include "simulator/step/piece_requests.h"
+#include "simulator/step/tool_effects.h"
+
+namespace hallux::simulator {
+
+struct StepInput {
+  const TapeLine& line;
+  /// For each command ApplyJob of the line its result, borrowed until the attempt ends; null for
+  /// other commands.
+  std::array<const JobResult*, commands_per_tick> job_results{};
+};
+
+inline constexpr std::size_t events_per_step = 16;
+
+/// What is below `requests` is for displays and devices and is not recorded.
+struct StepOutput {
+  ToolSample sample;
+  /// Before the sample, in order.
+  FixedList<CutEvent, events_per_step> events;
+  /// To be run on the state after this step.
+  FixedList<JobRequest, 2> requests;
+  Engagement engaged;
+  BladeFlex flex;
+  /// Of all bone now.
+  double hottest_celsius = body_celsius;
+  /// On the hand about the tool's origin, world frame, for a device that can turn.
+  Vec3 torque_in_world_newton_mm{0.0, 0.0, 0.0};
+};
+
+/// The state of one attempt.
+class Simulation {
+ public:
+  /// Takes all its memory here. Borrows `tissue` for its lifetime.
+  Simulation(const TissueMap& tissue, const RigidTransform& world_from_bone, const BladeSize& blade,
+             const ContactSettings& settings, const ToolEffectSettings& effects = {});
+
+  const KerfSet& kerfs() const noexcept { return kerfs_; }
+  const ToolEffects& effects() const noexcept { return effects_; }
+  bool is_over() const noexcept { return clock_.is_over(); }
+  /// Started, and neither the operator nor the loop has paused it.
+  bool is_running() const noexcept { return clock_.is_running(); }
+
+  /// One step.
+  /// needs   line.tick follows the last line; every ApplyJob has its result
+  /// thread  haptic; allocates nothing
+  StepOutput step(const StepInput& input) noexcept;
+
+ private:
+  void apply_commands(const StepInput& input, StepOutput& output) noexcept;
+  void apply(const Command& command, StepOutput& output) noexcept;
+  void note_clock(ClockChange change, std::int32_t holder, StepOutput& output) const noexcept;
+  void finish_step(std::int32_t step, StepOutput& output) noexcept;
+  void end(CutEventKind how, StepOutput& output) noexcept;
+  void apply_job(const JobResult& result, StepOutput& output) noexcept;
+  void apply_pieces(const JobResult& result, StepOutput& output) noexcept;
+  void apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept;
+  void watch_faults(std::uint32_t faults, StepOutput& output) noexcept;
+  void announce_pieces(StepOutput& output) noexcept;
+  void carry_out_waiting(StepOutput& output) noexcept;
+  void pick_up(std::int32_t piece, StepOutput& output) noexcept;
+  void place_tool(const TapeLine& line) noexcept;
+  void move(const TapeLine& line, StepOutput& output) noexcept;
+  void stand_still(StepOutput& output) noexcept;
+  ToolSample sample_of(const ToolInput& input, const ToolOutcome& outcome) const noexcept;
+  void freeze(StepOutput& output) noexcept;
+  void report(const ToolOutcome& outcome, StepOutput& output) const noexcept;
+  void apply_to_effects(StepOutput& output) noexcept;
+  void ask(JobKind kind, std::int32_t kerf, StepOutput& output) noexcept;
+  void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
+            std::int64_t value = 0) const noexcept;
+  RigidTransform bone_from_handle(const TapeLine& line) const noexcept {
+    return bone_from_world_ * transform_from(line.device.world_from_handle);
+  }
+  /// The kerf that holds the blade, or -1.
+  std::int32_t kerf_of_tool() const noexcept {
+    return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
+  }
+  StandingBone standing() const noexcept { return {tissue_, kerfs_, pieces_.removed()}; }
+
+  const TissueMap& tissue_;
+  RigidTransform world_from_bone_, bone_from_world_;
+  ContactSettings settings_;
+  KerfSet kerfs_;
+  ToolEffects effects_;
+  ToolState tool_;
+  AttemptClock clock_;
+  GuideOfStep guide_;
+  PieceRequests piece_requests_;
+  PieceBook pieces_;
+  HingeRequests hinge_;
+  std::int32_t next_job_ = 0;
+  std::int64_t tick_ = 0;
+  /// Bits of DeviceFault, of the line before.
+  std::uint32_t faults_ = 0;
+};
+
+}  // namespace hallux::simulator

@@ -1,0 +1,75 @@
+#include "simulator/step/tool_effects.h"
+
+#include <algorithm>
+
+#include "simulator/base/units.h"
+#include "simulator/record/sample_force.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+/// The free length asks the bone's surface several times: for a display this is often enough.
+constexpr std::int64_t ticks_per_length = 32;
+
+std::span<const DangerCapsule> watched(const ToolEffectSettings& settings) noexcept {
+  return {settings.danger_zones.data(), std::min(settings.danger_zones.size(), danger_zone_limit)};
+}
+
+}  // namespace
+
+ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const BladeSize& blade,
+                         const SawInHand& saw, const ToolEffectSettings& settings)
+    : bone_from_world_(inverse(world_from_bone)),
+      blade_(blade),
+      thickness_mm_(settings.blade_thickness_mm),
+      is_guided_(saw.is_guided),
+      heat_(blade, world_from_bone, saw.cycles_per_minute, saw.sharpness),
+      danger_(world_from_bone, blade, watched(settings)) {}
+
+void ToolEffects::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
+  tick_ = sample.tick;
+  bone_from_tool_ = quantise(bone_from_world_ * transform_from(sample.world_from_tool));
+  heat_.apply(sample, bone);
+  danger_.apply(sample);
+  bend(sample, bone);
+}
+
+void ToolEffects::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
+  const bool tells_of_bend = !is_guided_ || has(sample.status, ToolStatus::InKerf);
+  if (!has(sample.status, ToolStatus::InContact) || !tells_of_bend) {
+    flex_ = {};
+    return;
+  }
+  if (flex_.free_length_mm <= 0.0 || sample.tick % ticks_per_length == 0) {
+    flex_.free_length_mm =
+        free_length_mm(transform_from(bone_from_tool_), blade_.depth_mm, bone.original);
+  }
+  const Vec3 normal =
+      transform_direction(transform_from(sample.world_from_tool), Vec3{0.0, 0.0, 1.0});
+
+  flex_.deflection_mm = deflection_mm({flex_.free_length_mm, blade_.width_mm, thickness_mm_},
+                                      glm::dot(force_newton(sample), normal));
+}
+
+bool ToolEffects::take_event(const KerfSet& kerfs, CutEvent& event) noexcept {
+  if (DangerNews news; danger_.take_news(news)) {
+    event = {tick_, news.has_begun ? CutEventKind::DangerContact : CutEventKind::DangerLeft,
+             news.zone, um_from_mm(news.distance_mm), bone_from_tool_};
+    return true;
+  }
+  HeatMark mark;
+  if (!heat_.take_mark(mark)) return false;
+  const RigidTransform kerf_from_place{Quat{1.0, 0.0, 0.0, 0.0}, Vec3{mark.place_mm, 0.0}};
+  event = {tick_, CutEventKind::BoneHot, mark.kerf, 0,
+           quantise(kerfs.plane(mark.kerf).bone_from_kerf * kerf_from_place)};
+  if (mark.kind == HeatMarkKind::Hot) {
+    event.value = round_to_int32(1000.0 * heat_.celsius_at(mark.kerf, mark.place_mm));
+  } else {
+    event.kind = CutEventKind::BoneNecrosis;
+    event.value = round_to_int32(1000.0 * heat_.summary().necrotic_mm3);
+  }
+  return true;
+}
+
+}  // namespace hallux::simulator

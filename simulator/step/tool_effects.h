@@ -1,0 +1,66 @@
+/// Effects of the saw besides the cut: heat in the walls, danger zones touched, bend of the blade.
+///
+/// All of them follow from the recorded samples and change none. What happened comes out as events,
+/// one by one, so that they wait where a step has no room for them.
+#pragma once
+
+#include <vector>
+
+#include "simulator/contact/blade_flex.h"
+#include "simulator/contact/danger_zone.h"
+#include "simulator/contact/heat.h"
+
+namespace hallux::simulator {
+
+struct ToolEffectSettings {
+  std::vector<DangerCapsule> danger_zones =
+      {};                           ///< at most danger_zone_limit; the rest is not watched
+  double blade_thickness_mm = 0.4;  ///< of the steel
+};
+
+/// How the saw runs and who leads it.
+struct SawInHand {
+  double cycles_per_minute = 0.0;
+  double sharpness = 1.0;
+  /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that
+  /// tells of no bend.
+  bool is_guided = false;
+};
+
+/// For displays; not recorded.
+struct BladeFlex {
+  double free_length_mm = 0.0;  ///< out of the bone; 0 where no tooth touches any
+  double deflection_mm = 0.0;   ///< along the blade's normal
+};
+
+class ToolEffects {
+ public:
+  /// Takes all its memory here.
+  ToolEffects(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
+              const ToolEffectSettings& settings);
+
+  /// needs   samples in their order; `bone` as it stands after the sample
+  /// thread  haptic; allocates nothing
+  void apply(const ToolSample& sample, const StandingBone& bone) noexcept;
+  /// The next thing that happened; danger first.
+  bool take_event(const KerfSet& kerfs, CutEvent& event) noexcept;
+
+  const HeatField& heat() const noexcept { return heat_; }
+  const DangerWatch& danger() const noexcept { return danger_; }
+  const BladeFlex& flex() const noexcept { return flex_; }
+
+ private:
+  void bend(const ToolSample& sample, const StandingBone& bone) noexcept;
+
+  RigidTransform bone_from_world_;
+  BladeSize blade_;
+  double thickness_mm_;
+  bool is_guided_;
+  HeatField heat_;
+  DangerWatch danger_;
+  BladeFlex flex_;
+  QuantisedPose bone_from_tool_;
+  std::int64_t tick_ = 0;
+};
+
+}  // namespace hallux::simulator

@@ -1,0 +1,99 @@
+#include "simulator/step/piece_book.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "tests/support/worlds.h"
+
+namespace hallux::simulator {
+namespace {
+
+PieceBody piece(std::int32_t id, bool is_new) {
+  PieceBody body;
+  body.id = id;
+  body.is_new = is_new;
+  body.bvh = std::make_unique<const Bvh>(tests::solid_block({1.0, 1.0, 1.0}));
+  return body;
+}
+
+/// The bone, which is old, and pieces 1 to `count` that came free.
+std::vector<PieceBody> bone_and_pieces(std::int32_t count) {
+  std::vector<PieceBody> pieces;
+  pieces.push_back(piece(0, false));
+  for (std::int32_t id = 1; id <= count; ++id) pieces.push_back(piece(id, true));
+  return pieces;
+}
+
+TEST(PieceBook, AnnouncesWhatCameFreeOneByOne) {
+  const std::vector<PieceBody> pieces = bone_and_pieces(2);
+  PieceBook book;
+  EXPECT_TRUE(book.is_all_announced());
+  EXPECT_EQ(book.announce_next(), nullptr);
+  book.learn(pieces);
+  EXPECT_FALSE(book.is_all_announced());
+  EXPECT_EQ(book.announce_next(), &pieces[1]);
+  EXPECT_EQ(book.announce_next(), &pieces[2]);
+  EXPECT_TRUE(book.is_all_announced());
+  EXPECT_EQ(book.announce_next(), nullptr);
+}
+
+TEST(PieceBook, TakesEachPieceOutOnce) {
+  const std::vector<PieceBody> pieces = bone_and_pieces(2);
+  PieceBook book;
+  book.learn(pieces);
+  EXPECT_EQ(book.take_out(2), 2);
+  EXPECT_EQ(book.take_out(2), 0);
+  EXPECT_EQ(book.take_out(1), 1);
+  ASSERT_EQ(book.removed().size(), 2U);
+  EXPECT_EQ(book.removed()[0], pieces[2].bvh.get());
+}
+
+TEST(PieceBook, NeverTakesOutTheBoneNorWhatItDoesNotKnow) {
+  const std::vector<PieceBody> pieces = bone_and_pieces(1);
+  PieceBook book;
+  EXPECT_EQ(book.take_out(1), 0);
+  EXPECT_EQ(book.take_out(piece_freed_last), 0);
+  book.learn(pieces);
+  EXPECT_EQ(book.take_out(0), 0);
+  EXPECT_EQ(book.take_out(7), 0);
+  EXPECT_EQ(book.take_out(-5), 0);
+  EXPECT_TRUE(book.removed().empty());
+}
+
+TEST(PieceBook, ThePieceFreedLastIsTheOneAnnouncedLast) {
+  const std::vector<PieceBody> pieces = bone_and_pieces(2);
+  PieceBook book;
+  book.learn(pieces);
+  while (book.announce_next() != nullptr) continue;
+  EXPECT_EQ(book.take_out(piece_freed_last), 2);
+}
+
+TEST(PieceBook, TakesOutAsManyAsItHasRoomFor) {
+  constexpr auto limit = static_cast<std::int32_t>(removed_piece_limit);
+  const std::vector<PieceBody> pieces = bone_and_pieces(limit + 1);
+  PieceBook book;
+  book.learn(pieces);
+  for (std::int32_t id = 1; id <= limit; ++id) EXPECT_EQ(book.take_out(id), id);
+  EXPECT_EQ(book.take_out(limit + 1), 0);
+}
+
+TEST(PieceBook, RemembersTheLastWishUntilItIsTaken) {
+  PieceBook book;
+  EXPECT_EQ(book.take_wanted(), 0);
+  book.want(3);
+  book.want(piece_freed_last);
+  EXPECT_EQ(book.take_wanted(), piece_freed_last);
+  EXPECT_EQ(book.take_wanted(), 0);
+}
+
+TEST(PieceBook, TellsOfEachCoveredSectionOnce) {
+  PieceBook book;
+  EXPECT_TRUE(book.cover_section(1));
+  EXPECT_FALSE(book.cover_section(1));
+  EXPECT_TRUE(book.cover_section(0));
+}
+
+}  // namespace
+}  // namespace hallux::simulator

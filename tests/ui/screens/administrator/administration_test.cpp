@@ -1,0 +1,475 @@
+// Cohorts, scenario versions and records, as an administrator uses them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+
+#include "database/audit/audit.h"
+#include "database/exchange/origins.h"
+#include "database/recording/erased_recordings.h"
+#include "tests/ui/screens/every_size.h"
+#include "ui/jobs/course/scenario_jobs.h"
+#include "ui/screens/administrator/audit_screen.h"
+#include "ui/screens/administrator/audit_text.h"
+#include "ui/screens/administrator/cohorts_screen.h"
+#include "ui/screens/administrator/scenarios_screen.h"
+
+namespace hallux::ui {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+
+template <typename Shown>
+struct Desk {
+  explicit Desk(database::SomeCourse& of, const std::string& login = "root")
+      : course(of), visitor(std::make_unique<Shown>(visit_of(of, login))) {}
+  Driver& driver() { return visitor.driver(); }
+  void press(std::string_view id) {
+    driver().click(id);
+    visitor.finish_work();
+  }
+  void type(std::string_view words) { driver().type(words); }
+
+  database::SomeCourse& course;
+  SomeVisitor visitor;
+};
+
+// -- cohorts
+
+std::vector<std::string> members_of(database::SomeCourse& course, database::CohortId cohort) {
+  std::vector<std::string> members;
+  for (const database::CohortMember& member : course.administrator().members(cohort))
+    members.push_back(member.login +
+                      (member.role == database::CohortRole::Instructor ? " teaches" : " learns"));
+  return members;
+}
+
+TEST(CohortsScreen, AddsACohortAndRefusesItsNameTwice) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);
+  desk.press("cohorts.add");
+  desk.type("autumn");
+  desk.driver().press(Key::Enter);
+  desk.visitor.finish_work();
+  EXPECT_TRUE(desk.driver().sees("There is a cohort 'autumn' already"));
+  desk.driver().click("cohorts.new.name");
+  desk.driver().press(Key::End);
+  desk.type(" 2027");
+  desk.press("cohorts.new.act");
+  EXPECT_TRUE(desk.driver().sees("autumn 2027 was added"));
+  EXPECT_EQ(course.administrator().cohorts().size(), 3U);
+}
+
+TEST(CohortsScreen, LimitsTheAssessmentsOfACohort) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);  // autumn is chosen
+  desk.press("cohorts.limits");
+  EXPECT_TRUE(desk.driver().sees("Assessments in autumn"));
+  EXPECT_TRUE(desk.driver().sees("no limit"));
+  desk.press("limits.row.silver");
+  desk.press("limits.number");
+  desk.type("1001");
+  EXPECT_FALSE(desk.driver().widget("limits.act").is_enabled);
+  desk.driver().press(Key::Backspace);
+  desk.press("limits.act");
+  EXPECT_TRUE(desk.driver().sees("Silver: 100 assessments each in autumn"));
+  EXPECT_EQ(course.administrator().limits(course.autumn()).at(0).attempts_max, 100);
+  desk.press("cohorts.limits");
+  desk.press("limits.keep");
+  EXPECT_FALSE(desk.driver().has("limits.act"));
+}
+
+TEST(CohortsScreen, EnrolsSeveralAtOnce) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);  // autumn is chosen
+  desk.press("cohorts.enrol");
+  EXPECT_FALSE(desk.driver().has("cohorts.enrolment.row.ada")) << "is in it already";
+  desk.press("cohorts.enrolment.row.eve");
+  desk.press("cohorts.enrolment.row.max");
+  desk.press("cohorts.enrolment.role.1");
+  EXPECT_TRUE(desk.driver().sees("Enrol 2 instructors"));
+  desk.press("cohorts.enrolment.act");
+  EXPECT_THAT(members_of(course, course.autumn()), Contains("eve teaches"));
+  EXPECT_THAT(members_of(course, course.autumn()), Contains("max teaches"));
+  EXPECT_TRUE(desk.driver().has("cohorts.member.eve"));
+}
+
+TEST(CohortsScreen, ChangesARoleAndAsksBeforeItRemoves) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);
+  desk.press("cohorts.member.ada");
+  desk.press("cohorts.action.0");
+  EXPECT_THAT(members_of(course, course.autumn()), Contains("ada teaches"));
+  desk.press("cohorts.action.1");
+  EXPECT_TRUE(desk.driver().sees("Their attempts stay theirs"));
+  desk.press("cohorts.question.keep");
+  EXPECT_THAT(members_of(course, course.autumn()), Contains("ada teaches"));
+  desk.press("cohorts.action.1");
+  desk.press("cohorts.question.act");
+  EXPECT_FALSE(desk.driver().has("cohorts.member.ada"));
+  EXPECT_EQ(members_of(course, course.autumn()).size(), 3U);
+}
+
+TEST(CohortsScreen, ARemovalThatFailsIsSaid) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);
+  course.administrator().remove_from_cohort(course.autumn(), "ada");
+  desk.press("cohorts.member.ada");
+  desk.press("cohorts.action.1");
+  desk.press("cohorts.question.act");
+  EXPECT_TRUE(desk.driver().sees("Nothing was changed"));
+}
+
+TEST(CohortsScreen, IsUsedByKeyboardAlone) {
+  database::SomeCourse course;
+  Desk<CohortsScreen> desk(course);
+  press_by_keyboard(desk.visitor, "cohorts.row." + std::to_string(course.autumn().number));
+  desk.driver().press(Key::Down);
+  desk.driver().press(Key::Enter);
+  press_by_keyboard(desk.visitor, "cohorts.enrol");
+  desk.type("bob");
+  for (int tab = 0; tab < 20 && desk.driver().focused() != "cohorts.enrolment.row.bob"; ++tab)
+    desk.driver().press(Key::Tab);
+  desk.driver().press(Key::Space);
+  press_by_keyboard(desk.visitor, "cohorts.enrolment.act");
+  EXPECT_THAT(members_of(course, course.spring()), Contains("bob learns"));
+}
+
+TEST(CohortsScreen, NothingIsCutOffAnywhere) {
+  database::SomeCourse course;
+  course.administrator().add_cohort("A cohort with quite a long name that somebody gave it");
+  const auto make = [&] { return std::make_unique<CohortsScreen>(visit_of(course, "root")); };
+  const auto shows = [&](const std::vector<std::string>& ids) {
+    return faults_at_every_size(make, [&ids](SomeVisitor& visitor) {
+      for (const std::string& id : ids) {
+        visitor.driver().click(id);
+        visitor.finish_work();
+      }
+    });
+  };
+  EXPECT_THAT(shows({}), IsEmpty());
+  const std::string autumn = "cohorts.row." + std::to_string(course.autumn().number);
+  EXPECT_THAT(shows({autumn, "cohorts.member.ada"}), IsEmpty());
+  EXPECT_THAT(shows({"cohorts.enrol"}), IsEmpty());
+  EXPECT_THAT(shows({"cohorts.add"}), IsEmpty());
+}
+
+// -- scenarios
+
+/// The shipped scenario under another number, in a file of its own.
+struct ScenarioFile {
+  explicit ScenarioFile(database::SomeCourse& course, const std::string& changed_from = {},
+                        const std::string& changed_to = {})
+      : path(course.database().directory() / "scenario.json") {
+    std::string text = list_scenarios().front().text;
+    const std::size_t at = text.find(changed_from);
+    if (!changed_from.empty()) text.replace(at, changed_from.size(), changed_to);
+    std::ofstream(path) << text;
+  }
+  std::filesystem::path path;
+};
+
+void import(Desk<ScenariosScreen>& desk, const std::filesystem::path& file) {
+  desk.press("scenarios.import");
+  desk.type(file.string());
+  desk.press("scenarios.file.act");
+}
+
+database::ScenarioVersion version_of(database::SomeCourse& course, const std::string& name) {
+  for (const database::ScenarioVersion& version : course.administrator().scenarios())
+    if (version.name == name) return version;
+  ADD_FAILURE() << "no scenario " << name;
+  return {};
+}
+
+TEST(ScenariosScreen, AFileIsCheckedImportedReadPublishedAndRetired) {
+  database::SomeCourse course;
+  const ScenarioFile file(course);
+  Desk<ScenariosScreen> desk(course);
+  import(desk, file.path);
+  EXPECT_TRUE(desk.driver().sees("The scenario was taken in as a draft"));
+  const database::ScenarioVersion akin = version_of(course, "akin");
+  EXPECT_EQ(akin.state, database::ScenarioState::Draft);
+  EXPECT_TRUE(desk.driver().sees("Indication")) << "its sheet";
+  EXPECT_TRUE(desk.driver().sees("Not surgeon-reviewed"));
+  desk.press("scenarios.publish");
+  EXPECT_TRUE(desk.driver().sees("No surgeon has reviewed this version"));
+  desk.press("scenarios.question.keep");
+  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Draft);
+  desk.press("scenarios.publish");
+  desk.press("scenarios.question.act");
+  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Published);
+  desk.press("scenarios.retire");
+  desk.press("scenarios.question.act");
+  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Retired);
+}
+
+TEST(ScenariosScreen, AWrongFileIsRefusedWithTheWholeFault) {
+  database::SomeCourse course;
+  const ScenarioFile file(course, "\"name\"", "\"nome\"");
+  std::string fault;
+  try {
+    check_scenario_file(file.path);
+  } catch (const std::exception& error) {
+    fault = error.what();
+  }
+  ASSERT_FALSE(fault.empty());
+  Desk<ScenariosScreen> desk(course);
+  const std::size_t known = course.administrator().scenarios().size();
+  import(desk, file.path);
+  EXPECT_TRUE(desk.driver().sees("The file was not taken in"));
+  const std::string shown = all_words(desk.driver());
+  for (std::size_t begin = 0; begin < fault.size();) {
+    const std::size_t end = std::min(fault.find(' ', begin), fault.size());
+    if (end - begin < 20) {  // longer ones are broken between lines
+      const std::string word = fault.substr(begin + (begin == 0 ? 1 : 0), end - begin - 1);
+      EXPECT_NE(shown.find(word), std::string::npos) << word;
+    }
+    begin = end + 1;
+  }
+  EXPECT_EQ(course.administrator().scenarios().size(), known);
+  EXPECT_TRUE(desk.driver().sees(file.path.string())) << "what was typed stays";
+}
+
+TEST(ScenariosScreen, PublishingSaysWhatItRetires) {
+  database::SomeCourse course;
+  course.administrator().import_scenario({"silver", 2, "{\"name\": \"silver\"} ", false});
+  Desk<ScenariosScreen> desk(course);
+  desk.press("scenarios.publish");  // version 2 is on top and chosen
+  EXPECT_TRUE(desk.driver().sees("Silver, version 1 is retired in its place"));
+}
+
+TEST(ScenariosScreen, ASheetThatCannotBeReadSaysSo) {
+  database::SomeCourse course;  // its scenario is no whole one
+  Desk<ScenariosScreen> desk(course);
+  EXPECT_TRUE(desk.driver().sees("This could not be read"));
+  EXPECT_TRUE(desk.driver().has("scenarios.retire")) << "the rest can be used";
+}
+
+TEST(ScenariosScreen, IsUsedByKeyboardAlone) {
+  database::SomeCourse course;
+  const ScenarioFile file(course);
+  Desk<ScenariosScreen> desk(course);
+  press_by_keyboard(desk.visitor, "scenarios.import");
+  desk.type(file.path.string());
+  desk.driver().press(Key::Enter);
+  desk.visitor.finish_work();
+  press_by_keyboard(desk.visitor, "scenarios.publish");
+  EXPECT_EQ(desk.driver().focused(), "scenarios.question.keep") << "the safe answer";
+  press_by_keyboard(desk.visitor, "scenarios.question.act");
+  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Published);
+}
+
+TEST(ScenariosScreen, NothingIsCutOffAnywhere) {
+  database::SomeCourse course;
+  const ScenarioFile file(course);
+  course.administrator().import_scenario({"akin", 1, list_scenarios().front().text, false});
+  const auto make = [&] { return std::make_unique<ScenariosScreen>(visit_of(course, "root")); };
+  EXPECT_THAT(faults_at_every_size(make), IsEmpty());
+  EXPECT_THAT(faults_at_every_size(make,
+                                   [](SomeVisitor& visitor) {
+                                     visitor.driver().click("scenarios.import");
+                                     visitor.driver().type("/there/is/no/such/file.json");
+                                     visitor.driver().press(Key::Enter);
+                                   }),
+              IsEmpty());
+}
+
+// -- records
+
+TEST(RecordsScreen, SaysWhatWasDoneInWords) {
+  database::SomeCourse course;
+  Desk<RecordsScreen> desk(course);
+  for (const char* words :
+       {"Signed in", "Published a scenario", "silver version 1", "Refused only"})
+    EXPECT_TRUE(desk.driver().sees(words)) << words;
+  EXPECT_THAT(desk.driver().faults(), IsEmpty());
+}
+
+TEST(RecordsScreen, ShowsRefusalsAloneAndTheWholeOfALine) {
+  database::SomeCourse course;
+  try {
+    course.instructor("kim", course.autumn()).attempts_of(course.id_of("eve"));
+  } catch (const database::DatabaseError&) {  // refused, as it should be
+  }
+  const std::int64_t number = database::read_audit(course.database()).back().number;
+  Desk<RecordsScreen> desk(course);
+  desk.press("records.filter.1");
+  EXPECT_TRUE(desk.driver().sees("List attempts"));
+  EXPECT_FALSE(desk.driver().sees("Signed in"));
+  desk.press("records.row." + std::to_string(number));
+  EXPECT_TRUE(desk.driver().sees("Entry " + std::to_string(number)));
+}
+
+TEST(RecordsScreen, TurnsPages) {
+  database::SomeCourse course;
+  for (int count = 0; count < 60; ++count)
+    database::append_audit(course.database(),
+                           {course.id_of("ada"), "signed_in", "session", "1", false, {}, ""});
+  Desk<RecordsScreen> desk(course);
+  const auto all = static_cast<long>(database::read_audit(course.database()).size());
+  EXPECT_TRUE(desk.driver().sees("1 to 50 of " + grouped(all)));
+  EXPECT_FALSE(desk.driver().widget("records.newer").is_enabled);
+  desk.press("records.older");
+  EXPECT_TRUE(desk.driver().sees("51 to " + grouped(std::min(all, 100L)) + " of"));
+  press_by_keyboard(desk.visitor, "records.newer");
+  EXPECT_TRUE(desk.driver().sees("1 to 50 of"));
+}
+
+TEST(RecordsScreen, ABackupIsWrittenAndItsPlaceIsSaid) {
+  database::SomeCourse course;
+  Desk<RecordsScreen> desk(course);
+  EXPECT_TRUE(desk.driver().sees("There is no backup"));
+  desk.driver().press(Key::Enter);  // the primary button
+  desk.visitor.finish_work();
+  desk.visitor.finish_work();
+  EXPECT_TRUE(desk.driver().sees("The backup was written"));
+  EXPECT_TRUE(desk.driver().sees("Last backup:"));
+  EXPECT_TRUE(desk.driver().sees("Made a backup"));
+  desk.press("records.backup.copy");
+  const std::filesystem::path file = desk.driver().clipboard().read();
+  EXPECT_EQ(file.parent_path(), course.database().directory() / "backups");
+  EXPECT_TRUE(std::filesystem::is_regular_file(file));
+}
+
+TEST(RecordsScreen, ABackupThatCannotBeWrittenSaysWhy) {
+  database::SomeCourse course;
+  std::ofstream(course.database().directory() / "backups") << "a file stands in its place";
+  Desk<RecordsScreen> desk(course);
+  desk.press("records.backup");
+  EXPECT_TRUE(desk.driver().sees("No backup was made"));
+}
+
+TEST(RecordsScreen, WhatWouldGoIsListedBeforeItGoes) {
+  database::SomeCourse course;
+  course.database().pretend_it_is("2020-01-10T10:00:00.000Z");
+  const database::AttemptId old = course.recorded_by("ada");
+  course.database().pretend_it_is("");
+  Desk<RecordsScreen> desk(course);
+  desk.press("records.retention");
+  EXPECT_TRUE(desk.driver().sees("kept for ever unless"));
+  desk.type("30");
+  desk.press("records.retention.days.act");
+  EXPECT_TRUE(desk.driver().sees("This would go now"));
+  EXPECT_TRUE(desk.driver().sees("Practice: ada, 2020-01-10"));
+  EXPECT_FALSE(database::erased_recording(course.database(), old));
+  desk.press("records.retention.plan.act");
+  EXPECT_TRUE(database::erased_recording(course.database(), old));
+  desk.visitor.finish_work();  // the audit is read anew
+  EXPECT_TRUE(desk.driver().sees("Let go of what need not be kept"));
+  EXPECT_THAT(desk.driver().faults(), IsEmpty());
+}
+
+TEST(RecordsScreen, AnOriginIsAcceptedAndNoLonger) {
+  database::SomeCourse course;
+  const database::DirectoryId elsewhere{std::string(32, 'e')};
+  {
+    Desk<RecordsScreen> desk(course);
+    EXPECT_FALSE(desk.driver().sees("Imported from elsewhere")) << "nothing was";
+  }
+  database::note_origin(course.database(), elsewhere);
+  Desk<RecordsScreen> desk(course);
+  EXPECT_TRUE(desk.driver().sees("eeeeeeee: 0 attempts"));
+  desk.press("records.origins.eeeeeeee");
+  desk.visitor.finish_work();
+  EXPECT_TRUE(course.administrator().origins().front().is_accepted);
+  EXPECT_TRUE(desk.driver().sees("No longer accept"));
+  desk.press("records.origins.eeeeeeee");
+  desk.visitor.finish_work();
+  EXPECT_FALSE(course.administrator().origins().front().is_accepted);
+  EXPECT_THAT(desk.driver().faults(), IsEmpty());
+}
+
+TEST(RecordsScreen, WhatIsKeptForEverIsSaidAndWhatIsNoNumberIsNotTaken) {
+  database::SomeCourse course;
+  course.recorded_by("ada");
+  Desk<RecordsScreen> desk(course);
+  desk.press("records.retention");
+  desk.type("soon");
+  EXPECT_FALSE(desk.driver().widget("records.retention.days.act").is_enabled);
+  for (int i = 0; i < 4; ++i) desk.driver().press(Key::Backspace);
+  desk.press("records.retention.days.act");
+  EXPECT_TRUE(desk.driver().sees("Nothing would go now"));
+}
+
+TEST(RecordsScreen, NothingIsCutOffAnywhere) {
+  database::SomeCourse course;
+  const auto make = [&] { return std::make_unique<RecordsScreen>(visit_of(course, "root")); };
+  const auto choose_newest = [&](SomeVisitor& visitor) {
+    const std::int64_t number = database::read_audit(course.database()).back().number;
+    visitor.driver().click("records.row." + std::to_string(number));
+  };
+  EXPECT_THAT(faults_at_every_size(make), IsEmpty());
+  EXPECT_THAT(faults_at_every_size(make, choose_newest), IsEmpty());
+}
+
+TEST(RecordsScreen, ABackupsNameTellsItsMoment) {
+  EXPECT_EQ(backup_moment("hallux-20260303-140210.db"), "2026-03-03T14:02");
+  EXPECT_EQ(backup_moment("hallux-20260303-140210-2.db"), "2026-03-03T14:02");
+  EXPECT_EQ(backup_moment("hallux.db"), "");
+  EXPECT_EQ(bytes_text(12'345'678), "12.3 MB");
+}
+
+/// What the sources of the database write to the audit.
+std::set<std::string> written_codes() {
+  std::set<std::string> codes;
+  for (const auto& entry : std::filesystem::directory_iterator(HALLUX_SOURCE_DATABASE)) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ifstream stream(entry.path());
+    const std::string source((std::istreambuf_iterator<char>(stream)),
+                             std::istreambuf_iterator<char>());
+    for (const char* pattern :
+         {R"re(\baudit\((?:[^;"]*\?)?\s*"([a-z_]+)"(?:\s*:\s*"([a-z_]+)")?)re",
+          R"re(append_audit\([^;"]*\{[^;"]*,\s*"([a-z_]+)"\s*,\s*"[a-z_]+")re",
+          R"re(action = [^;"]*\?\s*"([a-z_]+)"[^;"]*\?\s*"([a-z_]+)"[^;"]*:\s*"([a-z_]+)")re"}) {
+      const std::regex wanted(pattern);
+      for (std::sregex_iterator found(source.begin(), source.end(), wanted), end; found != end;
+           ++found)
+        for (std::size_t group = 1; group < found->size(); ++group)
+          if ((*found)[group].matched) codes.insert((*found)[group].str());
+    }
+    const std::size_t names = source.find("action_names{");
+    if (names == std::string::npos) continue;
+    const std::string list = source.substr(names, source.find("};", names) - names);
+    const std::regex quoted(R"re("([a-z_]+)")re");
+    for (std::sregex_iterator found(list.begin(), list.end(), quoted), end; found != end; ++found)
+      codes.insert((*found)[1].str());
+  }
+  codes.erase("result_");  // the beginning of three
+  return codes;
+}
+
+TEST(AuditWords, EveryCodeThatIsWrittenHasWords) {
+  const std::set<std::string> codes = written_codes();
+  for (const char* known : {"signed_in", "person_disabled", "person_enabled", "scenario_retired",
+                            "help_answered", "publish_scenario", "backup_made"})
+    EXPECT_TRUE(codes.contains(known)) << known << ": the sources were not understood";
+  const std::vector<std::string_view> deeds = known_deeds();
+  for (const std::string& code : codes)
+    EXPECT_THAT(deeds, Contains(std::string_view(code))) << code << " is shown as a code";
+  const Texts texts = english_texts();
+  for (const std::string_view deed : deeds) {
+    database::AuditLine line;
+    line.action = deed;
+    EXPECT_EQ(deed_text(texts, line).find('_'), std::string::npos);
+    EXPECT_NE(deed_text(texts, line), "[missing text]") << deed;
+  }
+}
+
+TEST(AuditWords, SubjectsAreNamedWhereTheyCan) {
+  const Texts texts = english_texts();
+  database::AuditLine line;
+  line.subject_kind = "attempt";
+  line.subject_id = "81cd8c77-1111-4222-8333-444455556666";
+  EXPECT_EQ(subject_text(texts, line), "Attempt 81cd8c77");
+  line.text = "the guide slipped";
+  EXPECT_EQ(subject_text(texts, line), "Attempt 81cd8c77: the guide slipped");
+  line.subject = "trainee-2";
+  line.text.clear();
+  EXPECT_EQ(subject_text(texts, line), "trainee-2");
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,208 @@
+#include "ui/screens/sign_in/sign_in_screen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "database/people/people.h"
+#include "tests/database/some_course.h"
+#include "tests/support/own_memory.h"
+#include "tests/ui/screens/some_visitor.h"
+#include "ui/widgets/texts/wipe.h"
+
+namespace hallux::ui {
+namespace {
+
+using database::cheap;
+using database::good_password;
+using testing::IsEmpty;
+
+/// A person in front of the first screen of a data directory.
+struct Arrival {
+  explicit Arrival(const std::filesystem::path& directory, float scale = 1.0F)
+      : visitor(std::make_unique<EntryScreen>(
+                    directory,
+                    [this](Shell&, std::shared_ptr<Visit> entered) { visit = std::move(entered); },
+                    cheap),
+                scale) {}
+
+  Driver& driver() { return visitor.driver(); }
+  void fill(std::string_view field, std::string_view words) {
+    driver().click(field);
+    driver().type(words);
+  }
+  void press(std::string_view id) {
+    driver().click(id);
+    visitor.finish_work();
+  }
+
+  std::shared_ptr<Visit> visit;
+  SomeVisitor visitor;
+};
+
+TEST(EntryScreen, TheFirstPersonBecomesTheAdministrator) {
+  const database::TemporaryDirectory temporary;
+  Arrival arrival(temporary.data());
+  EXPECT_TRUE(arrival.driver().sees("Begin a course"));
+  EXPECT_FALSE(arrival.driver().widget("entry.begin").is_enabled);
+  arrival.fill("entry.login", "admin-1");
+  arrival.fill("entry.name", "Administrator");
+  arrival.fill("entry.password", good_password);
+  arrival.fill("entry.password_again", good_password);
+  arrival.press("entry.begin");
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.visit->person().login, "admin-1");
+  EXPECT_TRUE(arrival.visit->person().is_administrator);
+}
+
+TEST(EntryScreen, PasswordsThatDifferMakeNobody) {
+  const database::TemporaryDirectory temporary;
+  Arrival arrival(temporary.data());
+  arrival.fill("entry.login", "admin-1");
+  arrival.fill("entry.password", good_password);
+  arrival.fill("entry.password_again", "a long enough phrasE");
+  arrival.press("entry.begin");
+  EXPECT_TRUE(arrival.driver().sees("The two passwords differ"));
+  EXPECT_EQ(arrival.visit, nullptr);
+  EXPECT_TRUE(is_without_people(temporary.data()));
+}
+
+TEST(EntryScreen, AWeakPasswordIsSaidAndMakesNobody) {
+  const database::TemporaryDirectory temporary;
+  Arrival arrival(temporary.data());
+  arrival.fill("entry.login", "admin-1");
+  arrival.fill("entry.password", "short");
+  arrival.fill("entry.password_again", "short");
+  arrival.press("entry.begin");
+  EXPECT_TRUE(arrival.driver().sees("12"));
+  EXPECT_EQ(arrival.visit, nullptr);
+  EXPECT_TRUE(is_without_people(temporary.data()));
+}
+
+TEST(EntryScreen, SignsInByKeyboardAlone) {
+  database::SomeCourse course;
+  Arrival arrival(course.database().directory());
+  EXPECT_EQ(arrival.driver().focused(), "entry.login");
+  arrival.driver().type("ada");
+  arrival.driver().press(Key::Tab);
+  arrival.driver().type(good_password);
+  arrival.driver().press(Key::Enter);
+  arrival.visitor.finish_work();
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.visit->person().login, "ada");
+}
+
+TEST(EntryScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
+  database::SomeCourse course;
+  std::vector<std::string> seen;
+  for (const std::string login : {"ada", "eva"}) {  // nobody is called eva
+    Arrival arrival(course.database().directory());
+    arrival.fill("entry.login", login);
+    arrival.fill("entry.password", "not the right phrase");
+    arrival.press("entry.sign_in");
+    EXPECT_EQ(arrival.visit, nullptr);
+    EXPECT_FALSE(arrival.driver().widget("entry.sign_in").is_enabled) << "the password stayed";
+    std::string& all = seen.emplace_back();
+    for (const std::string& text : arrival.driver().texts()) all += text + "\n";
+    for (std::size_t at = all.find(login); at != std::string::npos; at = all.find(login, at)) {
+      all.replace(at, login.size(), "LOGIN");
+    }
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+}
+
+TEST(EntryScreen, CountsDownAfterWrongPasswords) {
+  database::SomeCourse course;
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  arrival.fill("entry.password", "not the right phrase");
+  arrival.press("entry.sign_in");
+  // As after six: a slow machine must not let the wait pass by.
+  database::tamper(course.database(), "UPDATE sign_in_guard SET failures = 6");
+  arrival.fill("entry.password", good_password);
+  arrival.press("entry.sign_in");
+  EXPECT_EQ(arrival.visit, nullptr);
+  EXPECT_TRUE(arrival.driver().sees("You can try again in"));
+  arrival.fill("entry.password", good_password);
+  EXPECT_FALSE(arrival.driver().widget("entry.sign_in").is_enabled);
+  arrival.driver().wait(8.5);
+  EXPECT_TRUE(arrival.driver().widget("entry.sign_in").is_enabled);
+}
+
+TEST(EntryScreen, LetsSomebodyElseSignInWhileOneWaits) {
+  database::SomeCourse course;
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  arrival.fill("entry.password", "not the right phrase");
+  arrival.press("entry.sign_in");
+  database::tamper(course.database(), "UPDATE sign_in_guard SET failures = 9");
+  arrival.fill("entry.password", "not the right phrase");
+  arrival.press("entry.sign_in");
+  EXPECT_TRUE(arrival.driver().sees("You can try again in"));
+  arrival.driver().click("entry.login");
+  arrival.driver().press(Key::A, {.control = true});
+  arrival.driver().type("bob");
+  arrival.fill("entry.password", good_password);
+  arrival.press("entry.sign_in");
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.visit->person().login, "bob");
+}
+
+TEST(EntryScreen, LeavesNoPasswordInMemory) {
+  database::SomeCourse course;
+  const PlantedSecret planted;
+  std::string spelled = planted.spelled();
+  const auto taken = [&] {
+    std::string copy = planted.spelled();
+    return database::SecretText::take(copy);
+  };
+  course.administrator().set_password("ada", taken(), cheap);
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  arrival.fill("entry.password", spelled);
+  wipe(spelled);
+  arrival.press("entry.sign_in");
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(planted.places_in_memory(), 0U);
+}
+
+TEST(EntryScreen, AOneTimeCodeChoosesAPassword) {
+  database::SomeCourse course;
+  const auto added = course.administrator().add_person_with_code({"trainee-9", "", false}, cheap);
+  Arrival arrival(course.database().directory());
+  arrival.driver().click("entry.to_code");
+  arrival.fill("entry.login", "trainee-9");
+  arrival.fill("entry.code", added.issued.code.view());
+  arrival.fill("entry.password", good_password);
+  arrival.fill("entry.password_again", good_password);
+  arrival.press("entry.redeem");
+  ASSERT_NE(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.visit->person().login, "trainee-9");
+}
+
+TEST(EntryScreen, ACourseThatCannotBeOpenedSaysWhyAndTriesAgain) {
+  const database::TemporaryDirectory temporary;
+  std::ofstream(temporary.data()) << "a file stands where the folder should be";
+  Arrival arrival(temporary.data());
+  EXPECT_TRUE(arrival.driver().sees("The course cannot be opened"));
+  std::filesystem::remove(temporary.data());
+  arrival.press("entry.unusable.action");
+  EXPECT_TRUE(arrival.driver().sees("Begin a course"));
+}
+
+TEST(EntryScreen, NothingIsCutOffAtAnyScale) {
+  database::SomeCourse course;
+  const database::TemporaryDirectory temporary;
+  for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
+    Arrival first(temporary.data(), scale);
+    EXPECT_THAT(first.driver().faults(), IsEmpty()) << scale;
+    Arrival known(course.database().directory(), scale);
+    EXPECT_THAT(known.driver().faults(), IsEmpty()) << scale;
+    known.driver().click("entry.to_code");
+    EXPECT_THAT(known.driver().faults(), IsEmpty()) << scale;
+  }
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,178 @@
+#include "ui/screens/trainee/briefing_screen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/ui/screens/no_patient.h"
+#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_published.h"
+#include "tests/ui/screens/some_visitor.h"
+
+namespace hallux::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A person who reads the briefing of the Akin, or of another operation.
+struct Briefed {
+  explicit Briefed(SomePublished& published, float scale = 1.0F)
+      : Briefed(published, published.akin(), scale) {}
+  Briefed(SomePublished& published, database::ScenarioVersionId scenario, float scale = 1.0F)
+      : visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"), places,
+                                                 pictures, scenario),
+                scale) {}
+  Driver& driver() { return visitor.driver(); }
+
+  SomePlaces places;
+  PatientPictures pictures{no_patient};
+  SomeVisitor visitor;
+};
+
+std::string asked(const char* what, database::ScenarioVersionId scenario) {
+  return std::string(what) + " " + std::to_string(scenario.number);
+}
+
+TEST(BriefingScreen, SaysWhyAndWhatAndThatNoSurgeonReviewedIt) {
+  SomePublished published;
+  Briefed briefed(published);
+  for (const char* words : {"Akin osteotomy, right hallux", "Not surgeon-reviewed", "Version 1",
+                            "Hallux valgus interphalangeus", "Flexor hallucis longus tendon",
+                            "not checked by an anatomist", "A first proximal phalanx"}) {
+    EXPECT_TRUE(briefed.driver().sees(words)) << words;
+  }
+}
+
+TEST(BriefingScreen, ShowsTheStepsAndWhatIsScored) {
+  SomePublished published;
+  Briefed briefed(published);
+  briefed.driver().click("brief.tab.1");
+  EXPECT_TRUE(briefed.driver().sees("Take the wedge out"));
+  briefed.driver().click("brief.tab.2");
+  for (const char* words : {"Accuracy", "Angle of the wedge", "Not measured yet",
+                            "Lateral cortex cut through: at most 69 points", "from 60 points on"}) {
+    EXPECT_TRUE(briefed.driver().sees(words)) << words;
+  }
+}
+
+TEST(BriefingScreen, BeginsPracticeUnlessTheAssessmentWasChosen) {
+  SomePublished published;
+  Briefed briefed(published);
+  EXPECT_TRUE(briefed.driver().sees("The planned faces and the angle"));
+  briefed.driver().click("brief.begin");
+  briefed.driver().click("brief.kind.1");
+  EXPECT_TRUE(briefed.driver().sees("Nothing is shown but the bone and the saw"));
+  briefed.driver().click("brief.begin");
+  EXPECT_THAT(briefed.places.asked,
+              ElementsAre(asked("practise", published.akin()), asked("assess", published.akin())));
+}
+
+TEST(BriefingScreen, SaysHowManyAssessmentsAreLeftAndBeginsNoMore) {
+  SomePublished published;
+  database::SomeCourse& course = published.course();
+  course.instructor("kim", course.autumn()).set_limit("akin", 1);
+  Briefed first(published);
+  first.driver().click("brief.kind.1");
+  EXPECT_TRUE(first.driver().sees("1 assessment is left of the 1 that autumn allows"));
+  first.driver().click("brief.begin");
+  published.assessed("ada", 1, 70000);
+  Briefed second(published);
+  second.driver().click("brief.kind.1");
+  EXPECT_TRUE(second.driver().sees("None is left of the 1 that autumn allows"));
+  EXPECT_FALSE(second.driver().widget("brief.begin").is_enabled);
+  second.driver().click("brief.kind.0");
+  second.driver().click("brief.begin");
+  EXPECT_THAT(first.places.asked, ElementsAre(asked("assess", published.akin())));
+  EXPECT_THAT(second.places.asked, ElementsAre(asked("practise", published.akin())));
+}
+
+TEST(BriefingScreen, LetsPracticeBeGuidedAndAnAssessmentNever) {
+  SomePublished published;
+  Briefed briefed(published);
+  EXPECT_TRUE(briefed.driver().sees("Nothing leads your hand"));
+  briefed.driver().click("brief.guide.1");
+  EXPECT_TRUE(briefed.driver().sees("draws your hand softly"));
+  briefed.driver().click("brief.begin");
+  briefed.driver().click("brief.guide.2");
+  EXPECT_TRUE(briefed.driver().sees("as a guide's slot would"));
+  briefed.driver().click("brief.begin");
+  briefed.driver().click("brief.kind.1");
+  EXPECT_FALSE(briefed.driver().has("brief.guide.0"));
+  briefed.driver().click("brief.begin");
+  EXPECT_THAT(briefed.places.asked, ElementsAre(asked("practise guided by soft", published.akin()),
+                                                asked("practise guided by slot", published.akin()),
+                                                asked("assess", published.akin())));
+  EXPECT_THAT(briefed.driver().faults(), IsEmpty());
+}
+
+TEST(BriefingScreen, IsSteeredByKeyboardAlone) {
+  SomePublished published;
+  Briefed briefed(published);
+  for (int tab = 0; tab < 12 && briefed.driver().focused() != "brief.kind.0"; ++tab) {
+    briefed.driver().press(Key::Tab);
+  }
+  ASSERT_EQ(briefed.driver().focused(), "brief.kind.0");
+  briefed.driver().press(Key::Right);
+  briefed.driver().press(Key::Space);
+  briefed.driver().press(Key::Tab);
+  briefed.driver().press(Key::Enter);
+  EXPECT_THAT(briefed.places.asked, ElementsAre(asked("assess", published.akin())));
+}
+
+TEST(BriefingScreen, EnterBegins) {
+  SomePublished published;
+  Briefed briefed(published);
+  briefed.driver().press(Key::Enter);
+  EXPECT_THAT(briefed.places.asked, ElementsAre(asked("practise", published.akin())));
+}
+
+TEST(BriefingScreen, WhatIsPublishedNoLongerSaysSo) {
+  SomePublished published;
+  published.course().administrator().retire_scenario(published.akin());
+  Briefed briefed(published);
+  EXPECT_TRUE(briefed.driver().sees("no longer published"));
+  EXPECT_FALSE(briefed.driver().has("brief.begin"));
+  EXPECT_TRUE(briefed.driver().has("brief.back"));
+  EXPECT_THAT(briefed.driver().faults(), IsEmpty());
+}
+
+TEST(BriefingScreen, ATextThatCannotBeReadIsNamed) {
+  SomePublished published;
+  Briefed briefed(published, published.course().published());
+  EXPECT_TRUE(briefed.driver().sees("This could not be read"));
+  EXPECT_FALSE(briefed.driver().has("brief.begin"));
+}
+
+TEST(BriefingScreen, ABoneThatCannotBeBuiltIsSaidAndTheRestStays) {
+  SomePublished published;
+  SomePlaces places;
+  PatientPictures pictures{[](const auto&, const auto&) -> PatientView {
+    throw scenarios::ScenarioError("akin: the plane misses the bone");
+  }};
+  SomeVisitor visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"), places,
+                                                       pictures, published.akin()));
+  EXPECT_TRUE(visitor.driver().sees("Akin: the plane misses the bone."));
+  EXPECT_TRUE(visitor.driver().has("brief.begin"));
+  EXPECT_FALSE(visitor.driver().has("brief.picture"));
+  EXPECT_THAT(visitor.driver().faults(), IsEmpty());
+}
+
+TEST(BriefingScreen, NothingIsCutOffAtAnyScaleAndSize) {
+  SomePublished published;
+  for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
+    Briefed briefed(published, scale);
+    for (const char* tab : {"brief.tab.0", "brief.tab.1", "brief.tab.2"}) {
+      briefed.driver().resize(1440.0F * scale, 900.0F * scale);
+      briefed.driver().click(tab);
+      EXPECT_THAT(briefed.driver().faults(), IsEmpty()) << scale << tab;
+      for (const auto& [width, height] :
+           {std::pair(1280.0F, 720.0F), std::pair(3840.0F, 2160.0F)}) {
+        briefed.driver().resize(width, height);
+        EXPECT_THAT(briefed.driver().faults(), IsEmpty()) << scale << tab << width;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,22 @@
+/// An administrator who signed in with --as, for verbs that only administrators run.
+#pragma once
+
+#include <string_view>
+
+#include "database/desks/administrator_desk.h"
+#include "ui/app/verbs/access.h"
+
+namespace hallux::ui {
+
+/// The desk together with the session that it depends on.
+struct AdministratorVisit {
+  database::Session session;
+  database::AdministratorDesk desk;
+};
+
+/// `task` ends the sentence "only administrators ...".
+/// errors  DatabaseError Refused; VerbError Refused without --as, or where who signed in is no administrator
+AdministratorVisit visit_administrator(const VerbContext& context, database::Database& database,
+                                       std::string_view task);
+
+}  // namespace hallux::ui

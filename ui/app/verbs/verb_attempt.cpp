@@ -1,0 +1,218 @@
+#include "ui/app/verbs/verb_attempt.h"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <vector>
+
+#include "scenarios/hands/hand_file.h"
+#include "simulator/base/units.h"
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/app/terminal/write_json.h"
+#include "ui/app/verbs/access.h"
+#include "ui/app/verbs/card_json.h"
+#include "ui/app/verbs/verb_error.h"
+#include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/course/scenario_jobs.h"
+#include "ui/jobs/files/read_small_file.h"
+#include "ui/report/score_sheet.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t hand_mebibytes_max = 16;
+
+struct AttemptOptions {
+  std::string scenario, hand = "expert", pacing = "virtual", guidance = "none";
+  std::string device = "scripted", force_law = "simulated";
+  std::uint64_t seed = 1;
+};
+
+bool is_feeling(const std::string& hand) { return hand == "expert" || hand == "novice"; }
+
+/// errors  VerbError: WrongUsage
+void check_device(const AttemptOptions& options) {
+  if (options.device == "arm" && is_feeling(options.hand)) {
+    throw VerbError(ExitCode::WrongUsage, "--device arm takes a hand from a file: the " +
+                                              options.hand +
+                                              " leads the saw itself; give --hand FILE");
+  }
+  if (options.device != "arm" && options.force_law == "historic") {
+    throw VerbError(ExitCode::WrongUsage,
+                    "--force-law historic is felt by an arm alone; add --device arm");
+  }
+}
+
+/// A hand that is none of the names is a file with a motion.
+ScriptedAttempt attempt_from(const AttemptOptions& options) {
+  check_device(options);
+  ScriptedAttempt attempt;
+  attempt.scenario = load_scenario(options.scenario);
+  attempt.hand = options.hand;
+  attempt.seed = options.seed;
+  attempt.pacing =
+      options.pacing == "real-time" ? simulator::Pacing::RealTime : simulator::Pacing::Virtual;
+  attempt.guidance = database::guidance_from(options.guidance).value_or(simulator::Guidance::None);
+  if (options.device == "arm") attempt.arm_law = force_law_from(options.force_law);
+  if (is_feeling(options.hand)) return attempt;
+  if (!is_utf8(options.hand)) {
+    throw scenarios::ScenarioError(
+        options.hand + ": the name is not UTF-8, and it is kept with the attempt; rename the file");
+  }
+  const std::string text = read_small_file(options.hand, hand_mebibytes_max,
+                                           "--hand takes expert, novice, or a file with a motion");
+  attempt.motion = scenarios::parse_hand_motion(text, options.hand);
+  return attempt;
+}
+
+ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& outcome) {
+  ordered_json answer = {{"attempt", outcome.attempt.text},
+                         {"scenario", attempt.scenario.name},
+                         {"hand", attempt.hand},
+                         {"seed", attempt.seed}};
+  answer.update(card_summary_json(outcome.card));
+  answer["samples"] = outcome.recorder.samples;
+  answer["duration_s"] = second_from_tick(outcome.loop.ticks);
+  answer["quality"] = ordered_json::parse(quality_json(outcome.quality));
+  answer["loop"] = {{"step_us",
+                     {{"p50", outcome.loop.step_p50_us},
+                      {"p99", outcome.loop.step_p99_us},
+                      {"max", outcome.loop.step_max_us}}}};
+  answer["recorder"] = {{"bytes", outcome.recorder.bytes},
+                        {"chunks", outcome.recorder.chunks},
+                        {"cpu_s", outcome.recorder.cpu_s},
+                        {"commit_max_s", outcome.recorder.commit_max_s}};
+  return answer;
+}
+
+ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
+  const ScriptedAttempt attempt = attempt_from(options);
+  database::Database database = open_to_record(context);
+  // The attempt is the robot's all the same; but nobody is told that another's name was good.
+  if (!context.login.empty()) sign_in_as(context, database);
+  const AttemptOutcome outcome = run_scripted_attempt(
+      database, attempt,
+      [&context](const std::string& stage) { return progress_on(context, stage); });
+  if (context.json) {
+    write_json(context.out, outcome_json(attempt, outcome));
+    return ExitCode::Done;
+  }
+  context.out << score_sheet(outcome.card, attempt.scenario) << "\nattempt " << outcome.attempt.text
+              << "\n";
+  return ExitCode::Done;
+}
+
+ordered_json points_json(const std::optional<std::int64_t>& milli) {
+  return milli ? ordered_json(static_cast<double>(*milli) / 1000.0) : ordered_json();
+}
+
+ordered_json attempt_json(const database::AttemptHeader& header) {
+  return {{"attempt", header.id.text},
+          {"scenario", header.scenario_name},
+          {"person", header.begun.person ? ordered_json(header.login) : ordered_json()},
+          {"hand", header.begun.hand},
+          {"seed", header.begun.seed},
+          {"started", header.started_utc},
+          {"state", database::name_of(header.state)},
+          {"score", points_json(header.score_milli)},
+          {"kind", database::name_of(header.begun.kind)},
+          {"guidance", database::name_of(header.begun.guidance)},
+          {"decision",
+           header.decision ? ordered_json(database::name_of(*header.decision)) : ordered_json()},
+          {"decided_score", points_json(header.decided_milli)},
+          {"simulated", header.is_simulated},
+          {"valid", header.is_valid ? ordered_json(*header.is_valid) : ordered_json()}};
+}
+
+void print_attempt(std::ostream& out, const database::AttemptHeader& header) {
+  const std::string who =
+      header.begun.person ? header.login : "robot, " + terminal_text(header.begun.hand);
+  out << header.id.text << "  " << header.started_utc << "  " << std::left << std::setw(12)
+      << header.scenario_name << std::setw(20) << who << std::setw(12)
+      << database::name_of(header.state);
+  if (header.score_milli) {
+    out << std::fixed << std::setprecision(1) << static_cast<double>(*header.score_milli) / 1000.0;
+  } else {
+    out << "not scored";
+  }
+  if (header.begun.guidance != simulator::Guidance::None) {
+    out << "  guided: " << database::name_of(header.begun.guidance);
+  }
+  if (header.decision) out << "  " << database::name_of(*header.decision);
+  if (header.decided_milli && header.decided_milli != header.score_milli) {
+    out << " " << static_cast<double>(*header.decided_milli) / 1000.0;
+  }
+  out << (header.is_simulated ? "  simulated" : "") << "\n";
+}
+
+/// Those that who signed in may list from any of their desks; the robot's without --as.
+std::vector<database::AttemptHeader> visible_attempts(const VerbContext& context,
+                                                      database::Database& database) {
+  if (context.login.empty()) return database::HouseDesk(database).attempts();
+  return sign_in_as(context, database).attempts();
+}
+
+ExitCode list_attempts_on(const VerbContext& context) {
+  if (!has_database(context)) {
+    context.notes << "there is no database in " << terminal_text(context.data_directory.string())
+                  << " yet\n";
+    if (context.json) write_json(context.out, ordered_json::array());
+    return ExitCode::Done;
+  }
+  database::Database database = open_kept(context);
+  ordered_json rows = ordered_json::array();
+  for (const database::AttemptHeader& header : visible_attempts(context, database)) {
+    if (context.json) rows.push_back(attempt_json(header));
+    if (!context.json) print_attempt(context.out, header);
+  }
+  if (context.json) write_json(context.out, rows);
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_attempt_verbs(CLI::App& app, VerbContext& context) {
+  auto options = std::make_shared<AttemptOptions>();
+  CLI::App* attempt = app.add_subcommand(
+      "attempt", "run a scripted attempt through loop, recorder and score; it is the robot's");
+  attempt->add_option("scenario", options->scenario, "a shipped scenario's name, or a file")
+      ->required();
+  attempt->add_option("--hand", options->hand, "expert, novice, or a file with a motion")
+      ->capture_default_str();
+  attempt->add_option("--seed", options->seed, "seed of the hand's errors")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  attempt->add_option("--pacing", options->pacing, "virtual (as fast as it goes) or real-time")
+      ->check(CLI::IsMember({"virtual", "real-time"}))
+      ->capture_default_str();
+  attempt
+      ->add_option("--guidance", options->guidance,
+                   "how firmly the planned plane leads the hand: none, soft or slot")
+      ->check(CLI::IsMember({"none", "soft", "slot"}))
+      ->capture_default_str();
+  attempt
+      ->add_option(
+          "--device", options->device,
+          "scripted (nothing pushes the hand), or arm: a modelled one, led by the motion of a file")
+      ->check(CLI::IsMember({"scripted", "arm"}))
+      ->capture_default_str();
+  attempt
+      ->add_option(
+          "--force-law", options->force_law,
+          "what the arm is made to feel: simulated, or historic (the thesis's, for the lesson)")
+      ->check(CLI::IsMember({"simulated", "historic"}))
+      ->capture_default_str();
+  attempt->callback([options, &context] {
+    context.chosen = [options, &context] { return run_attempt_verb(context, *options); };
+  });
+
+  CLI::App* attempts = app.add_subcommand("attempts", "list attempts, newest first");
+  attempts->callback(
+      [&context] { context.chosen = [&context] { return list_attempts_on(context); }; });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,262 @@
+#include "ui/app/verbs/verb_backup.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+
+#include "database/maintenance/open_maintenance.h"
+#include "database/maintenance/restore.h"
+#include "simulator/base/progress.h"
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/app/terminal/write_json.h"
+#include "ui/app/verbs/administrator_session.h"
+#include "ui/app/verbs/verb_error.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Runs `work` at the desk of the administrator of --as, or in a directory without people at no desk.
+template <typename Work>
+ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
+  database::Database database = open_kept(context);
+  if (context.login.empty()) {
+    if (auto open = database::OpenMaintenance::enter(database)) return work(*open);
+  }
+  AdministratorVisit administrator = visit_administrator(context, database, task);
+  return work(administrator.desk);
+}
+
+ordered_json json_of(const database::Backup& backup) {
+  return {{"backup", backup.file.string()},
+          {"made", backup.made_utc},
+          {"bytes", backup.bytes},
+          {"recordings", backup.recordings},
+          {"damaged", backup.damaged}};
+}
+
+void print(const VerbContext& context, const database::Backup& backup) {
+  context.out << terminal_text(backup.file.string()) << "  " << backup.bytes << " bytes  "
+              << backup.recordings << " recordings\n";
+}
+
+template <typename Desk>
+ExitCode list_backups_on(const VerbContext& context, Desk& desk) {
+  ordered_json rows = ordered_json::array();
+  for (const database::Backup& backup : desk.backups()) {
+    rows.push_back(json_of(backup));
+    if (!context.json) print(context, backup);
+  }
+  if (context.json) write_json(context.out, rows);
+  return ExitCode::Done;
+}
+
+template <typename Desk>
+ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesystem::path& folder) {
+  const std::filesystem::path place =
+      folder.empty() ? folder : std::filesystem::absolute(folder).lexically_normal();
+  const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
+  if (context.json) {
+    ordered_json answer = json_of(backup);
+    answer["new_bytes"] = backup.new_bytes;
+    write_json(context.out, answer);
+  } else {
+    print(context, backup);
+  }
+  if (backup.damaged == 0) return ExitCode::Done;
+  context.notes << backup.damaged
+                << " attempts were altered before this backup; `hallux verify` names the first\n";
+  return ExitCode::CheckFailed;
+}
+
+ordered_json json_of(const database::Restored& restored) {
+  return {{"backup", restored.backup.string()},
+          {"made", restored.made_utc},
+          {"attempts", restored.attempts},
+          {"recordings", restored.recordings},
+          {"erased_again", restored.erased_people},
+          {"first_damage",
+           restored.first_damage ? ordered_json(*restored.first_damage) : ordered_json()}};
+}
+
+ExitCode restore_on(const VerbContext& context, database::RestoreOrder order) {
+  if (!context.login.empty()) {
+    throw VerbError(ExitCode::Refused,
+                    "restoring makes a new directory, where nobody is yet; leave --as out");
+  }
+  order.directory = context.data_directory;
+  const database::Restored restored = database::restore(order, progress_on(context, "Restoring"));
+  if (context.json) {
+    write_json(context.out, json_of(restored));
+  } else {
+    context.out << "restored " << terminal_text(restored.backup.string()) << " of "
+                << terminal_text(restored.made_utc) << ": " << restored.attempts << " attempts, "
+                << restored.erased_people << " people erased once more\n";
+    if (restored.first_damage) {
+      context.out << "damaged: " << terminal_text(*restored.first_damage) << "\n";
+    }
+  }
+  return restored.first_damage ? ExitCode::CheckFailed : ExitCode::Done;
+}
+
+struct RetentionOptions {
+  bool is_dry_run = false;
+  std::string practice, assessment, account, cache;  ///< days, "ever", or "" where it stays
+  bool changes_rules() const {
+    return !practice.empty() || !assessment.empty() || !account.empty() || !cache.empty();
+  }
+};
+
+void change(std::optional<std::int32_t>& days, const std::string& text) {
+  if (text.empty()) return;
+  days.reset();
+  if (text != "ever") days = std::stoi(text);
+}
+
+/// A number of days or "ever".
+std::string fault_in_days(const std::string& text) {
+  const bool is_number = !text.empty() && text.size() <= 5 &&
+                         text.find_first_not_of("0123456789") == std::string::npos;
+  return is_number || text == "ever" ? "" : "must be a number of days, or ever";
+}
+
+std::string_view name_of(database::RetainedKind kind) {
+  switch (kind) {
+    case database::RetainedKind::Practice:
+      return "practice";
+    case database::RetainedKind::Assessment:
+      return "assessment";
+    case database::RetainedKind::Account:
+      return "account";
+    case database::RetainedKind::Cache:
+      return "cache";
+  }
+  return "";
+}
+
+ordered_json json_of(const database::RetentionRules& rules) {
+  const auto days = [](const std::optional<std::int32_t>& set) {
+    return set ? ordered_json(*set) : ordered_json();
+  };
+  return {{"practice_days", days(rules.practice_days)},
+          {"assessment_days", days(rules.assessment_days)},
+          {"account_days", days(rules.account_days)},
+          {"cache_days", days(rules.cache_days)}};
+}
+
+void print_plan(const VerbContext& context, const database::RetentionRules& rules,
+                const std::vector<database::RetentionPiece>& pieces) {
+  ordered_json rows = ordered_json::array();
+  std::int64_t bytes = 0;
+  for (const database::RetentionPiece& piece : pieces) {
+    bytes += piece.bytes;
+    rows.push_back({{"kind", name_of(piece.kind)},
+                    {"name", piece.name},
+                    {"person", piece.login.empty() ? ordered_json() : ordered_json(piece.login)},
+                    {"since", piece.since_utc},
+                    {"bytes", piece.bytes}});
+    if (context.json) continue;
+    context.out << name_of(piece.kind) << "  " << terminal_text(piece.name) << "  "
+                << terminal_text(piece.login) << "  " << terminal_text(piece.since_utc) << "  "
+                << piece.bytes << " bytes\n";
+  }
+  if (context.json) {
+    write_json(context.out,
+               ordered_json{{"rules", json_of(rules)}, {"pieces", rows}, {"bytes", bytes}});
+  } else {
+    context.out << pieces.size() << " pieces, " << bytes << " bytes would go\n";
+  }
+}
+
+template <typename Desk>
+ExitCode retain_on(const VerbContext& context, Desk& desk, const RetentionOptions& options) {
+  if (options.changes_rules()) {
+    database::RetentionRules rules = desk.retention();
+    change(rules.practice_days, options.practice);
+    change(rules.assessment_days, options.assessment);
+    change(rules.account_days, options.account);
+    change(rules.cache_days, options.cache);
+    desk.set_retention(rules);
+  }
+  if (options.is_dry_run || options.changes_rules()) {
+    print_plan(context, desk.retention(), desk.retention_plan());
+    return ExitCode::Done;
+  }
+  const database::RetentionDone done = desk.retain(progress_on(context, "Letting go"));
+  if (context.json) {
+    write_json(context.out, ordered_json{{"recordings", done.recordings},
+                                         {"accounts", done.accounts},
+                                         {"cached", done.cached},
+                                         {"bytes", done.bytes}});
+  } else {
+    context.out << done.recordings << " recordings, " << done.accounts << " accounts, "
+                << done.cached << " cached files, " << done.bytes << " bytes went\n";
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_backup_verb(CLI::App& app, VerbContext& context) {
+  struct Options {
+    std::filesystem::path folder;
+    bool is_list = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* backup = app.add_subcommand(
+      "backup", "copy all that is kept, also while it is used; recordings are written once");
+  backup->add_option("--to", options->folder, "folder of backups; without it DIR/backups");
+  backup->add_flag("--list", options->is_list, "list the backups in DIR/backups instead");
+  backup->callback([options, &context] {
+    context.chosen = [options, &context] {
+      return keeping(context, "back up", [&](auto& desk) {
+        return options->is_list ? list_backups_on(context, desk)
+                                : back_up_on(context, desk, options->folder);
+      });
+    };
+  });
+}
+
+void add_restore_verb(CLI::App& app, VerbContext& context) {
+  auto order = std::make_shared<database::RestoreOrder>();
+  CLI::App* restore = app.add_subcommand(
+      "restore", "make the data directory from a backup; it must be new or empty");
+  restore
+      ->add_option("backup", order->backup,
+                   "a manifest (.json), a whole database (.db), or a folder: its newest backup")
+      ->required();
+  restore->add_option("--erasures", order->journal,
+                      "a newer journal of erasures than the one beside the backup");
+  restore->add_flag("--even-damaged", order->even_damaged,
+                    "give back what is whole although a recording or a row is not");
+  restore->callback([order, &context] {
+    context.chosen = [order, &context] { return restore_on(context, *order); };
+  });
+}
+
+void add_retention_verb(CLI::App& app, VerbContext& context) {
+  auto options = std::make_shared<RetentionOptions>();
+  CLI::App* retention = app.add_subcommand(
+      "retention", "let go of what need not be kept any longer; nothing goes until days were set");
+  retention->add_flag("--dry-run", options->is_dry_run, "only say what would go");
+  const auto add = [&](const char* name, std::string& days, const char* what) {
+    retention->add_option(name, days, what)->check(fault_in_days);
+  };
+  add("--practice-days", options->practice, "keep recordings of practices so long, or ever");
+  add("--assessment-days", options->assessment, "of assessments, from the last decision");
+  add("--account-days", options->account, "keep disabled accounts so long, or ever");
+  add("--cache-days", options->cache, "keep what can be made again so long, or ever");
+  retention->callback([options, &context] {
+    context.chosen = [options, &context] {
+      return keeping(context, "decide what is kept",
+                     [&](auto& desk) { return retain_on(context, desk, *options); });
+    };
+  });
+}
+
+}  // namespace hallux::ui

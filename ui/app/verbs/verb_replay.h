@@ -1,0 +1,11 @@
+/// `hallux replay ATTEMPT`: proves that a recording gives the same outputs again.
+#pragma once
+
+#include "ui/app/verbs/verb.h"
+
+namespace hallux::ui {
+
+/// needs   app and context outlive the parsing and the running of what was chosen
+void add_replay_verb(CLI::App& app, VerbContext& context);
+
+}  // namespace hallux::ui

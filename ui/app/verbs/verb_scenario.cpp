@@ -1,0 +1,107 @@
+#include "ui/app/verbs/verb_scenario.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/app/terminal/write_json.h"
+#include "ui/jobs/course/scenario_jobs.h"
+
+namespace hallux::ui {
+namespace {
+
+using nlohmann::ordered_json;
+using scenarios::Scenario;
+
+ordered_json summary_json(const Scenario& scenario) {
+  return {{"name", scenario.name},
+          {"title", scenario.title},
+          {"version", scenario.version},
+          {"rubric_version", scenario.rubric.version},
+          {"reviewed", scenario.is_reviewed},
+          {"review", scenarios::review_label(scenario)}};
+}
+
+ExitCode list_on(const VerbContext& context) {
+  const std::vector<Scenario> shipped = list_scenarios();
+  if (context.json) {
+    ordered_json rows = ordered_json::array();
+    for (const Scenario& scenario : shipped) rows.push_back(summary_json(scenario));
+    write_json(context.out, rows);
+    return ExitCode::Done;
+  }
+  for (const Scenario& scenario : shipped) {
+    context.out << scenario.name << "  " << scenario.title << ", version " << scenario.version
+                << ", " << scenarios::review_label(scenario) << "\n";
+  }
+  return ExitCode::Done;
+}
+
+ordered_json planned_json(const scenarios::PlannedCut& cut) {
+  const Vec3& normal = cut.face.normal;
+  return {{"name", cut.name},
+          {"normal", {normal.x, normal.y, normal.z}},
+          {"offset_mm", cut.face.offset_mm},
+          {"depth_mm", cut.depth_mm}};
+}
+
+ExitCode check_on(const VerbContext& context, const std::filesystem::path& file) {
+  const CheckedScenario checked = check_scenario_file(file);
+  const Scenario& scenario = checked.scenario;
+  if (context.json) {
+    ordered_json answer = summary_json(scenario);
+    answer["file"] = file.string();
+    answer["cuts"] = ordered_json::array();
+    for (const scenarios::PlannedCut& cut : checked.plan.cuts) {
+      answer["cuts"].push_back(planned_json(cut));
+    }
+    write_json(context.out, answer);
+    return ExitCode::Done;
+  }
+  const std::size_t cut_count = checked.plan.cuts.size();
+  context.out << terminal_text(file.string()) << ": \"" << scenario.name << "\" version "
+              << scenario.version << " can be used: " << cut_count
+              << (cut_count == 1 ? " cut meets" : " cuts meet") << " the bone; "
+              << scenarios::review_label(scenario) << ".\n";
+  return ExitCode::Done;
+}
+
+ExitCode show_on(const VerbContext& context, const std::string& name) {
+  const Scenario scenario = scenarios::load_shipped_scenario(name);
+  if (context.json) {
+    ordered_json answer = ordered_json::parse(scenario.text);
+    answer["review"] = scenarios::review_label(scenario);
+    write_json(context.out, answer);
+  } else {
+    context.out << scenario_sheet(scenario);
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_scenario_verb(CLI::App& app, VerbContext& context) {
+  CLI::App* verb = app.add_subcommand("scenario", "List, check and show operations");
+  verb->require_subcommand(1);
+
+  CLI::App* list = verb->add_subcommand("list", "List the scenarios that come with the program");
+  list->callback([&context] { context.chosen = [&context] { return list_on(context); }; });
+
+  // The callbacks outlive this function, so what they read is shared between the option and the callback.
+  const auto file = std::make_shared<std::string>();
+  CLI::App* check =
+      verb->add_subcommand("check", "Read a scenario and lay its planes on its patient");
+  check->add_option("FILE", *file, "The scenario's JSON file")->required();
+  check->callback(
+      [&context, file] { context.chosen = [&context, file] { return check_on(context, *file); }; });
+
+  const auto name = std::make_shared<std::string>();
+  CLI::App* show = verb->add_subcommand("show", "Show a scenario with the origin of every number");
+  show->add_option("NAME", *name, "The scenario's name, as `scenario list` prints it")->required();
+  show->callback(
+      [&context, name] { context.chosen = [&context, name] { return show_on(context, *name); }; });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,105 @@
+#include "ui/app/verbs/verb_score.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <ostream>
+
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/app/terminal/write_file.h"
+#include "ui/app/terminal/write_json.h"
+#include "ui/app/verbs/access.h"
+#include "ui/app/verbs/card_json.h"
+#include "ui/jobs/attempt_jobs.h"
+#include "ui/report/html_report.h"
+#include "ui/report/report_facts.h"
+#include "ui/report/report_pictures.h"
+#include "ui/report/score_sheet.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::Action;
+using nlohmann::ordered_json;
+
+struct ReportOptions {
+  std::string attempt;
+  std::filesystem::path output;
+};
+
+StageProgress stages_on(const VerbContext& context) {
+  return [&context](const std::string& stage) { return progress_on(context, stage); };
+}
+
+ExitCode score_on(const VerbContext& context, const std::string& id) {
+  database::Database database = open_kept(context);
+  const AttemptAction wanted{Action::StoreScore, {id}};
+  return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
+    const AttemptMaterial material = load_attempt(database, desk, {id});
+    const bool is_stored = desk.may(Action::StoreScore, material.header);
+    if (!is_stored) {
+      context.notes << "The score is shown and not kept: the robot's attempts are scored anew "
+                       "without --as, or by instructors and administrators.\n";
+    }
+    const database::ScoreCard card = score_attempt(material, stages_on(context)).card;
+    if (is_stored) desk.store_score(material.header.id, card);
+    if (context.json) {
+      ordered_json answer = {{"attempt", material.header.id.text},
+                             {"scenario", material.header.scenario_name},
+                             {"state", database::name_of(material.header.state)},
+                             {"stored", is_stored}};
+      answer.update(card_summary_json(card));
+      answer["ledger"] = ledger_json(card);
+      write_json(context.out, answer);
+    } else {
+      context.out << score_sheet(card, material.scenario);
+    }
+    return ExitCode::Done;
+  });
+}
+
+ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
+  database::Database database = open_kept(context);
+  const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
+  return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
+    const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
+    ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
+                                           score_attempt(material, stages_on(context)),
+                                           material.header.begun.guidance);
+    const auto quality = quality_from_json(material.header.quality_json);
+    add_attempt_facts(shown, material.header,
+                      quality ? verdict_of(quality->certificate) : database::Verdict{});
+    const std::string page = html_report(shown);
+    write_file_whole(options.output, page);
+    if (context.json) {
+      write_json(context.out, ordered_json{{"attempt", material.header.id.text},
+                                           {"file", options.output.string()},
+                                           {"bytes", page.size()}});
+    } else {
+      context.out << "report " << terminal_text(options.output.string()) << "\n";
+    }
+    return ExitCode::Done;
+  });
+}
+
+}  // namespace
+
+void add_score_verbs(CLI::App& app, VerbContext& context) {
+  auto id = std::make_shared<std::string>();
+  CLI::App* score =
+      app.add_subcommand("score", "score an attempt from what was recorded, and keep the score");
+  score->add_option("attempt", *id, "the attempt's id, or its first characters")->required();
+  score->callback(
+      [id, &context] { context.chosen = [id, &context] { return score_on(context, *id); }; });
+
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* report = app.add_subcommand("report", "write an attempt's report as one HTML page");
+  report->add_option("attempt", options->attempt, "the attempt's id, or its first characters")
+      ->required();
+  report->add_option("-o,--output", options->output, "the file to write")->required();
+  report->callback([options, &context] {
+    context.chosen = [options, &context] { return report_on(context, *options); };
+  });
+}
+
+}  // namespace hallux::ui

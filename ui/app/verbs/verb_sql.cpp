@@ -1,0 +1,158 @@
+#include "ui/app/verbs/verb_sql.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/app/terminal/write_json.h"
+#include "ui/app/verbs/access.h"
+#include "ui/app/verbs/administrator_session.h"
+#include "ui/app/verbs/verb_error.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::Report;
+using database::ReportCell;
+using nlohmann::ordered_json;
+
+struct SqlOptions {
+  std::string statement;
+  bool csv = false;
+};
+
+/// Nobody signs in to a data directory without people; else it is an administrator's.
+Report answer_to(const VerbContext& context, const std::string& statement) {
+  database::Database database = open_kept(context);
+  if (context.login.empty()) {
+    if (auto house = database::OpenHouse::enter(database)) return house->report(statement);
+  }
+  return visit_administrator(context, database, "run reports").desk.report(statement);
+}
+
+std::string hex_of(const std::vector<std::byte>& bytes) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (const std::byte byte : bytes) {
+    text += digits[static_cast<std::size_t>(byte >> 4U)];
+    text += digits[static_cast<std::size_t>(byte & std::byte{15})];
+  }
+  return text;
+}
+
+/// The shortest text that reads back as the same number.
+std::string text_of(double number) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), written.ptr};
+}
+
+/// Nothing for NULL.
+std::string text_of(const ReportCell& cell) {
+  if (const auto* const whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
+  if (const auto* const number = std::get_if<double>(&cell)) return text_of(*number);
+  if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* const blob = std::get_if<std::vector<std::byte>>(&cell)) return hex_of(*blob);
+  return "";
+}
+
+ordered_json json_of(const ReportCell& cell) {
+  if (const auto* const whole = std::get_if<std::int64_t>(&cell)) return *whole;
+  if (const auto* const number = std::get_if<double>(&cell)) return *number;
+  if (std::holds_alternative<std::monostate>(cell)) return nullptr;
+  return text_of(cell);
+}
+
+/// RFC 4180. A text that a spreadsheet would take for a formula gets an apostrophe before it.
+std::string csv_of(const std::string& text, bool is_text) {
+  const bool is_formula =
+      is_text && !text.empty() && std::string_view{"=+-@\t\r"}.find(text[0]) != std::string::npos;
+  const std::string safe = is_formula ? "'" + text : text;
+  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char letter : safe) {
+    if (letter == '"') quoted += '"';
+    quoted += letter;
+  }
+  return quoted + '"';
+}
+
+void write_csv(std::ostream& out, const Report& report) {
+  const char* before = "";
+  for (const std::string& column : report.columns) {
+    out << before << csv_of(column, true);
+    before = ",";
+  }
+  out << "\r\n";
+  for (const auto& row : report.rows) {
+    before = "";
+    for (const ReportCell& cell : row) {
+      out << before << csv_of(text_of(cell), std::holds_alternative<std::string>(cell));
+      before = ",";
+    }
+    out << "\r\n";
+  }
+}
+
+void write_as_json(std::ostream& out, const Report& report) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& row : report.rows) {
+    ordered_json cells = ordered_json::array();
+    for (const ReportCell& cell : row) cells.push_back(json_of(cell));
+    rows.push_back(std::move(cells));
+  }
+  write_json(out, ordered_json{{"columns", report.columns}, {"rows", std::move(rows)}});
+}
+
+void write_lines(std::ostream& out, const Report& report) {
+  const char* before = "";
+  for (const std::string& column : report.columns) {
+    out << before << terminal_text(column);
+    before = "\t";
+  }
+  out << "\n";
+  for (const auto& row : report.rows) {
+    before = "";
+    for (const ReportCell& cell : row) {
+      out << before << terminal_text(text_of(cell));
+      before = "\t";
+    }
+    out << "\n";
+  }
+}
+
+ExitCode sql_on(const VerbContext& context, const SqlOptions& options) {
+  if (context.json && options.csv) {
+    throw VerbError(ExitCode::WrongUsage, "an answer is --json or --csv, not both");
+  }
+  const Report report = answer_to(context, options.statement);
+  if (context.json) {
+    write_as_json(context.out, report);
+  } else if (options.csv) {
+    write_csv(context.out, report);
+  } else {
+    write_lines(context.out, report);
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_sql_verb(CLI::App& app, VerbContext& context) {
+  const auto options = std::make_shared<SqlOptions>();
+  CLI::App* sql = app.add_subcommand(
+      "sql", "answer one SELECT over what is kept, without names, secrets and free text");
+  sql->add_option("statement", options->statement, "as \"SELECT count(*) FROM attempt\"")
+      ->required();
+  sql->add_flag("--csv", options->csv, "answer as CSV");
+  sql->callback([&context, options] {
+    context.chosen = [&context, options] { return sql_on(context, *options); };
+  });
+}
+
+}  // namespace hallux::ui

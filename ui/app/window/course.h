@@ -1,0 +1,60 @@
+/// Who is in the course now, and which screen is behind each place.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "ui/screens/instructor/inbox_screen.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/pictures/patient_pictures.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class Course : public Places {
+ public:
+  /// Asks who is there. `texts` and `shell` outlive it.
+  Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,
+         database::PasswordCost cost = {});
+  Course(const Course&) = delete;
+  Course& operator=(const Course&) = delete;
+
+  void brief(database::ScenarioVersionId scenario) override;
+  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
+               simulator::Guidance guidance) override;
+  void show_result(const database::AttemptId& attempt) override;
+  void show_replay(const database::AttemptId& attempt, double moment_s) override;
+  void show_trainee(database::CohortId cohort, database::PersonId trainee) override;
+
+ private:
+  void ask_who();
+  void welcome(std::shared_ptr<Visit> visit);
+  Visitor visitor_of(const Visit& visit) const;
+  std::vector<Visitor::Place> places_of(const Visit& visit) const;
+  /// What instructors and administrators have before the places of everybody (course_staff.cpp).
+  void add_staff_places(const Visit& visit, std::vector<Visitor::Place>& places) const;
+  /// True where `id` is one of them; its screen is then shown.
+  bool show_staff_place(const std::string& id);
+  /// Reads how many questions are open, for the inbox's badge.
+  void count_questions();
+  void show_badge(int open_questions);
+  /// The screen of a place of the navigation.
+  void show_place(const std::string& id);
+  void show_account();
+  /// What the person was told since they were here last.
+  void tell_notices();
+  void acknowledge(std::shared_ptr<Visit> visit, const database::Notice& notice);
+  void lock();
+  void sign_out();
+
+  const Texts& texts_;
+  std::filesystem::path data_directory_;
+  Shell& shell_;
+  database::PasswordCost cost_;
+  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<InboxScreen::Drafts> answer_drafts_;
+  PatientPictures pictures_;
+};
+
+}  // namespace hallux::ui

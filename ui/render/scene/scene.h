@@ -1,0 +1,112 @@
+/// What is to be seen, as plain data: the screens fill it, the renderer draws it and keeps nothing of it but copies.
+///
+/// All places are millimetres of the world (foot frame) unless a name says another frame. Pointers are borrowed for the call.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "simulator/cutting/field/kerf.h"
+#include "ui/render/scene/bone_mesh.h"
+
+namespace hallux::ui {
+
+enum class Ground : std::uint8_t { Dark, Light };
+
+/// The roles that colours have; each has one for dark and one for light grounds.
+enum class Ink : std::uint8_t { Accent, Reference, Harm, Plain };
+
+/// Signed distance of cut faces to a planned plane, in colours: too much taken, as planned, left standing.
+struct SignedMap {
+  std::int32_t kerf = 0;               ///< faces of this kerf only; -1: of every kerf
+  std::int32_t side = 0;               ///< +1 or -1: of this wall only; 0: of both
+  Vec3 normal_in_bone{0.0, 0.0, 1.0};  ///< of the planned face, towards the waste
+  double offset_mm = 0.0;              ///< normal . p of the planned face
+  double range_mm = 2.0;               ///< where the colours end
+
+  friend bool operator==(const SignedMap&, const SignedMap&) = default;
+};
+
+/// Bone with normal . p > offset is not drawn: what lies behind it is looked into.
+struct CutAway {
+  Vec3 normal_in_bone{0.0, 0.0, 1.0};
+  double offset_mm = 0.0;
+
+  friend bool operator==(const CutAway&, const CutAway&) = default;
+};
+
+struct BoneInScene {
+  const BoneMesh* mesh = nullptr;
+  const BoneLook* look = nullptr;  ///< of the bone; one look serves all its pieces
+  const simulator::SolidPatch* patch =
+      nullptr;                       ///< built on mesh->solid; none: nothing is being cut
+  std::uint64_t patch_revision = 0;  ///< another patch has another; never 0 where there is a patch
+  RigidTransform world_from_bone;    ///< of this piece
+  double presence = 1.0;             ///< towards 0 it fades into the ground: a neighbour
+  std::optional<SignedMap> map;
+  std::optional<CutAway> cut_away;
+};
+
+struct SawInScene {
+  RigidTransform world_from_tool;
+  simulator::BladeSize blade;
+  double thickness_mm = 0.4;  ///< of the blade; the kerf is wider
+  bool is_running = false;
+  double swing = 0.0;  ///< where in its swing the blade stands, [-1, 1]; counts only while it runs
+};
+
+/// The blade alone, translucent: the expert's.
+struct BladeGhost {
+  RigidTransform world_from_tool;
+  simulator::BladeSize blade;
+  Ink ink = Ink::Reference;
+};
+
+/// A rectangle of a plane: its middle, z its normal.
+struct PlaneGhost {
+  RigidTransform world_from_plane;
+  Vec2 half_mm{15.0, 12.0};
+  Ink ink = Ink::Accent;
+  bool is_filled = true;  ///< otherwise only its outline
+};
+
+/// Where a plane meets the skins of all bones that are wholly present.
+struct CuttingLine {
+  RigidTransform world_from_plane;  ///< z is the normal
+  double half_width_mm =
+      0.0;  ///< the line ends this far from the plane's x axis; 0: it goes all around
+  double width_pixels = 2.5;
+  Ink ink = Ink::Accent;
+};
+inline constexpr std::size_t lines_at_most = 6;
+
+/// One chip of bone.
+struct Chip {
+  Vec3 place_mm{0.0, 0.0, 0.0};
+  float size_mm = 0.15F;
+  float wetness = 0.0F;  ///< 0 dry and pale, 1 dark
+};
+
+/// A mark at a place: a note, a landmark; a ball of a few pixels, always before everything.
+struct Mark {
+  Vec3 place_mm{0.0, 0.0, 0.0};
+  double radius_pixels = 6.0;
+  Ink ink = Ink::Accent;
+};
+
+struct Scene {
+  Ground ground = Ground::Dark;
+  Vec2 light_place{
+      0.5, 0.5};  ///< where the ground is brightest, shares of the picture from the lower left
+  std::vector<BoneInScene> bones;
+  std::optional<SawInScene> saw;
+  std::vector<BladeGhost> blade_ghosts;
+  std::vector<PlaneGhost> planes;
+  std::vector<CuttingLine> lines;  ///< at most lines_at_most
+  std::vector<Chip> chips;
+  std::vector<Mark> marks;
+};
+
+}  // namespace hallux::ui

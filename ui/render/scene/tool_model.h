@@ -1,0 +1,45 @@
+/// The sagittal saw as triangles in the tool frame: origin at the middle of the tooth line, +x from handle to teeth, z the
+/// blade's normal.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simulator/cutting/field/kerf.h"
+#include "simulator/mesh/indexed_mesh.h"
+#include "ui/render/scene/float_vector.h"
+
+namespace hallux::ui {
+
+enum class ToolMaterial : std::uint8_t {
+  Blade,  ///< brushed steel
+  Steel,  ///< polished
+  Grip,   ///< dark, matt
+  Band    ///< a grey ring in the grip
+};
+
+struct ToolVertex {
+  Float3 point_in_tool_mm{0.0F};
+  Float3 normal{0.0F, 0.0F, 1.0F};
+  float material = 0.0F;  ///< a ToolMaterial
+};
+
+struct ToolMesh {
+  std::vector<ToolVertex> vertices;
+  std::vector<simulator::Triangle> triangles;
+};
+
+/// A toothed plate, narrower towards the hub, with marks etched every 5 mm (drawn by the shader).
+/// needs   sizes above zero, depth_mm at least width_mm / 2
+ToolMesh blade_mesh(const simulator::BladeSize& blade, double thickness_mm);
+/// Hub, neck, grip and cable of a saw with that blade; they begin where the blade's depth ends.
+ToolMesh handpiece_mesh(const simulator::BladeSize& blade);
+
+/// Where the blade turns while it runs, on the tool's x axis.
+double pivot_x_mm(const simulator::BladeSize& blade) noexcept;
+/// From the pivot to where the cable ends.
+inline constexpr double cable_end_mm = 240.0;
+/// How far it turns to each side.
+inline constexpr double swing_rad = 0.035;
+
+}  // namespace hallux::ui

@@ -1,0 +1,289 @@
+#include "ui/screens/administrator/audit_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "ui/screens/administrator/audit_text.h"
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/page.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/marks.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::AuditLine;
+
+enum Field { When, Who, Did, What, Entry, ColumnCount };
+constexpr float side_width = 320.0F, stacked_height = 704.0F, backup_height = 384.0F,
+                roomy_from = 640.0F;
+constexpr std::int32_t lines_per_page = 50;
+
+}  // namespace
+
+std::string backup_moment(const std::string& file_name) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0;
+  if (std::sscanf(file_name.c_str(), "hallux-%4d%2d%2d-%2d%2d", &year, &month, &day, &hour,
+                  &minute) != 5)
+    return {};
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02d-%02dT%02d:%02d", year, month, day, hour,
+                minute);
+  return text.data();
+}
+
+std::string bytes_text(std::int64_t bytes) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f MB", static_cast<double>(bytes) * 1e-6);
+  return text.data();
+}
+
+void RecordsScreen::read(Ui& ui, Shell& shell) {
+  database::AuditRequest request;
+  request.before = before_.back();
+  request.lines = lines_per_page;
+  request.refused_only = filter_ == 1;
+  page_.start(ui, shell, ui.text("records.reading"), [visit = visit_, request](WorkReport&) {
+    return visit->in_turn([&](database::Session& session, auto&) {
+      return administrator_of(session).audit_page(request);
+    });
+  });
+}
+
+void RecordsScreen::read_last_backup(Ui& ui, Shell& shell) {
+  last_backup_.start(ui, shell, ui.text("records.backup.looking"), [visit = visit_](WorkReport&) {
+    return visit->in_turn([](database::Session& session, auto&) -> std::optional<LastBackup> {
+      const std::vector<database::Backup> backups = administrator_of(session).backups();
+      if (backups.empty()) return std::nullopt;
+      return LastBackup{backups.front().file, backups.front().made_utc, backups.front().bytes,
+                        static_cast<long>(backups.size()), backups.back().made_utc};
+    });
+  });
+}
+
+void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (page_.is_new()) read(ui, shell);
+  if (last_backup_.is_new()) read_last_backup(ui, shell);
+  const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
+  const Page scrolled(ui, "records", ui.text("records.title"), content,
+                      is_stacked ? 480.0F + stacked_height : 704.0F);
+  Rect page = scrolled.rect();
+  PageHead head{ui.text("records.title"), ui.text("records.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  page_head(ui, "records", page, head);
+  const Panes panes = panes_of(page, side_width, stacked_height);
+  draw_audit(ui, panes.main);
+  Rect side = panes.side;
+  draw_backup(ui, take_top(side, backup_height, space::between_cards), shell);
+  const float origins_height = origins_.height(ui, shell);
+  if (origins_height > 0.0F) {
+    origins_.draw(ui, take_top(side, origins_height, space::between_cards), shell);
+  }
+  draw_line(ui, side);
+  if (!retention_.draw(ui, shell)) return;
+  before_ = {std::nullopt};
+  page_.read_again();
+}
+
+void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
+  Rect rest = card(ui, rect, {});
+  Rect head = take_top(rest, segmented_height, 6.0F);
+  const std::array<std::string_view, 2> filters{ui.text("records.all"), ui.text("records.refused")};
+  const float width = segmented_width(ui, filters);
+  const bool is_changed =
+      segmented(ui, "records.filter", take_right(head, width, 16.0F), filters, filter_);
+  ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, ui.text("records.audit"), true);
+  if (is_changed) {
+    before_ = {std::nullopt};
+    page_.read_again();
+  }
+  if (!page_.draw_until_ready(ui, "records.failed", rest, 8)) return;
+  const Rect foot = take_bottom(rest, 40.0F, 4.0F);
+  if (page_.value().lines.empty()) {
+    empty_card(ui, "records.none", rest,
+               {Icon::Audit, ui.text("records.none"), ui.text("records.none.sentence"), {}});
+  } else {
+    draw_table(ui, rest);
+  }
+  draw_pager(ui, foot);
+}
+
+void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
+  const std::array<TableColumn, ColumnCount> columns{
+      {{ui.text("records.when"), 140.0F},
+       {ui.text("records.who"), 0.0F, 0.8F},
+       {ui.text("records.did"), 0.0F, 1.3F},
+       {ui.text("records.what"), 0.0F, 1.5F, Align::Left, false, roomy_from},
+       {ui.text("records.entry"), 64.0F, 1.0F, Align::Right, false, roomy_from}}};
+  const std::vector<AuditLine>& lines = page_.value().lines;
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(lines.size());
+  spec.row_height = 38.0F;
+  spec.label = ui.text("records.audit");
+  const auto at = [&](int row) -> const AuditLine& { return lines[static_cast<std::size_t>(row)]; };
+  spec.row_id = [&](int row) { return std::to_string(at(row).number); };
+  spec.row_label = [&](int row) {
+    return ui.texts().say("records.row", {{"did", deed_text(ui.texts(), at(row))},
+                                          {"moment", moment_text(at(row).at_utc)}});
+  };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    draw_cell(own, at(row), column, cell);
+  };
+  table_.chosen = {std::to_string(chosen_)};
+  const TableResponse response = table(ui, "records.row", content, spec, table_);
+  if (response.opened) chosen_ = at(*response.opened).number;
+}
+
+void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
+  const AuditLine* chosen = nullptr;
+  if (page_.is_ready())
+    for (const AuditLine& line : page_.value().lines)
+      if (line.number == chosen_) chosen = &line;
+  if (chosen == nullptr) {
+    empty_card(ui, "records.nothing", card(ui, rect, {}, space::side_card),
+               {Icon::Audit, ui.text("records.nothing"), ui.text("records.nothing.sentence"), {}});
+    return;
+  }
+  const std::string title =
+      ui.texts().say("records.line", {{"number", grouped(static_cast<long>(chosen->number))}});
+  Rect rest = card(ui, rect, title, space::side_card);
+  fact_line(ui, rest, ui.text("records.when"), moment_text(chosen->at_utc));
+  fact_line(ui, rest, ui.text("records.who"),
+            chosen->actor.empty() ? ui.text("records.nobody") : std::string_view(chosen->actor));
+  fact_line(ui, rest, ui.text("records.outcome"),
+            ui.text(chosen->was_refused ? "records.outcome.refused" : "records.outcome.done"));
+  take_top(rest, 8.0F);
+  words_line(ui, rest, Type::BodyMedium, ui.theme().text, deed_text(ui.texts(), *chosen), 4.0F);
+  // A reason may be longer than the card.
+  const std::string subject = subject_text(ui.texts(), *chosen);
+  const float height = ui.paragraph_height(Type::Small, subject, rest.w - 12.0F);
+  const float offset = ui.begin_scroll("records.words", title, rest, height);
+  ui.canvas().paragraph({rest.x, rest.y - offset, rest.w - 12.0F, height},
+                        {Type::Small, ui.theme().text_secondary}, subject);
+  ui.end_scroll();
+}
+
+void RecordsScreen::draw_cell(Ui& ui, const AuditLine& line, int field, const Rect& cell) const {
+  const TextStyle plain{Type::Small, ui.theme().text_secondary};
+  switch (field) {
+    case When:
+      ui.canvas().text_in(cell, plain, moment_text(line.at_utc), true);
+      return;
+    case Who:
+      ui.canvas().text_in(
+          cell, {Type::Small, ui.theme().text},
+          line.actor.empty() ? ui.text("records.nobody") : std::string_view(line.actor), true);
+      return;
+    case Did: {
+      Rect rest = cell;
+      if (line.was_refused) {
+        const float width = pill_width(ui, ui.text("records.refused.one"));
+        pill(ui, {rest.x, rest.mid_y()}, ui.text("records.refused.one"), Meaning::Warn);
+        take_left(rest, width, 8.0F);
+      }
+      ui.canvas().text_in(rest, {Type::Small, ui.theme().text}, deed_text(ui.texts(), line), true);
+      return;
+    }
+    case What:
+      ui.canvas().text_in(cell, plain, subject_text(ui.texts(), line), true);
+      return;
+    default:
+      ui.canvas().text_in(cell, {Type::Small, ui.theme().text_caption, Align::Right},
+                          grouped(static_cast<long>(line.number)));
+  }
+}
+
+void RecordsScreen::draw_pager(Ui& ui, const Rect& line) {
+  const database::AuditPage& page = page_.value();
+  const long first = static_cast<long>(before_.size() - 1) * lines_per_page;
+  const auto count = static_cast<long>(page.lines.size());
+  Rect rest = line;
+  ButtonSpec older{ui.text("records.older"), ButtonLook::Secondary},
+      newer{ui.text("records.newer"), ButtonLook::Secondary};
+  older.is_enabled = page.older.has_value() && !page_.is_new();
+  newer.is_enabled = before_.size() > 1 && !page_.is_new();
+  const auto place = [&](const ButtonSpec& spec) {
+    const Rect strip = take_right(rest, button_width(ui, spec), 8.0F);
+    return Rect{strip.x, strip.y + 4.0F, strip.w, header_button_height};
+  };
+  const bool to_older = button(ui, "records.older", place(older), older);
+  const bool to_newer = button(ui, "records.newer", place(newer), newer);
+  ui.canvas().text_in(
+      rest, {Type::Small, ui.theme().text_caption},
+      ui.texts().say("records.range", {{"first", grouped(count > 0 ? first + 1 : 0)},
+                                       {"last", grouped(first + count)},
+                                       {"all", grouped(static_cast<long>(page.total))}}),
+      true);
+  if (to_older) before_.push_back(page.older);
+  if (to_newer) before_.pop_back();
+  if (to_older || to_newer) {
+    page_.read_again();
+    ui.want_frame_in_s(0.0);
+  }
+}
+
+void RecordsScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
+  Rect rest = card(ui, rect, ui.text("records.backup"), space::side_card);
+  words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.backup.sentence"),
+             16.0F);
+  ButtonSpec act{ui.text("records.backup.act"), ButtonLook::Primary, Icon::Backup};
+  act.is_busy = backing_up_.is_running();
+  Rect line = take_top(rest, button_height, 16.0F);
+  line.w = std::min(line.w, button_width(ui, act) + 24.0F);
+  if (button(ui, "records.backup", line, act)) back_up(ui, shell);
+  const ButtonSpec keep{ui.text("records.retention"), ButtonLook::Secondary};
+  Rect below = take_bottom(rest, button_height, 12.0F);
+  below.w = std::min(below.w, button_width(ui, keep));
+  if (button(ui, "records.retention", below, keep)) retention_.open(ui, shell);
+  if (last_backup_.draw_until_ready(ui, "records.backup.failed", rest, 2))
+    draw_last_backup(ui, rest, shell);
+}
+
+void RecordsScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
+  const std::optional<LastBackup>& last = last_backup_.value();
+  if (!last) {
+    words_line(ui, rest, Type::Small, ui.theme().warn_text, ui.text("records.backup.none"));
+    return;
+  }
+  const std::string when =
+      ui.texts().say("records.backup.last",
+                     {{"moment", moment_text(backup_moment(last->file.filename().string()))},
+                      {"ago", ago_text(ui.texts(), last->made_utc, utc_now_text())},
+                      {"size", bytes_text(last->bytes)}});
+  words_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
+  if (last->kept > 1) {
+    words_line(ui, rest, Type::Small, ui.theme().text_secondary,
+               ui.texts().say("records.backup.kept", {{"count", grouped(last->kept)},
+                                                      {"moment", moment_text(last->oldest_utc)}}),
+               4.0F);
+  }
+  words_line(ui, rest, Type::Small, ui.theme().text_caption, last->file.string(), 10.0F);
+  if (link(ui, "records.backup.copy", {rest.x, rest.y + 10.0F}, ui.text("records.backup.copy"))) {
+    ui.clipboard().write(last->file.string());
+    shell.say({Meaning::Good, std::string(ui.text("records.backup.copied"))});
+    ui.want_frame_in_s(0.0);
+  }
+}
+
+void RecordsScreen::back_up(Ui& ui, Shell& shell) {
+  backing_up_.start<database::Backup>(
+      shell, visit_,
+      {std::string(ui.text("records.backup.running")),
+       std::string(ui.text("records.backup.not_made")),
+       std::string(ui.text("records.backup.stopped"))},
+      [](database::Session& session, WorkReport& report) {
+        return administrator_of(session).back_up(
+            {}, [&report](double share) { return report.reached(share); });
+      },
+      [this, &shell, said = std::string(ui.text("records.backup.made"))](database::Backup& backup) {
+        shell.say({Meaning::Good, said, backup.file.string()});
+        last_backup_.read_again();
+        before_ = {std::nullopt};
+        page_.read_again();
+      });
+}
+
+}  // namespace hallux::ui

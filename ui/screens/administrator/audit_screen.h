@@ -1,0 +1,64 @@
+/// What was done in the course, line by line, and copies of all that is kept.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/screens/administrator/origins_card.h"
+#include "ui/screens/administrator/retention_dialogs.h"
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/widgets/controls/table.h"
+
+namespace hallux::ui {
+
+class RecordsScreen : public Screen {
+ public:
+  explicit RecordsScreen(std::shared_ptr<Visit> visit)
+      : visit_(visit), retention_(visit), origins_(std::move(visit)) {}
+
+  std::string_view navigation_id() const override { return "nav.records"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  /// A copy that lies in the folder of backups.
+  struct LastBackup {
+    std::filesystem::path file;
+    std::string made_utc;
+    std::int64_t bytes = 0;
+    long kept = 1;           ///< backups in all
+    std::string oldest_utc;  ///< of them
+  };
+
+  void read(Ui& ui, Shell& shell);
+  void read_last_backup(Ui& ui, Shell& shell);
+  void draw_audit(Ui& ui, const Rect& rect);
+  void draw_table(Ui& ui, const Rect& content);
+  void draw_cell(Ui& ui, const database::AuditLine& line, int field, const Rect& cell) const;
+  void draw_pager(Ui& ui, const Rect& line);
+  void draw_line(Ui& ui, const Rect& rect) const;
+  void draw_backup(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_last_backup(Ui& ui, Rect& rest, Shell& shell);
+  void back_up(Ui& ui, Shell& shell);
+
+  std::shared_ptr<Visit> visit_;
+  Reading<database::AuditPage> page_;
+  Reading<std::optional<LastBackup>> last_backup_;
+  std::vector<std::optional<std::int64_t>> before_{std::nullopt};  ///< of each page so far
+  int filter_ = 0;                                                 ///< 0 all, 1 refused only
+  TableState table_;
+  std::int64_t chosen_ = 0;  ///< number of the line whose words are shown; 0: none
+  DeskWork backing_up_;
+  RetentionDialogs retention_;
+  OriginsCard origins_;
+};
+
+/// The moment in a backup's name, "hallux-20260303-140210.db": ISO 8601; "" where it has none.
+std::string backup_moment(const std::string& file_name);
+
+/// "12.3 MB"
+std::string bytes_text(std::int64_t bytes);
+
+}  // namespace hallux::ui

@@ -1,0 +1,413 @@
+#include "ui/screens/administrator/cohorts_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/page.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/dialog.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/menu.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::CohortMember;
+using database::CohortRole;
+
+constexpr ListPageSpec page_spec{600.0F, 0.56F, 460.0F};
+constexpr float since_from = 460.0F;
+constexpr float list_height = 260.0F, gap = 14.0F;
+
+std::string_view role_id(CohortRole role) noexcept {
+  return role == CohortRole::Trainee ? "role.trainee" : "role.instructor";
+}
+
+}  // namespace
+
+CohortsScreen::Everybody CohortsScreen::read(database::Session& session) {
+  database::AdministratorDesk desk = administrator_of(session);
+  Everybody everybody;
+  for (database::Cohort& cohort : desk.cohorts()) {
+    std::vector<CohortMember> members = desk.members(cohort.id);
+    // Who was erased stays a number in the statistics; there is nobody to be enrolled elsewhere.
+    std::erase_if(members, [](const CohortMember& member) { return member.login.empty(); });
+    std::vector<database::AttemptLimit> limits = desk.limits(cohort.id);
+    everybody.cohorts.push_back({std::move(cohort), std::move(members), std::move(limits)});
+  }
+  everybody.people = desk.people();
+  std::erase_if(everybody.people, [](const auto& person) { return person.login.empty(); });
+  for (const database::ScenarioVersion& version : desk.scenarios())  // by name
+    if (everybody.operations.empty() || everybody.operations.back() != version.name)
+      everybody.operations.push_back(version.name);
+  return everybody;
+}
+
+void CohortsScreen::read_all(Ui& ui, Shell& shell) {
+  everybody_.start(ui, shell, ui.text("cohorts.reading"), [visit = visit_](WorkReport&) {
+    return visit->in_turn([](database::Session& session, auto&) { return read(session); });
+  });
+}
+
+const CohortsScreen::Listed* CohortsScreen::chosen() const {
+  for (const Listed& listed : everybody_.value().cohorts)
+    if (listed.cohort.id == chosen_) return &listed;
+  return nullptr;
+}
+
+void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (everybody_.is_new()) read_all(ui, shell);
+  draw_page(ui, content, shell);
+  draw_add_dialog(ui, shell);
+  draw_enrol_dialog(ui, shell);
+  draw_question(ui, shell);
+  draw_limits(ui, shell);
+}
+
+void CohortsScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
+  const ButtonSpec add{ui.text("cohorts.add"), ButtonLook::Primary, Icon::Add};
+  PageHead head{ui.text("cohorts.title"), ui.text("cohorts.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.buttons_width = button_width(ui, add);
+  const ListPage page(ui, "cohorts", head, content, page_spec);
+  if (button(ui, "cohorts.add", page.buttons(), add)) {
+    new_name_.emplace();
+    adding_.forget_fault();
+  }
+  if (!everybody_.draw_until_ready(ui, "cohorts.failed", page.list(), 6)) {
+    card(ui, page.side(), {});
+    return;
+  }
+  if (!chosen_ && !everybody_.value().cohorts.empty())
+    chosen_ = everybody_.value().cohorts.front().cohort.id;
+  draw_cohorts(ui, page.list());
+  draw_members(ui, page.side(), shell);
+}
+
+void CohortsScreen::draw_cohorts(Ui& ui, const Rect& content) {
+  const std::vector<Listed>& cohorts = everybody_.value().cohorts;
+  if (cohorts.empty()) {
+    empty_card(ui, "cohorts.empty", content,
+               {Icon::Cohorts, ui.text("cohorts.empty"), ui.text("cohorts.empty.sentence"), {}});
+    return;
+  }
+  const std::array<TableColumn, 3> columns{
+      {{ui.text("cohorts.name")},
+       {ui.text("cohorts.trainees"), 72.0F, 1.0F, Align::Right},
+       {ui.text("cohorts.instructors"), 84.0F, 1.0F, Align::Right}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(cohorts.size());
+  spec.label = ui.text("cohorts.title");
+  const auto at = [&](int row) -> const database::Cohort& {
+    return cohorts[static_cast<std::size_t>(row)].cohort;
+  };
+  spec.row_id = [&](int row) { return std::to_string(at(row).id.number); };
+  spec.row_label = [&](int row) { return at(row).name; };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const Theme& theme = own.theme();
+    if (column == 0) {
+      own.canvas().text_in(cell, {Type::BodyMedium, theme.text}, at(row).name, true);
+    } else {
+      own.canvas().text_in(cell, {Type::Body, theme.text_secondary, Align::Right},
+                           std::to_string(column == 1 ? at(row).trainees : at(row).instructors));
+    }
+  };
+  cohort_table_.chosen.clear();
+  if (chosen_) cohort_table_.chosen.insert(std::to_string(chosen_->number));
+  const TableResponse response = table(ui, "cohorts.row", content, spec, cohort_table_);
+  if (!response.opened) return;
+  chosen_ = at(*response.opened).id;
+  member_.clear();
+}
+
+void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
+  const Listed* listed = chosen();
+  if (listed == nullptr) {
+    card(ui, rect, {});
+    return;
+  }
+  Rect inside = card(ui, rect, {});
+  const ButtonSpec enrol{ui.text("cohorts.enrol"), ButtonLook::Secondary, Icon::Add};
+  Rect head = take_top(inside, header_button_height, 8.0F);
+  if (button(ui, "cohorts.enrol", take_right(head, button_width(ui, enrol), 12.0F), enrol)) {
+    enrolment_ = Enrolment{};
+    enrolling_.forget_fault();
+  }
+  const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary};
+  if (button(ui, "cohorts.limits", take_right(head, button_width(ui, limit), 12.0F), limit))
+    open_limits(*listed);
+  ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, listed->cohort.name, true);
+  if (listed->members.empty()) {
+    empty_card(ui, "cohorts.nobody", inside,
+               {Icon::People, ui.text("cohorts.nobody"), ui.text("cohorts.nobody.sentence"), {}});
+    return;
+  }
+  const Rect actions = take_bottom(inside, 44.0F, 8.0F);
+  draw_member_table(ui, inside, *listed);
+  draw_member_actions(ui, actions, *listed, shell);
+}
+
+void CohortsScreen::draw_member_table(Ui& ui, const Rect& content, const Listed& listed) {
+  const std::array<TableColumn, 3> columns{
+      {{ui.text("people.name"), 0.0F, 1.4F},
+       {ui.text("people.role"), 96.0F},
+       {ui.text("cohorts.since"), 140.0F, 1.0F, Align::Left, false, since_from}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(listed.members.size());
+  spec.label = listed.cohort.name;
+  const auto at = [&](int row) -> const CohortMember& {
+    return listed.members[static_cast<std::size_t>(row)];
+  };
+  const auto name_of = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
+  spec.row_id = [&](int row) { return at(row).login; };
+  spec.row_label = name_of;
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const TextStyle plain{Type::Body, own.theme().text_secondary};
+    if (column == 0) {
+      avatar(own, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name_of(row)),
+             static_cast<int>(at(row).id.number % 6));
+      own.canvas().text_in({cell.x + 38.0F, cell.y, cell.w - 38.0F, cell.h},
+                           {Type::BodyMedium, own.theme().text}, name_of(row), true);
+    } else if (column == 1) {
+      own.canvas().text_in(cell, plain, own.text(role_id(at(row).role)), true);
+    } else {
+      own.canvas().text_in(cell, plain, moment_text(at(row).enrolled_utc), true);
+    }
+  };
+  member_table_.chosen.clear();
+  if (!member_.empty()) member_table_.chosen.insert(member_);
+  const TableResponse response = table(ui, "cohorts.member", content, spec, member_table_);
+  if (response.opened) member_ = at(*response.opened).login;
+}
+
+void CohortsScreen::draw_member_actions(Ui& ui, const Rect& line, const Listed& listed,
+                                        Shell& shell) {
+  const auto member =
+      std::find_if(listed.members.begin(), listed.members.end(),
+                   [this](const CohortMember& each) { return each.login == member_; });
+  if (member == listed.members.end()) {
+    ui.canvas().text_in(line, {Type::Small, ui.theme().text_caption}, ui.text("cohorts.choose"),
+                        true);
+    return;
+  }
+  const bool is_trainee = member->role == CohortRole::Trainee;
+  const std::array<std::string_view, 2> actions{
+      ui.text(is_trainee ? "cohorts.to_instructor" : "cohorts.to_trainee"),
+      ui.text("cohorts.remove")};
+  const bool has_room = ui.width_of(Type::SmallMedium, member->login) < line.w * 0.3F;
+  const int pressed = action_bar(ui, "cohorts.action", line,
+                                 has_room ? std::string_view(member->login) : "", actions, {});
+  if (pressed == 1) removal_ = Removal{listed.cohort.id, member->login, listed.cohort.name};
+  if (pressed != 0) return;
+  const CohortRole role = is_trainee ? CohortRole::Instructor : CohortRole::Trainee;
+  change(work_, ui, shell,
+         ui.texts().say(is_trainee ? "cohorts.now_instructor" : "cohorts.now_trainee",
+                        {{"login", member->login}, {"cohort", listed.cohort.name}}),
+         [cohort = listed.cohort.id, login = member->login,
+          role](database::AdministratorDesk& desk) { desk.enrol(cohort, login, role); });
+}
+
+void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
+  if (!new_name_) return;
+  Dialog shown;
+  shown.title = shown.act = ui.text("cohorts.add");
+  shown.keep = ui.text("form.cancel");
+  shown.error = adding_.fault();
+  shown.form_height = field_label_height + field_height;
+  shown.is_busy = adding_.is_running();
+  const Answer answer = dialog(ui, "cohorts.new", shown, [&](Rect form) {
+    FieldSpec name;
+    name.label = ui.text("cohorts.new.name");
+    name.placeholder = ui.text("cohorts.new.example");
+    name.max_bytes = 80;
+    take_top(form, field_label_height);
+    field(ui, "cohorts.new.name", form, *new_name_, name);
+    ui.focus_first("cohorts.new.name");
+    return new_name_->find_first_not_of(' ') != std::string::npos;
+  });
+  if (answer == Answer::Act) add(ui, shell);
+  if (answer == Answer::Keep) new_name_.reset();
+}
+
+void CohortsScreen::add(Ui& ui, Shell& shell) {
+  adding_.start<database::CohortId>(
+      shell, visit_, {std::string(ui.text("people.changing")), {}},
+      [name = *new_name_](database::Session& session, WorkReport&) {
+        return administrator_of(session).add_cohort(name);
+      },
+      [this, &shell,
+       done = ui.texts().say("cohorts.added", {{"cohort", *new_name_}})](database::CohortId& id) {
+        new_name_.reset();
+        chosen_ = id;
+        member_.clear();
+        shell.say({Meaning::Good, done});
+        everybody_.read_again();
+      });
+}
+
+void CohortsScreen::draw_enrol_dialog(Ui& ui, Shell& shell) {
+  const Listed* listed = everybody_.is_ready() ? chosen() : nullptr;
+  if (!enrolment_ || listed == nullptr) return;
+  const std::string title =
+      ui.texts().say("cohorts.enrol.title", {{"cohort", listed->cohort.name}});
+  const std::string act = enrol_label(ui.texts());
+  Dialog shown;
+  shown.title = title;
+  shown.act = act;
+  shown.keep = ui.text("form.cancel");
+  shown.error = enrolling_.fault();
+  shown.form_height = field_height + list_height + segmented_height + 2.0F * gap;
+  shown.is_busy = enrolling_.is_running();
+  const Answer answer = dialog(ui, "cohorts.enrolment", shown, [&](const Rect& form) {
+    draw_enrol_form(ui, form, *listed);
+    return !enrolment_->table.chosen.empty();
+  });
+  if (answer == Answer::Act) enrol(ui, shell, listed->cohort);
+  if (answer == Answer::Keep) enrolment_.reset();
+}
+
+void CohortsScreen::draw_enrol_form(Ui& ui, Rect rest, const Listed& listed) {
+  FieldSpec search;
+  search.label = search.placeholder = ui.text("people.search");
+  search.icon = Icon::Search;
+  search.is_label_shown = false;
+  field(ui, "cohorts.enrolment.search", take_top(rest, field_height, gap), enrolment_->search,
+        search);
+  ui.focus_first("cohorts.enrolment.search");
+  draw_enrol_table(ui, take_top(rest, list_height, gap), listed);
+  Rect line = take_top(rest, segmented_height);
+  const std::array<std::string_view, 2> roles{ui.text("role.trainee"), ui.text("role.instructor")};
+  line.w = std::min(line.w, segmented_width(ui, roles));
+  segmented(ui, "cohorts.enrolment.role", line, roles, enrolment_->role);
+}
+
+std::string CohortsScreen::enrol_label(const Texts& texts) const {
+  const auto count = static_cast<long>(enrolment_->table.chosen.size());
+  if (count == 0) return std::string(texts.text("cohorts.enrol"));
+  return enrolment_->role == 0 ? texts.say_count("cohorts.enrol.trainees", count)
+                               : texts.say_count("cohorts.enrol.instructors", count);
+}
+
+void CohortsScreen::enrol(Ui& ui, Shell& shell, const database::Cohort& cohort) {
+  const CohortRole role = enrolment_->role == 0 ? CohortRole::Trainee : CohortRole::Instructor;
+  const std::set<std::string> logins = enrolment_->table.chosen;
+  change(
+      enrolling_, ui, shell,
+      ui.texts().say_count("cohorts.enrolled", static_cast<long>(logins.size()),
+                           {{"cohort", cohort.name}}),
+      [id = cohort.id, logins, role](database::AdministratorDesk& desk) {
+        for (const std::string& login : logins) desk.enrol(id, login, role);
+      },
+      [this] { enrolment_.reset(); });
+}
+
+void CohortsScreen::draw_enrol_table(Ui& ui, const Rect& rect, const Listed& listed) {
+  std::vector<const database::Person*> shown;
+  for (const database::Person& person : everybody_.value().people) {
+    const bool is_member =
+        std::any_of(listed.members.begin(), listed.members.end(),
+                    [&](const CohortMember& member) { return member.id == person.id; });
+    const bool is_found = holds_words(person.login, enrolment_->search) ||
+                          holds_words(person.display_name, enrolment_->search);
+    if (!is_member && is_found) shown.push_back(&person);
+  }
+  if (shown.empty()) {
+    empty_card(ui, "cohorts.enrolment.none", rect,
+               {Icon::People, ui.text("people.none"), ui.text("cohorts.enrol.none"), {}});
+    return;
+  }
+  const std::array<TableColumn, 2> columns{{{ui.text("people.name")}, {ui.text("people.login")}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(shown.size());
+  spec.row_height = 38.0F;
+  spec.has_checkboxes = true;
+  spec.label = ui.text("cohorts.enrol");
+  const auto at = [&](int row) -> const database::Person& {
+    return *shown[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = [&](int row) { return at(row).login; };
+  spec.row_label = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const std::string words =
+        column == 0 ? shown_name_of(at(row).login, at(row).display_name) : at(row).login;
+    own.canvas().text_in(cell,
+                         {column == 0 ? Type::BodyMedium : Type::Body,
+                          column == 0 ? own.theme().text : own.theme().text_secondary},
+                         words, true);
+  };
+  table(ui, "cohorts.enrolment.row", rect, spec, enrolment_->table);
+}
+
+void CohortsScreen::draw_question(Ui& ui, Shell& shell) {
+  if (!removal_) return;
+  const TextValues who{{"login", removal_->login}, {"cohort", removal_->cohort_name}};
+  const std::string title = ui.texts().say("cohorts.ask_remove", who),
+                    consequence = ui.texts().say("cohorts.ask_remove.sentence", who);
+  const Answer answer =
+      question(ui, "cohorts.question",
+               {title, consequence, ui.text("cohorts.remove"), ui.text("cohorts.ask_remove.keep")});
+  if (answer == Answer::Waiting) return;
+  const Removal removal = *std::exchange(removal_, std::nullopt);
+  if (answer == Answer::Keep) return;
+  change(
+      work_, ui, shell, ui.texts().say("cohorts.removed", who),
+      [removal](database::AdministratorDesk& desk) {
+        desk.remove_from_cohort(removal.cohort, removal.login);
+      },
+      [this] { member_.clear(); });
+}
+
+void CohortsScreen::open_limits(const Listed& listed) {
+  limits_.emplace();
+  limits_->cohort_name = listed.cohort.name;
+  limits_->operations = everybody_.value().operations;
+  limits_->limits = listed.limits;
+  limiting_.forget_fault();
+}
+
+void CohortsScreen::draw_limits(Ui& ui, Shell& shell) {
+  if (!limits_ || !chosen_) return;
+  const Answer answer = draw_limits_dialog(ui, *limits_, limiting_.fault(), limiting_.is_running());
+  if (answer == Answer::Keep) limits_.reset();
+  if (answer != Answer::Act) return;
+  const std::optional<LimitChange> wanted = change_in(*limits_);
+  if (!wanted) return;
+  change(
+      limiting_, ui, shell, said_of(ui.texts(), *limits_, *wanted),
+      [cohort = *chosen_, wanted = *wanted](database::AdministratorDesk& desk) {
+        if (wanted.attempts_max) {
+          desk.set_limit(cohort, wanted.scenario_name, *wanted.attempts_max);
+        } else {
+          desk.clear_limit(cohort, wanted.scenario_name);
+        }
+      },
+      [this] { limits_.reset(); });
+}
+
+void CohortsScreen::change(DeskWork& work, Ui& ui, Shell& shell, std::string done,
+                           std::function<void(database::AdministratorDesk&)> change,
+                           std::function<void()> after) {
+  const bool is_said_here = &work != &work_;
+  work.start<bool>(
+      shell, visit_,
+      {std::string(ui.text("people.changing")),
+       is_said_here ? std::string() : std::string(ui.text("people.not_changed"))},
+      [change = std::move(change)](database::Session& session, WorkReport&) {
+        database::AdministratorDesk desk = administrator_of(session);
+        change(desk);
+        return true;
+      },
+      [this, &shell, done = std::move(done), after = std::move(after)](bool&) {
+        if (after) after();
+        shell.say({Meaning::Good, done});
+        everybody_.read_again();
+      });
+}
+
+}  // namespace hallux::ui

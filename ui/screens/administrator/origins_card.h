@@ -1,0 +1,33 @@
+/// Other directories that attempts were imported from, and whether those count here. Nothing is drawn where there are none.
+///
+///     const float height = origins_.height(ui, shell);
+///     if (height > 0.0F) origins_.draw(ui, take_top(side, height, space::between_cards), shell);
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "database/records/origin.h"
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/loaded.h"
+
+namespace hallux::ui {
+
+class OriginsCard {
+ public:
+  explicit OriginsCard(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+
+  /// 0 until they were read, and where there are none.
+  float height(Ui& ui, Shell& shell);
+  void draw(Ui& ui, const Rect& rect, Shell& shell);
+
+ private:
+  void draw_origin(Ui& ui, const Rect& line, const database::Origin& origin, Shell& shell);
+  void accept(Ui& ui, const database::Origin& origin, Shell& shell);
+
+  std::shared_ptr<Visit> visit_;
+  Reading<std::vector<database::Origin>> origins_;
+  DeskWork work_;
+};
+
+}  // namespace hallux::ui

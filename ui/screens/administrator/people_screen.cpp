@@ -1,0 +1,463 @@
+#include "ui/screens/administrator/people_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/page.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/menu.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::Person;
+
+enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen, ColumnCount };
+constexpr ListPageSpec page_spec{312.0F, 1.0F, 660.0F, 480.0F, 760.0F};
+constexpr float search_width = 220.0F, roomy_from = 700.0F;
+
+bool can_administer(const Person& person) noexcept {
+  return person.is_administrator && !person.is_disabled && person.has_password;
+}
+
+std::string_view admission_id(Admission admission) noexcept {
+  constexpr std::array<std::string_view, 4> ids{"people.active", "people.invited",
+                                                "people.needs_code", "people.disabled"};
+  return ids[static_cast<std::size_t>(admission)];
+}
+
+Meaning meaning_of(Admission admission) noexcept {
+  constexpr std::array<Meaning, 4> meanings{Meaning::Good, Meaning::Info, Meaning::Warn,
+                                            Meaning::Neutral};
+  return meanings[static_cast<std::size_t>(admission)];
+}
+
+bool is_in_tab(Admission admission, int tab) noexcept {
+  if (tab == 0) return true;
+  if (tab == 1) return admission == Admission::Active;
+  if (tab == 2) return admission == Admission::Invited || admission == Admission::NeedsCode;
+  return admission == Admission::Disabled;
+}
+
+void draw_name(Ui& ui, const Person& person, const Rect& cell) {
+  const std::string name = shown_name_of(person.login, person.display_name);
+  avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name),
+         static_cast<int>(person.id.number % 6));
+  ui.canvas().text_in({cell.x + 38.0F, cell.y, cell.w - 38.0F, cell.h},
+                      {Type::BodyMedium, ui.theme().text}, name, true);
+}
+
+}  // namespace
+
+Admission admission_of(const Person& person, std::string_view now_utc) noexcept {
+  if (person.is_disabled) return Admission::Disabled;
+  if (person.has_password) return Admission::Active;
+  return person.code_expires_utc > now_utc ? Admission::Invited : Admission::NeedsCode;
+}
+
+PeopleScreen::List PeopleScreen::read(database::Session& session) {
+  database::AdministratorDesk desk = administrator_of(session);
+  const std::string now = utc_now_text();
+  List list;
+  for (const Person& person : desk.people()) {
+    // Who has no login was erased, or came with an import: a number in the statistics, nobody to be managed.
+    if (!person.login.empty()) {
+      list.push_back({person, {}, false, false, admission_of(person, now)});
+    }
+  }
+  for (const database::Cohort& cohort : desk.cohorts()) {
+    for (const database::CohortMember& member : desk.members(cohort.id)) {
+      const auto listed = std::find_if(list.begin(), list.end(), [&](const Listed& each) {
+        return each.person.id == member.id;
+      });
+      if (listed == list.end()) continue;
+      listed->cohorts += (listed->cohorts.empty() ? "" : ", ") + cohort.name;
+      const bool teaches = member.role == database::CohortRole::Instructor;
+      (teaches ? listed->is_instructor : listed->is_trainee) = true;
+    }
+  }
+  return list;
+}
+
+std::string_view PeopleScreen::role_id(const Listed& listed) noexcept {
+  if (listed.person.is_administrator) return "role.administrator";
+  if (listed.is_instructor) return "role.instructor";
+  return listed.is_trainee ? "role.trainee" : "people.no_role";
+}
+
+void PeopleScreen::read_people(Ui& ui, Shell& shell) {
+  now_utc_ = utc_now_text();
+  people_.start(ui, shell, ui.text("people.reading"), [visit = visit_](WorkReport&) {
+    return visit->in_turn([](database::Session& session, auto&) { return read(session); });
+  });
+}
+
+void PeopleScreen::filter() {
+  shown_.clear();
+  for (const Listed& listed : people_.value()) {
+    const bool is_found = holds_words(listed.person.login, search_) ||
+                          holds_words(listed.person.display_name, search_);
+    if (is_found && is_in_tab(listed.admission, tab_)) shown_.push_back(&listed);
+  }
+  const auto key = [this](const Listed& listed) -> std::string {
+    switch (table_.sort.column) {
+      case RoleColumn:
+        return std::string(role_id(listed));
+      case CohortColumn:
+        return listed.cohorts;
+      case StateColumn:
+        return std::to_string(static_cast<int>(listed.admission));
+      case Seen:
+        return listed.person.last_sign_in_utc;
+      case Login:
+        return listed.person.login;
+      default:
+        return shown_name_of(listed.person.login, listed.person.display_name);
+    }
+  };
+  std::stable_sort(shown_.begin(), shown_.end(), [&](const Listed* a, const Listed* b) {
+    return table_.sort.is_descending ? key(*b) < key(*a) : key(*a) < key(*b);
+  });
+}
+
+const PeopleScreen::Listed* PeopleScreen::chosen() const {
+  for (const Listed& listed : people_.value())
+    if (listed.person.login == chosen_) return &listed;
+  return nullptr;
+}
+
+bool PeopleScreen::is_last_administrator(const Person& person) const {
+  const List& list = people_.value();
+  return can_administer(person) &&
+         std::count_if(list.begin(), list.end(),
+                       [](const Listed& listed) { return can_administer(listed.person); }) == 1;
+}
+
+void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (people_.is_new()) read_people(ui, shell);
+  draw_page(ui, content, shell);
+  draw_dialogs(ui, shell);
+  draw_question(ui, shell);
+}
+
+void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
+  const ButtonSpec add{ui.text("people.add"), ButtonLook::Primary, Icon::Add};
+  PageHead head{ui.text("people.title"), ui.text("people.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.buttons_width = search_width + 12.0F + button_width(ui, add);
+  const ListPage page(ui, "people", head, content, page_spec);
+  draw_head_buttons(ui, page.buttons(), add);
+  if (!people_.draw_until_ready(ui, "people.failed", page.list(), 8)) {
+    card(ui, page.side(), {});
+    return;
+  }
+  filter();
+  draw_list(ui, page.list());
+  draw_person(ui, page.side(), shell);
+}
+
+void PeopleScreen::draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add) {
+  if (button(ui, "people.add", take_right(buttons, button_width(ui, add), 12.0F), add))
+    added_.emplace(), adding_.forget_fault();
+  FieldSpec search;
+  search.label = search.placeholder = ui.text("people.search");
+  search.icon = Icon::Search;
+  search.is_label_shown = false;
+  field(ui, "people.search", buttons, search_, search);
+  if (ui.shortcut({Key::Slash}, ui.text("people.search"))) ui.focus("people.search");
+}
+
+void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
+  Rect rest = content;
+  std::array<long, 4> counts{};
+  for (const Listed& listed : people_.value())
+    for (int tab = 0; tab < 4; ++tab)
+      counts[static_cast<std::size_t>(tab)] += is_in_tab(listed.admission, tab) ? 1 : 0;
+  const auto label = [&](std::string_view id, std::size_t tab) {
+    return ui.texts().say(id, {{"count", grouped(counts[tab])}});
+  };
+  const std::array<std::string, 4> words{label("people.tab.all", 0), label("people.tab.active", 1),
+                                         label("people.tab.invited", 2),
+                                         label("people.tab.disabled", 3)};
+  const std::array<std::string_view, 4> labels{words[0], words[1], words[2], words[3]};
+  tabs(ui, "people.tab", take_top(rest, tabs_height, 4.0F), labels, tab_);
+  filter();
+  if (!shown_.empty()) return draw_table(ui, rest);
+  empty_card(ui, "people.none", rest,
+             {Icon::People, ui.text("people.none"), ui.text("people.none.sentence"), {}});
+}
+
+void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
+  const std::array<TableColumn, ColumnCount> columns{
+      {{ui.text("people.name"), 0.0F, 1.7F, Align::Left, true},
+       {ui.text("people.login"), 0.0F, 1.0F, Align::Left, true},
+       {ui.text("people.role"), 96.0F, 1.0F, Align::Left, true, roomy_from},
+       {ui.text("people.cohorts"), 0.0F, 1.0F, Align::Left, true, roomy_from},
+       {ui.text("people.state"), 112.0F, 1.0F, Align::Left, true},
+       {ui.text("people.seen"), 88.0F, 1.0F, Align::Left, true, roomy_from}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(shown_.size());
+  spec.label = ui.text("people.title");
+  const auto at = [this](int row) -> const Listed& {
+    return *shown_[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = [&](int row) { return at(row).person.login; };
+  spec.row_label = [&](int row) {
+    return shown_name_of(at(row).person.login, at(row).person.display_name);
+  };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const Listed& listed = at(row);
+    const TextStyle plain{Type::Body, own.theme().text_secondary};
+    switch (column) {
+      case Name:
+        return draw_name(own, listed.person, cell);
+      case Login:
+        own.canvas().text_in(cell, plain, listed.person.login, true);
+        return;
+      case RoleColumn:
+        own.canvas().text_in(cell, plain, own.text(role_id(listed)), true);
+        return;
+      case CohortColumn:
+        own.canvas().text_in(cell, plain, listed.cohorts, true);
+        return;
+      case StateColumn:
+        pill(own, {cell.x, cell.mid_y()}, own.text(admission_id(listed.admission)),
+             meaning_of(listed.admission));
+        return;
+      default:
+        own.canvas().text_in(cell, plain,
+                             ago_text(own.texts(), listed.person.last_sign_in_utc, now_utc_), true);
+    }
+  };
+  table_.chosen = {chosen_};
+  const TableResponse response = table(ui, "people.row", content, spec, table_);
+  if (response.opened) chosen_ = at(*response.opened).person.login;
+}
+
+void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
+  const Rect inside = card(ui, content, {}, space::side_card);
+  const Listed* listed = chosen();
+  if (listed == nullptr) {
+    empty_card(ui, "people.nobody", inside,
+               {Icon::People, ui.text("people.nobody"), ui.text("people.nobody.sentence"), {}});
+    return;
+  }
+  Rect rest = inside;
+  const std::string name = shown_name_of(listed->person.login, listed->person.display_name);
+  Rect head = take_top(rest, 40.0F, 12.0F);
+  avatar(ui, {head.x + 20.0F, head.mid_y()}, 20.0F, initials_of(name),
+         static_cast<int>(listed->person.id.number % 6));
+  ui.canvas().text_in({head.x + 54.0F, head.y, head.w - 54.0F, head.h},
+                      {Type::CardTitle, ui.theme().text}, name, true);
+  draw_facts(ui, rest, *listed);
+  take_top(rest, 12.0F);
+  draw_code_button(ui, rest, *listed);
+  draw_role_button(ui, rest, *listed, shell);
+  draw_disable_button(ui, rest, *listed, shell);
+  draw_erase_button(ui, rest, *listed);
+}
+
+void PeopleScreen::draw_facts(Ui& ui, Rect& rest, const Listed& listed) const {
+  const Person& person = listed.person;
+  fact_line(ui, rest, ui.text("people.login"), person.login);
+  fact_line(ui, rest, ui.text("people.role"), ui.text(role_id(listed)));
+  fact_line(
+      ui, rest, ui.text("people.cohorts"),
+      listed.cohorts.empty() ? ui.text("people.no_cohort") : std::string_view(listed.cohorts));
+  fact_line(ui, rest, ui.text("people.state"), ui.text(admission_id(listed.admission)));
+  if (listed.admission == Admission::Invited)
+    fact_line(ui, rest, ui.text("people.code_until"), moment_text(person.code_expires_utc));
+  fact_line(ui, rest, ui.text("people.seen"),
+            ago_text(ui.texts(), person.last_sign_in_utc, now_utc_));
+  fact_line(ui, rest, ui.text("people.added"), moment_text(person.created_utc));
+}
+
+namespace {
+
+/// A button over the width of the card, and why it cannot be pressed where that is so.
+bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
+                 std::string_view why_not) {
+  spec.is_enabled = why_not.empty();
+  const bool is_pressed = button(ui, id, take_top(rest, button_height, 8.0F), spec);
+  if (!why_not.empty()) words_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
+  return is_pressed;
+}
+
+}  // namespace
+
+void PeopleScreen::draw_code_button(Ui& ui, Rect& rest, const Listed& listed) {
+  const bool is_self = listed.person.id == visit_->person().id;
+  ButtonSpec spec{ui.text("people.reset"), ButtonLook::Secondary, Icon::Lock};
+  if (!wide_button(ui, "people.reset", rest, spec,
+                   is_self ? ui.text("people.reset.own") : std::string_view()))
+    return;
+  asked_ = Asked{Asked::Deed::Reset, listed.person.login};
+}
+
+void PeopleScreen::draw_role_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell) {
+  const std::string& login = listed.person.login;
+  const bool is_administrator = listed.person.is_administrator;
+  const ButtonSpec spec{
+      ui.text(is_administrator ? "people.unmake_administrator" : "people.make_administrator")};
+  const std::string_view why_not = is_last_administrator(listed.person)
+                                       ? ui.text("people.last_administrator.role")
+                                       : std::string_view();
+  if (!wide_button(ui, "people.administrator", rest, spec, why_not)) return;
+  if (is_administrator) {
+    asked_ = Asked{Asked::Deed::TakeRole, login};
+    return;
+  }
+  change(ui, shell, ui.texts().say("people.made_administrator", {{"login", login}}),
+         [login](database::AdministratorDesk& desk) { desk.set_administrator(login, true); });
+}
+
+void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell) {
+  const std::string& login = listed.person.login;
+  if (listed.person.is_disabled) {
+    if (wide_button(ui, "people.enable", rest, {ui.text("people.enable")}, {}))
+      change(ui, shell, ui.texts().say("people.enabled", {{"login", login}}),
+             [login](database::AdministratorDesk& desk) { desk.set_disabled(login, false); });
+    return;
+  }
+  const bool is_self = listed.person.id == visit_->person().id;
+  const std::string_view why_not = is_last_administrator(listed.person)
+                                       ? ui.text("people.last_administrator")
+                                   : is_self ? ui.text("people.disable.own")
+                                             : std::string_view();
+  if (wide_button(ui, "people.disable", rest, {ui.text("people.disable"), ButtonLook::Danger},
+                  why_not))
+    asked_ = Asked{Asked::Deed::Disable, login};
+}
+
+void PeopleScreen::draw_erase_button(Ui& ui, Rect& rest, const Listed& listed) {
+  const bool is_self = listed.person.id == visit_->person().id;
+  const std::string_view why_not = is_self ? ui.text("people.erase.own") : std::string_view();
+  if (!wide_button(ui, "people.erase", rest, {ui.text("people.erase"), ButtonLook::Danger},
+                   why_not))
+    return;
+  erased_.emplace(listed.person.login);
+  erasing_.forget_fault();
+}
+
+void PeopleScreen::draw_dialogs(Ui& ui, Shell& shell) {
+  if (erased_) {
+    const Answer answer = draw_erase_dialog(ui, *erased_, erasing_.fault(), erasing_.is_running());
+    if (answer == Answer::Act) erase(ui, shell);
+    if (answer == Answer::Keep) erased_.reset();
+    return;
+  }
+  if (code_) {
+    const CodeAnswer answer = draw_code_dialog(ui, *code_);
+    if (answer == CodeAnswer::Copied)
+      shell.say({Meaning::Good, std::string(ui.text("people.code.copied")),
+                 std::string(ui.text("people.code.copied.sentence"))});
+    if (answer == CodeAnswer::Done) code_.reset();
+    if (answer != CodeAnswer::Waiting) ui.want_frame_in_s(0.0);
+    return;
+  }
+  if (!added_) return;
+  const Answer answer = draw_add_dialog(ui, *added_, adding_.fault(), adding_.is_running());
+  if (answer == Answer::Act) add(ui, shell);
+  if (answer == Answer::Keep) added_.reset();
+}
+
+void PeopleScreen::draw_question(Ui& ui, Shell& shell) {
+  if (!asked_) return;
+  const TextValues who{{"login", asked_->login}};
+  const auto ask = [&](std::string_view title, std::string_view consequence, std::string_view act) {
+    return question(ui, "people.question",
+                    {ui.texts().say(title, who), ui.texts().say(consequence, who), ui.text(act),
+                     ui.text("people.keep")});
+  };
+  Answer answer = Answer::Waiting;
+  if (asked_->deed == Asked::Deed::Reset)
+    answer = ask("people.ask_reset", "people.ask_reset.sentence", "people.ask_reset.act");
+  if (asked_->deed == Asked::Deed::Disable)
+    answer = ask("people.ask_disable", "people.ask_disable.sentence", "people.disable");
+  if (asked_->deed == Asked::Deed::TakeRole)
+    answer = ask("people.ask_unmake", "people.ask_unmake.sentence", "people.unmake_administrator");
+  if (answer == Answer::Waiting) return;
+  const Asked asked = *std::exchange(asked_, std::nullopt);
+  if (answer == Answer::Keep) return;
+  const std::string& login = asked.login;
+  if (asked.deed == Asked::Deed::Reset) reset(ui, shell, login);
+  if (asked.deed == Asked::Deed::Disable)
+    change(ui, shell, ui.texts().say("people.was_disabled", {{"login", login}}),
+           [login](database::AdministratorDesk& desk) { desk.set_disabled(login, true); });
+  if (asked.deed == Asked::Deed::TakeRole)
+    change(ui, shell, ui.texts().say("people.unmade_administrator", {{"login", login}}),
+           [login](database::AdministratorDesk& desk) { desk.set_administrator(login, false); });
+}
+
+void PeopleScreen::add(Ui& ui, Shell& shell) {
+  const database::NewPerson person{added_->login, added_->display_name, added_->is_administrator};
+  adding_.start<database::IssuedCode>(
+      shell, visit_, {std::string(ui.text("people.adding")), {}},
+      [person, cost = cost_](database::Session& session, WorkReport&) {
+        return administrator_of(session).add_person_with_code(person, cost).issued;
+      },
+      [this, login = person.login](database::IssuedCode& issued) {
+        added_.reset();
+        chosen_ = login;
+        code_.emplace(ShownCode{login, std::move(issued)});
+        people_.read_again();
+      });
+}
+
+void PeopleScreen::reset(Ui& ui, Shell& shell, const std::string& login) {
+  work_.start<database::IssuedCode>(
+      shell, visit_,
+      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
+      [login, cost = cost_](database::Session& session, WorkReport&) {
+        return administrator_of(session).reset(login, cost);
+      },
+      [this, login](database::IssuedCode& issued) {
+        code_.emplace(ShownCode{login, std::move(issued)});
+        people_.read_again();
+      });
+}
+
+void PeopleScreen::erase(Ui& ui, Shell& shell) {
+  if (erasing_.is_running()) return;
+  std::string typed = erased_->password;
+  const auto secret = std::make_shared<database::SecretText>(database::SecretText::take(typed));
+  const database::EraseRequest request{erased_->login, erased_->reason, erased_->with_recordings};
+  erasing_.start<database::ErasedPieces>(
+      shell, visit_, {std::string(ui.text("people.erase.running")), {}},
+      [secret, request, cost = cost_](database::Session& session, WorkReport& report) {
+        const database::PasswordProof proof = session.prove(*secret, cost);
+        return administrator_of(session).erase_person(
+            request, proof, [&report](double share) { return report.reached(share); });
+      },
+      [this, &shell, said = std::string(ui.text("people.erase.done")),
+       whole = std::string(ui.text("people.erase.done.sentence")),
+       held = std::string(ui.text("people.erase.log"))](database::ErasedPieces& erased) {
+        erased_.reset();
+        chosen_.clear();
+        shell.say({Meaning::Good, said, erased.is_log_cleared ? whole : held});
+        people_.read_again();
+      });
+}
+
+void PeopleScreen::change(Ui& ui, Shell& shell, std::string done,
+                          std::function<void(database::AdministratorDesk&)> change) {
+  work_.start<bool>(
+      shell, visit_,
+      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
+      [change = std::move(change)](database::Session& session, WorkReport&) {
+        database::AdministratorDesk desk = administrator_of(session);
+        change(desk);
+        return true;
+      },
+      [this, &shell, done = std::move(done)](bool&) {
+        shell.say({Meaning::Good, done});
+        people_.read_again();
+      });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,87 @@
+/// The people of the course: who they are, what they may do, and the one-time codes with which they come in.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/screens/administrator/erase_dialog.h"
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/person_dialogs.h"
+#include "ui/widgets/controls/table.h"
+
+namespace hallux::ui {
+
+/// Whether a person can come in.
+enum class Admission {
+  Active,     ///< with a password
+  Invited,    ///< a one-time code waits for them
+  NeedsCode,  ///< neither: the code ran out
+  Disabled
+};
+Admission admission_of(const database::Person& person, std::string_view now_utc) noexcept;
+
+class PeopleScreen : public Screen {
+ public:
+  explicit PeopleScreen(std::shared_ptr<Visit> visit, database::PasswordCost cost = {})
+      : visit_(std::move(visit)), cost_(cost) {}
+
+  std::string_view navigation_id() const override { return "nav.people"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  struct Listed {
+    database::Person person;
+    std::string cohorts;                             ///< names, "Autumn, Spring"
+    bool is_instructor = false, is_trainee = false;  ///< in at least one cohort
+    Admission admission = Admission::Active;
+  };
+  struct Asked {
+    enum class Deed { Reset, Disable, TakeRole } deed = Deed::Reset;
+    std::string login;
+  };
+  using List = std::vector<Listed>;
+
+  static List read(database::Session& session);
+  void read_people(Ui& ui, Shell& shell);
+  void filter();
+  static std::string_view role_id(const Listed& listed) noexcept;
+  const Listed* chosen() const;
+  bool is_last_administrator(const database::Person& person) const;
+  void draw_page(Ui& ui, const Rect& content, Shell& shell);
+  void draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add);
+  void draw_list(Ui& ui, const Rect& content);
+  void draw_table(Ui& ui, const Rect& content);
+  void draw_person(Ui& ui, const Rect& content, Shell& shell);
+  void draw_facts(Ui& ui, Rect& rest, const Listed& listed) const;
+  void draw_code_button(Ui& ui, Rect& rest, const Listed& listed);
+  void draw_role_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
+  void draw_disable_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
+  void draw_erase_button(Ui& ui, Rect& rest, const Listed& listed);
+  void draw_dialogs(Ui& ui, Shell& shell);
+  void draw_question(Ui& ui, Shell& shell);
+  void add(Ui& ui, Shell& shell);
+  void reset(Ui& ui, Shell& shell, const std::string& login);
+  void erase(Ui& ui, Shell& shell);
+  /// Says `done` and reads the list anew once `change` was made.
+  void change(Ui& ui, Shell& shell, std::string done,
+              std::function<void(database::AdministratorDesk&)> change);
+
+  std::shared_ptr<Visit> visit_;
+  database::PasswordCost cost_;
+  Reading<List> people_;
+  std::string search_, now_utc_;
+  int tab_ = 0;
+  std::vector<const Listed*> shown_;  ///< of people_, searched and sorted
+  TableState table_;
+  std::string chosen_;  ///< login
+  DeskWork work_, adding_, erasing_;
+  std::optional<AddedPersonWords> added_;
+  std::optional<ShownCode> code_;
+  std::optional<Asked> asked_;
+  std::optional<EraseWords> erased_;  ///< while the dialog is open
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,354 @@
+#include "ui/screens/administrator/scenarios_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/jobs/course/course_jobs.h"
+#include "ui/jobs/course/scenario_jobs.h"
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/page.h"
+#include "ui/widgets/controls/dialog.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/menu.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::ScenarioState;
+using database::ScenarioVersion;
+
+enum Column { Operation, Version, StateColumn, Review, Attempts, ColumnCount };
+constexpr ListPageSpec page_spec{1000.0F, 0.46F, 560.0F, 420.0F, 520.0F};
+constexpr float review_from = 420.0F, attempts_from = 500.0F;
+
+std::string name_text(const Texts& texts, const ScenarioVersion& version) {
+  return texts.say("scenarios.version_of", {{"operation", operation_text(version.name)},
+                                            {"version", std::to_string(version.version)}});
+}
+
+std::string_view state_id(ScenarioState state) noexcept {
+  if (state == ScenarioState::Draft) return "scenarios.draft";
+  return state == ScenarioState::Published ? "scenarios.published" : "scenarios.retired";
+}
+
+Meaning meaning_of(ScenarioState state) noexcept {
+  if (state == ScenarioState::Draft) return Meaning::Info;
+  return state == ScenarioState::Published ? Meaning::Good : Meaning::Neutral;
+}
+
+std::string_view review_id(const ScenarioVersion& version) noexcept {
+  return version.is_reviewed ? "scenarios.reviewed" : "scenarios.not_reviewed";
+}
+
+/// One line of the sheet: how far it is set in, and how it looks.
+struct SheetLine {
+  std::string_view words;
+  float indent = 0.0F;
+  bool is_head = false, is_origin = false;
+};
+
+std::vector<SheetLine> lines_of(std::string_view sheet) {
+  std::vector<SheetLine> lines;
+  while (!sheet.empty()) {
+    const std::size_t end = std::min(sheet.find('\n'), sheet.size());
+    std::string_view words = sheet.substr(0, end);
+    sheet.remove_prefix(std::min(end + 1, sheet.size()));
+    const std::size_t spaces = std::min(words.find_first_not_of(' '), words.size());
+    words.remove_prefix(spaces);
+    lines.push_back(
+        {words, static_cast<float>(spaces) * 5.0F, spaces == 0, words.starts_with("origin:")});
+  }
+  return lines;
+}
+
+float line_gap(const SheetLine& line) noexcept { return line.words.empty() ? 10.0F : 3.0F; }
+
+float sheet_height(const Ui& ui, const std::vector<SheetLine>& lines, float width) {
+  float height = 0.0F;
+  for (const SheetLine& line : lines)
+    height +=
+        line_gap(line) + (line.words.empty()
+                              ? 0.0F
+                              : ui.paragraph_height(line.is_head ? Type::SmallMedium : Type::Small,
+                                                    line.words, width - line.indent));
+  return height;
+}
+
+void draw_sheet(Ui& ui, const Rect& content, const std::string& sheet) {
+  const std::vector<SheetLine> lines = lines_of(sheet);
+  const float width = content.w - 12.0F, height = sheet_height(ui, lines, width);
+  const float offset =
+      ui.begin_scroll("scenarios.sheet", ui.text("scenarios.sheet"), content, height);
+  float y = content.y - offset;
+  for (const SheetLine& line : lines) {
+    const Type type = line.is_head ? Type::SmallMedium : Type::Small;
+    const Theme& theme = ui.theme();
+    const Color ink = line.is_head     ? theme.text
+                      : line.is_origin ? theme.text_caption
+                                       : theme.text_secondary;
+    if (!line.words.empty()) {
+      const float own = ui.paragraph_height(type, line.words, width - line.indent);
+      ui.canvas().paragraph({content.x + line.indent, y, width - line.indent, own}, {type, ink},
+                            line.words);
+      y += own;
+    }
+    y += line_gap(line);
+  }
+  ui.end_scroll();
+}
+
+}  // namespace
+
+void ScenariosScreen::read(Ui& ui, Shell& shell) {
+  versions_.start(ui, shell, ui.text("scenarios.reading"), [visit = visit_](WorkReport&) {
+    return visit->in_turn(
+        [](database::Session& session, auto&) { return administrator_of(session).scenarios(); });
+  });
+}
+
+void ScenariosScreen::read_sheet(Ui& ui, Shell& shell) {
+  sheet_of_ = chosen_;
+  sheet_.start(
+      ui, shell, ui.text("scenarios.reading_sheet"), [visit = visit_, id = *chosen_](WorkReport&) {
+        const database::ScenarioText text = visit->in_turn([&](database::Session& session, auto&) {
+          return administrator_of(session).scenario_text(id);
+        });
+        return scenario_sheet(scenarios::parse_scenario(text.json, text.name));
+      });
+}
+
+const ScenarioVersion* ScenariosScreen::chosen() const {
+  for (const ScenarioVersion& version : versions_.value())
+    if (version.id == chosen_) return &version;
+  return nullptr;
+}
+
+const ScenarioVersion* ScenariosScreen::published_beside(const ScenarioVersion& version) const {
+  for (const ScenarioVersion& other : versions_.value())
+    if (other.name == version.name && other.state == ScenarioState::Published &&
+        other.id != version.id)
+      return &other;
+  return nullptr;
+}
+
+void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (versions_.is_new()) read(ui, shell);
+  draw_page(ui, content, shell);
+  draw_import_dialog(ui, shell);
+  draw_question(ui, shell);
+}
+
+void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
+  const ButtonSpec act{ui.text("scenarios.import"), ButtonLook::Primary, Icon::Import};
+  PageHead head{ui.text("scenarios.title"), ui.text("scenarios.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.buttons_width = button_width(ui, act);
+  const ListPage page(ui, "scenarios", head, content, page_spec);
+  if (button(ui, "scenarios.import", page.buttons(), act)) {
+    file_.emplace();
+    importing_.forget_fault();
+  }
+  if (!versions_.draw_until_ready(ui, "scenarios.failed", page.list(), 6)) {
+    card(ui, page.side(), {});
+    return;
+  }
+  if (!chosen_ && !versions_.value().empty()) chosen_ = versions_.value().front().id;
+  draw_table(ui, page.list());
+  draw_chosen(ui, page.side(), shell);
+}
+
+void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
+  const std::vector<ScenarioVersion>& versions = versions_.value();
+  if (versions.empty()) {
+    empty_card(
+        ui, "scenarios.empty", content,
+        {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence"), {}});
+    return;
+  }
+  const std::array<TableColumn, ColumnCount> columns{
+      {{ui.text("scenarios.operation")},
+       {ui.text("scenarios.version"), 56.0F, 1.0F, Align::Right},
+       {ui.text("scenarios.state"), 106.0F},
+       {ui.text("scenarios.review"), 150.0F, 1.0F, Align::Left, false, review_from},
+       {ui.text("scenarios.attempts"), 66.0F, 1.0F, Align::Right, false, attempts_from}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(versions.size());
+  spec.label = ui.text("scenarios.title");
+  const auto at = [&](int row) -> const ScenarioVersion& {
+    return versions[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = [&](int row) { return std::to_string(at(row).id.number); };
+  spec.row_label = [&](int row) { return name_text(ui.texts(), at(row)); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const ScenarioVersion& version = at(row);
+    const TextStyle number{Type::Body, own.theme().text_secondary, Align::Right};
+    switch (column) {
+      case Operation:
+        own.canvas().text_in(cell, {Type::BodyMedium, own.theme().text},
+                             operation_text(version.name), true);
+        return;
+      case Version:
+        own.canvas().text_in(cell, number, std::to_string(version.version));
+        return;
+      case StateColumn:
+        pill(own, {cell.x, cell.mid_y()}, own.text(state_id(version.state)),
+             meaning_of(version.state));
+        return;
+      case Review:
+        own.canvas().text_in(
+            cell,
+            {Type::Small, version.is_reviewed ? own.theme().text_secondary : own.theme().warn_text},
+            own.text(review_id(version)), true);
+        return;
+      default:
+        own.canvas().text_in(cell, number, grouped(version.attempts));
+    }
+  };
+  table_.chosen.clear();
+  if (chosen_) table_.chosen.insert(std::to_string(chosen_->number));
+  const TableResponse response = table(ui, "scenarios.row", content, spec, table_);
+  if (response.opened) chosen_ = at(*response.opened).id;
+}
+
+void ScenariosScreen::draw_chosen(Ui& ui, const Rect& rect, Shell& shell) {
+  const Rect inside = card(ui, rect, {});
+  const ScenarioVersion* version = chosen();
+  if (version == nullptr) {
+    empty_card(
+        ui, "scenarios.nothing", inside,
+        {Icon::Scenarios, ui.text("scenarios.nothing"), ui.text("scenarios.nothing.sentence"), {}});
+    return;
+  }
+  if (sheet_of_ != chosen_ || sheet_.is_new()) read_sheet(ui, shell);
+  Rect rest = inside;
+  ui.canvas().text_in(take_top(rest, 26.0F, 4.0F), {Type::CardTitle, ui.theme().text},
+                      name_text(ui.texts(), *version), true);
+  const std::string since =
+      version->changed_by.empty()
+          ? moment_text(version->since_utc)
+          : ui.texts().say("scenarios.since", {{"moment", moment_text(version->since_utc)},
+                                               {"person", version->changed_by}});
+  fact_line(ui, rest, ui.text("scenarios.state"), ui.text(state_id(version->state)));
+  fact_line(ui, rest, ui.text("scenarios.since_when"), since);
+  fact_line(ui, rest, ui.text("scenarios.review"), ui.text(review_id(*version)));
+  fact_line(ui, rest, ui.text("scenarios.attempts"), grouped(version->attempts));
+  take_top(rest, 8.0F);
+  draw_actions(ui, rest, *version);
+  ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
+  take_top(rest, 14.0F);
+  // What is shown belongs to another version until the sheet was read.
+  if (sheet_.draw_until_ready(ui, "scenarios.unread", rest, 6))
+    draw_sheet(ui, rest, sheet_.value());
+}
+
+void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& version) {
+  const bool is_published = version.state == ScenarioState::Published;
+  const ButtonSpec act{ui.text(is_published ? "scenarios.retire" : "scenarios.publish"),
+                       is_published ? ButtonLook::Danger : ButtonLook::Secondary};
+  Rect line = take_top(rest, button_height, 14.0F);
+  line.w = std::min(line.w, button_width(ui, act));
+  if (button(ui, is_published ? "scenarios.retire" : "scenarios.publish", line, act))
+    asked_ = Asked{version, !is_published};
+}
+
+void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
+  if (!file_) return;
+  const std::string error = importing_.fault().empty() ? std::string()
+                                                       : std::string(ui.text("scenarios.refused")) +
+                                                             "\n" + importing_.fault();
+  Dialog shown;
+  shown.title = ui.text("scenarios.import");
+  shown.sentence = ui.text("scenarios.import.sentence");
+  shown.act = ui.text("scenarios.file.act");
+  shown.keep = ui.text("form.cancel");
+  shown.error = error;
+  shown.width = 620.0F;
+  shown.form_height = field_label_height + field_height;
+  shown.is_busy = importing_.is_running();
+  const Answer answer = dialog(ui, "scenarios.file", shown, [&](Rect form) {
+    FieldSpec path;
+    path.label = ui.text("scenarios.file");
+    path.placeholder = ui.text("scenarios.file.example");
+    path.max_bytes = 1000;
+    path.is_enabled = !importing_.is_running();
+    take_top(form, field_label_height);
+    field(ui, "scenarios.file.path", form, *file_, path);
+    ui.focus_first("scenarios.file.path");
+    return !file_->empty();
+  });
+  if (answer == Answer::Act) import(ui, shell);
+  if (answer == Answer::Keep) file_.reset();
+}
+
+void ScenariosScreen::import(Ui& ui, Shell& shell) {
+  importing_.start<database::ScenarioVersionId>(
+      shell, visit_, {std::string(ui.text("scenarios.checking")), {}},
+      [file = std::filesystem::path(*file_)](database::Session& session, WorkReport&) {
+        database::AdministratorDesk desk = administrator_of(session);
+        return import_scenario_file(desk, file);
+      },
+      [this, &shell, said = std::string(ui.text("scenarios.imported")),
+       detail =
+           std::string(ui.text("scenarios.imported.sentence"))](database::ScenarioVersionId& id) {
+        file_.reset();
+        chosen_ = id;
+        shell.say({Meaning::Good, said, detail});
+        versions_.read_again();
+      });
+}
+
+void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
+  if (!asked_) return;
+  const ScenarioVersion& version = asked_->version;
+  const TextValues what{{"version", name_text(ui.texts(), version)}};
+  const std::string title = ui.texts().say(
+      asked_->is_publishing ? "scenarios.ask_publish" : "scenarios.ask_retire", what);
+  std::string consequence;
+  const ScenarioVersion* beside = published_beside(version);
+  if (!asked_->is_publishing) {
+    consequence = ui.text("scenarios.ask_retire.sentence");
+  } else if (beside != nullptr) {
+    consequence = ui.texts().say("scenarios.ask_publish.instead",
+                                 {{"other", name_text(ui.texts(), *beside)}});
+  } else {
+    consequence = ui.text("scenarios.ask_publish.sentence");
+  }
+  if (asked_->is_publishing && !version.is_reviewed)
+    consequence += "\n" + std::string(ui.text("scenarios.ask_publish.not_reviewed"));
+  const Answer answer =
+      question(ui, "scenarios.question",
+               {title, consequence,
+                ui.text(asked_->is_publishing ? "scenarios.publish" : "scenarios.retire"),
+                ui.text("scenarios.keep"), !asked_->is_publishing});
+  if (answer == Answer::Waiting) return;
+  const Asked asked = *std::exchange(asked_, std::nullopt);
+  if (answer == Answer::Act) change(ui, shell, asked);
+}
+
+void ScenariosScreen::change(Ui& ui, Shell& shell, const Asked& asked) {
+  work_.start<bool>(
+      shell, visit_,
+      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
+      [id = asked.version.id, is_publishing = asked.is_publishing](database::Session& session,
+                                                                   WorkReport&) {
+        database::AdministratorDesk desk = administrator_of(session);
+        if (is_publishing) {
+          desk.publish_scenario(id);
+        } else {
+          desk.retire_scenario(id);
+        }
+        return true;
+      },
+      [this, &shell,
+       said =
+           ui.texts().say(asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired",
+                          {{"version", name_text(ui.texts(), asked.version)}})](bool&) {
+        shell.say({Meaning::Good, said});
+        versions_.read_again();
+      });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,51 @@
+/// The catalogue of operations: every version with its state and review, its sheet to read, import, publish, retire.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/widgets/controls/table.h"
+
+namespace hallux::ui {
+
+class ScenariosScreen : public Screen {
+ public:
+  explicit ScenariosScreen(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+
+  std::string_view navigation_id() const override { return "nav.scenarios"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  struct Asked {
+    database::ScenarioVersion version;
+    bool is_publishing = true;  ///< else it is retired
+  };
+
+  void read(Ui& ui, Shell& shell);
+  void read_sheet(Ui& ui, Shell& shell);
+  const database::ScenarioVersion* chosen() const;
+  /// The published version of the same operation, which publishing another would retire; null for none.
+  const database::ScenarioVersion* published_beside(const database::ScenarioVersion& version) const;
+  void draw_page(Ui& ui, const Rect& content, Shell& shell);
+  void draw_table(Ui& ui, const Rect& content);
+  void draw_chosen(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_actions(Ui& ui, Rect& rest, const database::ScenarioVersion& version);
+  void draw_import_dialog(Ui& ui, Shell& shell);
+  void draw_question(Ui& ui, Shell& shell);
+  void import(Ui& ui, Shell& shell);
+  void change(Ui& ui, Shell& shell, const Asked& asked);
+
+  std::shared_ptr<Visit> visit_;
+  Reading<std::vector<database::ScenarioVersion>> versions_;
+  std::optional<database::ScenarioVersionId> chosen_, sheet_of_;
+  Reading<std::string> sheet_;
+  TableState table_;
+  std::optional<std::string> file_;  ///< while one is imported
+  std::optional<Asked> asked_;
+  DeskWork work_, importing_;
+};
+
+}  // namespace hallux::ui

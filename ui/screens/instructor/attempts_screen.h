@@ -1,0 +1,35 @@
+/// The attempts that the person who is signed in may see, newest first.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/widgets/controls/table.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class AttemptsScreen : public Screen {
+ public:
+  /// `places` outlives the screen.
+  AttemptsScreen(std::shared_ptr<Visit> visit, Places& places)
+      : visit_(std::move(visit)), places_(places) {}
+
+  std::string_view navigation_id() const override { return "nav.attempts"; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  void draw_list(Ui& ui, const Rect& content);
+  void draw_table(Ui& ui, const Rect& content);
+  void sort();
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  Reading<std::vector<database::AttemptHeader>> attempts_;
+  TableState table_;
+};
+
+}  // namespace hallux::ui

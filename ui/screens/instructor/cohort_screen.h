@@ -1,0 +1,87 @@
+/// A cohort at a glance: each trainee in each operation, what happened last, and who asks for help.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/jobs/course/standing_jobs.h"
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/limits_dialog.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/widgets/controls/table.h"
+
+namespace hallux::ui {
+
+class CohortScreen : public Screen {
+ public:
+  /// `places` outlives the screen. `open_inbox` leads to the inbox.
+  /// needs   the person teaches a cohort
+  CohortScreen(std::shared_ptr<Visit> visit, Places& places, std::function<void()> open_inbox = {});
+
+  std::string_view navigation_id() const override { return "nav.cohort"; }
+  /// What was decided and answered in the meantime is read anew.
+  void enter(Shell&) override { glance_.read_again(); }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  struct LastAttempt {
+    database::AttemptHeader header;
+    std::string name;
+    int hue = 0;
+  };
+  struct Glance {
+    database::Cohort cohort;
+    std::vector<TraineeProgress> trainees;
+    std::vector<std::string> operations;  ///< of the columns, by name
+    std::vector<LastAttempt> last_attempts;
+    std::vector<database::HelpRequest> open_requests;
+    std::vector<database::AttemptLimit> limits;
+    std::string now_utc;
+    long attempts = 0;
+  };
+  enum Filter { All, Asking, Slipped, Idle, FilterCount };
+
+  static Glance look(database::Session& session, database::CohortId cohort);
+  static bool is_in(const TraineeProgress& trainee, int filter, std::string_view now_utc);
+  static std::string last_seen(const database::TraineeStanding& trainee);
+  void read(Ui& ui, Shell& shell);
+  void show(std::size_t cohort);
+  void draw_head(Ui& ui, Rect& page);
+  void draw_cohort_menu(Ui& ui);
+  std::array<std::string, FilterCount> pill_labels(const Texts& texts) const;
+  void draw_pills(Ui& ui, Rect& page);
+  void draw_grid(Ui& ui, const Rect& content);
+  /// As many operations as have room beside each other are a page; with more, cuts a line off `rest` that turns them.
+  void turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>& heads);
+  /// The person and all operations; those of other pages are left out and keep their number.
+  std::vector<TableColumn> columns_of(const Ui& ui, const std::vector<std::string>& heads) const;
+  void draw_person_cell(Ui& ui, const TraineeProgress& progress, const Rect& cell) const;
+  void draw_standing_cell(Ui& ui, const TraineeProgress& trainee, const std::string& operation,
+                          const Rect& cell) const;
+  void draw_legend(Ui& ui, const Rect& line) const;
+  /// needs   the glance is ready
+  void open_limits();
+  void draw_limits(Ui& ui, Shell& shell);
+  void draw_requests(Ui& ui, const Rect& rect);
+  void draw_last_attempts(Ui& ui, const Rect& rect);
+  void sort(std::vector<const TraineeProgress*>& shown) const;
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  std::function<void()> open_inbox_;
+  std::vector<database::Membership> taught_;
+  std::size_t cohort_ = 0;  ///< index into taught_
+  Reading<Glance> glance_;
+  int filter_ = All;
+  int first_column_ = 0, page_columns_ = 1;  ///< the operations that are shown
+  TableState table_;
+  std::optional<LimitsForm> limits_;  ///< while they are changed
+  DeskWork limiting_;
+  std::optional<Point> menu_;  ///< its corner, while the cohorts are listed
+};
+
+}  // namespace hallux::ui

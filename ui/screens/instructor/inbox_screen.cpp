@@ -1,0 +1,170 @@
+#include "ui/screens/instructor/inbox_screen.h"
+
+#include <algorithm>
+#include <set>
+
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/help_rows.h"
+#include "ui/screens/parts/page.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/field.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float side_width = 440.0F, stacked_height = 520.0F, answer_height = 132.0F;
+
+}  // namespace
+
+std::vector<InboxRequest> read_inbox(database::Session& session) {
+  std::vector<InboxRequest> inbox;
+  std::set<database::HelpRequestId> known;
+  for (const database::Membership& membership : session.memberships()) {
+    if (membership.role != database::CohortRole::Instructor) continue;
+    for (database::HelpRequest& request :
+         instructor_of(session, membership.cohort).help_requests()) {
+      if (!known.insert(request.id).second) continue;
+      inbox.push_back({std::move(request), membership.cohort});
+    }
+  }
+  std::stable_sort(inbox.begin(), inbox.end(), [](const InboxRequest& a, const InboxRequest& b) {
+    const bool is_open = !a.request.answer, is_other_open = !b.request.answer;
+    if (is_open != is_other_open) return is_open;
+    return is_open ? a.request.id < b.request.id : b.request.id < a.request.id;
+  });
+  return inbox;
+}
+
+int count_open(const std::vector<InboxRequest>& inbox) noexcept {
+  return static_cast<int>(std::count_if(
+      inbox.begin(), inbox.end(), [](const InboxRequest& each) { return !each.request.answer; }));
+}
+
+void InboxScreen::read(Ui& ui, Shell& shell) {
+  is_counted_ = false;
+  inbox_.start(ui, shell, ui.text("inbox.reading"), [visit = visit_](WorkReport&) {
+    return visit->in_turn([](database::Session& session, auto&) { return read_inbox(session); });
+  });
+}
+
+const InboxRequest* InboxScreen::chosen() const {
+  for (const InboxRequest& each : inbox_.value())
+    if (each.request.id == chosen_) return &each;
+  return nullptr;
+}
+
+void InboxScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (inbox_.is_new()) read(ui, shell);
+  if (inbox_.is_ready() && !std::exchange(is_counted_, true) && counted_)
+    counted_(count_open(inbox_.value()));
+  const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
+  const Page scrolled(ui, "inbox", ui.text("inbox.title"), content,
+                      is_stacked ? 440.0F + stacked_height : 600.0F);
+  Rect page = scrolled.rect();
+  PageHead head{ui.text("inbox.title"), ui.text("inbox.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  page_head(ui, "inbox", page, head);
+  const Panes panes = panes_of(page, side_width, stacked_height);
+  const Rect inside = card(ui, panes.main, {});
+  if (inbox_.draw_until_ready(ui, "inbox.failed", inside, 6)) {
+    draw_list(ui, inside);
+    draw_chosen(ui, panes.side, shell);
+  } else {
+    card(ui, panes.side, {});
+  }
+}
+
+void InboxScreen::draw_list(Ui& ui, const Rect& content) {
+  Rect rest = content;
+  const std::vector<InboxRequest>& inbox = inbox_.value();
+  const int open = count_open(inbox);
+  // Where nothing is open, there would be nothing to see.
+  if (!std::exchange(is_filter_set_, true)) filter_ = open > 0 ? 0 : 1;
+  Rect pills = take_top(rest, 24.0F, 8.0F);
+  const std::string labels[] = {
+      ui.texts().say("inbox.filter.open", {{"count", grouped(open)}}),
+      ui.texts().say("inbox.filter.all", {{"count", grouped(static_cast<long>(inbox.size()))}})};
+  for (int number = 0; number < 2; ++number) {
+    float width = 0.0F;
+    if (filter_pill(ui, "inbox.filter." + std::to_string(number), {pills.x, pills.mid_y()},
+                    labels[number], filter_ == number, &width)) {
+      filter_ = number;
+      ui.want_frame_in_s(0.0);
+    }
+    take_left(pills, width, 8.0F);
+  }
+  std::vector<const database::HelpRequest*> shown;
+  for (const InboxRequest& each : inbox)
+    if (filter_ == 1 || !each.request.answer || each.request.id == chosen_)
+      shown.push_back(&each.request);
+  if (shown.empty()) {
+    empty_card(ui, "inbox.empty", rest,
+               {Icon::Inbox,
+                ui.text(inbox.empty() ? "inbox.empty" : "inbox.none_open"),
+                ui.text("inbox.empty.sentence"),
+                {}});
+    return;
+  }
+  if (chosen_.number == 0) chosen_ = shown.front()->id;
+  const int opened =
+      help_rows(ui, rest, {"inbox.row", ui.text("inbox.title"), true}, shown, chosen_);
+  if (opened < 0) return;
+  chosen_ = shown[static_cast<std::size_t>(opened)]->id;
+  ui.want_frame_in_s(0.0);
+}
+
+void InboxScreen::draw_chosen(Ui& ui, const Rect& content, Shell& shell) {
+  const Rect inside = card(ui, content, {}, space::side_card);
+  const InboxRequest* request = chosen();
+  if (request == nullptr) {
+    empty_card(ui, "inbox.nothing", inside,
+               {Icon::Messages, ui.text("inbox.nothing"), ui.text("inbox.nothing.sentence"), {}});
+    return;
+  }
+  const float answer_room = request->request.answer ? 0.0F : answer_height + 150.0F;
+  const float height = help_request_height(ui, request->request, inside.w - 12.0F) + answer_room;
+  const float offset = ui.begin_scroll("inbox.chosen", ui.text("help.question"),
+                                       inset(inside, -8.0F, -4.0F), height);
+  Rect rest{inside.x, inside.y - offset, inside.w - 12.0F, height};
+  if (draw_help_request(ui, "inbox", rest, request->request, true))
+    places_.show_replay(request->request.attempt,
+                        static_cast<double>(request->request.moment.moment_us) * 1e-6);
+  if (!request->request.answer) draw_answer(ui, rest, *request, shell);
+  ui.end_scroll();
+}
+
+void InboxScreen::draw_answer(Ui& ui, Rect& rest, const InboxRequest& chosen, Shell& shell) {
+  std::string& draft = (*drafts_)[chosen.request.id];
+  take_top(rest, field_label_height);
+  FieldSpec spec;
+  spec.label = ui.text("inbox.answer");
+  spec.lines = 4;
+  spec.max_bytes = 2000;
+  spec.is_enabled = !work_.is_running();
+  field(ui, "inbox.answer", take_top(rest, answer_height, 12.0F), draft, spec);
+  ButtonSpec send{ui.text("inbox.send"), ButtonLook::Primary, Icon::Send};
+  send.is_enabled = draft.find_first_not_of(" \n\t") != std::string::npos;
+  send.is_busy = work_.is_running();
+  Rect line = take_top(rest, button_height, 12.0F);
+  line.w = std::min(line.w, button_width(ui, send));
+  if (button(ui, "inbox.send", line, send)) answer(ui, shell, chosen);
+}
+
+void InboxScreen::answer(Ui& ui, Shell& shell, const InboxRequest& chosen) {
+  const database::HelpRequestId id = chosen.request.id;
+  work_.start<bool>(
+      shell, visit_,
+      {std::string(ui.text("inbox.sending")), std::string(ui.text("inbox.not_sent"))},
+      [id, cohort = chosen.cohort, text = (*drafts_)[id]](database::Session& session, WorkReport&) {
+        instructor_of(session, cohort).answer(id, text);
+        return true;
+      },
+      [this, &shell, id, said = std::string(ui.text("inbox.sent"))](bool&) {
+        drafts_->erase(id);
+        shell.say({Meaning::Good, said});
+        inbox_.read_again();
+      });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,189 @@
+#include "ui/screens/instructor/trainee_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/screens/parts/attempt_marks.h"
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/page.h"
+#include "ui/screens/parts/standing.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::AttemptHeader;
+using database::OperationStanding;
+
+enum Column { Number, Operation, Started, Kind, StateColumn, Score, ColumnCount };
+constexpr float standing_width = 232.0F, standing_height = 138.0F, roomy_from = 680.0F;
+
+std::string_view competence_id(Competence competence) noexcept {
+  constexpr std::array<std::string_view, 5> ids{"cohort.legend.not_started",
+                                                "cohort.legend.learning", "cohort.legend.competent",
+                                                "cohort.legend.slipped", "cohort.legend.stale"};
+  return ids[static_cast<std::size_t>(competence)];
+}
+
+/// How many standing cards lie beside each other.
+int standings_per_row(float width) noexcept {
+  return std::max(1, static_cast<int>((width + space::between_cards) /
+                                      (standing_width + space::between_cards)));
+}
+
+float standings_height(float width, std::size_t count) noexcept {
+  const auto rows =
+      (static_cast<int>(count) + standings_per_row(width) - 1) / standings_per_row(width);
+  return static_cast<float>(rows) * (standing_height + space::between_cards);
+}
+
+void draw_attempt_cell(Ui& ui, const AttemptHeader& attempt, int field, const Rect& cell) {
+  const TextStyle plain{Type::Body, ui.theme().text_secondary};
+  switch (field) {
+    case Number:
+      ui.canvas().text_in(cell, {Type::Body, ui.theme().text_caption, Align::Right},
+                          grouped(static_cast<long>(attempt.order)));
+      return;
+    case Operation:
+      ui.canvas().text_in(cell, {Type::BodyMedium, ui.theme().text},
+                          operation_text(attempt.scenario_name), true);
+      return;
+    case Started:
+      ui.canvas().text_in(cell, plain, moment_text(attempt.started_utc), true);
+      return;
+    case Kind:
+      ui.canvas().text_in(cell, plain, kind_text(ui, attempt));
+      return;
+    case StateColumn:
+      return draw_attempt_state(ui, attempt, cell);
+    default:
+      draw_attempt_score(ui, attempt, cell);
+  }
+}
+
+}  // namespace
+
+TraineeScreen::File TraineeScreen::read(database::Session& session, database::CohortId cohort,
+                                        database::PersonId trainee) {
+  database::InstructorDesk desk = instructor_of(session, cohort);
+  File file;
+  file.cohort_name = desk.cohort().name;
+  file.attempts = desk.attempts_of(trainee);  // refuses one who is not of the cohort
+  file.progress = progress_in(desk.trainee(trainee));
+  file.now_utc = utc_now_text();
+  return file;
+}
+
+void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (file_.is_new()) {
+    file_.start(ui, shell, ui.text("trainee.reading"),
+                [visit = visit_, cohort = cohort_, trainee = trainee_](WorkReport&) {
+                  return visit->in_turn([&](database::Session& session, auto&) {
+                    return read(session, cohort, trainee);
+                  });
+                });
+  }
+  const float width = content.w - 2.0F * page_margin(content);
+  const float above =
+      file_.is_ready() ? standings_height(width, file_.value().progress.standing.operations.size())
+                       : 0.0F;
+  const Page scrolled(ui, "trainee", ui.text("trainee.attempts"), content, 420.0F + above);
+  Rect page = scrolled.rect();
+  if (draw_head(ui, page)) shell.pop();
+  if (file_.is_ready()) draw_standings(ui, page);
+  const Rect inside = card(ui, page, ui.text("trainee.attempts"));
+  if (file_.draw_until_ready(ui, "trainee.failed", inside, 8)) draw_attempts(ui, inside);
+}
+
+bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
+  PageHead head;
+  head.has_back = true;
+  std::string name, sentence;
+  if (file_.is_ready()) {
+    const File& file = file_.value();
+    const database::TraineeStanding& standing = file.progress.standing;
+    name = person_name_of(ui.texts(), standing.login, standing.display_name);
+    sentence = ui.texts().say_count("trainee.sentence", static_cast<long>(file.attempts.size()),
+                                    {{"cohort", file.cohort_name}, {"login", standing.login}});
+  }
+  head.title = name.empty() ? ui.text("role.trainee") : std::string_view(name);
+  head.sentence = sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence);
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  return page_head(ui, "trainee", page, head).is_back_pressed;
+}
+
+void TraineeScreen::draw_standings(Ui& ui, Rect& page) const {
+  const std::vector<OperationStanding>& operations = file_.value().progress.standing.operations;
+  const int per_row = standings_per_row(page.w);
+  Rect row;
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    if (static_cast<int>(i) % per_row == 0)
+      row = take_top(page, standing_height, space::between_cards);
+    draw_standing(ui, take_left(row, std::min(standing_width, row.w), space::between_cards), i);
+  }
+}
+
+void TraineeScreen::draw_standing(Ui& ui, const Rect& rect, std::size_t operation) const {
+  const Theme& theme = ui.theme();
+  const TraineeProgress& progress = file_.value().progress;
+  const OperationStanding& standing = progress.standing.operations[operation];
+  const assessment::LearningState& learning = progress.learning[operation];
+  Rect rest = card(ui, rect, {}, space::side_card);
+  const Competence competence = competence_of(standing, learning, file_.value().now_utc);
+  Rect title = take_top(rest, 22.0F, 6.0F);
+  ui.canvas().text_in(title, {Type::BodyStrong, theme.text}, operation_text(standing.scenario_name),
+                      true);
+  Rect state = take_top(rest, 20.0F, 10.0F);
+  draw_competence(ui.canvas(), theme, competence, {state.x + 8.0F, state.mid_y()}, 7.0F,
+                  progress_of(standing, learning));
+  ui.canvas().text_in({state.x + 24.0F, state.y, state.w - 24.0F, state.h},
+                      {Type::Small, theme.text_secondary}, ui.text(competence_id(competence)),
+                      true);
+  const auto points = [&](const std::optional<std::int64_t>& milli) {
+    return milli ? points_text(*milli) : std::string(ui.text("standing.none"));
+  };
+  const std::string numbers = ui.texts().say(
+      "standing.numbers",
+      {{"best", points(standing.best_milli)}, {"last", points(standing.last_milli)}});
+  ui.canvas().text_in(take_top(rest, 20.0F), {Type::Small, theme.text}, numbers, true);
+  ui.canvas().text_in(take_top(rest, 20.0F), {Type::Small, theme.text_caption},
+                      ui.texts().say_count("standing.attempts", standing.attempts));
+}
+
+void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
+  const std::vector<AttemptHeader>& attempts = file_.value().attempts;
+  if (attempts.empty()) {
+    empty_card(ui, "trainee.empty", content,
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+    return;
+  }
+  const std::array<TableColumn, ColumnCount> columns{
+      {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, false, roomy_from},
+       {ui.text("attempts.operation")},
+       {ui.text("attempts.started"), 150.0F},
+       {ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, false, roomy_from},
+       {ui.text("attempts.state"), 150.0F, 1.0F, Align::Left, false, roomy_from},
+       {ui.text("attempts.score"), 84.0F, 1.0F, Align::Right}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(attempts.size());
+  spec.label = ui.text("trainee.attempts");
+  const auto at = [&](int row) -> const AttemptHeader& {
+    return attempts[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = [&](int row) { return std::to_string(at(row).order); };
+  spec.row_label = [&](int row) {
+    return ui.texts().say("attempts.row", {{"operation", operation_text(at(row).scenario_name)},
+                                           {"moment", moment_text(at(row).started_utc)}});
+  };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    draw_attempt_cell(own, at(row), column, cell);
+  };
+  const TableResponse response = table(ui, "trainee.row", content, spec, table_);
+  if (response.opened) places_.show_result(at(*response.opened).id);
+}
+
+}  // namespace hallux::ui

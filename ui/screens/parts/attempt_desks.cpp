@@ -1,0 +1,73 @@
+#include "ui/screens/parts/attempt_desks.h"
+
+namespace hallux::ui {
+
+using database::Action;
+using database::AttemptHeader;
+using database::DatabaseError;
+using database::DatabaseErrorKind;
+using database::Session;
+
+std::optional<database::InstructorDesk> instructor_desk_for(Session& session, Action action,
+                                                            const AttemptHeader& header) {
+  for (const database::Membership& membership : session.memberships()) {
+    if (membership.role != database::CohortRole::Instructor) continue;
+    std::optional<database::InstructorDesk> desk = session.instructor_of(membership.cohort);
+    if (desk && desk->may(action, header)) return desk;
+  }
+  return std::nullopt;
+}
+
+std::optional<database::TraineeDesk> trainee_desk_for(Session& session, Action action,
+                                                      const AttemptHeader& header) {
+  std::optional<database::TraineeDesk> desk = session.trainee();
+  if (desk && !desk->may(action, header)) desk.reset();
+  return desk;
+}
+
+AttemptHeader header_for(Session& session, const database::AttemptId& id) {
+  std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
+  if (!desk) {
+    throw DatabaseError(DatabaseErrorKind::Refused,
+                        "this account may not see attempts any more; ask the administrator");
+  }
+  return desk->header(id);
+}
+
+AttemptRights rights_to(Session& session, const AttemptHeader& header) {
+  const auto as_instructor = [&](Action action) {
+    return instructor_desk_for(session, action, header).has_value();
+  };
+  const auto as_trainee = [&](Action action) {
+    return trainee_desk_for(session, action, header).has_value();
+  };
+  AttemptRights rights;
+  rights.may_decide = as_instructor(Action::DecideResult);
+  rights.may_write_notes = as_instructor(Action::WriteNote);
+  rights.may_reply = as_trainee(Action::ReplyToNote) || as_instructor(Action::ReplyToNote);
+  rights.may_read_notes = as_trainee(Action::ReadNotes) || as_instructor(Action::ReadNotes);
+  rights.may_ask_for_help = as_trainee(Action::AskForHelp);
+  return rights;
+}
+
+void reply_to_note(Session& session, const AttemptHeader& header, database::NoteId note,
+                   const std::string& text) {
+  if (auto desk = instructor_desk_for(session, Action::ReplyToNote, header)) {
+    desk->reply(note, text);
+  } else if (auto own = trainee_desk_for(session, Action::ReplyToNote, header)) {
+    own->reply(note, text);
+  } else {
+    throw DatabaseError(DatabaseErrorKind::Refused, "this note is not yours to answer");
+  }
+}
+
+void ask_for_help(Session& session, const AttemptHeader& header,
+                  const database::NewHelpRequest& request) {
+  std::optional<database::TraineeDesk> desk = trainee_desk_for(session, Action::AskForHelp, header);
+  if (!desk) {
+    throw DatabaseError(DatabaseErrorKind::Refused, "help can be asked for on own attempts only");
+  }
+  desk->ask_for_help(request);
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,104 @@
+#include "ui/screens/parts/attempt_timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "simulator/base/units.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using simulator::CutEvent;
+using simulator::CutEventKind;
+using simulator::Recording;
+
+constexpr double least_duration_s = 0.001;
+constexpr double rounded_force_up_to = 5.0;
+
+struct EventWords {
+  CutEventKind kind;
+  Meaning meaning;
+  std::string_view words;
+};
+constexpr EventWords event_words[] = {
+    {CutEventKind::Started, Meaning::Neutral, "replay.event.started"},
+    {CutEventKind::Scratch, Meaning::Warn, "replay.event.scratch"},
+    {CutEventKind::Kick, Meaning::Warn, "replay.event.kick"},
+    {CutEventKind::PlaneFrozen, Meaning::Info, "replay.event.plane_frozen"},
+    {CutEventKind::Breakthrough, Meaning::Neutral, "replay.event.breakthrough"},
+    {CutEventKind::SectionCovered, Meaning::Good, "replay.event.section_covered"},
+    {CutEventKind::PieceFreed, Meaning::Good, "replay.event.piece_freed"},
+    {CutEventKind::PieceRemoved, Meaning::Neutral, "replay.event.piece_removed"},
+    {CutEventKind::StepDone, Meaning::Neutral, "replay.event.step_done"},
+    {CutEventKind::Paused, Meaning::Neutral, "replay.event.paused"},
+    {CutEventKind::Resumed, Meaning::Neutral, "replay.event.resumed"},
+    {CutEventKind::Fault, Meaning::Bad, "replay.event.fault"},
+    {CutEventKind::Finished, Meaning::Good, "replay.event.finished"},
+    {CutEventKind::Abandoned, Meaning::Warn, "replay.event.abandoned"},
+    {CutEventKind::KerfRefused, Meaning::Warn, "replay.event.kerf_refused"},
+    {CutEventKind::HingeClosed, Meaning::Good, "replay.event.hinge_closed"},
+    {CutEventKind::HingeRefused, Meaning::Bad, "replay.event.hinge_refused"},
+    {CutEventKind::BoneHot, Meaning::Warn, "replay.event.bone_hot"},
+    {CutEventKind::BoneNecrosis, Meaning::Bad, "replay.event.bone_necrosis"},
+    {CutEventKind::DangerContact, Meaning::Bad, "replay.event.danger_contact"},
+    {CutEventKind::DangerLeft, Meaning::Neutral, "replay.event.danger_left"},
+};
+
+}  // namespace
+
+std::vector<AttemptEvent> events_of(const Recording& recording) {
+  std::vector<AttemptEvent> events;
+  for (const CutEvent& event : recording.events) {
+    const auto* words =
+        std::find_if(std::begin(event_words), std::end(event_words),
+                     [&](const EventWords& each) { return each.kind == event.kind; });
+    if (words == std::end(event_words)) continue;
+    events.push_back({second_from_tick(event.tick), words->meaning, words->words});
+  }
+  return events;
+}
+
+std::vector<TimelineStep> steps_of(const Recording& recording, const scenarios::Scenario& scenario,
+                                   double duration_s) {
+  std::vector<TimelineStep> steps;
+  double begin_s = 0.0;
+  std::size_t next = 0;
+  const auto add = [&](std::size_t index, double end_s) {
+    if (index >= scenario.steps.size() || end_s <= begin_s) return;
+    steps.push_back({begin_s, end_s, scenario.steps[index].title});
+    begin_s = end_s;
+    next = index + 1;
+  };
+  for (const CutEvent& event : recording.events) {
+    if (event.kind == CutEventKind::StepDone && event.subject >= 0)
+      add(static_cast<std::size_t>(event.subject), second_from_tick(event.tick));
+  }
+  add(next, duration_s);
+  return steps;
+}
+
+double highest_of(const std::vector<ChartPoint>& points, double step) noexcept {
+  double highest = step;
+  for (const ChartPoint& point : points)
+    if (std::isfinite(point.y)) highest = std::max(highest, point.y);
+  return step * std::ceil(highest / step);
+}
+
+TimelineTrack force_track(const Texts& texts, std::vector<ChartPoint> newton) {
+  TimelineTrack force;
+  force.name = texts.text("replay.force");
+  force.unit = texts.text("replay.force.unit");
+  force.high = highest_of(newton, rounded_force_up_to);
+  force.samples = std::move(newton);
+  return force;
+}
+
+double duration_s_of(const Recording& recording) noexcept {
+  if (recording.samples.empty()) return least_duration_s;
+  return std::max(least_duration_s, second_from_tick(recording.samples.back().tick));
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,34 @@
+/// What the screens of a course say about moments, people and operations.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "ui/widgets/texts/texts.h"
+
+namespace hallux::ui {
+
+/// The moment now, ISO 8601 in UTC, as the database writes it.
+std::string utc_now_text();
+
+/// Whole days of the calendar (UTC) from one ISO 8601 moment to another; 0 where either is no such moment.
+int days_between(std::string_view earlier_utc, std::string_view later_utc) noexcept;
+
+/// "today", "yesterday", "5 days ago", beyond a month the date; "never" for "".
+std::string ago_text(const Texts& texts, std::string_view utc, std::string_view now_utc);
+
+/// An operation's name as a word of its own: "akin" is "Akin".
+std::string operation_text(std::string_view scenario_name);
+
+/// The name that is shown: the login where there is none.
+std::string shown_name_of(std::string_view login, std::string_view display_name);
+
+/// The same of somebody who may have been erased.
+std::string person_name_of(const Texts& texts, std::string_view login,
+                           std::string_view display_name);
+
+/// True where `words` holds `part`, capital or small (a-z). Everything holds "".
+bool holds_words(std::string_view words, std::string_view part);
+
+}  // namespace hallux::ui

@@ -1,0 +1,79 @@
+/// What a person does at a desk: it runs beside the window, and how it ended is said.
+///
+///     DeskWork work_;
+///     work_.start<IssuedCode>(shell, visit_, {label, failed},
+///                             [login](database::Session& session, WorkReport&) { return administrator_of(session).reset(login); },
+///                             [this](IssuedCode& issued) { show(std::move(issued)); });
+///
+/// Where it fails nothing of the screen changes: what was typed stays, and the sentence of the fault is said.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ui/screens/parts/screen_work.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/parts/value_text.h"
+
+namespace hallux::ui {
+
+/// errors  DatabaseError Refused where the person is no administrator any more
+database::AdministratorDesk administrator_of(database::Session& session);
+/// errors  DatabaseError Refused where the person does not teach that cohort any more
+database::InstructorDesk instructor_of(database::Session& session, database::CohortId cohort);
+/// errors  DatabaseError Refused where the person was disabled since
+database::TraineeDesk trainee_of(database::Session& session);
+
+struct DeskWords {
+  std::string label;  ///< while it runs
+  std::string
+      failed;  ///< the head of the message where it fails; "": the screen shows fault() itself
+  std::string stopped = {};  ///< said where the person stopped it; "": nothing
+};
+
+class DeskWork {
+ public:
+  /// `act` holds nothing of the screen's. `done` is called in a frame while the screen is there.
+  /// thread  the window's
+  template <typename Result>
+  void start(Shell& shell, std::shared_ptr<Visit> visit, DeskWords words,
+             std::function<Result(database::Session&, WorkReport&)> act,
+             std::function<void(Result&)> done) {
+    fault_.clear();
+    auto result = std::make_shared<std::optional<Result>>();
+    std::string label = words.label;
+    work_.start(
+        shell, std::move(label),
+        [result, visit = std::move(visit), act = std::move(act)](WorkReport& report) {
+          visit->in_turn([&](database::Session& session, database::Database&) {
+            result->emplace(act(session, report));
+          });
+        },
+        [this, &shell, result, words = std::move(words), done = std::move(done)](
+            WorkEnd end, const std::string& reason) {
+          // What was done before Cancel could stop it was done.
+          if (result->has_value()) {
+            done(**result);
+          } else if (end == WorkEnd::Failed) {
+            say_failed(shell, words, reason);
+          } else if (!words.stopped.empty()) {
+            shell.say({Meaning::Info, words.stopped});
+          }
+        });
+  }
+  bool is_running() const noexcept { return work_.is_running(); }
+  /// Why the last one failed, as a sentence; "" where it did not.
+  const std::string& fault() const noexcept { return fault_; }
+  void forget_fault() { fault_.clear(); }
+
+ private:
+  void say_failed(Shell& shell, const DeskWords& words, const std::string& reason);
+
+  std::string fault_;
+  ScreenWork work_;
+};
+
+}  // namespace hallux::ui

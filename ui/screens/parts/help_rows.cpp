@@ -1,0 +1,125 @@
+#include "ui/screens/parts/help_rows.h"
+
+#include <array>
+#include <vector>
+
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/page.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/charts/timeline.h"
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/table.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using database::HelpRequest;
+
+constexpr float row_height = 64.0F, roomy_from = 460.0F;
+constexpr float head_height = 44.0F, moment_gap = 20.0F, answer_head = 24.0F;
+
+std::string row_title(const Texts& texts, const HelpRequest& request, bool names_asker) {
+  if (!names_asker) return help_moment(texts, request);
+  return texts.say("help.of",
+                   {{"person", request.asker_name},
+                    {"operation", operation_text(request.scenario_name)},
+                    {"moment", clock_text(static_cast<double>(request.moment.moment_us) / 1.0e6)}});
+}
+
+void draw_request_cell(Ui& ui, const HelpRequest& request, bool names_asker, const Rect& cell) {
+  Rect rest = inset(cell, 0.0F, 8.0F);
+  ui.canvas().text_in(take_top(rest, 24.0F), {Type::BodyMedium, ui.theme().text},
+                      row_title(ui.texts(), request, names_asker), true);
+  ui.canvas().text_in(take_top(rest, 22.0F), {Type::Small, ui.theme().text_secondary},
+                      request.question, true);
+}
+
+std::string answered_by(const Texts& texts, const database::HelpAnswer& answer) {
+  return answer.by_name.empty()
+             ? texts.say("help.answered_on", {{"moment", moment_text(answer.answered_utc)}})
+             : texts.say("help.answered_by", {{"person", answer.by_name},
+                                              {"moment", moment_text(answer.answered_utc)}});
+}
+
+}  // namespace
+
+std::string help_moment(const Texts& texts, const HelpRequest& request) {
+  return texts.say("help.moment",
+                   {{"operation", operation_text(request.scenario_name)},
+                    {"moment", clock_text(static_cast<double>(request.moment.moment_us) / 1.0e6)}});
+}
+
+int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& rows,
+              std::span<const HelpRequest* const> requests, database::HelpRequestId chosen) {
+  const std::array<TableColumn, 3> columns{
+      {{ui.text("help.question")},
+       {ui.text("help.asked"), 150.0F, 1.0F, Align::Left, false, roomy_from},
+       {ui.text("help.state"), 96.0F}}};
+  const auto at = [&](int row) -> const HelpRequest& {
+    return *requests[static_cast<std::size_t>(row)];
+  };
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(requests.size());
+  spec.row_height = row_height;
+  spec.label = rows.label;
+  spec.row_id = [&](int row) { return std::to_string(at(row).id.number); };
+  spec.row_label = [&](int row) { return row_title(ui.texts(), at(row), rows.names_asker); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    if (column == 0) {
+      draw_request_cell(own, at(row), rows.names_asker, cell);
+    } else if (column == 2) {
+      pill(own, {cell.x, cell.mid_y()}, own.text(at(row).answer ? "help.answered" : "help.open"),
+           at(row).answer ? Meaning::Good : Meaning::Info);
+    } else {
+      own.canvas().text_in(cell, {Type::Small, own.theme().text_secondary},
+                           moment_text(at(row).asked_utc));
+    }
+  };
+  TableState state;
+  if (chosen.number > 0) state.chosen = {std::to_string(chosen.number)};
+  return table(ui, rows.id, rect, spec, state).opened.value_or(-1);
+}
+
+float help_request_height(const Ui& ui, const HelpRequest& request, float width) {
+  float height = head_height + 12.0F + ui.paragraph_height(Type::Body, request.question, width) +
+                 16.0F + header_button_height + moment_gap;
+  if (request.answer)
+    height +=
+        16.0F + answer_head + ui.paragraph_height(Type::Body, request.answer->text, width) + 8.0F +
+        ui.paragraph_height(Type::Small, answered_by(ui.texts(), *request.answer), width) + 12.0F;
+  return height;
+}
+
+bool draw_help_request(Ui& ui, std::string_view id, Rect& rest, const HelpRequest& request,
+                       bool names_asker) {
+  const Theme& theme = ui.theme();
+  Rect head = take_top(rest, head_height, 12.0F);
+  if (names_asker) {
+    avatar(ui, {take_left(head, 36.0F, 12.0F).x + 18.0F, head.mid_y()}, 18.0F,
+           initials_of(request.asker_name), static_cast<int>(request.asker.number % 6));
+  }
+  ui.canvas().text_in(take_top(head, 24.0F), {Type::BodyStrong, theme.text},
+                      names_asker ? request.asker_name : help_moment(ui.texts(), request), true);
+  ui.canvas().text_in(
+      take_top(head, 20.0F), {Type::Small, theme.text_secondary},
+      names_asker ? help_moment(ui.texts(), request) : moment_text(request.asked_utc), true);
+  words_line(ui, rest, Type::Body, theme.text, request.question, 16.0F);
+  const ButtonSpec moment{ui.text("help.see_moment"), ButtonLook::Secondary, Icon::Play};
+  Rect line = take_top(rest, header_button_height, moment_gap);
+  line.w = std::min(line.w, button_width(ui, moment));
+  const bool is_asked = button(ui, std::string(id) + ".moment", line, moment);
+  if (request.answer) {
+    ui.canvas().hairline_across(rest.x, rest.y, rest.w, theme.line);
+    take_top(rest, 16.0F);
+    ui.canvas().text_in(take_top(rest, answer_head), {Type::SmallMedium, theme.text},
+                        ui.text("help.answer"));
+    words_line(ui, rest, Type::Body, theme.text, request.answer->text, 8.0F);
+    words_line(ui, rest, Type::Small, theme.text_caption, answered_by(ui.texts(), *request.answer),
+               12.0F);
+  }
+  return is_asked;
+}
+
+}  // namespace hallux::ui

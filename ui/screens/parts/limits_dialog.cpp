@@ -1,0 +1,119 @@
+#include "ui/screens/parts/limits_dialog.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/dialog.h"
+#include "ui/widgets/controls/field.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float list_height = 236.0F, gap = 14.0F, row_height = 38.0F;
+constexpr std::int32_t number_most = 1000;
+
+std::optional<std::int32_t> limit_of(const LimitsForm& form, const std::string& operation) {
+  for (const database::AttemptLimit& limit : form.limits)
+    if (limit.scenario_name == operation) return limit.attempts_max;
+  return std::nullopt;
+}
+
+std::optional<std::int32_t> number_in(const std::string& text) {
+  std::int32_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  const bool is_number = read.ec == std::errc() && read.ptr == end;
+  if (!is_number || number < 1 || number > number_most) return std::nullopt;
+  return number;
+}
+
+void choose(LimitsForm& form, const std::string& operation) {
+  form.chosen = operation;
+  const auto limit = limit_of(form, operation);
+  form.number = limit ? std::to_string(*limit) : std::string();
+}
+
+void draw_operations(Ui& ui, const Rect& rect, LimitsForm& form) {
+  const std::array<TableColumn, 2> columns{
+      {{ui.text("limits.operation")}, {ui.text("limits.number"), 150.0F, 1.0F, Align::Right}}};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(form.operations.size());
+  spec.row_height = row_height;
+  spec.label = ui.text("limits.operations");
+  const auto at = [&](int row) -> const std::string& {
+    return form.operations[static_cast<std::size_t>(row)];
+  };
+  spec.row_id = at;
+  spec.row_label = [&](int row) { return operation_text(at(row)); };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    const Theme& theme = own.theme();
+    if (column == 0) {
+      own.canvas().text_in(cell, {Type::BodyMedium, theme.text}, operation_text(at(row)), true);
+      return;
+    }
+    const auto limit = limit_of(form, at(row));
+    own.canvas().text_in(cell, {Type::Body, limit ? theme.text : theme.text_caption, Align::Right},
+                         limit ? std::to_string(*limit) : std::string(own.text("limits.none")),
+                         true);
+  };
+  form.table.chosen.clear();
+  if (!form.chosen.empty()) form.table.chosen.insert(form.chosen);
+  const TableResponse response = table(ui, "limits.row", rect, spec, form.table);
+  if (!response.opened) return;
+  choose(form, at(*response.opened));
+  ui.want_frame_in_s(0.0);
+}
+
+void draw_form(Ui& ui, Rect rest, LimitsForm& form) {
+  draw_operations(ui, take_top(rest, list_height, gap), form);
+  take_top(rest, field_label_height);
+  FieldSpec number;
+  number.label = ui.text("limits.number");
+  number.hint = ui.text("limits.number.hint");
+  number.max_bytes = 4;
+  number.is_enabled = !form.chosen.empty();
+  if (!form.number.empty() && !number_in(form.number)) number.error = ui.text("limits.number.rule");
+  const Rect line = take_top(rest, field_height);
+  if (field(ui, "limits.number", {line.x, line.y, std::min(line.w, 240.0F), line.h}, form.number,
+            number))
+    ui.want_frame_in_s(0.0);
+}
+
+}  // namespace
+
+std::optional<LimitChange> change_in(const LimitsForm& form) {
+  if (form.chosen.empty()) return std::nullopt;
+  const auto before = limit_of(form, form.chosen), wanted = number_in(form.number);
+  if ((!form.number.empty() && !wanted) || before == wanted) return std::nullopt;
+  return LimitChange{form.chosen, wanted};
+}
+
+std::string said_of(const Texts& texts, const LimitsForm& form, const LimitChange& change) {
+  const TextValues about{{"operation", operation_text(change.scenario_name)},
+                         {"cohort", form.cohort_name}};
+  return change.attempts_max ? texts.say_count("limits.set", *change.attempts_max, about)
+                             : texts.say("limits.cleared", about);
+}
+
+Answer draw_limits_dialog(Ui& ui, LimitsForm& form, const std::string& fault, bool is_busy) {
+  const std::string title = ui.texts().say("limits.title", {{"cohort", form.cohort_name}});
+  Dialog shown;
+  shown.title = title;
+  shown.sentence = ui.text("limits.sentence");
+  shown.act = ui.text("limits.act");
+  shown.keep = ui.text("form.cancel");
+  shown.error = fault;
+  shown.form_height = list_height + gap + field_label_height + field_height + field_message_height;
+  shown.is_busy = is_busy;
+  return dialog(ui, "limits", shown, [&](const Rect& rect) {
+    draw_form(ui, rect, form);
+    return change_in(form).has_value();
+  });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,77 @@
+#include "ui/screens/parts/message_form.h"
+
+#include <utility>
+
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/dialog.h"
+#include "ui/widgets/controls/field.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float words_height = 104.0F, toggle_height = 24.0F, gap = 16.0F;
+
+}  // namespace
+
+void WordsForm::open() {
+  is_open_ = true;
+  is_on_ = false;
+  words_.clear();
+  error_.clear();
+}
+
+void WordsForm::start(Shell& shell, const std::shared_ptr<Visit>& visit, const WordsFormSpec& spec,
+                      const Send& send) {
+  error_.clear();
+  work_.start(
+      shell, std::string(spec.sending),
+      [visit, send, words = words_, is_on = is_on_](WorkReport&) {
+        visit->in_turn([&](database::Session& session, auto&) { send(session, words, is_on); });
+      },
+      [this, &shell, sent = std::string(spec.sent)](WorkEnd end, const std::string& reason) {
+        if (end != WorkEnd::Done) {
+          error_ = sentence_of(reason);
+          return;
+        }
+        is_open_ = false;
+        was_sent_ = true;
+        shell.say({Meaning::Good, sent});
+      });
+}
+
+bool WordsForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit,
+                     const WordsFormSpec& spec, const Send& send) {
+  if (std::exchange(was_sent_, false)) return true;
+  if (!is_open_) return false;
+  const std::string id(spec.id);
+  Dialog shown;
+  shown.title = spec.title;
+  shown.sentence = spec.sentence;
+  shown.act = spec.act;
+  shown.keep = ui.text("form.cancel");
+  shown.error = error_;
+  shown.form_height = field_label_height + words_height;
+  if (!spec.toggle.empty()) shown.form_height += gap + toggle_height;
+  shown.is_busy = work_.is_running();
+  const Answer answer = dialog(ui, id, shown, [&](const Rect& form) {
+    Rect rest = form;
+    take_top(rest, field_label_height);
+    FieldSpec words;
+    words.label = spec.label;
+    words.placeholder = spec.placeholder;
+    words.lines = 4;
+    words.max_bytes = 2000;
+    field(ui, id + ".words", take_top(rest, words_height, gap), words_, words);
+    ui.focus_first(id + ".words");
+    if (!spec.toggle.empty())
+      toggle(ui, id + ".toggle", take_top(rest, toggle_height), spec.toggle, is_on_);
+    return !words_.empty();
+  });
+  if (answer == Answer::Keep) is_open_ = false;
+  if (answer == Answer::Act && !work_.is_running()) start(shell, visit, spec, send);
+  return false;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,47 @@
+/// A form for a person's own words to somebody: a question, a note. Sent as work; what went wrong is said in the form.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/screens/parts/screen_work.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+struct WordsFormSpec {
+  std::string_view id = {};  ///< of its controls: "ask" gives "ask.words", "ask.act", "ask.keep"
+  std::string_view title = {}, sentence = {};
+  std::string_view label = {};  ///< of the field
+  std::string_view placeholder = {};
+  std::string_view act = {};                 ///< the verb
+  std::string_view toggle = {};              ///< a choice beside it, "ask.toggle"; empty: none
+  std::string_view sending = {}, sent = {};  ///< while it is sent; once it was
+};
+
+class WordsForm {
+ public:
+  /// What happens with the words and the choice, beside the window; it holds nothing of the screen's.
+  using Send =
+      std::function<void(database::Session& session, const std::string& words, bool is_on)>;
+
+  void open();
+  bool is_open() const noexcept { return is_open_; }
+  /// Draws the form while it is open. True in the frame after it was sent.
+  bool draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit, const WordsFormSpec& spec,
+            const Send& send);
+
+ private:
+  void start(Shell& shell, const std::shared_ptr<Visit>& visit, const WordsFormSpec& spec,
+             const Send& send);
+
+  bool is_open_ = false, is_on_ = false, was_sent_ = false;
+  std::string words_, error_;
+  ScreenWork work_;
+};
+
+}  // namespace hallux::ui

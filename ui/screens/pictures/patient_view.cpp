@@ -1,0 +1,200 @@
+#include "ui/screens/pictures/patient_view.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "scenarios/foot/first_metatarsal.h"
+#include "scenarios/foot/first_proximal_phalanx.h"
+#include "simulator/base/digest.h"
+#include "simulator/base/progress.h"
+#include "simulator/cutting/pieces/cut_solid.h"
+#include "simulator/cutting/slice/section.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using scenarios::PlannedCut;
+
+constexpr double neighbour_edge_mm = 0.9;
+constexpr double rim_mm = 4.0;  // how far a shown face reaches beyond the bone
+constexpr double section_thickness_mm = 0.2;
+constexpr double pair_share = 0.97;  // two bones in a row leave most of their ball empty
+constexpr double saw_gap_mm = 5.0;   // the blade waits before the bone
+
+/// One for each content: the renderer knows bones by it.
+std::uint64_t id_of(const scenarios::Scenario& scenario, std::string_view part, double edge_mm) {
+  Digester digester;
+  digester.add_text(scenario.text);
+  digester.add_text(part);
+  digester.add_double(edge_mm);
+  const Digest digest = digester.finish();
+  std::uint64_t id = 0;
+  std::memcpy(&id, digest.bytes.data(), sizeof id);
+  return id | 1U;
+}
+
+BoneInView bone_in_view(std::uint64_t id, const simulator::Bone& bone) {
+  BoneInView shown;
+  shown.look = look_of(id, bone);
+  shown.mesh = mesh_of(id, simulator::uncut_solid(solid_of(bone)), shown.look);
+  shown.world_from_bone = bone.world_from_bone;
+  return shown;
+}
+
+simulator::Bone make_neighbour(const scenarios::Scenario& scenario, double edge_mm) {
+  const scenarios::BoneRequest request{.edge_mm = edge_mm};
+  return scenario.patient.bone == "first_metatarsal"
+             ? make_first_proximal_phalanx(scenarios::first_proximal_phalanx_table(), request)
+             : make_first_metatarsal(scenarios::first_metatarsal_table(), request);
+}
+
+Vec3 side_in_bone(std::string_view side) {
+  if (side == "dorsal") return {0.0, 1.0, 0.0};
+  if (side == "plantar") return {0.0, -1.0, 0.0};
+  return {0.0, 0.0, side == "lateral" ? 1.0 : -1.0};
+}
+
+/// The frame of the face: x where the blade goes, z its normal.
+RigidTransform bone_from_face(const PlannedCut& cut, const scenarios::ReferenceCut& reference) {
+  const Vec3 normal = cut.face.normal, from = side_in_bone(reference.approach);
+  const Vec3 feed = glm::normalize(glm::dot(from, normal) * normal - from);
+  return {rotation_from_axes(feed, glm::cross(normal, feed)), cut.face.offset_mm * normal};
+}
+
+/// The part of the section in which the cut is made: a face along a shaft meets the bone's other end as well.
+const simulator::SectionRegion* region_at(const simulator::Section& section, const Vec2& place) {
+  const simulator::SectionRegion* nearest = nullptr;
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (const simulator::SectionRegion& region : section.regions) {
+    const double distance_mm =
+        glm::distance(place, glm::clamp(place, region.min_mm, region.max_mm));
+    if (distance_mm >= nearest_mm) continue;
+    nearest_mm = distance_mm;
+    nearest = &region;
+  }
+  return nearest;
+}
+
+FaceInView face_in_view(const BoneInView& bone, const simulator::Bvh& bvh, const PlannedCut& cut,
+                        const scenarios::ReferenceCut& reference) {
+  const RigidTransform plane = bone_from_face(cut, reference);
+  const simulator::Section section =
+      slice_section(bone.mesh.solid, bvh, simulator::KerfPlane{plane, section_thickness_mm});
+  const Vec3 place = transform_point(inverse(plane), cut.depth_point_in_bone_mm);
+  FaceInView shown;
+  Vec2 middle(place.x, place.y);
+  if (const simulator::SectionRegion* region = region_at(section, middle)) {
+    middle = 0.5 * (region->min_mm + region->max_mm);
+    shown.entry_mm = Vec2(region->min_mm.x - middle.x, 0.0);
+    shown.half_mm = 0.5 * (region->max_mm - region->min_mm) + Vec2(rim_mm);
+  }
+  shown.world_from_plane = bone.world_from_bone * plane *
+                           RigidTransform{Quat(1.0, 0.0, 0.0, 0.0), Vec3(middle.x, middle.y, 0.0)};
+  return shown;
+}
+
+SawInScene saw_of(const PatientView& view) {
+  const FaceInView& face = view.faces.front();
+  SawInScene saw;
+  saw.world_from_tool =
+      face.world_from_plane *
+      RigidTransform{Quat(1.0, 0.0, 0.0, 0.0), Vec3(face.entry_mm.x - saw_gap_mm, 0.0, 0.0)};
+  saw.blade = view.blade;
+  saw.thickness_mm = view.blade_thickness_mm;
+  return saw;
+}
+
+}  // namespace
+
+PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress,
+                              double edge_mm) {
+  scenarios::Scenario coarse = scenario;
+  coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, edge_mm);
+  const simulator::Bone bone = make_patient(coarse, progress);
+  const scenarios::Plan plan = plan_on(coarse, bone);
+  PatientView view;
+  view.scenario_name = scenario.name;
+  view.bone = bone_in_view(id_of(scenario, "bone", coarse.patient.edge_mm), bone);
+  const double neighbour_mm = std::max(neighbour_edge_mm, edge_mm);
+  view.neighbour = bone_in_view(id_of(scenario, "neighbour", neighbour_mm),
+                                make_neighbour(scenario, neighbour_mm));
+  const simulator::Bvh bvh(view.bone.mesh.solid.mesh);
+  for (const scenarios::ReferenceCut& reference : scenario.cuts) {
+    const PlannedCut* cut = find_cut(plan, reference.name);
+    view.faces.push_back(face_in_view(view.bone, bvh, *cut, reference));
+  }
+  view.blade = scenario.blade.size;
+  view.blade_thickness_mm = scenario.blade.thickness_mm;
+  return view;
+}
+
+namespace {
+
+/// A ball around a bone.
+struct Ball {
+  Vec3 middle_in_world_mm{0.0, 0.0, 0.0};
+  double radius_mm = 0.0;
+};
+
+Ball ball_around(const BoneInView& bone) {
+  const Vec3 half_mm = 0.5 * (bone.mesh.high_mm - bone.mesh.low_mm);
+  return {transform_point(bone.world_from_bone, bone.mesh.low_mm + half_mm), glm::length(half_mm)};
+}
+
+Ball ball_around(const Ball& a, const Ball& b) {
+  const Vec3 way = b.middle_in_world_mm - a.middle_in_world_mm;
+  const double radius_mm = 0.5 * (glm::length(way) + a.radius_mm + b.radius_mm);
+  return {a.middle_in_world_mm + (radius_mm - a.radius_mm) * glm::normalize(way), radius_mm};
+}
+
+/// What the picture is about.
+Ball shown_in(const PatientView& view, PatientPicture picture) {
+  Ball shown = ball_around(view.bone);
+  if (picture == PatientPicture::Pair) return ball_around(shown, ball_around(view.neighbour));
+  if (picture == PatientPicture::Whole || view.faces.empty()) return shown;
+  const FaceInView& face = view.faces.front();
+  shown.middle_in_world_mm =
+      0.45 * shown.middle_in_world_mm + 0.55 * face.world_from_plane.translation_mm;
+  shown.radius_mm = std::max(0.62 * shown.radius_mm, 1.1 * glm::length(face.half_mm));
+  return shown;
+}
+
+}  // namespace
+
+Scene scene_of(const PatientView& view, PatientPicture picture, Ground ground) {
+  Scene scene;
+  scene.ground = ground;
+  const auto add = [&](const BoneInView& bone, double presence) {
+    BoneInScene& shown = scene.bones.emplace_back();
+    shown.mesh = &bone.mesh;
+    shown.look = &bone.look;
+    shown.world_from_bone = bone.world_from_bone;
+    shown.presence = presence;
+  };
+  add(view.bone, 1.0);
+  add(view.neighbour, picture == PatientPicture::Pair ? 1.0 : 0.45);
+  for (const FaceInView& face : view.faces) {
+    if (scene.lines.size() == lines_at_most) break;
+    scene.planes.push_back({face.world_from_plane, face.half_mm, Ink::Accent, true});
+    scene.lines.push_back({face.world_from_plane, face.half_mm.y});
+  }
+  if (picture == PatientPicture::Card && !view.faces.empty()) scene.saw = saw_of(view);
+  return scene;
+}
+
+double radius_of(const PatientView& view, PatientPicture picture) {
+  const double radius_mm = shown_in(view, picture).radius_mm;
+  return picture == PatientPicture::Pair ? pair_share * radius_mm : radius_mm;
+}
+
+Camera camera_of(const PatientView& view, PatientPicture picture, double width_over_height) {
+  Camera camera;
+  camera.target_mm = shown_in(view, picture).middle_in_world_mm;
+  camera = orbited(standard_view(camera, StandardView::Medial), 0.35, 0.42);
+  return fitted(camera, Viewer{}, radius_of(view, picture), width_over_height);
+}
+
+}  // namespace hallux::ui

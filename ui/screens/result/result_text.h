@@ -1,0 +1,48 @@
+/// What the result says in words: items, values against plan, moments, marks of a score.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assessment/shown_points.h"
+#include "ui/screens/result/result_material.h"
+#include "ui/widgets/look/theme.h"
+#include "ui/widgets/texts/texts.h"
+
+namespace hallux::ui {
+
+/// A value with its unit as people read it: "12.3°", "1.67 mm", the true minus.
+std::string measured_text(double value, std::string_view unit);
+/// What the line was measured as: "12.3°"; "–" where nothing was.
+std::string yours_text(const database::LedgerLine& line);
+/// Where full points end: "≤ 0.5 mm", "0.8–2 mm", "≥ 60 %".
+std::string target_text(const database::LedgerLine& line, const scenarios::Scenario* scenario);
+/// The item's title in the scenario; its own name where that is not known.
+std::string item_title(const database::LedgerLine& line, const scenarios::Scenario* scenario);
+std::string group_title(const database::GroupScore& group, const scenarios::Scenario* scenario);
+/// "−17.6"; "0" where nothing was lost, "< 0.1" where too little to show.
+std::string loss_text(const database::LedgerLine& line, const assessment::ShownLine& shown);
+/// What a group could have given, without needless decimals: "100", "86.2".
+std::string possible_text(const assessment::ShownGroup& shown);
+
+/// Of which planned cut the line is; nothing where it is about none or several.
+std::optional<std::size_t> cut_of(const database::LedgerLine& line,
+                                  const scenarios::Scenario* scenario);
+
+/// The lines by what they cost, greatest first; equal ones in their order.
+std::vector<std::size_t> lines_by_loss(const database::ScoreCard& card);
+/// The line that this sentence explains; nothing where it is about the whole attempt.
+std::optional<std::size_t> line_of_sentence(const database::ScoreCard& card,
+                                            std::string_view sentence);
+
+/// One thing that must be known beside a score.
+struct ScoreMark {
+  std::string words;
+  Meaning meaning = Meaning::Neutral;
+  bool has_shape = false;
+};
+/// Advisory or signed, void, partial, not surgeon-reviewed, simulated, practice, interrupted.
+std::vector<ScoreMark> score_marks(const Texts& texts, const ResultFacts& facts);
+
+}  // namespace hallux::ui

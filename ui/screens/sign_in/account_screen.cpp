@@ -1,0 +1,206 @@
+#include "ui/screens/sign_in/account_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "ui/screens/parts/page.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/dialog.h"
+#include "ui/widgets/controls/field.h"
+
+namespace hallux::ui {
+
+namespace {
+
+/// The home of whoever sits at this machine; the person adds the name of a new folder, or writes another place.
+std::string home_folder() {
+  const char* home = std::getenv("HOME");
+  return std::string(home != nullptr ? home : "") + "/";
+}
+
+bool names_a_folder(const std::string& text) {
+  const std::filesystem::path path(text);
+  return path.is_absolute() && path.has_filename();
+}
+
+constexpr float side_width = 440.0F, person_height = 366.0F, row_height = 44.0F;
+constexpr std::array<std::int32_t, 5> lock_choices_min{5, 10, 20, 30, 60};
+
+/// The longest that is not longer than what is set: somebody may have set another by hand.
+int lock_choice_of(std::int32_t minutes) {
+  int choice = 0;
+  for (std::size_t i = 0; i < lock_choices_min.size(); ++i) {
+    if (lock_choices_min[i] <= minutes) choice = static_cast<int>(i);
+  }
+  return choice;
+}
+
+}  // namespace
+
+void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  const auto rows = static_cast<float>(std::max<std::size_t>(visit_->memberships().size(), 3));
+  const float cohorts_height = 80.0F + row_height * rows;
+  const Page scrolled(ui, "account", ui.text("account.title"), content,
+                      140.0F + person_height + space::between_cards + cohorts_height);
+  Rect page = scrolled.rect();
+  PageHead head{ui.text("account.title"), ui.text("account.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.has_back = true;
+  if (page_head(ui, "account", page, head).is_back_pressed) shell.pop();
+  Panes panes = panes_of(page, side_width, cohorts_height);
+  if (are_panes_stacked(page.w)) {
+    panes.side.y = panes.main.y + person_height + space::between_cards;
+  }
+  panes.main.h = person_height;
+  panes.side.h = cohorts_height;
+  draw_person(ui, card(ui, panes.main, ui.text("account.person")), shell);
+  draw_cohorts(ui, card(ui, panes.side, ui.text("account.cohorts"), space::side_card));
+  if (folder_) draw_export(ui, shell);
+  if (!typed_) return;
+  const Answer answer =
+      draw_password_dialog(ui, *typed_, changing_.fault(), changing_.is_running());
+  if (answer == Answer::Keep) typed_.reset();
+  if (answer == Answer::Act) change_password(ui, shell);
+}
+
+void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
+  const auto minutes = static_cast<std::int32_t>(std::lround(visit_->idle_lock_s() / 60.0));
+  if (!visit_->person().is_administrator) {
+    return fact_line(ui, rest, ui.text("account.lock"),
+                     ui.texts().say("account.lock.minutes", {{"count", std::to_string(minutes)}}));
+  }
+  std::array<std::string, lock_choices_min.size()> words;
+  std::array<std::string_view, lock_choices_min.size()> labels;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = std::to_string(lock_choices_min[i]);
+    labels[i] = words[i] = ui.texts().say("account.lock.minutes", {{"count", words[i]}});
+  }
+  Rect line = take_top(rest, segmented_height, 10.0F);
+  const Rect track = take_right(line, std::min(segmented_width(ui, labels), 0.7F * line.w));
+  ui.canvas().text_in(line, {Type::Small, ui.theme().text_secondary}, ui.text("account.lock"),
+                      true);
+  int chosen = lock_choice_ >= 0 ? lock_choice_ : lock_choice_of(minutes);
+  if (segmented(ui, "account.lock", track, labels, chosen) && !setting_.is_running()) {
+    lock_choice_ = chosen;
+    set_lock(ui, shell, lock_choices_min[static_cast<std::size_t>(chosen)]);
+  }
+}
+
+void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
+  setting_.start<bool>(
+      shell, visit_,
+      {std::string(ui.text("account.lock.changing")), std::string(ui.text("account.lock.failed"))},
+      [minutes](database::Session& session, WorkReport&) {
+        administrator_of(session).set_idle_lock_min(minutes);
+        return true;
+      },
+      [&shell,
+       said = ui.texts().say("account.lock.changed", {{"count", std::to_string(minutes)}})](bool&) {
+        shell.say({Meaning::Good, said});
+      });
+}
+
+void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
+  const database::Person& person = visit_->person();
+  fact_line(ui, rest, ui.text("people.login"), person.login);
+  fact_line(ui, rest, ui.text("account.name"),
+            person.display_name.empty() ? person.login : person.display_name);
+  fact_line(ui, rest, ui.text("account.role"),
+            ui.text(person.is_administrator ? "role.administrator" : "account.member"));
+  fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
+  draw_lock(ui, rest, shell);
+  const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
+  Rect lowest = take_bottom(rest, button_height, 12.0F);
+  lowest.w = std::min(lowest.w, button_width(ui, take));
+  if (button(ui, "account.export", lowest, take)) {
+    folder_ = home_folder();
+    exporting_.forget_fault();
+  }
+  const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
+  Rect line = take_bottom(rest, button_height);
+  line.w = std::min(line.w, button_width(ui, change));
+  if (!button(ui, "account.change_password", line, change)) return;
+  typed_.emplace();
+  changing_.forget_fault();
+}
+
+void AccountScreen::draw_cohorts(Ui& ui, Rect rest) const {
+  if (visit_->memberships().empty()) {
+    words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
+    return;
+  }
+  for (const database::Membership& each : visit_->memberships()) {
+    Rect line = take_top(rest, row_height);
+    const std::string_view role =
+        ui.text(each.role == database::CohortRole::Instructor ? "role.instructor" : "role.trainee");
+    const Rect place = take_right(line, ui.width_of(Type::Small, role) + 2.0F, 12.0F);
+    ui.canvas().text_in(place, {Type::Small, ui.theme().text_secondary, Align::Right}, role);
+    ui.canvas().text_in(line, {Type::BodyMedium, ui.theme().text}, each.cohort_name, true);
+  }
+}
+
+/// What was typed stays where it is refused, so that only what is wrong is typed again.
+void AccountScreen::change_password(Ui& ui, Shell& shell) {
+  struct Secrets {
+    database::SecretText old_password, new_password;
+  };
+  if (changing_.is_running()) return;
+  std::string old_password = typed_->old_password, new_password = typed_->new_password;
+  const auto secrets = std::make_shared<Secrets>(
+      Secrets{database::SecretText::take(old_password), database::SecretText::take(new_password)});
+  changing_.start<bool>(
+      shell, visit_, {std::string(ui.text("account.password.changing")), {}},
+      [secrets, cost = cost_](database::Session& session, WorkReport&) {
+        session.change_password(secrets->old_password, secrets->new_password, cost);
+        return true;
+      },
+      [this, &shell, said = std::string(ui.text("account.password.changed"))](bool&) {
+        typed_.reset();
+        shell.say({Meaning::Good, said});
+      });
+}
+
+void AccountScreen::draw_export(Ui& ui, Shell& shell) {
+  Dialog shown;
+  shown.title = ui.text("account.export.title");
+  shown.sentence = ui.text("account.export.sentence");
+  shown.act = ui.text("account.export.act");
+  shown.keep = ui.text("form.cancel");
+  shown.error = exporting_.fault();
+  shown.form_height = field_label_height + field_height + field_message_height;
+  shown.is_busy = exporting_.is_running();
+  const Answer answer = dialog(ui, "account.export", shown, [&](Rect form) {
+    FieldSpec folder;
+    folder.label = ui.text("account.export.folder");
+    folder.hint = ui.text("account.export.rule");
+    folder.max_bytes = 4096;
+    take_top(form, field_label_height);
+    field(ui, "account.export.folder", take_top(form, field_height), *folder_, folder);
+    ui.focus_first("account.export.folder");
+    return names_a_folder(*folder_);
+  });
+  if (answer == Answer::Keep) folder_.reset();
+  if (answer == Answer::Act) export_own(ui, shell);
+}
+
+void AccountScreen::export_own(Ui& ui, Shell& shell) {
+  if (exporting_.is_running()) return;
+  exporting_.start<database::PersonExport>(
+      shell, visit_, {std::string(ui.text("account.export.running")), {}},
+      [folder = std::filesystem::path(*folder_)](database::Session& session, WorkReport& report) {
+        return trainee_of(session).export_own(
+            folder, [&report](double share) { return report.reached(share); });
+      },
+      [this, &shell,
+       said = std::string(ui.text("account.export.done"))](database::PersonExport& made) {
+        folder_.reset();
+        shell.say({Meaning::Good, said, made.directory.string()});
+      });
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,42 @@
+/// One's own account: how one is known here, in which cohorts one is what, and a new password.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/person_dialogs.h"
+
+namespace hallux::ui {
+
+class AccountScreen : public Screen {
+ public:
+  explicit AccountScreen(std::shared_ptr<Visit> visit, database::PasswordCost cost = {})
+      : visit_(std::move(visit)), cost_(cost) {}
+
+  std::string_view navigation_id() const override { return account_place; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+  /// No place of the navigation: it is opened from the menu beside one's name.
+  static constexpr std::string_view account_place = "account";
+
+ private:
+  void draw_person(Ui& ui, Rect rest, Shell& shell);
+  void draw_cohorts(Ui& ui, Rect rest) const;
+  void change_password(Ui& ui, Shell& shell);
+  void draw_export(Ui& ui, Shell& shell);
+  void export_own(Ui& ui, Shell& shell);
+  /// When windows lock: a fact, and for administrators a choice.
+  void draw_lock(Ui& ui, Rect& rest, Shell& shell);
+  void set_lock(Ui& ui, Shell& shell, std::int32_t minutes);
+
+  std::shared_ptr<Visit> visit_;
+  database::PasswordCost cost_;
+  std::optional<PasswordWords> typed_;  ///< while the dialog is open
+  std::optional<std::string> folder_;   ///< typed while the dialog of the export is open
+  DeskWork changing_, setting_, exporting_;
+  int lock_choice_ = -1;  ///< of the choices; below 0: as it was at the sign-in
+};
+
+}  // namespace hallux::ui

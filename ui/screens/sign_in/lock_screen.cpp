@@ -1,0 +1,101 @@
+#include "ui/screens/sign_in/lock_screen.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/shapes.h"
+#include "ui/widgets/texts/wipe.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float form_width = 360.0F, form_height = 420.0F, field_gap = 14.0F;
+
+/// Of one try; it may outlive the screen.
+struct Try {
+  database::SecretText password;
+  SignInWait wait;
+};
+
+}  // namespace
+
+LockScreen::LockScreen(std::shared_ptr<Visit> visit, std::function<void()> sign_out,
+                       database::PasswordCost cost)
+    : visit_(std::move(visit)), sign_out_(std::move(sign_out)), cost_(cost) {}
+
+LockScreen::~LockScreen() { wipe(password_); }
+
+void LockScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (since_s_ < 0.0) since_s_ = ui.time_s();
+  const double left_s = since_s_ + longest_s - ui.time_s();
+  if (left_s <= 0.0) return sign_out_();
+  ui.want_frame_in_s(left_s);
+  const float width = std::min(form_width, content.w - 2.0F * space::page);
+  draw_form(ui, centred(content, width, std::min(form_height, content.h)), shell);
+}
+
+void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
+  const Theme& theme = ui.theme();
+  const database::Person& person = visit_->person();
+  const bool is_recording = shell.top() != nullptr && !shell.top()->why_not_leave().empty();
+  const std::string sentence =
+      ui.texts().say(is_recording ? "lock.sentence.recording" : "lock.sentence",
+                     {{"name", person.display_name.empty() ? person.login : person.display_name}});
+  ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text},
+                      ui.text("lock.title"));
+  const float height = ui.paragraph_height(Type::Body, sentence, column.w);
+  ui.canvas().paragraph(take_top(column, height, 24.0F), {Type::Body, theme.text_secondary},
+                        sentence);
+  FieldSpec secret;
+  secret.label = ui.text("entry.password");
+  secret.is_secret = true;
+  secret.is_enabled = !work_.is_running();
+  take_top(column, field_label_height);
+  field(ui, "lock.password", take_top(column, field_height, field_gap), password_, secret);
+  ui.focus_first("lock.password");
+  draw_fault(ui, column);
+  ButtonSpec open_it{ui.text("lock.open"), ButtonLook::Primary, Icon::Lock};
+  open_it.is_enabled = !password_.empty() && wait_.left_s(ui) == 0;
+  open_it.is_busy = work_.is_running();
+  if (button(ui, "lock.open", take_top(column, large_button_height, 20.0F), open_it)) {
+    open(ui, shell);
+  }
+  if (is_recording) return;
+  if (link(ui, "lock.other", {column.x, column.y + 10.0F}, ui.text("lock.other"))) sign_out_();
+}
+
+void LockScreen::draw_fault(Ui& ui, Rect& column) {
+  wait_.replace(ui, fault_);
+  if (fault_.empty()) return;
+  const Theme& theme = ui.theme();
+  const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
+  const Rect line = take_top(column, height, field_gap);
+  draw_meaning(ui.canvas(), theme, Meaning::Bad, {line.x + 8.0F, line.y + 9.0F}, 8.0F);
+  ui.canvas().paragraph({line.x + 28.0F, line.y, line.w - 28.0F, height},
+                        {Type::Small, theme.bad_text}, fault_);
+}
+
+void LockScreen::open(Ui& ui, Shell& shell) {
+  auto tried = std::make_shared<Try>(Try{database::SecretText::take(password_), {}});
+  fault_.clear();
+  work_.start(
+      shell, std::string(ui.text("lock.opening")),
+      [tried, visit = visit_, cost = cost_](WorkReport&) {
+        tried->wait.noting([&] {
+          visit->in_turn([&](database::Session& session, database::Database&) {
+            session.prove(tried->password, cost);
+          });
+        });
+      },
+      [this, &shell, tried](WorkEnd end, const std::string& reason) {
+        if (end == WorkEnd::Done) return shell.unlock();
+        wait_ = tried->wait;
+        fault_ = sentence_of(reason);
+      });
+}
+
+}  // namespace hallux::ui

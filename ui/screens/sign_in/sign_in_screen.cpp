@@ -1,0 +1,285 @@
+#include "ui/screens/sign_in/sign_in_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+// The form of a new password with all its messages; where it does not fit below the head it scrolls.
+constexpr float longest_form = 600.0F;
+constexpr float form_width = 360.0F, side_share = 0.6F, narrow_below = 1000.0F;
+constexpr float field_gap = 14.0F, logo_size = 40.0F, welcome_inset = 48.0F;
+constexpr const char* pictured_scenario = "akin";
+constexpr double bone_rise = 0.09;  // shares of the picture's width: the words stand below it
+
+/// What the product is, beside the form and below the bone; left out where the window is narrow.
+void draw_welcome(Ui& ui, const Rect& side) {
+  Canvas& canvas = ui.canvas();
+  const Theme& theme = ui.theme();
+  canvas.hairline_down(side.right() - 1.0F, side.y, side.h, theme.line);
+  const float left = side.x + welcome_inset, width = side.w - 2.0F * welcome_inset;
+  draw_logo(canvas, theme, {left + logo_size / 2.0F, side.y + 60.0F}, logo_size / 2.0F);
+  canvas.text({left + logo_size + 14.0F, side.y + 60.0F}, {Type::Section, theme.text},
+              ui.text("product.name"));
+  Rect rest{left, side.y, width, side.h - 40.0F};
+  const auto add_above = [&](const TextStyle& style, std::string_view words, float gap) {
+    const Rect place = take_bottom(rest, ui.paragraph_height(style.type, words, width), gap);
+    canvas.paragraph(place, style, words);
+  };
+  add_above({Type::Small, theme.text_secondary}, ui.text("entry.not_reviewed"), 20.0F);
+  add_above({Type::Body, theme.text_secondary}, ui.text("entry.sentence"), 10.0F);
+  add_above({Type::Title, theme.text}, ui.text("entry.headline"), 0.0F);
+}
+
+}  // namespace
+
+EntryScreen::EntryScreen(std::filesystem::path data_directory, Entered entered,
+                         database::PasswordCost cost, PatientPictures* pictures)
+    : data_directory_(std::move(data_directory)),
+      entered_(std::move(entered)),
+      cost_(cost),
+      pictures_(pictures) {
+  if (pictures_ != nullptr) pictured_ = scenarios::load_shipped_scenario(pictured_scenario);
+}
+
+// The ground is there from the first frame on, so that nothing but the bone appears.
+void EntryScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
+  ui.canvas().fill(side, ui.theme().side);
+  if (pictures_ == nullptr) return;
+  const PatientView* view = pictures_->find(shell, pictured_);
+  Scene scene;
+  Camera camera;
+  if (view != nullptr) {
+    const auto shape = static_cast<double>(side.w / side.h);
+    scene = scene_of(*view, PatientPicture::Pair, {});
+    camera = panned(camera_of(*view, PatientPicture::Pair, shape), {}, Vec2(0.0, bone_rise));
+  }
+  scene.ground = ground_of(ui.theme());
+  scene.light_place = Vec2(0.5, 0.5 + bone_rise);
+  const std::string name = std::string(view != nullptr ? "entry.bone." : "entry.ground.") +
+                           std::string(ground_word(ui.theme()));
+  ui.canvas().picture(still_picture(ui, shell, name, side, scene, camera), side);
+}
+
+void EntryScreen::show(Form form) {
+  form_ = form;
+  is_login_known_ = !login_.empty();
+  fault_.clear();
+  forget_secrets();
+}
+
+void EntryScreen::forget_secrets() {
+  for (std::string* secret : {&code_, &password_, &password_again_}) {
+    database::SecretText::take(*secret);  // wipes what it takes
+  }
+}
+
+void EntryScreen::open(Ui& ui, Shell& shell) {
+  opening_since_s_ = ui.time_s();
+  shell.background().start(
+      std::string(ui.text("entry.opening")),
+      [this](WorkReport&) { is_without_people_ = is_without_people(data_directory_); },
+      [this](WorkEnd end, const std::string& reason) {
+        show(end != WorkEnd::Done ? Form::Unusable
+             : is_without_people_ ? Form::FirstAdministrator
+                                  : Form::SignIn);
+        fault_ = sentence_of(reason);
+      });
+}
+
+void EntryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  Rect rest = content;
+  if (content.w >= narrow_below) {
+    const Rect side = take_left(rest, content.w * side_share);
+    draw_bone(ui, side, shell);
+    draw_welcome(ui, side);
+  }
+  const float width = std::min(form_width, rest.w - 2.0F * space::page);
+  const float above = std::max(48.0F, rest.h * 0.2F);
+  const bool is_scrolled = above + longest_form > rest.h;
+  const float offset = is_scrolled ? ui.begin_scroll("entry.page", ui.text("entry.sign_in"), rest,
+                                                     above + longest_form)
+                                   : 0.0F;
+  const Rect column{rest.mid_x() - width / 2.0F, rest.y + above - offset, width,
+                    std::max(rest.h * 0.8F, longest_form)};
+  if (form_ == Form::Opening || form_ == Form::Unusable) {
+    draw_opening(ui, column, shell);
+  } else {
+    draw_form(ui, column, shell);
+  }
+  if (is_scrolled) ui.end_scroll();
+}
+
+void EntryScreen::draw_opening(Ui& ui, const Rect& column, Shell& shell) {
+  if (form_ == Form::Opening) {
+    if (opening_since_s_ < 0.0) open(ui, shell);
+    loading_rows(ui, column, 4, opening_since_s_);
+    return;
+  }
+  const FailedCard failed{ui.text("entry.unusable"), fault_, ui.text("entry.try_again")};
+  if (!failed_card(ui, "entry.unusable", column, failed)) return;
+  show(Form::Opening);
+  opening_since_s_ = -1.0;
+}
+
+void EntryScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
+  if (form_ == Form::SignIn) draw_sign_in(ui, column, shell);
+  if (form_ == Form::Code) draw_code(ui, column, shell);
+  if (form_ == Form::FirstAdministrator) draw_first_administrator(ui, column, shell);
+}
+
+void EntryScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
+                            std::string_view sentence) const {
+  const Theme& theme = ui.theme();
+  ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text}, title);
+  const float height = ui.paragraph_height(Type::Body, sentence, column.w);
+  ui.canvas().paragraph(take_top(column, height, 24.0F), {Type::Body, theme.text_secondary},
+                        sentence);
+}
+
+namespace {
+
+struct EntryField {
+  std::string_view id, label, hint = {};
+  bool is_secret = false;
+};
+
+void draw_entry_field(Ui& ui, Rect& column, std::string& text, const EntryField& entry,
+                      bool is_enabled) {
+  FieldSpec spec;
+  spec.label = entry.label;
+  spec.hint = entry.hint;
+  spec.is_secret = entry.is_secret;
+  spec.is_enabled = is_enabled;
+  take_top(column, field_label_height);
+  const Rect box = take_top(column, field_height,
+                            field_gap + (entry.hint.empty() ? 0.0F : field_message_height));
+  field(ui, entry.id, box, text, spec);
+}
+
+}  // namespace
+
+void EntryScreen::draw_fault(Ui& ui, Rect& column) {
+  if (login_ != waiting_login_ && wait_.left_s(ui) > 0) {
+    wait_ = {};
+    fault_.clear();
+  }
+  wait_.replace(ui, fault_);
+  if (fault_.empty()) return;
+  const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
+  const Rect line = take_top(column, height, field_gap);
+  draw_meaning(ui.canvas(), ui.theme(), Meaning::Bad, {line.x + 8.0F, line.y + 9.0F}, 8.0F);
+  ui.canvas().paragraph({line.x + 28.0F, line.y, line.w - 28.0F, height},
+                        {Type::Small, ui.theme().bad_text}, fault_);
+}
+
+bool EntryScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
+                              bool is_ready) {
+  take_top(column, 6.0F);
+  ButtonSpec spec{label, ButtonLook::Primary};
+  spec.is_enabled = is_ready && wait_.left_s(ui) == 0;
+  spec.is_busy = is_busy_;
+  return button(ui, id, take_top(column, large_button_height, 20.0F), spec);
+}
+
+void EntryScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
+  draw_head(ui, column, ui.text("entry.sign_in"), ui.text("entry.sign_in.sentence"));
+  draw_entry_field(ui, column, login_, {"entry.login", ui.text("entry.login")}, !is_busy_);
+  draw_entry_field(ui, column, password_, {"entry.password", ui.text("entry.password"), {}, true},
+                   !is_busy_);
+  ui.focus_first(is_login_known_ ? "entry.password" : "entry.login");
+  draw_fault(ui, column);
+  if (draw_button(ui, column, "entry.sign_in", ui.text("entry.sign_in"),
+                  !login_.empty() && !password_.empty())) {
+    come_in(ui, shell, sign_in);
+  }
+  if (link(ui, "entry.to_code", {column.x, column.y + 10.0F}, ui.text("entry.to_code")) &&
+      !is_busy_) {
+    show(Form::Code);
+  }
+  const std::string_view shared = ui.text("entry.shared");
+  const Rect foot{column.x, column.y + 48.0F, column.w,
+                  ui.paragraph_height(Type::Small, shared, column.w)};
+  ui.canvas().paragraph(foot, {Type::Small, ui.theme().text_caption}, shared);
+}
+
+void EntryScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
+  draw_head(ui, column, ui.text("entry.code.title"), ui.text("entry.code.sentence"));
+  draw_entry_field(ui, column, login_, {"entry.login", ui.text("entry.login")}, !is_busy_);
+  draw_entry_field(ui, column, code_, {"entry.code", ui.text("entry.code"), {}, true}, !is_busy_);
+  draw_entry_field(
+      ui, column, password_,
+      {"entry.password", ui.text("entry.new_password"), ui.text("entry.password.rule"), true},
+      !is_busy_);
+  draw_entry_field(ui, column, password_again_,
+                   {"entry.password_again", ui.text("entry.password_again"), {}, true}, !is_busy_);
+  ui.focus_first(is_login_known_ ? "entry.code" : "entry.login");
+  draw_fault(ui, column);
+  if (draw_button(ui, column, "entry.redeem", ui.text("entry.redeem"),
+                  !login_.empty() && !code_.empty() && !password_.empty())) {
+    come_in_with_new_password(ui, shell, redeem);
+  }
+  if (link(ui, "entry.to_sign_in", {column.x, column.y + 10.0F}, ui.text("entry.to_sign_in")) &&
+      !is_busy_) {
+    show(Form::SignIn);
+  }
+}
+
+void EntryScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) {
+  draw_head(ui, column, ui.text("entry.first.title"), ui.text("entry.first.sentence"));
+  draw_entry_field(ui, column, login_,
+                   {"entry.login", ui.text("entry.login"), ui.text("entry.login.rule")}, !is_busy_);
+  draw_entry_field(ui, column, name_, {"entry.name", ui.text("entry.name")}, !is_busy_);
+  draw_entry_field(
+      ui, column, password_,
+      {"entry.password", ui.text("entry.password"), ui.text("entry.password.rule"), true},
+      !is_busy_);
+  draw_entry_field(ui, column, password_again_,
+                   {"entry.password_again", ui.text("entry.password_again"), {}, true}, !is_busy_);
+  ui.focus_first("entry.login");
+  draw_fault(ui, column);
+  if (draw_button(ui, column, "entry.begin", ui.text("entry.begin"),
+                  !login_.empty() && !password_.empty())) {
+    come_in_with_new_password(ui, shell, begin_course);
+  }
+}
+
+void EntryScreen::come_in_with_new_password(Ui& ui, Shell& shell, Work work) {
+  if (password_ == password_again_) return come_in(ui, shell, work);
+  fault_ = ui.text("entry.passwords_differ");
+}
+
+/// The words are kept by the screen until the work ends, and a screen stays until its work ended.
+void EntryScreen::come_in(Ui& ui, Shell& shell, Work work) {
+  words_.login = login_;
+  words_.display_name = name_;
+  words_.code = database::SecretText::take(code_);
+  words_.password = database::SecretText::take(password_);
+  forget_secrets();
+  fault_.clear();
+  is_busy_ = true;
+  shell.background().start(
+      std::string(ui.text("entry.signing_in")),
+      [this, work](WorkReport&) {
+        told_.noting([&] { visit_ = work(data_directory_, words_, cost_); });
+      },
+      [this, &shell](WorkEnd end, const std::string& reason) {
+        is_busy_ = false;
+        waiting_login_ = std::exchange(words_, {}).login;
+        wait_ = std::exchange(told_, {});
+        if (end == WorkEnd::Done) return entered_(shell, std::move(visit_));
+        visit_.reset();
+        fault_ = sentence_of(reason);
+      });
+}
+
+}  // namespace hallux::ui

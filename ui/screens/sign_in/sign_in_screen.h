@@ -1,0 +1,65 @@
+/// The first screen: sign in, come in with a one-time code, or, where there are no people yet, make the first administrator.
+#pragma once
+
+#include <functional>
+
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/pictures/patient_pictures.h"
+#include "ui/screens/sign_in/sign_in_wait.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+class EntryScreen : public Screen {
+ public:
+  /// Called once somebody came in.
+  using Entered = std::function<void(Shell& shell, std::shared_ptr<Visit> visit)>;
+
+  /// `pictures`, where there are any, outlive the screen: the bone beside the form comes from them.
+  EntryScreen(std::filesystem::path data_directory, Entered entered,
+              database::PasswordCost cost = {}, PatientPictures* pictures = nullptr);
+
+  Surround surround() const override { return Surround::Nothing; }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  enum class Form { Opening, Unusable, SignIn, Code, FirstAdministrator };
+  using Work = std::shared_ptr<Visit> (*)(const std::filesystem::path&, const EntryWords&,
+                                          const database::PasswordCost&);
+
+  void draw_bone(Ui& ui, const Rect& side, Shell& shell);
+  void open(Ui& ui, Shell& shell);
+  void show(Form form);
+  void draw_opening(Ui& ui, const Rect& column, Shell& shell);
+  void draw_form(Ui& ui, Rect column, Shell& shell);
+  void draw_sign_in(Ui& ui, Rect& column, Shell& shell);
+  void draw_code(Ui& ui, Rect& column, Shell& shell);
+  void draw_first_administrator(Ui& ui, Rect& column, Shell& shell);
+  void draw_head(Ui& ui, Rect& column, std::string_view title, std::string_view sentence) const;
+  void draw_fault(Ui& ui, Rect& column);
+  bool draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
+                   bool is_ready);
+  void come_in(Ui& ui, Shell& shell, Work work);
+  void come_in_with_new_password(Ui& ui, Shell& shell, Work work);
+  void forget_secrets();
+
+  std::filesystem::path data_directory_;
+  Entered entered_;
+  database::PasswordCost cost_;
+  PatientPictures* pictures_;
+  scenarios::Scenario pictured_;  ///< whose patient is beside the form
+  Form form_ = Form::Opening;
+  double opening_since_s_ = -1.0;  ///< frame time; below 0: not begun
+  bool is_without_people_ = false;
+  bool is_login_known_ = false;  ///< when the form appeared: then the next field has the focus
+  bool is_busy_ = false;
+  std::string login_, name_, code_, password_, password_again_;
+  std::string fault_;  ///< why it did not go; a sentence
+  SignInWait wait_;    ///< of `waiting_login_`: somebody else at the station need not wait
+  std::string waiting_login_;
+  EntryWords words_;  ///< of the work that runs
+  SignInWait told_;   ///< the work's, until it ends
+  std::shared_ptr<Visit> visit_;
+};
+
+}  // namespace hallux::ui

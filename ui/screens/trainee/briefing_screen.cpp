@@ -1,0 +1,214 @@
+#include "ui/screens/trainee/briefing_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/screens/parts/page.h"
+#include "ui/screens/trainee/briefing_text.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float picture_share = 0.48F, stacked_picture = 300.0F, least_body = 420.0F;
+constexpr float head_room = 84.0F;
+constexpr float words_frame = 2.0F * space::card + tabs_height + 20.0F;  // of the card around them
+
+std::array<std::string_view, 2> kind_labels(const Ui& ui) {
+  return {ui.text("brief.practice"), ui.text("brief.assessment")};
+}
+
+constexpr std::array<simulator::Guidance, 3> guidances{
+    simulator::Guidance::None, simulator::Guidance::Soft, simulator::Guidance::Slot};
+
+std::array<std::string_view, 3> guidance_labels(const Ui& ui) {
+  return {ui.text("brief.guide.none"), ui.text("brief.guide.soft"), ui.text("brief.guide.slot")};
+}
+
+std::array<std::string_view, 3> tab_labels(const Ui& ui) {
+  return {ui.text("brief.about"), ui.text("brief.steps"), ui.text("brief.scoring")};
+}
+
+}  // namespace
+
+void BriefingScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (operation_.is_new()) {
+    operation_.start(
+        ui, shell, ui.text("brief.reading"), [visit = visit_, id = scenario_](WorkReport&) {
+          return visit->in_turn([&](database::Session& session, database::Database& database) {
+            return own_operation(session, database, id);
+          });
+        });
+  }
+  if (operation_.has_value()) return draw_briefing(ui, content, shell);
+  Rect page = inset(content, page_margin(content));
+  PageHead head{ui.text("brief.title")};
+  head.has_back = true;
+  if (page_head(ui, "brief", page, head).is_back_pressed) shell.pop();
+  operation_.draw_until_ready(ui, "brief.failed", page, 8);
+}
+
+void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
+  const float margin = page_margin(content), width = content.w - 2.0F * margin;
+  const bool is_stacked = are_panes_stacked(width);
+  const float start = start_height(ui, is_stacked ? width : width * picture_share);
+  const float gap = space::between_cards;
+  const float stacked = stacked_picture + gap + start + gap + words_frame + words_height_;
+  const OwnOperation& operation = operation_.value();
+  const std::string sentence =
+      ui.texts().say("brief.sentence", {{"version", std::to_string(operation.published.version)}});
+  PageHead head{operation.title(), sentence};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.has_back = true;
+  const Page page(ui, "brief", head.title, content,
+                  head_room + (is_stacked ? stacked : std::max(least_body, start + 200.0F)));
+  Rect rest = page.rect();
+  if (page_head(ui, "brief", rest, head).is_back_pressed) shell.pop();
+  if (is_stacked) {
+    draw_picture(ui, take_top(rest, stacked_picture, gap), shell);
+    draw_start(ui, take_top(rest, start, gap));
+    return draw_words_card(ui, rest);
+  }
+  Rect left = take_left(rest, rest.w * picture_share, gap);
+  const Rect below = take_bottom(left, start, gap);
+  draw_picture(ui, left, shell);
+  draw_start(ui, below);
+  draw_words_card(ui, rest);
+}
+
+// -- the picture
+
+namespace {
+
+/// A chip for what is said over the picture.
+Rect draw_chip(Ui& ui, Point left_top, float width) {
+  const Rect chip{left_top.x, left_top.y, width, 24.0F};
+  ui.canvas().fill(chip, ui.theme().hud, 12.0F);
+  return chip;
+}
+
+/// As on the cards to choose from.
+void draw_mark(Ui& ui, Point left_top, std::string_view mark) {
+  const Rect chip = draw_chip(ui, left_top, ui.width_of(Type::CaptionMedium, mark) + 40.0F);
+  draw_meaning(ui.canvas(), ui.theme(), Meaning::Warn, {chip.x + 15.0F, chip.mid_y()}, 5.5F);
+  ui.canvas().text({chip.x + 28.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, mark);
+}
+
+/// How to turn the bone.
+void draw_hint(Ui& ui, const Rect& picture) {
+  const std::string_view hint = ui.text("brief.picture.hint");
+  const float width = std::min(ui.width_of(Type::Caption, hint) + 26.0F, picture.w - 24.0F);
+  const Rect chip = draw_chip(ui, {picture.x + 12.0F, picture.bottom() - 36.0F}, width);
+  ui.canvas().text_in(inset(chip, 12.0F, 0.0F), {Type::Caption, ui.theme().text_secondary}, hint,
+                      true);
+}
+
+}  // namespace
+
+void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
+  const Theme& theme = ui.theme();
+  const scenarios::Scenario& scenario = *operation_.value().scenario;
+  draw_card(ui.canvas(), theme, rect, radius::picture);
+  if (const PatientView* view = pictures_.find(shell, scenario)) {
+    if (!stage_.has_view()) {
+      const Camera camera = camera_of(*view, PatientPicture::Whole, 1.0);
+      stage_.look_at(camera.target_mm, radius_of(*view, PatientPicture::Whole),
+                     camera.world_from_view);
+    }
+    stage_.draw(
+        ui, shell, rect, scene_of(*view, PatientPicture::Whole, ground_of(theme)),
+        {"brief.picture", ui.text("brief.picture"), theme.is_dark() ? 1U : 2U, radius::picture});
+    draw_hint(ui, rect);
+  } else {
+    ui.canvas().fill(rect, theme.raise, radius::picture);
+    ui.canvas().paragraph(inset(rect, space::card, 52.0F), {Type::Small, theme.text_caption},
+                          pictures_.fault(scenario));
+  }
+  ui.canvas().outline(rect, theme.line, radius::picture);
+  if (!operation_.value().published.is_reviewed) {
+    draw_mark(ui, {rect.x + 12.0F, rect.y + 12.0F}, ui.text("course.not_reviewed"));
+  }
+}
+
+// -- the beginning
+
+std::string BriefingScreen::words_of_choice(const Ui& ui) const {
+  if (kind_ != 0) {
+    const std::string means(ui.text("brief.assessment.means"));
+    const auto& allowance = operation_.value().published.allowance;
+    if (!allowance) return means;
+    const TextValues about{{"max", std::to_string(allowance->attempts_max)},
+                           {"cohort", allowance->cohort_name}};
+    return means + " " +
+           (allowance->left() > 0 ? ui.texts().say_count("brief.left", allowance->left(), about)
+                                  : ui.texts().say("brief.none_left", about));
+  }
+  constexpr std::array means{"brief.guide.none.means", "brief.guide.soft.means",
+                             "brief.guide.slot.means"};
+  return std::string(ui.text("brief.practice.means")) + " " +
+         std::string(ui.text(means[static_cast<std::size_t>(guidance_)]));
+}
+
+bool BriefingScreen::may_begin() const {
+  const auto& allowance = operation_.value().published.allowance;
+  return kind_ == 0 || !allowance || allowance->left() > 0;
+}
+
+float BriefingScreen::start_height(const Ui& ui, float width) const {
+  const float words =
+      ui.paragraph_height(Type::Small, words_of_choice(ui), width - 2.0F * space::side_card);
+  const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F);
+  return space::side_card + choices + std::max(40.0F, words) + 14.0F + button_height +
+         space::side_card;
+}
+
+void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
+  Rect inside = card(ui, rect, {}, space::side_card);
+  segmented(ui, "brief.kind", take_top(inside, segmented_height, 14.0F), kind_labels(ui), kind_);
+  if (kind_ == 0) {
+    segmented(ui, "brief.guide", take_top(inside, segmented_height, 14.0F), guidance_labels(ui),
+              guidance_);
+  }
+  const Rect foot = take_bottom(inside, button_height, 14.0F);
+  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, words_of_choice(ui));
+  const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
+                         ButtonLook::Primary, Icon::None, may_begin()};
+  const float width = std::min(foot.w, std::max(160.0F, button_width(ui, begin)));
+  if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
+    // What was chosen for a practice means nothing for an assessment.
+    const bool is_practice = kind_ == 0;
+    places_.operate(
+        scenario_,
+        is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
+        is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);
+  }
+}
+
+// -- the words
+
+float BriefingScreen::draw_words(Ui& ui, const Rect& rect) const {
+  const scenarios::Scenario& scenario = *operation_.value().scenario;
+  if (tab_ == 1) return draw_steps(ui, rect, scenario);
+  if (tab_ == 2) return draw_scoring(ui, rect, scenario);
+  return draw_about(ui, rect, scenario);
+}
+
+void BriefingScreen::draw_words_card(Ui& ui, const Rect& rect) {
+  Rect inside = card(ui, rect, {});
+  inside.y -= 8.0F;
+  inside.h += 8.0F;
+  tabs(ui, "brief.tab", take_top(inside, tabs_height, 16.0F), tab_labels(ui), tab_);
+  const Rect view = inset(inside, -8.0F, 0.0F);
+  const float scrolled = ui.begin_scroll(
+      "brief.words", tab_labels(ui)[static_cast<std::size_t>(tab_)], view, words_height_ + 8.0F);
+  const Rect words{inside.x, inside.y + 4.0F - scrolled, inside.w - 8.0F, inside.h};
+  const float height = draw_words(ui, words);
+  ui.end_scroll();
+  if (height != words_height_) ui.want_frame_in_s(0.0);
+  words_height_ = height;
+}
+
+}  // namespace hallux::ui

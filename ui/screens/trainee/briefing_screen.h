@@ -1,0 +1,50 @@
+/// What an operation is about, before it is begun: why and what, the steps, what is scored; the bone with its planned faces.
+#pragma once
+
+#include <memory>
+
+#include "ui/jobs/course/standing_jobs.h"
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/patient_pictures.h"
+
+namespace hallux::ui {
+
+class BriefingScreen : public Screen {
+ public:
+  /// `places` and `pictures` outlive the screen.
+  BriefingScreen(std::shared_ptr<Visit> visit, Places& places, PatientPictures& pictures,
+                 database::ScenarioVersionId scenario)
+      : visit_(std::move(visit)), places_(places), pictures_(pictures), scenario_(scenario) {}
+
+  std::string_view navigation_id() const override { return "nav.operations"; }
+  /// An assessment may have been used up since.
+  void enter(Shell&) override { operation_.read_again(); }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  void draw_briefing(Ui& ui, const Rect& content, Shell& shell);
+  void draw_picture(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_start(Ui& ui, const Rect& rect);
+  float start_height(const Ui& ui, float width) const;
+  /// What it means to begin as it is chosen.
+  std::string words_of_choice(const Ui& ui) const;
+  bool may_begin() const;
+  /// The words of the chosen tab from the top of `rect`; returns their height.
+  float draw_words(Ui& ui, const Rect& rect) const;
+  void draw_words_card(Ui& ui, const Rect& rect);
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  PatientPictures& pictures_;
+  database::ScenarioVersionId scenario_;
+  Reading<OwnOperation> operation_;
+  int tab_ = 0, kind_ = 0;
+  int guidance_ = 0;           ///< of practice: none, soft, slot
+  float words_height_ = 0.0F;  ///< as they were drawn last
+  BoneStage stage_;
+};
+
+}  // namespace hallux::ui

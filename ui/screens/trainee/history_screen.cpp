@@ -1,0 +1,331 @@
+#include "ui/screens/trainee/history_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "simulator/base/units.h"
+#include "ui/screens/parts/attempt_marks.h"
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/page.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/marks.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float head_room = 100.0F, facts_width = 360.0F, chart_height = 404.0F;
+constexpr float least_chart = 330.0F, least_table = 200.0F, control_gap = 16.0F;
+constexpr int fewest_places = 12;  // the axis is no shorter: two points are no trend
+
+enum Column { Number, When, Kind, StateColumn, Duration, Score, ColumnCount };
+
+std::vector<std::string> operation_names(const std::vector<OperationHistory>& histories) {
+  std::vector<std::string> names;
+  names.reserve(histories.size());
+  for (const OperationHistory& history : histories) {
+    names.push_back(operation_text(history.scenario_name));
+  }
+  return names;
+}
+
+ButtonSpec copy_button(const Ui& ui) {
+  ButtonSpec spec{ui.text("history.copy"), ButtonLook::Secondary};
+  spec.icon = Icon::Copy;
+  return spec;
+}
+
+float controls_width(const Ui& ui, const std::vector<OperationHistory>& histories) {
+  const std::vector<std::string> names = operation_names(histories);
+  const std::vector<std::string_view> labels(names.begin(), names.end());
+  return segmented_width(ui, labels) + control_gap + button_width(ui, copy_button(ui));
+}
+
+void draw_cell(Ui& ui, const OperationHistory& history, std::size_t row, int column,
+               const Rect& cell) {
+  const Theme& theme = ui.theme();
+  const JudgedAttempt& attempt = history.attempts[row];
+  const TextStyle plain{Type::Body, theme.text_secondary};
+  const TextStyle caption{Type::Body, theme.text_caption, Align::Right};
+  switch (column) {
+    case Number:
+      ui.canvas().text_in(cell, caption,
+                          history.numbers[row] > 0 ? grouped(history.numbers[row]) : "\u2013");
+      break;
+    case When:
+      ui.canvas().text_in(cell, plain, moment_text(attempt.header.started_utc));
+      break;
+    case Kind:
+      ui.canvas().text_in(cell, plain, kind_text(ui, attempt.header));
+      break;
+    case Duration:
+      if (attempt.header.duration_ticks) {
+        ui.canvas().text_in(cell, {Type::Body, theme.text_secondary, Align::Right},
+                            clock_text(second_from_tick(*attempt.header.duration_ticks)));
+      }
+      break;
+    case StateColumn:
+      draw_attempt_state(ui, attempt.header, cell);
+      break;
+    default:
+      if (attempt.score_milli) {
+        ui.canvas().text_in(cell, {Type::BodyMedium, theme.text, Align::Right},
+                            points_text(*attempt.score_milli));
+      } else if (history.numbers[row] > 0) {
+        ui.canvas().text_in(cell, {Type::Small, theme.text_caption, Align::Right},
+                            ui.text("attempts.not_scored"));
+      }
+  }
+}
+
+struct Fact {
+  std::string name, value, note = {};
+};
+
+void draw_fact(Ui& ui, const Rect& rect, const Fact& fact) {
+  const Theme& theme = ui.theme();
+  const float top = rect.mid_y() - 31.0F;
+  ui.canvas().text_in({rect.x, top, rect.w, 20.0F}, {Type::Small, theme.text_secondary}, fact.name,
+                      true);
+  ui.canvas().text_in({rect.x, top + 19.0F, rect.w, 26.0F}, {Type::Section, theme.text},
+                      fact.value);
+  ui.canvas().text_in({rect.x, top + 45.0F, rect.w, 18.0F}, {Type::Caption, theme.text_caption},
+                      fact.note, true);
+}
+
+/// Best and last, the median, how many.
+std::array<Fact, 4> facts_of(const Ui& ui, const OperationHistory& history) {
+  const std::string nothing(ui.text("history.not_scored"));
+  Fact best{std::string(ui.text("history.best")), nothing}, last = best, median = best;
+  last.name = ui.text("history.last");
+  median.name = ui.text("history.median");
+  median.note = ui.text("history.median.note");
+  std::int64_t best_milli = -1;
+  long assessments = 0;
+  for (std::size_t number = 0; number < history.counted.size(); ++number) {
+    const JudgedAttempt& attempt = history.attempts[history.counted[number]];
+    if (attempt.header.begun.kind == database::AttemptKind::Assessment) ++assessments;
+    if (!attempt.score_milli) continue;
+    last.value = points_text(*attempt.score_milli);
+    last.note = moment_text(attempt.header.started_utc);
+    if (const double points = history.medians[number].y; !std::isnan(points))
+      median.value = points_text(std::llround(points * 1000.0));
+    if (*attempt.score_milli <= best_milli) continue;
+    best_milli = *attempt.score_milli;
+    best.value = last.value;
+    best.note = last.note;
+  }
+  const auto count = static_cast<long>(history.counted.size());
+  const Fact attempts{std::string(ui.text("history.attempts")), grouped(count),
+                      ui.texts().say("history.kinds", {{"practice", grouped(count - assessments)},
+                                                       {"assessment", grouped(assessments)}})};
+  return {best, last, median, attempts};
+}
+
+void compare(database::TraineeDesk& desk, OperationHistory& history) {
+  if (history.counted.empty()) return;
+  const std::string& device_class =
+      history.attempts[history.counted.back()].header.begun.device_class;
+  for (database::CohortComparison& comparison : desk.cohort_comparisons(history.scenario_name)) {
+    if (comparison.device_class != device_class) continue;
+    history.cohort = std::move(comparison);
+    return;
+  }
+}
+
+/// The median, and what the middle half of the people has.
+Fact cohort_fact(const Ui& ui, const database::CohortComparison& cohort) {
+  const std::string people = std::to_string(cohort.people);
+  Fact fact{ui.texts().say("history.cohort", {{"cohort", cohort.cohort_name}}),
+            points_text(cohort.median_milli),
+            {}};
+  if (cohort.lower_milli && cohort.upper_milli) {
+    fact.note =
+        ui.texts().say("history.cohort.quartiles", {{"people", people},
+                                                    {"lower", points_text(*cohort.lower_milli)},
+                                                    {"upper", points_text(*cohort.upper_milli)}});
+  } else {
+    fact.note = ui.texts().say("history.cohort.median", {{"people", people}});
+  }
+  return fact;
+}
+
+/// As many blocks as clean runs are needed, those that there are in the accent.
+void draw_evidence(Ui& ui, const Rect& rect, const assessment::LearningState& learning) {
+  const int needed = assessment::clean_runs_needed(), runs = learning.clean_runs();
+  const Fact fact{std::string(ui.text("history.clean_runs")),
+                  ui.texts().say("history.clean_runs.value", {{"runs", std::to_string(runs)},
+                                                              {"needed", std::to_string(needed)}}),
+                  std::string(ui.text(learning.is_competent  ? "history.clean_runs.competent"
+                                      : learning.has_slipped ? "history.clean_runs.slipped"
+                                                             : "history.clean_runs.note"))};
+  draw_fact(ui, {rect.x, rect.y, rect.w, rect.h - 14.0F}, fact);
+  const Rect strip{rect.x, rect.bottom() - 10.0F, rect.w, 8.0F};
+  const std::vector<Rect> blocks = columns(strip, needed, 4.0F);
+  for (int number = 0; number < needed; ++number) {
+    ui.canvas().fill(blocks[static_cast<std::size_t>(number)],
+                     number < runs ? ui.theme().accent : ui.theme().chip, 3.0F);
+  }
+}
+
+}  // namespace
+
+const OperationHistory& HistoryScreen::history() const {
+  const auto last = histories_.value().size() - 1;
+  return histories_.value()[std::min(static_cast<std::size_t>(chosen_), last)];
+}
+
+void HistoryScreen::start_reading(Ui& ui, Shell& shell) {
+  histories_.start(ui, shell, ui.text("history.reading"), [visit = visit_](WorkReport&) {
+    return visit->in_turn([](database::Session& session, auto&) {
+      std::vector<OperationHistory> histories = histories_of(own_attempts(session));
+      database::TraineeDesk desk = trainee_of(session);
+      for (OperationHistory& history : histories) compare(desk, history);
+      return histories;
+    });
+  });
+}
+
+void HistoryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (histories_.is_new()) start_reading(ui, shell);
+  PageHead head{ui.text("history.title"), ui.text("history.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  const bool has_attempts = histories_.has_value() && !histories_.value().empty();
+  if (has_attempts) head.buttons_width = controls_width(ui, histories_.value());
+  const bool is_narrow = are_panes_stacked(content.w - 2.0F * page_margin(content));
+  const float top = is_narrow ? 2.0F * least_chart + space::between_cards : least_chart;
+  const Page page(ui, "history", head.title, content,
+                  head_room + top + space::between_cards + least_table);
+  Rect rest = page.rect();
+  const Rect controls = page_head(ui, "history", rest, head).buttons;
+  if (!histories_.draw_until_ready(ui, "history.failed", rest, 8)) return;
+  if (!has_attempts) {
+    empty_card(ui, "history.empty", rest,
+               {Icon::History, ui.text("history.empty"), ui.text("history.empty.sentence"), {}});
+    return;
+  }
+  draw_controls(ui, controls, shell);
+  draw_history(ui, rest);
+}
+
+void HistoryScreen::draw_controls(Ui& ui, const Rect& controls, Shell& shell) {
+  const std::vector<std::string> names = operation_names(histories_.value());
+  const std::vector<std::string_view> labels(names.begin(), names.end());
+  Rect rest = controls;
+  const ButtonSpec spec = copy_button(ui);
+  const Rect copy_place = take_right(rest, button_width(ui, spec), control_gap);
+  segmented(ui, "history.operation", rest, labels, chosen_);
+  const bool is_pressed = button(ui, "history.copy", copy_place, spec);
+  if (ui.shortcut(with_control(Key::C), ui.text("history.copy.shortcut")) || is_pressed) {
+    copy(ui, shell);
+  }
+}
+
+void HistoryScreen::copy(Ui& ui, Shell& shell) const {
+  ui.clipboard().write(csv_of(history()));
+  shell.say({Meaning::Good,
+             ui.texts().say_count("history.copied", static_cast<long>(history().counted.size())),
+             std::string(ui.text("history.copied.detail"))});
+  ui.want_frame_in_s(0.0);
+}
+
+void HistoryScreen::draw_history(Ui& ui, Rect page) {
+  const float gap = space::between_cards;
+  if (are_panes_stacked(page.w)) {
+    draw_chart(ui, take_top(page, least_chart, gap));
+    draw_facts(ui, take_top(page, least_chart, gap));
+  } else {
+    const float height = std::clamp(page.h - gap - least_table, least_chart, chart_height);
+    Rect top = take_top(page, height, gap);
+    draw_facts(ui, take_right(top, facts_width, gap));
+    draw_chart(ui, top);
+  }
+  draw_attempts(ui, page);
+}
+
+void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
+  const OperationHistory& shown = history();
+  const Rect inside = card(ui, rect, ui.text("history.chart"));
+  LineChart chart;
+  chart.y_unit = ui.text("history.points");
+  chart.x_name = ui.text("history.attempt_axis");
+  chart.x_low = 0.5;
+  chart.x_high = std::max(fewest_places, static_cast<int>(shown.counted.size())) + 0.5;
+  chart.series = {
+      {SeriesRole::You, std::string(ui.text("history.series.you")), shown.scores, false, true},
+      {SeriesRole::Median, std::string(ui.text("history.series.median")), shown.medians}};
+  chart.pass_mark = static_cast<double>(assessment::pass_milli) / 1000.0;
+  chart.pass_name =
+      ui.texts().say("history.pass", {{"points", std::to_string(assessment::pass_milli / 1000)}});
+  const auto words = [&](std::size_t point) {
+    const JudgedAttempt& attempt = shown.attempts[shown.counted[point]];
+    return std::pair(
+        ui.texts().say("history.point", {{"points", points_text(*attempt.score_milli)}}),
+        ui.texts().say("history.point.context",
+                       {{"number", std::to_string(point + 1)},
+                        {"moment", moment_text(attempt.header.started_utc)},
+                        {"kind", std::string(kind_text(ui, attempt.header))}}));
+  };
+  // The legend stands in the line of the title.
+  const Rect plot{inside.x, inside.y - 32.0F, inside.w, inside.h + 32.0F};
+  const auto pressed = line_chart(ui, "history.chart", plot, chart, words);
+  if (pressed) places_.show_result(shown.attempts[shown.counted[*pressed]].header.id);
+}
+
+void HistoryScreen::draw_facts(Ui& ui, const Rect& rect) const {
+  Rect inside = card(ui, rect, ui.text("history.facts"));
+  const std::array<Fact, 4> facts = facts_of(ui, history());
+  const float step = inside.h / 3.0F;
+  for (std::size_t row = 0; row < 2; ++row) {
+    const Rect line = take_top(inside, step);
+    const std::vector<Rect> places = columns(line, 2, 12.0F);
+    draw_fact(ui, places[0], facts[2 * row]);
+    draw_fact(ui, places[1], facts[2 * row + 1]);
+    ui.canvas().hairline_across(line.x, line.bottom(), line.w, ui.theme().line);
+  }
+  if (history().cohort) {
+    const std::vector<Rect> places = columns(inside, 2, 12.0F);
+    draw_evidence(ui, places[0], history().learning);
+    draw_fact(ui, {places[1].x, places[1].y, places[1].w, places[1].h - 14.0F},
+              cohort_fact(ui, *history().cohort));
+  } else {
+    draw_evidence(ui, inside, history().learning);
+  }
+}
+
+void HistoryScreen::draw_attempts(Ui& ui, const Rect& rect) {
+  const OperationHistory& shown = history();
+  const Rect inside = card(ui, rect, ui.text("history.list"));
+  const std::array<TableColumn, ColumnCount> columns{{
+      {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right},
+      {ui.text("attempts.started"), 0.0F, 1.4F},
+      {ui.text("attempts.kind"), 0.0F, 1.0F},
+      {ui.text("attempts.state"), 0.0F, 1.0F},
+      {ui.text("history.duration"), 90.0F, 1.0F, Align::Right},
+      {ui.text("attempts.score"), 88.0F, 1.0F, Align::Right},
+  }};
+  TableSpec spec;
+  spec.columns = columns;
+  spec.row_count = static_cast<int>(shown.attempts.size());
+  spec.label = ui.text("history.list");
+  const auto at = [&](int row) {  // newest first
+    return shown.attempts.size() - 1 - static_cast<std::size_t>(row);
+  };
+  spec.row_id = [&](int row) { return std::to_string(shown.attempts[at(row)].header.order); };
+  spec.row_label = [&](int row) {
+    const database::AttemptHeader& header = shown.attempts[at(row)].header;
+    return ui.texts().say("attempts.row", {{"operation", operation_text(header.scenario_name)},
+                                           {"moment", moment_text(header.started_utc)}});
+  };
+  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
+    draw_cell(own, shown, at(row), column, cell);
+  };
+  const TableResponse response = table(ui, "history.list", inside, spec, table_);
+  if (response.opened) places_.show_result(shown.attempts[at(*response.opened)].header.id);
+}
+
+}  // namespace hallux::ui

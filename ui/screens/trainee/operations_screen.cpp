@@ -1,0 +1,288 @@
+#include "ui/screens/trainee/operations_screen.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/page.h"
+#include "ui/screens/parts/standing.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/field.h"
+#include "ui/widgets/controls/picture_card.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr float search_width = 190.0F, control_gap = 16.0F, next_height = 72.0F;
+constexpr float most_picture_height = 400.0F, least_cards = 240.0F, head_room = 100.0F;
+constexpr std::array segment_texts{"operations.all", "operations.not_started",
+                                   "operations.learning", "operations.competent"};
+
+std::array<std::string_view, segment_texts.size()> segment_labels(const Ui& ui) {
+  std::array<std::string_view, segment_texts.size()> labels;
+  std::transform(segment_texts.begin(), segment_texts.end(), labels.begin(),
+                 [&](const char* id) { return ui.text(id); });
+  return labels;
+}
+
+bool is_in_segment(Competence competence, int segment) {
+  switch (segment) {
+    case 1:
+      return competence == Competence::NotStarted;
+    case 2:
+      return competence == Competence::Learning || competence == Competence::Slipped ||
+             competence == Competence::Stale;
+    case 3:
+      return competence == Competence::Competent;
+    default:
+      return true;
+  }
+}
+
+std::string what_text(const Texts& texts, const OwnOperation& operation) {
+  if (!operation.scenario) return std::string(texts.text("operations.unreadable"));
+  return texts.say_count("operations.what", static_cast<long>(operation.scenario->cuts.size()),
+                         {{"bone", words_of(operation.scenario->patient.bone)}});
+}
+
+}  // namespace
+
+Competence competence_of(const OwnOperation& operation, std::string_view now_utc) {
+  return competence_of(operation.published.standing, operation.learning, now_utc);
+}
+
+std::string standing_text(const Texts& texts, const OwnOperation& operation,
+                          std::string_view now_utc) {
+  const database::OperationStanding& standing = operation.published.standing;
+  switch (competence_of(operation, now_utc)) {
+    case Competence::Competent:
+      return std::string(texts.text("operations.state.competent"));
+    case Competence::Slipped:
+      return std::string(texts.text("operations.state.slipped"));
+    case Competence::NotStarted:
+      return std::string(texts.text("operations.state.not_started"));
+    case Competence::Stale:
+      return texts.say("operations.state.stale",
+                       {{"when", ago_text(texts, standing.last_started_utc, now_utc)}});
+    case Competence::Learning:
+      break;
+  }
+  if (operation.learning.evidence_by_run.empty()) {
+    return texts.say_count("operations.state.tried", standing.attempts);
+  }
+  return texts.say("operations.state.learning",
+                   {{"runs", std::to_string(operation.learning.clean_runs())},
+                    {"needed", std::to_string(assessment::clean_runs_needed())}});
+}
+
+const OwnOperation* next_operation(const std::vector<OwnOperation>& operations,
+                                   std::string_view now_utc) {
+  const OwnOperation* oldest = nullptr;
+  for (const OwnOperation& operation : operations) {
+    if (!operation.scenario) continue;
+    if (competence_of(operation, now_utc) != Competence::Competent) return &operation;
+    const std::string& when = operation.published.standing.last_started_utc;
+    if (oldest == nullptr || when < oldest->published.standing.last_started_utc) {
+      oldest = &operation;
+    }
+  }
+  return oldest;
+}
+
+std::vector<const OwnOperation*> OperationsScreen::shown() const {
+  std::vector<const OwnOperation*> found;
+  for (const OwnOperation& operation : operations_.value()) {
+    if (holds_words(operation.title() + " " + operation.published.name, search_) &&
+        is_in_segment(competence_of(operation, now_utc_), segment_)) {
+      found.push_back(&operation);
+    }
+  }
+  return found;
+}
+
+OperationsScreen::Grid OperationsScreen::grid_of(float width) const {
+  constexpr float gap = space::between_cards;
+  const int fitting = std::max(1, static_cast<int>((width + gap) / (picture_card_width + gap)));
+  const int wanted = std::clamp(static_cast<int>(operations_.value().size()), 2, 4);
+  Grid grid;
+  grid.across = std::min(fitting, wanted);
+  grid.card_width = columns({0.0F, 0.0F, width, 0.0F}, grid.across, gap).front().w;
+  const float picture = grid.card_width * picture_height / picture_card_width;
+  grid.card_height = picture_card_height - picture_height + std::min(most_picture_height, picture);
+  const int rows = (static_cast<int>(shown().size()) + grid.across - 1) / grid.across;
+  grid.height = std::max(least_cards, static_cast<float>(rows) * (grid.card_height + gap) - gap);
+  return grid;
+}
+
+void OperationsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  if (operations_.is_new()) {
+    operations_.start(ui, shell, ui.text("operations.reading"), [visit = visit_](WorkReport&) {
+      return visit->in_turn([](database::Session& session, database::Database& database) {
+        return own_operations(session, database);
+      });
+    });
+  }
+  now_utc_ = utc_now_text();
+  PageHead head{ui.text("operations.title"), ui.text("operations.sentence")};
+  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  head.buttons_width = segmented_width(ui, segment_labels(ui)) + control_gap + search_width;
+  const float width = content.w - 2.0F * page_margin(content);
+  const float cards = has_operations() ? grid_of(width).height : least_cards;
+  const Page page(ui, "operations", head.title, content,
+                  head_room + next_height + space::between_cards + cards);
+  Rect rest = page.rect();
+  draw_controls(ui, page_head(ui, "operations", rest, head).buttons);
+  if (operations_.draw_until_ready(ui, "operations.failed", rest, 8)) {
+    draw_operations(ui, rest, shell);
+  }
+}
+
+// Where the window is too narrow for both, the search goes.
+void OperationsScreen::draw_controls(Ui& ui, const Rect& controls) {
+  const auto labels = segment_labels(ui);
+  Rect rest = controls;
+  const float width = std::min(segmented_width(ui, labels), rest.w);
+  segmented(ui, "operations.filter", take_left(rest, width, control_gap), labels, segment_);
+  if (rest.w < 120.0F) return;
+  FieldSpec search;
+  search.label = search.placeholder = ui.text("operations.search");
+  search.is_label_shown = false;
+  search.icon = Icon::Search;
+  field(ui, "operations.search", rest, search_, search);
+}
+
+void OperationsScreen::show_all(Ui& ui) {
+  segment_ = 0;
+  search_.clear();
+  ui.want_frame_in_s(0.0);
+}
+
+void OperationsScreen::draw_operations(Ui& ui, Rect page, Shell& shell) {
+  if (operations_.value().empty()) {
+    empty_card(ui, "operations.none", page,
+               {Icon::Operations, ui.text("operations.none"), ui.text("operations.none.sentence")});
+    return;
+  }
+  if (next_operation(operations_.value(), now_utc_) != nullptr) {
+    draw_next(ui, take_top(page, next_height, space::between_cards));
+  }
+  if (!shown().empty()) return draw_cards(ui, page, shell);
+  const EmptyCard nothing{Icon::Search, ui.text("operations.no_match"),
+                          ui.text("operations.no_match.sentence"), ui.text("operations.show_all")};
+  if (empty_card(ui, "operations.no_match", page, nothing)) show_all(ui);
+}
+
+namespace {
+
+/// Why this one is next.
+const char* why_next(Competence competence) {
+  switch (competence) {
+    case Competence::NotStarted:
+      return "operations.next.not_started";
+    case Competence::Slipped:
+      return "operations.next.slipped";
+    case Competence::Stale:
+      return "operations.next.stale";
+    case Competence::Competent:
+      return "operations.next.competent";
+    case Competence::Learning:
+      break;
+  }
+  return "operations.next.learning";
+}
+
+}  // namespace
+
+void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
+  const OwnOperation& next = *next_operation(operations_.value(), now_utc_);
+  const Theme& theme = ui.theme();
+  Rect inside = inset(card(ui, strip, {}, 0.0F), 18.0F, 0.0F);
+  const Rect tile = centred(take_left(inside, 36.0F, 16.0F), 36.0F, 36.0F);
+  ui.canvas().fill(tile, theme.accent_soft, radius::control);
+  ui.canvas().icon(tile.centre(), Icon::Drill, IconSize::Tile, theme.accent);
+  const ButtonSpec start{ui.text("operations.start"), ButtonLook::Primary};
+  const float width = std::max(120.0F, button_width(ui, start));
+  const Rect place = take_right(inside, width, 24.0F);
+  ui.canvas().text_in({inside.x, strip.mid_y() - 23.0F, inside.w, 22.0F},
+                      {Type::BodyStrong, theme.text},
+                      ui.texts().say("operations.next", {{"operation", next.title()}}), true);
+  ui.canvas().text_in({inside.x, strip.mid_y() + 1.0F, inside.w, 20.0F},
+                      {Type::Small, theme.text_secondary},
+                      ui.text(why_next(competence_of(next, now_utc_))), true);
+  if (button(ui, "operations.start", centred(place, width, button_height), start)) {
+    places_.brief(next.published.scenario);
+  }
+}
+
+void OperationsScreen::draw_cards(Ui& ui, const Rect& page, Shell& shell) {
+  const std::vector<const OwnOperation*> cards = shown();
+  const Grid grid = grid_of(page.w);
+  for (std::size_t number = 0; number < cards.size(); ++number) {
+    const int place = static_cast<int>(number);
+    const int column = place % grid.across, row = place / grid.across;
+    const Rect rect{page.x + static_cast<float>(column) * (grid.card_width + space::between_cards),
+                    page.y + static_cast<float>(row) * (grid.card_height + space::between_cards),
+                    grid.card_width, grid.card_height};
+    if (draw_card(ui, rect, *cards[number], shell)) {
+      places_.brief(cards[number]->published.scenario);
+    }
+  }
+}
+
+namespace {
+
+/// What a card says beside its picture; the words are kept by whoever calls.
+void say_difficulty(const Ui& ui, const OwnOperation& operation, PictureCardSpec& spec) {
+  constexpr std::array words{"operations.gentle", "operations.easy", "operations.moderate",
+                             "operations.hard", "operations.expert"};
+  spec.difficulty = operation.scenario ? difficulty_of(*operation.scenario) : 0;
+  if (spec.difficulty > 0) {
+    spec.difficulty_word = ui.text(words[static_cast<std::size_t>(spec.difficulty - 1)]);
+  }
+}
+
+}  // namespace
+
+Picture OperationsScreen::picture_of(Ui& ui, const Rect& card, const OwnOperation& operation,
+                                     Shell& shell) {
+  const PatientView* view =
+      operation.scenario ? pictures_.find(shell, *operation.scenario) : nullptr;
+  if (view == nullptr) return {};
+  const Rect rect{0.0F, 0.0F, card.w, card.h - (picture_card_height - picture_height)};
+  const std::string name =
+      "operations." + operation.published.name + "." + std::string(ground_word(ui.theme()));
+  return still_picture(
+      ui, shell, name, rect, scene_of(*view, PatientPicture::Card, ground_of(ui.theme())),
+      camera_of(*view, PatientPicture::Card, static_cast<double>(rect.w / rect.h)));
+}
+
+bool OperationsScreen::draw_card(Ui& ui, const Rect& rect, const OwnOperation& operation,
+                                 Shell& shell) {
+  const std::string what = what_text(ui.texts(), operation);
+  std::string state = standing_text(ui.texts(), operation, now_utc_);
+  if (const auto& allowance = operation.published.allowance)
+    state = ui.texts().say("operations.left", {{"state", state},
+                                               {"left", std::to_string(allowance->left())},
+                                               {"max", std::to_string(allowance->attempts_max)}});
+  const std::optional<std::int64_t> best_milli = operation.published.standing.best_milli;
+  const std::string best = best_milli ? points_text(*best_milli) : std::string();
+  PictureCardSpec spec;
+  spec.name = operation.title();
+  spec.what = what;
+  spec.picture = picture_of(ui, rect, operation, shell);
+  say_difficulty(ui, operation, spec);
+  spec.competence = competence_of(operation, now_utc_);
+  spec.progress = progress_of(operation.published.standing, operation.learning);
+  spec.state = state;
+  spec.best_word = ui.text("operations.best");
+  spec.best = best;
+  spec.group = "operations.cards";
+  if (!operation.published.is_reviewed) spec.mark = ui.text("course.not_reviewed");
+  const bool is_pressed =
+      picture_card(ui, "operations.card." + operation.published.name, rect, spec);
+  return is_pressed && operation.scenario.has_value();
+}
+
+}  // namespace hallux::ui

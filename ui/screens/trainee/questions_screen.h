@@ -1,0 +1,33 @@
+/// What one asked about moments of one's own attempts, and what was answered.
+#pragma once
+
+#include <vector>
+
+#include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/signed_in_session.h"
+
+namespace hallux::ui {
+
+class QuestionsScreen : public Screen {
+ public:
+  /// `places` outlives the screen.
+  QuestionsScreen(std::shared_ptr<Visit> visit, Places& places)
+      : visit_(std::move(visit)), places_(places) {}
+
+  std::string_view navigation_id() const override { return "nav.questions"; }
+  /// What was answered in the meantime is read anew.
+  void enter(Shell&) override { questions_.read_again(); }
+  void draw(Ui& ui, const Rect& content, Shell& shell) override;
+
+ private:
+  void draw_list(Ui& ui, const Rect& content);
+  void draw_chosen(Ui& ui, const Rect& content);
+
+  std::shared_ptr<Visit> visit_;
+  Places& places_;
+  Reading<std::vector<database::HelpRequest>> questions_;
+  database::HelpRequestId chosen_;
+};
+
+}  // namespace hallux::ui

@@ -1,0 +1,82 @@
+#include "ui/widgets/controls/chart_view.h"
+
+#include <cmath>
+
+#include "ui/widgets/controls/tooltip.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+void CanvasPainter::fill(const Rect& rect, Color color, float corner) {
+  canvas_.fill(rect, color, corner);
+}
+void CanvasPainter::polyline(std::span<const Point> points, Color color, float thickness) {
+  canvas_.polyline(points, color, thickness);
+}
+void CanvasPainter::dashes(Point from, Point to, Color color, float on, float off,
+                           float thickness) {
+  canvas_.dashes(from, to, color, on, off, thickness);
+}
+void CanvasPainter::band(std::span<const Point> upper, std::span<const Point> lower, Color color) {
+  canvas_.band(upper, lower, color);
+}
+void CanvasPainter::disc(Point centre, float radius, Color color) {
+  canvas_.disc(centre, radius, color);
+}
+void CanvasPainter::polygon(std::span<const Point> points, Color color) {
+  canvas_.polygon(points, color);
+}
+void CanvasPainter::text(Point at, Type type, Align align, Color color, std::string_view text) {
+  canvas_.text(at, {type, color, align}, text);
+}
+float CanvasPainter::width_of(Type type, std::string_view text) const {
+  return canvas_.width_of(type, text);
+}
+
+std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& rect,
+                                      LineChart chart, const PointWords& words) {
+  std::optional<std::size_t> pressed, focused;
+  const Plot plot = plot_of(rect, chart);
+  if (!chart.series.empty()) {
+    const std::vector<ChartPoint>& points = chart.series.front().points;
+    for (std::size_t number = 0; number < points.size(); ++number) {
+      if (std::isnan(points[number].y)) continue;
+      Widget widget;
+      widget.id = std::string(id) + "." + std::to_string(number);
+      widget.label = words(number).first;
+      widget.rect = {plot.x(points[number].x) - 10.0F, plot.y(points[number].y) - 10.0F, 20.0F,
+                     20.0F};
+      widget.group = id;
+      widget.is_in_sequence = true;
+      widget.role = Role::Option;
+      const Response response = ui.control(std::move(widget));
+      if (response.shows_ring) focused = number;
+      if (response.is_pressed()) pressed = number;
+    }
+  }
+  chart.looked_at = point_near(rect, chart, ui.pointer());
+  if (focused) chart.looked_at = focused;
+  CanvasPainter painter(ui.canvas());
+  draw_line_chart(painter, ui.theme(), rect, chart);
+  if (chart.looked_at) {
+    const ChartPoint& point = chart.series.front().points[*chart.looked_at];
+    const Point place{plot.x(point.x), plot.y(point.y)};
+    const auto [value, context] = words(*chart.looked_at);
+    tooltip(ui, place, value, context);
+    if (focused)
+      draw_focus_ring(ui.canvas(), ui.theme(), {place.x - 7.0F, place.y - 7.0F, 14.0F, 14.0F},
+                      7.0F);
+  }
+  return pressed;
+}
+
+std::optional<double> timeline(Ui& ui, std::string_view id, const Rect& rect,
+                               const Timeline& shown) {
+  CanvasPainter painter(ui.canvas());
+  const AreaResponse area = ui.area(id, shown.steps_name, rect);
+  draw_timeline(painter, ui.theme(), rect, shown);
+  if (!area.is_down[0] && !area.was_clicked) return std::nullopt;
+  return time_at(rect, shown, area.pointer.x);
+}
+
+}  // namespace hallux::ui

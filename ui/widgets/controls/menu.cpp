@@ -1,0 +1,203 @@
+#include "ui/widgets/controls/menu.h"
+
+#include <string>
+
+#include "ui/widgets/controls/marks.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+namespace {
+
+constexpr float row = 38.0F, edge = 7.0F, danger_gap = 8.0F, inner = 8.0F;
+constexpr float question_width = 480.0F;
+
+std::vector<Rect> rows_of(const Rect& rect, std::span<const MenuItem> items) {
+  std::vector<Rect> rows;
+  float y = rect.y + edge;
+  for (const MenuItem& item : items) {
+    if (item.is_dangerous && !rows.empty()) y += danger_gap;
+    rows.push_back({rect.x + inner, y, rect.w - 2.0F * inner, row});
+    y += row;
+  }
+  return rows;
+}
+
+void draw_row(Ui& ui, const Rect& place, const MenuItem& item, float raised) {
+  Canvas& canvas = ui.canvas();
+  const Theme& theme = ui.theme();
+  canvas.fill(inset(place, 0.0F, 1.0F), faded(theme.popup_raise, raised), radius::row);
+  const Color ink = !item.is_enabled    ? faded(theme.text_caption, 0.62F)
+                    : item.is_dangerous ? theme.bad_text
+                                        : theme.text;
+  const bool is_plain = item.is_enabled && !item.is_dangerous;
+  canvas.icon({place.x + 20.0F, place.mid_y()}, item.icon, IconSize::Control,
+              is_plain ? theme.text_secondary : ink);
+  const float key_room = item.key.empty() ? 8.0F : key_chip_width(ui, item.key) + 16.0F;
+  canvas.text_in({place.x + 42.0F, place.y, place.w - 42.0F - key_room, place.h}, {Type::Body, ink},
+                 item.label);
+  if (!item.key.empty())
+    key_chip(ui, {place.right() - 8.0F - key_chip_width(ui, item.key), place.mid_y()}, item.key);
+}
+
+void draw_panel(Ui& ui, const Rect& rect, std::span<const MenuItem> items) {
+  draw_popup(ui.canvas(), ui.theme(), rect);
+  const std::vector<Rect> rows = rows_of(rect, items);
+  for (std::size_t number = 1; number < items.size(); ++number)
+    if (items[number].is_dangerous)
+      ui.canvas().hairline_across(rect.x + inner, rows[number].y - danger_gap / 2.0F,
+                                  rect.w - 2.0F * inner, ui.theme().popup_border);
+}
+
+bool pressed_beside(Ui& ui, std::string_view id) {
+  Widget beside;
+  beside.id = std::string(id) + ".beside";
+  beside.label = ui.text("menu.close");
+  beside.rect = ui.display();
+  beside.is_focusable = false;
+  return ui.control(std::move(beside)).is_pressed();
+}
+
+// The width that title and detail share beside the shape, the action and the close.
+float toast_room(const Ui& ui, const Toast& shown, float width) {
+  const float action =
+      shown.action.empty() ? 0.0F : ui.width_of(Type::BodyMedium, shown.action) + 16.0F;
+  return std::max(1.0F, width - 44.0F - 48.0F - action);
+}
+
+Rect inside_display(const Ui& ui, Rect rect) {
+  const Rect display = ui.display();
+  rect.x = std::clamp(rect.x, 4.0F, std::max(4.0F, display.w - rect.w - 4.0F));
+  rect.y = std::clamp(rect.y, 4.0F, std::max(4.0F, display.h - rect.h - 4.0F));
+  return rect;
+}
+
+}  // namespace
+
+float menu_height(std::span<const MenuItem> items) noexcept {
+  float height = 2.0F * edge + row * static_cast<float>(items.size());
+  for (std::size_t number = 1; number < items.size(); ++number)
+    if (items[number].is_dangerous) height += danger_gap;
+  return height;
+}
+
+void draw_menu(Ui& ui, const Rect& rect, std::span<const MenuItem> items, int raised) {
+  draw_panel(ui, rect, items);
+  const std::vector<Rect> rows = rows_of(rect, items);
+  for (std::size_t number = 0; number < items.size(); ++number)
+    draw_row(ui, rows[number], items[number], static_cast<int>(number) == raised ? 1.0F : 0.0F);
+}
+
+int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> items, float width) {
+  const LayerScope layer(ui.canvas(), Layer::Popup);
+  const Rect rect = inside_display(ui, {corner.x, corner.y, width, menu_height(items)});
+  int answer = pressed_beside(ui, id) ? menu_closed : menu_open;
+  draw_panel(ui, rect, items);
+  const std::vector<Rect> rows = rows_of(rect, items);
+  for (std::size_t number = 0; number < items.size(); ++number) {
+    Widget widget;
+    widget.id = std::string(id) + "." + std::to_string(number);
+    widget.label = items[number].label;
+    widget.rect = rows[number];
+    widget.group = id;
+    widget.role = Role::Option;
+    widget.is_enabled = items[number].is_enabled;
+    const std::string name = widget.id;
+    const Response response = ui.control(std::move(widget));
+    if (number == 0) ui.focus_first(name);
+    draw_row(ui, rows[number], items[number], response.has_focus ? 1.0F : response.hover);
+    if (response.is_pressed()) answer = static_cast<int>(number);
+  }
+  if (ui.shortcut({Key::Escape}, ui.text("menu.close"))) answer = menu_closed;
+  if (answer != menu_open) ui.want_frame_in_s(0.0);
+  return answer;
+}
+
+Answer question(Ui& ui, std::string_view id, const Question& asked) {
+  Canvas& canvas = ui.canvas();
+  const LayerScope layer(canvas, Layer::Modal);
+  const Theme& theme = ui.theme();
+  canvas.fill(ui.display(), theme.scrim);
+  const float width = std::min(question_width, ui.display().w - 32.0F),
+              room = width - 2.0F * space::card;
+  const float words = canvas.paragraph_height(Type::Body, asked.consequence, room);
+  const Rect rect =
+      centred(ui.display(), width, 52.0F + words + 24.0F + button_height + space::card);
+  draw_popup(canvas, theme, rect, radius::picture);
+  canvas.push_room(rect);
+  canvas.text_in({rect.x + space::card, rect.y + 18.0F, room, 26.0F}, {Type::CardTitle, theme.text},
+                 asked.title);
+  canvas.paragraph({rect.x + space::card, rect.y + 52.0F, room, words},
+                   {Type::Body, theme.text_secondary}, asked.consequence);
+  const ButtonSpec act{asked.act, asked.is_dangerous ? ButtonLook::Danger : ButtonLook::Secondary};
+  const ButtonSpec keep{asked.keep, ButtonLook::Primary};
+  Rect line{rect.x + space::card, rect.bottom() - space::card - button_height, room, button_height};
+  const std::string act_id = std::string(id) + ".act", keep_id = std::string(id) + ".keep";
+  Answer answer = Answer::Waiting;
+  if (button(ui, keep_id, take_right(line, button_width(ui, keep), 12.0F), keep))
+    answer = Answer::Keep;
+  if (button(ui, act_id, take_right(line, button_width(ui, act)), act)) answer = Answer::Act;
+  ui.focus_first(keep_id);
+  if (ui.shortcut({Key::Escape}, asked.keep)) answer = Answer::Keep;
+  canvas.pop_room();
+  if (answer != Answer::Waiting) ui.want_frame_in_s(0.0);
+  return answer;
+}
+
+float toast_height_for(const Ui& ui, const Toast& shown, float width) {
+  const float room = toast_room(ui, shown, width);
+  const float words =
+      ui.paragraph_height(Type::BodyMedium, shown.title, room) +
+      (shown.detail.empty() ? 0.0F : ui.paragraph_height(Type::Small, shown.detail, room));
+  return std::max(toast_height, words + 20.0F);
+}
+
+ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& shown) {
+  Canvas& canvas = ui.canvas();
+  const Theme& theme = ui.theme();
+  draw_popup(canvas, theme, rect);
+  draw_meaning(canvas, theme, shown.meaning, {rect.x + 24.0F, rect.mid_y()}, 8.0F);
+  const float room = toast_room(ui, shown, rect.w), x = rect.x + 44.0F;
+  const float title = ui.paragraph_height(Type::BodyMedium, shown.title, room);
+  const float detail =
+      shown.detail.empty() ? 0.0F : ui.paragraph_height(Type::Small, shown.detail, room);
+  const float top = rect.mid_y() - (title + detail) / 2.0F;
+  canvas.paragraph({x, top, room, title}, {Type::BodyMedium, theme.text}, shown.title);
+  if (!shown.detail.empty())
+    canvas.paragraph({x, top + title, room, detail}, {Type::Small, theme.text_secondary},
+                     shown.detail);
+  ToastAnswer answer = ToastAnswer::Waiting;
+  if (!shown.action.empty() &&
+      link(ui, std::string(id) + ".action", {rect.right() - 44.0F, rect.mid_y()}, shown.action,
+           Align::Right, Type::BodyMedium))
+    answer = ToastAnswer::Action;
+  IconButtonSpec close;
+  close.label = ui.text("toast.close");
+  close.icon = Icon::Close;
+  if (icon_button(ui, std::string(id) + ".close",
+                  {rect.right() - 36.0F, rect.mid_y() - 16.0F, 32.0F, 32.0F}, close))
+    answer = ToastAnswer::Closed;
+  return answer;
+}
+
+bool progress(Ui& ui, std::string_view id, const Rect& rect, const Progress& shown) {
+  Canvas& canvas = ui.canvas();
+  const Theme& theme = ui.theme();
+  draw_shadow(canvas, theme, rect, radius::control, Elevation::Card);
+  canvas.fill(rect, theme.card, radius::control);
+  canvas.outline(rect, theme.line, radius::control);
+  const float y = rect.mid_y() - 8.0F;
+  const std::string_view cancel = ui.text("progress.cancel");
+  const float cancel_width = ui.width_of(Type::SmallMedium, cancel);
+  const float time_width =
+      shown.time_left.empty() ? 0.0F : ui.width_of(Type::Small, shown.time_left) + 16.0F;
+  canvas.text_in({rect.x + 20.0F, y - 10.0F, rect.w - 56.0F - cancel_width - time_width, 20.0F},
+                 {Type::Small, theme.text}, shown.label);
+  canvas.text({rect.right() - 36.0F - cancel_width, y},
+              {Type::Small, theme.text_caption, Align::Right}, shown.time_left);
+  const bool is_cancelled = link(ui, std::string(id) + ".cancel", {rect.right() - 20.0F, y}, cancel,
+                                 Align::Right, Type::SmallMedium);
+  bar(ui, {rect.x + 20.0F, rect.mid_y() + 8.0F, rect.w - 40.0F, 6.0F}, shown.share);
+  return is_cancelled;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,61 @@
+/// Menus, toasts, the question before what cannot be undone, and running work with its Cancel.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+struct MenuItem {
+  std::string_view label = {};
+  Icon icon = Icon::None;
+  std::string_view key = {};  ///< a key that does the same; empty: none
+  bool is_dangerous = false;  ///< last, behind a hairline
+  bool is_enabled = true;
+};
+
+/// -1 while it is open, `menu_closed` where it was closed by Esc or a press beside it, else the item pressed. Items are
+/// named `id.0`, `id.1` ...; the owner stops calling it once it answered.
+inline constexpr int menu_open = -1, menu_closed = -2;
+int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> items,
+         float width = 250.0F);
+/// How high a menu with these items is.
+float menu_height(std::span<const MenuItem> items) noexcept;
+/// The panel alone, one row raised; for the gallery.
+void draw_menu(Ui& ui, const Rect& rect, std::span<const MenuItem> items, int raised);
+
+/// A question with a scrim over everything, only where there is no way back. The safe answer has the focus, Esc is it.
+struct Question {
+  std::string_view title = {};
+  std::string_view consequence = {};  ///< what will be gone
+  std::string_view act = {};          ///< the verb: "Erase 3 people"
+  std::string_view keep = {};         ///< the safe one: "Keep them"
+  bool is_dangerous = true;
+};
+enum class Answer : std::uint8_t { Waiting, Keep, Act };
+/// Buttons are named `id.act` and `id.keep`.
+Answer question(Ui& ui, std::string_view id, const Question& question);
+
+/// A toast, 400 wide and at least 64 high: what happened, its detail, an action (may be empty) and a close.
+struct Toast {
+  Meaning meaning = Meaning::Good;
+  std::string_view title = {}, detail = {}, action = {};
+};
+enum class ToastAnswer : std::uint8_t { Waiting, Action, Closed };
+inline constexpr float toast_width = 400.0F, toast_height = 64.0F;
+/// The height in which title and detail have room for all their lines.
+float toast_height_for(const Ui& ui, const Toast& toast, float width);
+ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& toast);
+
+/// Work that runs: its name, a thin bar and Cancel. `time_left` is empty below ten seconds.
+struct Progress {
+  std::string_view label = {}, time_left = {};
+  float share = 0.0F;
+};
+/// 48 high. True where Cancel was pressed, named `id.cancel`.
+bool progress(Ui& ui, std::string_view id, const Rect& rect, const Progress& progress);
+
+}  // namespace hallux::ui

@@ -1,0 +1,34 @@
+#include "ui/widgets/controls/pager.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/widgets/controls/button.h"
+
+namespace hallux::ui {
+
+int pager(Ui& ui, std::string_view id, const Rect& line, const PagerSpec& spec) {
+  const std::string prefix(id);
+  const int last = std::max(0, spec.count - spec.shown);
+  // The glyph of the last arrow, not its button, stands at the end of the line.
+  Rect rest{line.x, line.y, line.w + 10.0F, line.h};
+  const Rect on_place = take_right(rest, pager_height, 4.0F);
+  const float width = ui.width_of(Type::Small, spec.words) + 1.0F;
+  const Rect words_place = take_right(rest, width, 4.0F);
+  const Rect back_place = take_right(rest, pager_height);
+  const bool goes_back =
+      icon_button(ui, prefix + ".back", back_place, {spec.back, Icon::Left, false, spec.first > 0});
+  ui.canvas().text_in(words_place, {Type::Small, ui.theme().text_secondary, Align::Right},
+                      spec.words);
+  const bool goes_on =
+      icon_button(ui, prefix + ".on", on_place, {spec.on, Icon::Right, false, spec.first < last});
+  if (!goes_back && !goes_on) return std::clamp(spec.first, 0, last);
+  ui.want_frame_in_s(0.0);
+  const int first = std::clamp(spec.first + (goes_on ? spec.shown : -spec.shown), 0, last);
+  // The arrow that was pressed may lead nowhere now: the focus stays here.
+  if (goes_on && first == last && ui.focused() == prefix + ".on") ui.focus(prefix + ".back");
+  if (goes_back && first == 0 && ui.focused() == prefix + ".back") ui.focus(prefix + ".on");
+  return first;
+}
+
+}  // namespace hallux::ui
