@@ -41,7 +41,7 @@ struct LiveBegin {
   simulator::Guidance guidance = simulator::Guidance::None;
   std::string stereo_mode = "mono";
   /// As the device's description says it.
-  std::string device_class = "mouse";
+  std::string device_class = {};
 };
 
 /// Stores the bone and begins the attempt.
