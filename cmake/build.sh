@@ -40,6 +40,21 @@ install_packages() {
   } >&2 || stop 3 "apt-get could not install: $missing"
 }
 
+# Configures the folder of a preset where it is new or the presets are. HALLUX_TESTS=OFF leaves out the tests, which need
+# packages of their own; a release folder that has them keeps them.
+configure() {
+  local preset=$1 folder="build/$1" options=()
+  if [ "$preset" = release ]; then
+    local tests=${HALLUX_TESTS:-ON}
+    ! grep -qs '^HALLUX_TESTS:BOOL=ON$' "$folder/CMakeCache.txt" || tests=ON
+    options=("-DHALLUX_TESTS=$tests")
+    grep -qs "^HALLUX_TESTS:BOOL=$tests\$" "$folder/CMakeCache.txt" || rm -f "$folder/build.ninja"
+  fi
+  if [ ! -f "$folder/build.ninja" ] || [ CMakePresets.json -nt "$folder/build.ninja" ]; then
+    cmake --preset "$preset" "${options[@]}"
+  fi
+}
+
 # build PRESET [TARGET...]: configures where needed and builds, one build of a folder at a time.
 build() {
   local preset=$1 folder="build/$1"
@@ -48,9 +63,7 @@ build() {
   say "Building $preset${*:+: $*}"
   (
     flock 9
-    if [ ! -f "$folder/build.ninja" ] || [ CMakePresets.json -nt "$folder/build.ninja" ]; then
-      cmake --preset "$preset"
-    fi
+    configure "$preset"
     cmake --build --preset "$preset" --parallel "$(nproc)" ${1:+--target "$@"}
   ) 9>"$folder/.lock" >&2
 }

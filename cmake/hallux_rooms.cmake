@@ -45,6 +45,8 @@ function(hallux_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES" ${ARGN})
   add_library(${name} STATIC ${ROOM_SOURCES})
   target_link_libraries(${name} PUBLIC hallux_rules ${ROOM_USES})
+  # A section for each function: the linker leaves out what the program does not call, and tests/architecture lists it.
+  target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
   target_precompile_headers(${name} REUSE_FROM hallux_common)
 endfunction()
 

@@ -108,7 +108,8 @@ bool has_own_text(SQLite::Statement& rows, const AuditRow& row) {
          row.entry.detail;
 }
 
-/// Some rows after number `last`, the link of which is `link`; that becomes the link of the last of them.
+/// Some rows after number `last`, the link of which is `link`; that becomes the link of the last of
+/// them.
 std::vector<AuditRow> rows_after(Database& database, std::int64_t last, Digest& link) {
   return translating(database, "read the audit", [&] {
     SQLite::Statement rows{

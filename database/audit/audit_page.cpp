@@ -1,7 +1,8 @@
+#include "database/audit/audit_page.h"
+
 #include <algorithm>
 #include <limits>
 
-#include "database/audit/audit.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -10,7 +11,8 @@ namespace {
 
 constexpr std::int32_t lines_max = 500;
 
-/// A subject that can be named is a person, a cohort, a scenario version, or the person of a membership ("cohort/person").
+/// A subject that can be named is a person, a cohort, a scenario version, or the person of a
+/// membership ("cohort/person").
 constexpr const char* line_columns =
     "SELECT a.audit_id, a.at_utc, coalesce(d.login, ''), a.action, a.subject_kind, a.subject_id, "
     "coalesce(CASE a.subject_kind "

@@ -53,7 +53,8 @@ void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& a
   insert.exec();
 }
 
-/// A person's attempt is made by that person's own hand; only in a simulated course is it a scripted one's.
+/// A person's attempt is made by that person's own hand; only in a simulated course is it a
+/// scripted one's.
 void check_whose_hand(Database& database, const NewAttempt& attempt) {
   if (!attempt.person || attempt.hand.empty() || is_simulated_course(database)) return;
   throw DatabaseError{DatabaseErrorKind::BadInput,

@@ -1,9 +1,11 @@
-/// The catalogue of scenario versions: draft, published, retired; and the operations that are published.
+/// The catalogue of scenario versions: draft, published, retired; and the operations that are
+/// published.
 ///
 ///   import -> draft -> published -> retired -> published ...
 ///
-/// A name has at most one published version: publishing another retires it. A text that was published keeps its number for
-/// good: another text under the same name and version is refused. Attempts keep the version they were made with.
+/// A name has at most one published version: publishing another retires it. A text that was
+/// published keeps its number for good: another text under the same name and version is refused.
+/// Attempts keep the version they were made with.
 #pragma once
 
 #include <vector>
@@ -14,12 +16,13 @@
 
 namespace hallux::database {
 
-/// Takes the text into the catalogue as a draft; the same text again changes nothing. The text was checked before: this
-/// room does not know what a scenario is.
+/// Takes the text into the catalogue as a draft; the same text again changes nothing. The text was
+/// checked before: this room does not know what a scenario is.
 /// errors  DatabaseError BadInput where another text was published under that name and version
 ScenarioVersionId import_scenario(Database& database, const ScenarioText& text, PersonId by);
 
-/// errors  DatabaseError: NotFound; BadInput where it is published already, or another text was published under its version
+/// errors  DatabaseError: NotFound; BadInput where it is published already, or another text was
+///         published under its version
 void publish_scenario(Database& database, ScenarioVersionId id, PersonId by);
 
 /// errors  DatabaseError: NotFound; BadInput where it is not published

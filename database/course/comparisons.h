@@ -1,10 +1,11 @@
-/// How a cohort stands in an operation, told to its trainees: snapshots that give nobody away.
+/// Comparisons with a cohort, told to its trainees: snapshots from which nobody can be made out.
 ///
-///     results now   [ 61  70  72 ... ]   differ for 5 people or more   snapshot   [ 58  70  72 ... ]
-///     of 10 or more people  - - - - - - - - - - - - - - - - - - - - ->  counted, median, quartiles
+///     results now [ 61  70  72 ... ]   differ for 5 people or more   snapshot [ 58  70  72 ... ]
+///     of 10 or more people  - - - - - - - - - - - - - - - - - - - - -> counted, median, quartiles
 ///
-/// Only a snapshot is ever shown. The next one replaces it where five people's results changed, came or went, so that whoever
-/// knows two of them, and their own result, learns nothing of one other person. People who were erased stay in it.
+/// Only a snapshot is ever shown. The next one replaces it where five people's results changed,
+/// came or went, so that whoever knows two of them, and their own result, learns nothing of one
+/// other person. People who were erased stay in it.
 #pragma once
 
 #include <string>

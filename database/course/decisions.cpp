@@ -40,7 +40,8 @@ void check_decidable(const AttemptHeader& header, const NewDecision& decision) {
   }
 }
 
-/// Takes the decision in force out of force by naming itself; at most one row may be in force at a time.
+/// Takes the decision in force out of force by naming itself; at most one row may be in force at a
+/// time.
 std::optional<std::int64_t> retire_decision_in_force(Database& database, const AttemptId& attempt) {
   SQLite::Statement row{database.connection(),
                         "SELECT decision_id FROM decision JOIN attempt USING (attempt_id) "
@@ -174,7 +175,8 @@ void check_decisions_are_whole(Database& database) {
         "WHERE o.attempt_id = r.attempt_id)) "
         "OR (r.superseded_by IS NULL AND (r.kind = 'voided') <> (a.state = 'void')) LIMIT 1"};
     if (rows.executeStep()) fail_altered(database, "decision " + rows.getColumn(0).getString());
-    // Each row of the audit is checked against the decision it names; as many of both leave none without.
+    // Each row of the audit is checked against the decision it names; as many of both leave none
+    // without.
     SQLite::Statement counts{
         database.connection(),
         "SELECT (SELECT count(*) FROM decision) <> (SELECT count(*) FROM audit "

@@ -1,4 +1,5 @@
-/// Questions of trainees about a moment of their attempts: an inbox for the instructors of their cohorts.
+/// Questions of trainees about a moment of their attempts: an inbox for the instructors of their
+/// cohorts.
 #pragma once
 
 #include <optional>
@@ -10,13 +11,15 @@
 
 namespace hallux::database {
 
-/// errors  DatabaseError: NotFound; BadInput for the question or the moment (database/course/notes.h)
+/// errors  DatabaseError: NotFound; BadInput for the question or the moment
+///         (database/course/notes.h)
 HelpRequestId add_help_request(Database& database, const NewHelpRequest& request, PersonId asker);
 
 /// What a list holds; a field that is set narrows it.
 struct HelpFilter {
   std::optional<PersonId> asker;
-  std::optional<CohortId> cohort;  ///< asked by its trainees
+  /// Asked by its trainees.
+  std::optional<CohortId> cohort;
   bool open_only = false;
 };
 

@@ -31,8 +31,8 @@ bool is_touch(const simulator::CutEvent& event) noexcept {
          event.kind == simulator::CutEventKind::Contact;
 }
 
-/// Whether a tooth touched bone. A recording that was erased or cannot be read is taken for one that did: nobody wins an
-/// attempt by losing it.
+/// Whether a tooth touched bone. A recording that was erased or cannot be read is taken for one
+/// that did: nobody wins an attempt by losing it.
 bool has_touched_bone(Database& database, const AttemptId& attempt) {
   try {
     const simulator::Recording recording = load_recording(database, attempt);

@@ -1,5 +1,5 @@
-/// Limits of assessments: set for a cohort and an operation, asked where an attempt begins. The desks decide who may call
-/// what.
+/// Limits of assessments: set for a cohort and an operation, asked where an attempt begins. The
+/// desks decide who may call what.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,8 @@ inline constexpr std::int32_t attempts_max_most = 1000;
 std::vector<AttemptLimit> list_limits(Database& database, CohortId cohort);
 
 /// Takes the place of the one before. The audit row names cohort, operation and number.
-/// errors  DatabaseError: NotFound for an unknown cohort or operation; BadInput where it is not 1 to attempts_max_most
+/// errors  DatabaseError: NotFound for an unknown cohort or operation; BadInput where it is not 1
+///         to attempts_max_most
 void set_limit(Database& database, CohortId cohort, const AttemptLimit& limit, PersonId by);
 /// errors  DatabaseError NotFound where there is none
 void clear_limit(Database& database, CohortId cohort, const std::string& scenario_name,
@@ -29,7 +30,8 @@ void clear_limit(Database& database, CohortId cohort, const std::string& scenari
 std::optional<AttemptAllowance> allowance_of(Database& database, PersonId person,
                                              const std::string& scenario_name);
 
-/// To be asked in the transaction that stores the attempt, so that two windows of one person cannot both begin the last one.
+/// To be asked in the transaction that stores the attempt, so that two windows of one person cannot
+/// both begin the last one.
 /// errors  DatabaseError Refused, saying how many were used and who can change it
 void check_allowance(Database& database, const NewAttempt& attempt);
 

@@ -1,4 +1,4 @@
-/// For the sources of this room only: a moment of an attempt as four nullable columns beside its time.
+/// Columns of a moment of an attempt: its time, and four that are null where it has no place.
 #pragma once
 
 #include "database/records/note.h"

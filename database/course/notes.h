@@ -1,4 +1,5 @@
-/// Notes on a moment of an attempt, and the replies to them. The desks decide who may read and write which.
+/// Notes on a moment of an attempt, and the replies to them. The desks decide who may read and
+/// write which.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace hallux::database {
 
-/// errors  DatabaseError: NotFound; BadInput where the text (database/store/free_text.h) or the moment cannot be kept: after the
-///         attempt's end, or at a place that is no number
+/// errors  DatabaseError: NotFound; BadInput where the text (database/store/free_text.h) or the
+///         moment cannot be kept: after the attempt's end, or at a place that is no number
 NoteId add_note(Database& database, const NewNote& note, PersonId author);
 
 /// By moment. `with_private`: also what is for instructors only.
@@ -22,7 +23,8 @@ Note load_note(Database& database, NoteId id);
 /// errors  DatabaseError: NotFound; BadInput for the text, or where the note is private
 void add_reply(Database& database, NoteId note, const std::string& text, PersonId author);
 
-/// errors  DatabaseError BadInput: before the attempt's start or after its end, a place that is no number or on no body
+/// errors  DatabaseError BadInput: before the attempt's start or after its end, a place that is no
+///         number or on no body
 void check_moment(const AttemptMoment& moment, std::optional<std::int64_t> duration_ticks);
 
 }  // namespace hallux::database

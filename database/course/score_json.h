@@ -1,4 +1,4 @@
-/// A score card as the JSON text that is kept with its score.
+/// JSON text of a score card, as it is stored with its score.
 #pragma once
 
 #include <string>

@@ -38,7 +38,8 @@ std::int64_t insert_score(Database& database, const AttemptId& attempt, const Sc
   return database.connection().getLastInsertRowid();
 }
 
-/// Takes the score in force out of force by naming itself; at most one row may be in force at a time.
+/// Takes the score in force out of force by naming itself; at most one row may be in force at a
+/// time.
 std::optional<std::int64_t> retire_score_in_force(Database& database, const AttemptId& attempt) {
   SQLite::Statement row{database.connection(),
                         "SELECT score_id FROM score JOIN attempt USING (attempt_id) "

@@ -1,4 +1,5 @@
-/// Scores: a cache with versions. A new one supersedes the one in force; none is overwritten or deleted.
+/// Scores: a cache with versions. A new one supersedes the one in force; none is overwritten or
+/// deleted.
 #pragma once
 
 #include <optional>
@@ -19,8 +20,8 @@ struct StoredScore {
   ScoreCard card;
 };
 
-/// Stores the card as the score in force, with an audit row that holds its digest and `actor` (nobody: the house). The
-/// same card again stores nothing.
+/// Stores the card as the score in force, with an audit row that holds its digest and `actor`
+/// (nobody: the house). The same card again stores nothing.
 /// errors  DatabaseError: NotFound; storage failures
 ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                     std::optional<PersonId> actor = std::nullopt);

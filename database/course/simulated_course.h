@@ -1,4 +1,4 @@
-/// Whether this directory holds a simulated course: people who are nobody, whose attempts are scripted and no grades.
+/// The mark of a simulated course: its people are nobody, its attempts scripted and no grades.
 #pragma once
 
 #include "database/store/connection.h"

@@ -18,7 +18,8 @@ constexpr const char* standing_columns_of =
     "SELECT t.person_id, t.scenario_name, t.device_class, t.attempts, t.assessments, t.best_milli, "
     "t.last_milli, t.last_scored_utc, t.last_started_utc, t.runs ";
 
-/// The next whole number of a row of them; 0 where there is none. Moves past it and the sign behind it.
+/// The next whole number of a row of them; 0 where there is none. Moves past it and the sign behind
+/// it.
 std::int64_t number_at(std::string_view& text) noexcept {
   std::int64_t number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -89,7 +90,8 @@ using Places = std::map<std::int64_t, std::size_t>;
 
 void add_operations(Database& database, CohortId cohort, const Places& places,
                     std::vector<TraineeStanding>& standings) {
-  // Person by person along both keys, so that nothing is sorted: the runs of a thousand people are two megabytes.
+  // Person by person along both keys, so that nothing is sorted: the runs of a thousand people are
+  // two megabytes.
   SQLite::Statement rows{database.connection(),
                          std::string{standing_columns_of} +
                              "FROM membership m CROSS JOIN standing t ON t.person_id = m.person_id "

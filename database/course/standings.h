@@ -1,5 +1,5 @@
-/// How people stand: one row for each person, operation and device class, kept as the attempts, scores and decisions say by
-/// triggers of the schema, so that a cohort of a thousand is read at a glance.
+/// Standings: one row for each person, operation and device class, kept as the attempts, scores and
+/// decisions say by triggers of the schema, so that a cohort of a thousand is read at a glance.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace hallux::database {
 /// By name of the operation.
 std::vector<OperationStanding> operation_standings(Database& database, PersonId person);
 
-/// The trainees of the cohort by login, disabled ones too, each with at most `attempts_max` of their newest attempts.
+/// The trainees of the cohort by login, disabled ones too, each with at most `attempts_max` of
+/// their newest attempts.
 std::vector<TraineeStanding> list_standings(Database& database, CohortId cohort,
                                             std::int32_t attempts_max);
 /// One of them.

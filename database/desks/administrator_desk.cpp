@@ -1,6 +1,7 @@
 #include "database/desks/administrator_desk.h"
 
 #include "database/audit/audit.h"
+#include "database/audit/audit_page.h"
 #include "database/course/limits.h"
 #include "database/exchange/import_attempt.h"
 #include "database/exchange/origins.h"
@@ -211,8 +212,9 @@ AuditPage AdministratorDesk::audit_page(const AuditRequest& request) {
 Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
                                   const Progress& progress) {
   require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
-  return keep_backup(*database_, directory.empty() ? database_->directory() / "backups" : directory,
-                     holder_.person, {progress, {}});
+  return back_up_with_rotation(*database_,
+                               directory.empty() ? database_->directory() / "backups" : directory,
+                               holder_.person, {progress, {}});
 }
 
 Report AdministratorDesk::report(const std::string& sql) {

@@ -1,4 +1,4 @@
-/// What an administrator may do: people, cohorts, scenario versions, the audit, backups. Of the attempts the robot's only.
+/// The administrator's desk: people, cohorts, scenarios, audit, backups, the robot's attempts.
 #pragma once
 
 #include <filesystem>
@@ -41,18 +41,20 @@ class AdministratorDesk : public AttemptDesk {
   AddedPerson add_person_with_code(const NewPerson& person, const PasswordCost& cost = {});
   PersonId add_person(const NewPerson& person, const SecretText& password,
                       const PasswordCost& cost = {});
-  /// Takes the password away and returns a code in its place. Not of oneself: change the password instead.
+  /// Takes the password away and returns a code in its place. Not of oneself: change the password
+  /// instead.
   IssuedCode reset(const std::string& login, const PasswordCost& cost = {});
   void set_password(const std::string& login, const SecretText& password,
                     const PasswordCost& cost = {});
   /// Disables, or enables again.
   /// errors  DatabaseError Refused for the last administrator who can sign in
   void set_disabled(const std::string& login, bool is_disabled);
-  /// errors  DatabaseError Refused where it would take the role from the last administrator who can sign in
+  /// errors  DatabaseError Refused where it would take the role from the last administrator who can
+  ///         sign in
   void set_administrator(const std::string& login, bool is_administrator);
   /// Takes all that names them away, for good.
-  /// errors  DatabaseError: Refused for oneself, and where the proof is not the administrator's; as in
-  ///         database/maintenance/erasures.h; Cancelled
+  /// errors  DatabaseError: Refused for oneself, and where the proof is not the administrator's; as
+  ///         in database/maintenance/erasures.h; Cancelled
   ErasedPieces erase_person(const EraseRequest& request, const PasswordProof& proof,
                             const Progress& progress = {});
   /// All that is kept of them, for them (database/maintenance/person_export.h).
@@ -82,16 +84,19 @@ class AdministratorDesk : public AttemptDesk {
 
   // The directory.
   AuditPage audit_page(const AuditRequest& request);
-  /// Into `directory`, or where that is empty into `backups` of the data directory; lets go of old ones (rotation).
+  /// Into `directory`, or where that is empty into `backups` of the data directory; lets go of old
+  /// ones (rotation).
   Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
-  /// The answer to one SELECT over what reports may read; the statement is written to the audit, also where it fails.
+  /// The answer to one SELECT over what reports may read; the statement is written to the audit,
+  /// also where it fails.
   /// errors  DatabaseError as ReportConnection::answer
   Report report(const std::string& sql);
   /// Where imported attempts come from.
   std::vector<Origin> origins();
   /// Whether this very attempt is here already.
   bool is_here(const ImportedAttempt& attempt);
-  /// `rescored`: what this program makes of a sealed one. False where it was here already, and nothing was done.
+  /// `rescored`: what this program makes of a sealed one. False where it was here already, and
+  /// nothing was done.
   bool import_attempt(const ImportedAttempt& attempt, const std::optional<ScoreCard>& rescored);
   /// What was imported from there counts from now on, or no longer.
   void set_accepted(const DirectoryId& directory, bool is_accepted);

@@ -1,9 +1,11 @@
-/// Desks: what a role may do. There is no other door to what is kept of people.
+/// Desks, one for each role: the only door to the data of people.
 ///
-/// A desk offers only what its role may ever do; whether this person may do it to that row is decided by the policy table
-/// (database/desks/policy.h), which each method asks first. A refusal is written to the audit and thrown. A desk is had from a
-/// Session, or from the house for what belongs to nobody (database/desks/session.h); it must not outlive the Database. Here is
-/// what desks share; the desks of people are in trainee_desk.h, instructor_desk.h and administrator_desk.h.
+/// A desk offers only what its role may ever do; whether this person may do it to that row is
+/// decided by the policy table (database/desks/policy.h), which each method asks first. A refusal
+/// is written to the audit and thrown. A desk is had from a Session, or from the house for what
+/// belongs to nobody (database/desks/session.h); it must not outlive the Database. Here is what
+/// desks share; the desks of people are in trainee_desk.h, instructor_desk.h and
+/// administrator_desk.h.
 #pragma once
 
 #include <optional>
@@ -31,17 +33,20 @@ class Session;
 /// Who sits at a desk.
 struct DeskHolder {
   Role role = Role::House;
-  std::optional<PersonId> person;  ///< nothing at the house's desk
-  std::optional<CohortId> cohort;  ///< the instructor's
+  /// Nothing at the house's desk.
+  std::optional<PersonId> person;
+  /// The instructor's.
+  std::optional<CohortId> cohort;
 };
 
-/// Reading attempts: the same for every role, with other rows. An attempt that this desk may not view and one that does not
-/// exist are refused alike.
+/// Reading attempts: the same for every role, with other rows. An attempt that this desk may not
+/// view and one that does not exist are refused alike.
 class AttemptDesk {
  public:
   /// Those the table lets this desk list, newest first; all, or so many.
   std::vector<AttemptHeader> attempts(std::optional<std::int32_t> count_max = std::nullopt);
-  /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods as well
+  /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods
+  ///         as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
   /// Only the rows of those ticks, without reading the rest.
@@ -49,7 +54,8 @@ class AttemptDesk {
   std::optional<StoredScore> score(const AttemptId& id);
   /// What instructors decided about it, newest first.
   std::vector<Decision> decisions(const AttemptId& id);
-  /// Whether the table allows `action` on that attempt; asking is no refusal and is not written to the audit.
+  /// Whether the table allows `action` on that attempt; asking is no refusal and is not written to
+  /// the audit.
   bool may(Action action, const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
   /// Writes it as files into a folder of its own within `folder`.
@@ -62,14 +68,15 @@ class AttemptDesk {
   WriterLease begin(const NewAttempt& attempt);
   /// What this desk's holder is to an attempt of `owner`.
   Relation relation_to(const std::optional<PersonId>& owner);
-  /// The attempt that `id` names or begins, of those this desk may view or do `action` to: others are as if they were
-  /// not there.
+  /// The attempt that `id` names or begins, of those this desk may view or do `action` to: others
+  /// are as if they were not there.
   /// errors  DatabaseError NotFound where it begins more than one of them
   std::optional<AttemptHeader> seen_header(const AttemptId& id, Action action);
   /// The header, once the table allowed `action` on it.
   /// errors  DatabaseError Refused, in the same words where there is no such attempt
   AttemptHeader allowed_header(Action action, const AttemptId& id);
-  /// Refuses what is not there and what may not be seen in the same words and with the same work; the audit knows which.
+  /// Refuses what is not there and what may not be seen in the same words and with the same work;
+  /// the audit knows which.
   [[noreturn]] void refuse_unseen(Action action, const std::string& subject, bool is_there);
   /// Writes to the audit that the holder saw the attempt of another person, once in a minute.
   void note_view(const AttemptHeader& header);
@@ -93,7 +100,8 @@ class CourseDesk : public AttemptDesk {
  public:
   /// By moment, with their replies; private ones for those whom the table lets read them.
   std::vector<Note> notes(const AttemptId& id);
-  /// errors  DatabaseError: Refused, alike for a note that this desk may not read and for none; BadInput for the text
+  /// errors  DatabaseError: Refused, alike for a note that this desk may not read and for none;
+  ///         BadInput for the text
   void reply(NoteId note, const std::string& text);
 
  protected:

@@ -1,4 +1,4 @@
-/// What an instructor may do for the trainees of one cohort: see, replay, note, answer, decide.
+/// The instructor's desk for one cohort: see, replay, note, answer, decide.
 #pragma once
 
 #include <string>

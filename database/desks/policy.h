@@ -1,7 +1,8 @@
-/// The one table of who may do what to whose: role x action x relation.
+/// The policy table: role x action x relation.
 ///
-/// A role is what a desk stands for, a relation what the person at the desk is to the row. What the table does not allow
-/// is refused; each action has exactly one line with an entry for each role, so that nothing is left out by oversight.
+/// A role is what a desk stands for, a relation what the person at the desk is to the row. What the
+/// table does not allow is refused; each action has exactly one line with an entry for each role,
+/// so that nothing is left out by oversight.
 #pragma once
 
 #include <array>
@@ -11,64 +12,94 @@
 namespace hallux::database {
 
 enum class Role : std::uint8_t {
-  House,         ///< nobody signed in: what belongs to nobody
-  Trainee,       ///< any person, for what is their own
-  Instructor,    ///< of one cohort
-  Administrator  ///< of the data directory
+  /// Nobody signed in: what belongs to nobody.
+  House,
+  /// Any person, for what is their own.
+  Trainee,
+  /// Of one cohort.
+  Instructor,
+  /// Of the data directory.
+  Administrator
 };
 inline constexpr std::size_t role_count = 4;
 
 enum class Action : std::uint8_t {
   BeginAttempt,
   ListAttempts,
-  ViewAttempt,  ///< header, recording, score, decisions
+  /// Header, recording, score, decisions.
+  ViewAttempt,
   StoreScore,
-  ListOperations,  ///< what is published
-  ReadNotes,       ///< those the trainee sees
+  /// What is published.
+  ListOperations,
+  /// Those the trainee sees.
+  ReadNotes,
   ReadPrivateNotes,
   WriteNote,
   ReplyToNote,
   AskForHelp,
   ReadHelp,
   AnswerHelp,
-  DecideResult,    ///< confirm, override, void
-  SeeCohort,       ///< its trainees and how they stand
-  ChangePassword,  ///< knowing the old one
-  SetPassword,     ///< without the old one
-  IssueCode,       ///< in place of a password
+  /// Confirm, override, void.
+  DecideResult,
+  /// Its trainees and how they stand.
+  SeeCohort,
+  /// Knowing the old one.
+  ChangePassword,
+  /// Without the old one.
+  SetPassword,
+  /// In place of a password.
+  IssueCode,
   AddPerson,
   ListPeople,
   DisablePerson,
-  ChangeRole,  ///< administrator or not
+  /// Administrator or not.
+  ChangeRole,
   AddCohort,
   ListCohorts,
-  Enrol,  ///< and take out again
+  /// And take out again.
+  Enrol,
   ListScenarios,
   ImportScenario,
   PublishScenario,
   RetireScenario,
   ReadAudit,
   BackUp,
-  ListOrigins,        ///< what was imported from where
-  AcceptOrigin,       ///< what came from there counts, or no longer
-  ReadNotices,        ///< and acknowledge them
-  ChangeSettings,     ///< of the data directory
-  ErasePerson,        ///< for good
-  ExportPerson,       ///< all that is kept of them
-  Retain,             ///< let go of what need not be kept
-  LimitAttempts,      ///< how many assessments the trainees of a cohort have
-  CompareWithCohort,  ///< see how it stands, nobody by name
-  RunReport,          ///< plain SQL over what reports may read
-  ExportAttempt,      ///< as files for other programs
-  ImportAttempt       ///< what another directory exported
+  /// What was imported from where.
+  ListOrigins,
+  /// What came from there counts, or no longer.
+  AcceptOrigin,
+  /// And acknowledge them.
+  ReadNotices,
+  /// Of the data directory.
+  ChangeSettings,
+  /// For good.
+  ErasePerson,
+  /// All that is kept of them.
+  ExportPerson,
+  /// Let go of what need not be kept.
+  Retain,
+  /// How many assessments the trainees of a cohort have.
+  LimitAttempts,
+  /// See how it stands, nobody by name.
+  CompareWithCohort,
+  /// Plain SQL over what reports may read.
+  RunReport,
+  /// As files for other programs.
+  ExportAttempt,
+  /// What another directory exported.
+  ImportAttempt
 };
 inline constexpr std::size_t action_count = 42;
 
 enum class Relation : std::uint8_t {
-  Own,     ///< the row is this person's, or is this person
-  Cohort,  ///< of a trainee of the desk's cohort
-  Robot,   ///< of nobody
-  Other    ///< of anybody else; or of no person at all, as a cohort or a scenario
+  /// The row is this person's, or is this person.
+  Own,
+  /// Of a trainee of the desk's cohort.
+  Cohort,
+  /// Of nobody.
+  Robot,
+  /// Of anybody else; or of no person at all, as a cohort or a scenario.
+  Other
 };
 inline constexpr std::size_t relation_count = 4;
 

@@ -27,7 +27,8 @@ std::int64_t open_session(Database& database, PersonId person, std::string_view 
   });
 }
 
-/// Written alike for somebody who is known and for somebody who is not, so that the time tells nothing.
+/// Written alike for somebody who is known and for somebody who is not, so that the time tells
+/// nothing.
 void note_refusal(Database& database, const std::string& action, std::string_view login) {
   in_transaction(database, "note a refusal", [&] {
     const std::optional<Person> known = known_person(database, login);

@@ -27,26 +27,29 @@ class Session {
   /// In which cohorts the person is what, by name.
   std::vector<Membership> memberships();
 
-  /// All desks of this person: as trainee, as instructor of each cohort they teach, as administrator. None for a person
-  /// disabled since.
+  /// All desks of this person: as trainee, as instructor of each cohort they teach, as
+  /// administrator. None for a person disabled since.
   std::vector<AttemptDesk> desks();
   /// What they may list from any of them, each attempt once, newest first; all, or so many.
   std::vector<AttemptHeader> attempts(std::optional<std::int32_t> count_max = std::nullopt);
-  /// The first of this person's desks from which the table allows `action` on that attempt; where none does, or there is no
-  /// such attempt, the trainee's, which refuses; nothing for a person disabled since. Looking for it is not written to the
-  /// audit.
+  /// The first of this person's desks from which the table allows `action` on that attempt; where
+  /// none does, or there is no such attempt, the trainee's, which refuses; nothing for a person
+  /// disabled since. Looking for it is not written to the audit.
   /// errors  DatabaseError NotFound where `id` begins more than one that they may see
   std::optional<AttemptDesk> desk_for(Action action, const AttemptId& id);
 
-  /// errors  DatabaseError: Refused where the old password is wrong; TooSoon; BadInput for a weak new one
+  /// errors  DatabaseError: Refused where the old password is wrong; TooSoon; BadInput for a weak
+  ///         new one
   void change_password(const SecretText& old_password, const SecretText& new_password,
                        const PasswordCost& cost = {});
-  /// The person at the window is still the one who signed in: for what a passer-by must not be able to do, and to open a
-  /// locked window. Refusals are counted and written to the audit as those of a sign-in.
+  /// The person at the window is still the one who signed in: for what a passer-by must not be able
+  /// to do, and to open a locked window. Refusals are counted and written to the audit as those of
+  /// a sign-in.
   /// errors  DatabaseError Refused where the password is wrong; TooSoon
   PasswordProof prove(const SecretText& password, const PasswordCost& cost = {});
 
-  /// What this person was told and did not acknowledge: to them, and to every administrator where they are one.
+  /// What this person was told and did not acknowledge: to them, and to every administrator where
+  /// they are one.
   std::vector<Notice> notices();
   /// errors  DatabaseError Refused where it was told to others
   void acknowledge(const Notice& notice);
@@ -67,31 +70,34 @@ class Session {
   std::int64_t number_ = 0;
 };
 
-/// Takes as long for an unknown login as for a wrong password, and says the same. Both are written to the audit, without what
-/// was typed: a password often lands in the wrong field.
+/// Takes as long for an unknown login as for a wrong password, and says the same. Both are written
+/// to the audit, without what was typed: a password often lands in the wrong field.
 /// errors  DatabaseError Refused; TooSoon
 Session sign_in(Database& database, std::string_view login, const SecretText& password,
                 const PasswordCost& cost = {});
 
-/// Signs in with a one-time code, which is then gone, and sets the password chosen with it. An unknown login, a wrong and
-/// an expired code are answered alike, and written to the audit.
-/// errors  DatabaseError: Refused; TooSoon; BadInput for a weak password, which leaves the code as it is
+/// Signs in with a one-time code, which is then gone, and sets the password chosen with it. An
+/// unknown login, a wrong and an expired code are answered alike, and written to the audit.
+/// errors  DatabaseError: Refused; TooSoon; BadInput for a weak password, which leaves the code as
+///         it is
 Session redeem_code(Database& database, std::string_view login, const SecretText& code,
                     const SecretText& new_password, const PasswordCost& cost = {});
 
-/// A data directory without people: no sign-in is needed, and whoever is there may add the first administrator.
+/// A data directory without people: no sign-in is needed, and whoever is there may add the first
+/// administrator.
 class OpenHouse {
  public:
   /// Nothing once there are people.
   static std::optional<OpenHouse> enter(Database& database);
 
-  /// errors  DatabaseError: Refused where somebody was added in the meantime; BadInput where the person is no
-  ///         administrator, or as in database/people/people.h
+  /// errors  DatabaseError: Refused where somebody was added in the meantime; BadInput where the
+  ///         person is no administrator, or as in database/people/people.h
   PersonId add_first_administrator(const NewPerson& person, const SecretText& password,
                                    const PasswordCost& cost = {});
 
   /// The answer to one SELECT over what reports may read.
-  /// errors  DatabaseError: Refused where somebody was added in the meantime; as ReportConnection::answer
+  /// errors  DatabaseError: Refused where somebody was added in the meantime; as
+  ///         ReportConnection::answer
   Report report(const std::string& sql);
 
  private:

@@ -1,4 +1,4 @@
-/// What any person may do with what is their own: operate, see how they stand, answer notes, ask for help.
+/// The trainee's desk, which everybody has: operate, read standings and notes, ask for help.
 #pragma once
 
 #include <vector>
@@ -18,10 +18,12 @@ class TraineeDesk : public CourseDesk {
  public:
   /// What is published, with how this person stands in each and how many assessments are left.
   std::vector<Operation> operations();
-  /// errors  DatabaseError: Refused where the attempt is not this person's; BadInput where its scenario is not published;
-  ///         Refused where no assessment is left, which is written to the audit
+  /// errors  DatabaseError: Refused where the attempt is not this person's; BadInput where its
+  ///         scenario is not published; Refused where no assessment is left, which is written to
+  ///         the audit
   WriterLease begin_attempt(const NewAttempt& attempt);
-  /// How the cohorts in which this person is a trainee stand, where there are enough people in them.
+  /// How the cohorts in which this person is a trainee stand, where there are enough people in
+  /// them.
   std::vector<CohortComparison> cohort_comparisons(const std::string& scenario_name);
   /// Flags a moment of an own attempt with a question to the instructors of the person's cohorts.
   HelpRequestId ask_for_help(const NewHelpRequest& request);

@@ -1,4 +1,4 @@
-/// What lies beside an exported record because it can be made from it; this room does not know how.
+/// Files beside an exported record that are made from it: meshes and the like, by another room.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@ namespace hallux::database {
 
 /// A file that this room cannot make.
 struct DerivedFile {
-  std::string name;  ///< see is_exchange_name
+  /// See is_exchange_name.
+  std::string name;
   std::string bytes;
 };
 
@@ -26,7 +27,8 @@ struct ExportMaterial {
   const simulator::Recording& recording;
 };
 
-/// What lies beside the record because it can be made from it. May throw what it likes: then nothing is exported.
+/// What lies beside the record because it can be made from it. May throw what it likes: then
+/// nothing is exported.
 using MakeDerived = std::function<std::vector<DerivedFile>(const ExportMaterial&)>;
 
 }  // namespace hallux::database

@@ -1,4 +1,4 @@
-/// Files that leave the program and come in again: private, digested while they are written, bounded while they are read.
+/// Files of an export: private, digested while they are written, bounded while they are read.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,15 @@ namespace hallux::database {
 
 /// A file of an export, as its manifest names it.
 struct ExchangeFile {
-  std::string name;  ///< never a path: see is_exchange_name
+  /// Never a path: see is_exchange_name.
+  std::string name;
   std::int64_t bytes = 0;
   Digest digest;
   friend bool operator==(const ExchangeFile&, const ExchangeFile&) = default;
 };
 
-/// One of the names that a folder of an export may hold: lower-case letters, digits and dashes with one dot, no path.
+/// One of the names that a folder of an export may hold: lower-case letters, digits and dashes with
+/// one dot, no path.
 bool is_exchange_name(std::string_view name) noexcept;
 
 /// A descriptor that is closed with it.
@@ -41,7 +43,8 @@ class OwnedDescriptor {
 /// A new file, mode 0600.
 class ExchangeWriter {
  public:
-  /// errors  DatabaseError: Full, ReadOnly, InputOutput, BadInput where the file is there already; of the others as well
+  /// errors  DatabaseError: Full, ReadOnly, InputOutput, BadInput where the file is there already;
+  ///         of the others as well
   ExchangeWriter(const std::filesystem::path& folder, std::string name);
   void write(std::string_view text);
   /// What was written, once it lies on the disk.
@@ -79,11 +82,12 @@ class ForeignLines {
  public:
   static constexpr std::size_t line_bytes_max = 1024;
 
-  /// errors  DatabaseError BadInput as ForeignFolder::read; also where its size is not what `expected` says. Of the others
-  ///         as well
+  /// errors  DatabaseError BadInput as ForeignFolder::read; also where its size is not what
+  ///         `expected` says. Of the others as well
   ForeignLines(const ForeignFolder& folder, const ExchangeFile& expected);
   /// The next line without its CR LF, valid until the next call; false after the last.
-  /// errors  besides: longer than a line may be, not ended by CR LF, other bytes than `expected` says
+  /// errors  besides: longer than a line may be, not ended by CR LF, other bytes than `expected`
+  ///         says
   bool next(std::string_view& line);
   /// "FILE, line N".
   std::string place() const;

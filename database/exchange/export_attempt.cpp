@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "database/course/score_json.h"
-#include "database/exchange/manifest.h"
+#include "database/exchange/read_manifest.h"
 #include "database/exchange/record_tables.h"
 #include "database/exchange/score_table.h"
+#include "database/exchange/write_manifest.h"
 #include "database/recording/attempts.h"
 #include "database/recording/recordings.h"
 #include "database/store/files.h"

@@ -1,13 +1,14 @@
-/// An attempt as a folder of files that other programs read, and that another directory takes in again.
+/// Export of an attempt: a folder of files that other programs read and another directory imports.
 ///
 ///   UUID/manifest.json  facts, scenario, score cards, decisions, digests of what lies beside it
-///   UUID/tape.csv, samples.csv, events.csv   the record as integers; chain and seal follow from them
+///   UUID/tape.csv, samples.csv, events.csv   the record as integers; chain and seal follow from
+///                                            them
 ///   UUID/score.csv      the ledger of the score in force
 ///   UUID/bone.bin       the bone, byte for byte
 ///   UUID/*.ply          made from these: the bone and the pieces it was left in
 ///
-/// The bytes depend on the attempt alone: not on the time, the machine or who exports it. An imported attempt leaves as it
-/// came: its manifest was kept, and names its first origin.
+/// The bytes depend on the attempt alone: not on the time, the machine or who exports it. An
+/// imported attempt leaves as it came: its manifest was kept, and names its first origin.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +18,11 @@
 
 namespace hallux::database {
 
-/// Writes `folder`/UUID. Derived files of an imported attempt that are not those its manifest names (another version of
-/// this program makes others) are left out.
+/// Writes `folder`/UUID. Derived files of an imported attempt that are not those its manifest names
+/// (another version of this program makes others) are left out.
 /// needs   `folder` is there
-/// errors  DatabaseError: BadInput while it is being recorded or where its recording was erased; Damaged; storage failures
+/// errors  DatabaseError: BadInput while it is being recorded or where its recording was erased;
+///         Damaged; storage failures
 void export_attempt(Database& database, const AttemptId& id, const std::filesystem::path& folder,
                     const MakeDerived& make_derived);
 

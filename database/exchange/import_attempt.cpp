@@ -4,6 +4,7 @@
 #include "database/course/score_json.h"
 #include "database/course/scores.h"
 #include "database/exchange/origins.h"
+#include "database/exchange/read_manifest.h"
 #include "database/recording/attempts.h"
 #include "database/recording/certificate_json.h"
 #include "database/store/sql.h"
@@ -121,7 +122,8 @@ void insert_chunks(Database& database, std::int64_t number, const ImportedAttemp
                });
 }
 
-/// Scores and decisions in the order in which they came to be there: a decision is about the score in force.
+/// Scores and decisions in the order in which they came to be there: a decision is about the score
+/// in force.
 void replay_results(Database& database, const Manifest& manifest, std::int64_t origin,
                     PersonId by) {
   const AttemptId& id = manifest.header.id;

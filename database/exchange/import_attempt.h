@@ -1,7 +1,7 @@
-/// An exported attempt that was read is stored as a whole or not at all.
+/// Import of an exported attempt that was read: stored as a whole or not at all.
 ///
-/// What was said of it where it was made (score cards, decisions) is believed of an origin that an administrator accepted,
-/// and of no other: nothing proves it.
+/// What was said of it where it was made (score cards, decisions) is believed of an origin that an
+/// administrator accepted, and of no other: nothing proves it.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,16 @@ namespace hallux::database {
 /// errors  DatabaseError BadInput where another one is here under its uuid
 bool is_here(Database& database, const ImportedAttempt& attempt);
 
-/// Stores it as of its origin: the score cards and decisions as they were there, then `rescored`, what this program makes
-/// of it, as the score in force. One transaction.
+/// Stores it as of its origin: the score cards and decisions as they were there, then `rescored`,
+/// what this program makes of it, as the score in force. One transaction.
 /// needs   rescored is given where it is sealed
-/// errors  DatabaseError: BadInput as is_here, and where it contradicts itself; Refused where its person was erased here;
-///         storage failures
+/// errors  DatabaseError: BadInput as is_here, and where it contradicts itself; Refused where its
+///         person was erased here; storage failures
 void store_imported(Database& database, const ImportedAttempt& attempt,
                     const std::optional<ScoreCard>& rescored, PersonId by);
 
-/// errors  DatabaseError Damaged where the attempt that the audit row is about is not what was imported
+/// errors  DatabaseError Damaged where the attempt that the audit row is about is not what was
+///         imported
 void check_imported(Database& database, const AuditEntry& entry);
 
 }  // namespace hallux::database

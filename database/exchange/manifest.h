@@ -1,13 +1,13 @@
-/// What an exported attempt says about itself: facts, scenario, what it was worth, and the digests of the files beside it.
+/// Manifest of an exported attempt: facts, scenario, scores, and the digests of the files beside
+/// it.
 ///
-/// Names of people and what they wrote are never in it: a person is a number of the directory it was made in.
-/// The schema is docs/schemas/attempt_manifest.schema.json.
+/// Names of people and what they wrote are never in it: a person is a number of the directory it
+/// was made in. The schema is docs/schemas/attempt_manifest.schema.json.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "database/exchange/exchange_file.h"
@@ -32,28 +32,28 @@ struct ExportedScore {
 
 struct ExportedDecision {
   DecisionKind kind = DecisionKind::Confirmed;
-  std::optional<std::size_t> about;  ///< which of the scores
+  /// Which of the scores.
+  std::optional<std::size_t> about;
   std::optional<std::int64_t> score_milli;
   PersonId decided_by;
   std::string decided_utc;
 };
 
 struct Manifest {
-  DirectoryId directory;  ///< where it was made
-  /// The facts that are sealed, state and person as they are there. Not filled: order, login, score, decision, origin.
+  /// Where it was made.
+  DirectoryId directory;
+  /// The facts that are sealed, state and person as they are there. Not filled: order, login,
+  /// score, decision, origin.
   AttemptHeader header;
   ScenarioText scenario;
-  Digest last_link;                         ///< of the chain of chunks; zeros where there is none
-  std::vector<ExportedScore> scores;        ///< oldest first
-  std::vector<ExportedDecision> decisions;  ///< oldest first; the last one is in force
-  std::vector<ExchangeFile> files;          ///< beside it, by name
+  /// Of the chain of chunks; zeros where there is none.
+  Digest last_link;
+  /// Oldest first.
+  std::vector<ExportedScore> scores;
+  /// Oldest first; the last one is in force.
+  std::vector<ExportedDecision> decisions;
+  /// Beside it, by name.
+  std::vector<ExchangeFile> files;
 };
-
-/// The same manifest gives the same bytes.
-/// errors  DatabaseError Damaged where a text in it is not UTF-8
-std::string json_from_manifest(const Manifest& manifest);
-
-/// errors  DatabaseError: BadInput where the text is no manifest or contradicts itself; Newer for a later format
-Manifest manifest_from_json(std::string_view json);
 
 }  // namespace hallux::database

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "database/exchange/read_manifest.h"
 #include "database/recording/chain.h"
 
 namespace hallux::database {

@@ -1,5 +1,5 @@
-/// Reads the folder of an exported attempt, which nobody vouches for, and proves what can be proven: the record, the bone, the
-/// scenario and the facts by chain and seal.
+/// Reads the folder of an exported attempt, which nobody vouches for, and proves what can be
+/// proven: the record, the bone, the scenario and the facts by chain and seal.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ namespace hallux::database {
 
 struct ImportedAttempt {
   Manifest manifest;
-  std::string manifest_text;  ///< as it was read: kept, so that it can be exported again as it came
+  /// As it was read: kept, so that it can be exported again as it came.
+  std::string manifest_text;
   std::vector<std::byte> bone;
   ReadTables tables;
 };

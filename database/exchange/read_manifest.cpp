@@ -1,8 +1,9 @@
+#include "database/exchange/read_manifest.h"
+
 #include <algorithm>
 #include <charconv>
 #include <limits>
 
-#include "database/exchange/manifest.h"
 #include "database/store/json_fields.h"
 
 namespace hallux::database {

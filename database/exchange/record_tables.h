@@ -1,9 +1,11 @@
-/// A recording as three tables of integers in CSV (RFC 4180, CR LF), and back.
+/// Tables of a recording: three of integers in CSV (RFC 4180, CR LF), written and read.
 ///
-///   window,tick_ms,...    the window says which chunk a row lies in: chunks, links and seal follow from the tables alone
+///   window,tick_ms,...    the window says which chunk a row lies in: chunks, links and seal follow
+///                         from the tables alone
 ///
-/// Every cell is a decimal integer in its shortest form, so that the same recording gives the same bytes, and no cell can
-/// be taken for a formula. Columns and units: docs/data_format.md, "Exported".
+/// Every cell is a decimal integer in its shortest form, so that the same recording gives the same
+/// bytes, and no cell can be taken for a formula. Columns and units: docs/data_format.md,
+/// "Exported".
 #pragma once
 
 #include <array>
@@ -22,7 +24,8 @@ inline constexpr std::array<std::string_view, 3> record_table_names{"tape.csv", 
 /// No attempt has more rows in a table: an hour. What a reader takes memory for.
 inline constexpr std::int64_t rows_per_table_max = 3'600'000;
 
-/// Writes the tables of `recording`, cut into chunks as `places` says, which stand in the order of the chain.
+/// Writes the tables of `recording`, cut into chunks as `places` says, which stand in the order of
+/// the chain.
 /// needs   `places` covers each stream's rows exactly
 /// errors  DatabaseError
 std::vector<ExchangeFile> write_record_tables(const std::filesystem::path& folder,
@@ -31,7 +34,8 @@ std::vector<ExchangeFile> write_record_tables(const std::filesystem::path& folde
 
 struct ReadTables {
   simulator::Recording recording;
-  std::vector<ChunkPlace> places;  ///< in the order of the chain
+  /// In the order of the chain.
+  std::vector<ChunkPlace> places;
 };
 
 /// Reads the three tables that `files` names.
@@ -43,7 +47,8 @@ ReadTables read_record_tables(const ForeignFolder& folder, const std::vector<Exc
 Digest last_link_of(const AttemptId& attempt, const simulator::Recording& recording,
                     const std::vector<ChunkPlace>& places);
 
-/// Calls `visit(place, rows)` for each chunk in the order of the chain; `rows` is a span of its stream's type.
+/// Calls `visit(place, rows)` for each chunk in the order of the chain; `rows` is a span of its
+/// stream's type.
 template <typename Visit>
 void visit_chunks(const simulator::Recording& recording, const std::vector<ChunkPlace>& places,
                   Visit&& visit) {

@@ -1,4 +1,4 @@
-/// The ledger of a score card as a table: one line for each place where points were won or lost.
+/// Table of a score card in CSV: one line for each entry of its ledger.
 #pragma once
 
 #include <filesystem>

@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Recordings take the most of a first backup, tables that of the later ones; a bar that moves is enough.
+/// Recordings take the most of a first backup, tables that of the later ones; a bar that moves is
+/// enough.
 constexpr double part_of_recordings = 0.7, part_of_tables = 0.95;
 
 class BackupProgress {
@@ -81,7 +82,7 @@ class BackupWriter {
     Backup backup{file, manifest_.made_utc, manifest_.directory, manifest_.tables_bytes};
     backup.new_bytes = manifest_.tables_bytes + folder_.recording_bytes() - there;
     backup.recordings = static_cast<std::int64_t>(manifest_.recordings.size());
-    for (const KeptRecording& kept : manifest_.recordings) backup.bytes += kept.bytes;
+    for (const BackedUpRecording& kept : manifest_.recordings) backup.bytes += kept.bytes;
     backup.damaged = static_cast<std::int64_t>(manifest_.damaged.size());
     return backup;
   }
@@ -107,22 +108,23 @@ class BackupWriter {
         // Erased in the meantime: the tables say so.
         if (erased_recording(source_, attempt)) return;
       }
-      manifest_.recordings.push_back(keep_recording(source_, attempt, folder_.path()));
+      manifest_.recordings.push_back(back_up_recording(source_, attempt, folder_.path()));
     } catch (const DatabaseError& error) {
       if (error.kind() != DatabaseErrorKind::Damaged) throw;
       manifest_.damaged.push_back(attempt);
     }
   }
 
-  /// Inside the snapshot: what was erased since its file was written does not belong to this backup.
+  /// Inside the snapshot: what was erased since its file was written does not belong to this
+  /// backup.
   std::vector<AttemptId> left_out() {
     const std::vector<AttemptId> closed = closed_recordings(source_);
-    const auto is_gone = [&](const KeptRecording& kept) {
+    const auto is_gone = [&](const BackedUpRecording& kept) {
       return std::find(closed.begin(), closed.end(), kept.attempt) == closed.end();
     };
     std::erase_if(manifest_.recordings, is_gone);
     std::vector<AttemptId> attempts;
-    for (const KeptRecording& kept : manifest_.recordings) attempts.push_back(kept.attempt);
+    for (const BackedUpRecording& kept : manifest_.recordings) attempts.push_back(kept.attempt);
     return attempts;
   }
 
@@ -174,7 +176,7 @@ std::optional<Backup> backup_in(const fs::path& file) {
     backup.damaged = static_cast<std::int64_t>(manifest.damaged.size());
     backup.directory = manifest.directory;
     backup.bytes = manifest.tables_bytes;
-    for (const KeptRecording& kept : manifest.recordings) backup.bytes += kept.bytes;
+    for (const BackedUpRecording& kept : manifest.recordings) backup.bytes += kept.bytes;
     return backup;
   } catch (const DatabaseError&) {
     return std::nullopt;  // what is no complete backup is not offered as one

@@ -1,12 +1,17 @@
-/// Copies of all that is kept, made while it is used: also while an attempt is being recorded.
+/// Backups of a data directory, made while it is used: also while an attempt is being recorded.
 ///
 /// A folder of backups:
 ///
-///     hallux-20260301-142507.json     the manifest: its digests say what belongs to this backup; written last
-///     hallux-20260301-142507.tables   a database: all tables, without the chunks of closed attempts
-///     recordings/UUID.recording       the chunks of one closed attempt; written once, named by many manifests
-///     erasures.jsonl                  who was erased since (database/maintenance/erasure_journal.h)
-///     hallux-20260301-142507.db       of an older version, or from before a migration: a whole database in one file
+///     hallux-20260301-142507.json     the manifest: its digests say what belongs to this backup;
+///                                     written last
+///     hallux-20260301-142507.tables   a database: all tables, without the chunks of closed
+///                                     attempts
+///     recordings/UUID.recording       the chunks of one closed attempt; written once, named by
+///                                     many manifests
+///     erasures.jsonl                  who was erased since
+///                                     (database/maintenance/erasure_journal.h)
+///     hallux-20260301-142507.db       of an older version, or from before a migration: a whole
+///                                     database in one file
 ///
 /// source  docs/decisions/0009-a-backup-shares-its-recordings.md
 #pragma once
@@ -24,32 +29,42 @@
 namespace hallux::database {
 
 struct Backup {
-  std::filesystem::path file;  ///< the manifest, or the whole database
-  std::string made_utc = {};   ///< to the second
-  std::string directory = {};  ///< the uuid of where it was made; "" of a whole database
-  std::int64_t bytes = 0;      ///< of all that belongs to it
+  /// The manifest, or the whole database.
+  std::filesystem::path file;
+  /// To the second.
+  std::string made_utc = {};
+  /// The uuid of where it was made; "" of a whole database.
+  std::string directory = {};
+  /// Of all that belongs to it.
+  std::int64_t bytes = 0;
   std::int64_t recordings = 0;
-  std::int64_t new_bytes = 0;  ///< of it what this backup wrote; 0 in a list
-  std::int64_t damaged = 0;  ///< attempts whose chain did not hold; their rows are kept as they are
+  /// Of it what this backup wrote; 0 in a list.
+  std::int64_t new_bytes = 0;
+  /// Attempts whose chain did not hold; their rows are kept as they are.
+  std::int64_t damaged = 0;
 };
 
 struct BackupOptions {
-  Progress progress = {};                                   ///< told the part done; false stops
-  std::optional<std::uintmax_t> pretended_free_bytes = {};  ///< for tests of a disk that fills
+  /// Told the part done; false stops.
+  Progress progress = {};
+  /// For tests of a disk that fills.
+  std::optional<std::uintmax_t> pretended_free_bytes = {};
 };
 
-/// Writes into `folder`: first the recordings that are not there yet, each read for itself, then the tables from one
-/// snapshot, then the manifest.
-/// ensures a writer goes on meanwhile; what it commits after the snapshot is not in the copy, and does not delay it
-/// errors  DatabaseError: Full where less than twice what is to be written is free; Locked where another backup is being
-///         made; storage failures; Cancelled
+/// Writes into `folder`: first the recordings that are not there yet, each read for itself, then
+/// the tables from one snapshot, then the manifest.
+/// ensures a writer goes on meanwhile; what it commits after the snapshot is not in the copy, and
+///         does not delay it
+/// errors  DatabaseError: Full where less than twice what is to be written is free; Locked where
+///         another backup is being made; storage failures; Cancelled
 Backup back_up(Database& database, const std::filesystem::path& folder,
                const BackupOptions& options = {});
 
 /// Newest first: those that are complete, of both forms. None where there is no folder.
 std::vector<Backup> list_backups(const std::filesystem::path& folder);
 
-/// Puts what `source` holds into the place of all that `target` holds, in one transaction of `target`.
+/// Puts what `source` holds into the place of all that `target` holds, in one transaction of
+/// `target`.
 /// errors  DatabaseError
 void copy_whole(Database& source, Database& target);
 

@@ -18,7 +18,7 @@ constexpr std::int64_t manifest_bytes_max = std::int64_t{256} << 20U;
 
 ordered_json json_of(const BackupManifest& manifest) {
   ordered_json recordings = ordered_json::array();
-  for (const KeptRecording& kept : manifest.recordings) {
+  for (const BackedUpRecording& kept : manifest.recordings) {
     recordings.push_back({{"attempt", kept.attempt.text},
                           {"bytes", kept.bytes},
                           {"digest", hex_from_digest(kept.digest)}});
@@ -74,7 +74,7 @@ void check_names(const BackupManifest& manifest, const std::filesystem::path& fi
   const bool names_itself = manifest.name == file.stem().string();
   const bool are_uuids =
       std::all_of(manifest.recordings.begin(), manifest.recordings.end(),
-                  [](const KeptRecording& kept) { return is_uuid(kept.attempt.text); });
+                  [](const BackedUpRecording& kept) { return is_uuid(kept.attempt.text); });
   if (names_itself && are_uuids) return;
   fail(DatabaseErrorKind::Damaged, file,
        "names a file that no backup of that name has; give a backup its own name back, or take "

@@ -1,4 +1,4 @@
-/// The manifest of a backup: what belongs to it, with digests. A backup whose manifest is there is complete.
+/// Manifest of a backup: its files with their digests. A backup that has one is complete.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,18 @@ namespace hallux::database {
 inline constexpr std::int64_t backup_format = 1;
 
 struct BackupManifest {
-  std::string name;       ///< "hallux-20260301-142507", of the manifest and of the file of tables
-  std::string directory;  ///< the uuid of the directory that was backed up
+  /// "hallux-20260301-142507", of the manifest and of the file of tables.
+  std::string name;
+  /// The uuid of the directory that was backed up.
+  std::string directory;
   std::string made_utc;
   std::int64_t tables_bytes = 0;
-  Digest tables;                          ///< of the bytes of that file
-  std::vector<KeptRecording> recordings;  ///< which are not among the tables' rows
-  std::vector<AttemptId> damaged;         ///< whose chunks are among the rows, as they were found
+  /// Of the bytes of that file.
+  Digest tables;
+  /// Which are not among the tables' rows.
+  std::vector<BackedUpRecording> recordings;
+  /// Whose chunks are among the rows, as they were found.
+  std::vector<AttemptId> damaged;
 };
 
 /// Whether it may stand in a file's name: 36 of 0-9 a-f and dashes.
@@ -29,7 +34,8 @@ bool is_uuid(const std::string& text) noexcept;
 /// errors  DatabaseError: storage failures
 void write_manifest(const std::filesystem::path& file, const BackupManifest& manifest);
 
-/// errors  DatabaseError: NotFound; Damaged where it was altered; Newer; BadInput for a link or what is no manifest
+/// errors  DatabaseError: NotFound; Damaged where it was altered; Newer; BadInput for a link or
+///         what is no manifest
 BackupManifest read_manifest(const std::filesystem::path& file);
 
 }  // namespace hallux::database

@@ -70,13 +70,14 @@ void remove_backup(const Backup& backup) {
     remove_file(fs::path{backup.file}.replace_extension(".tables"));
 }
 
-/// What any manifest of the folder names, also of another directory; nothing where one cannot be read.
+/// What any manifest of the folder names, also of another directory; nothing where one cannot be
+/// read.
 std::optional<std::set<std::string>> named_recordings(const fs::path& folder) {
   std::set<std::string> named;
   for (const fs::directory_entry& entry : fs::directory_iterator{folder}) {
     if (entry.path().extension() != ".json") continue;
     try {
-      for (const KeptRecording& kept : read_manifest(entry.path()).recordings) {
+      for (const BackedUpRecording& kept : read_manifest(entry.path()).recordings) {
         named.insert(kept.attempt.text);
       }
     } catch (const DatabaseError&) {
@@ -168,8 +169,8 @@ std::vector<fs::path> rotate_backups(Database& database, const fs::path& folder,
   return removed;
 }
 
-Backup keep_backup(Database& database, const fs::path& folder, std::optional<PersonId> actor,
-                   const BackupOptions& options) {
+Backup back_up_with_rotation(Database& database, const fs::path& folder,
+                             std::optional<PersonId> actor, const BackupOptions& options) {
   Backup backup;
   try {
     backup = back_up(database, folder, options);

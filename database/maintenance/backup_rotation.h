@@ -1,4 +1,4 @@
-/// Which backups are kept when new ones come, and taking them with what follows: audit, notices, letting go of old ones.
+/// Rotation of backups: a new one is made and audited, and old ones are removed.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,8 @@
 
 namespace hallux::database {
 
-/// The newest ones, and the newest of each of so many days, weeks (from Monday) and months that have one.
+/// The newest ones, and the newest of each of so many days, weeks (from Monday) and months that
+/// have one.
 struct RotationRule {
   int newest = 10, days = 7, weeks = 4, months = 12;
 };
@@ -27,16 +28,18 @@ void store_rotation(Database& database, const RotationRule& rule);
 /// One answer for each of these moments, which are newest first; the newest is always kept.
 std::vector<bool> kept_by(const RotationRule& rule, std::span<const std::string> made_utc);
 
-/// Removes the backups of this directory that the rule does not keep, each by its manifest first, and last the recordings
-/// that no manifest names. Killed in the middle it leaves whole backups; the next time goes on. Returns what went.
+/// Removes the backups of this directory that the rule does not keep, each by its manifest first,
+/// and last the recordings that no manifest names. Killed in the middle it leaves whole backups;
+/// the next time goes on. Returns what went.
 /// errors  DatabaseError: Locked; storage failures
 std::vector<std::filesystem::path> rotate_backups(Database& database,
                                                   const std::filesystem::path& folder,
                                                   const RotationRule& rule);
 
-/// Backs up, writes the audit and rotates. Where there is no room for it, the administrators are told.
+/// Backs up, writes the audit and rotates. Where there is no room for it, the administrators are
+/// told.
 /// errors  as back_up
-Backup keep_backup(Database& database, const std::filesystem::path& folder,
-                   std::optional<PersonId> actor, const BackupOptions& options = {});
+Backup back_up_with_rotation(Database& database, const std::filesystem::path& folder,
+                             std::optional<PersonId> actor, const BackupOptions& options = {});
 
 }  // namespace hallux::database

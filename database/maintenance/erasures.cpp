@@ -16,8 +16,9 @@ namespace hallux::database {
 
 namespace {
 
-/// ?1 is the person. Of and by them: what others wrote about their attempts names them as easily as their own words.
-/// The reasons of what they decided about others stay: those are part of the others' grades.
+/// ?1 is the person. Of and by them: what others wrote about their attempts names them as easily as
+/// their own words. The reasons of what they decided about others stay: those are part of the
+/// others' grades.
 constexpr std::array<const char*, 18> erasing_statements{
     "DELETE FROM person_detail WHERE person_id = ?1", "DELETE FROM password WHERE person_id = ?1",
     "DELETE FROM one_time_code WHERE person_id = ?1", "DELETE FROM session WHERE person_id = ?1",
@@ -79,7 +80,8 @@ bool names(std::string_view text, const Person& person) {
   return names(text, person.login) || names(text, person.display_name);
 }
 
-/// Refused sign-ins and requests, statements, reasons: whatever row they are of, their texts may hold the login.
+/// Refused sign-ins and requests, statements, reasons: whatever row they are of, their texts may
+/// hold the login.
 std::int64_t erase_audit_texts_that_name(Database& database, const Person& person) {
   std::vector<std::int64_t> naming;
   SQLite::Statement rows{database.connection(), "SELECT audit_id, text FROM audit_text"};

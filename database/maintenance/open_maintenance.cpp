@@ -5,45 +5,46 @@
 
 namespace hallux::database {
 
-std::optional<OpenKeeping> OpenKeeping::enter(Database& database) {
+std::optional<OpenMaintenance> OpenMaintenance::enter(Database& database) {
   if (has_people(database)) return std::nullopt;
-  return OpenKeeping{database};
+  return OpenMaintenance{database};
 }
 
-void OpenKeeping::require_nobody() const {
+void OpenMaintenance::require_nobody() const {
   if (!has_people(*database_)) return;
   throw DatabaseError{DatabaseErrorKind::Refused,
                       "somebody was added to " + database_->file().string() +
                           " in the meantime; an administrator must do this"};
 }
 
-Backup OpenKeeping::back_up(const std::filesystem::path& directory, const Progress& progress) {
+Backup OpenMaintenance::back_up(const std::filesystem::path& directory, const Progress& progress) {
   require_nobody();
-  return keep_backup(*database_, directory.empty() ? database_->directory() / "backups" : directory,
-                     std::nullopt, {progress, {}});
+  return back_up_with_rotation(*database_,
+                               directory.empty() ? database_->directory() / "backups" : directory,
+                               std::nullopt, {progress, {}});
 }
 
-std::vector<Backup> OpenKeeping::backups() {
+std::vector<Backup> OpenMaintenance::backups() {
   require_nobody();
   return list_backups(database_->directory() / "backups");
 }
 
-RetentionRules OpenKeeping::retention() {
+RetentionRules OpenMaintenance::retention() {
   require_nobody();
   return load_retention(*database_);
 }
 
-void OpenKeeping::set_retention(const RetentionRules& rules) {
+void OpenMaintenance::set_retention(const RetentionRules& rules) {
   require_nobody();
   store_retention(*database_, rules);
 }
 
-std::vector<RetentionPiece> OpenKeeping::retention_plan() {
+std::vector<RetentionPiece> OpenMaintenance::retention_plan() {
   require_nobody();
   return plan_retention(*database_);
 }
 
-RetentionDone OpenKeeping::retain(const Progress& progress) {
+RetentionDone OpenMaintenance::retain(const Progress& progress) {
   require_nobody();
   return apply_retention(*database_, std::nullopt, progress);
 }

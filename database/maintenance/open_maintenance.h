@@ -1,4 +1,4 @@
-/// Keeping a data directory without people: what an administrator's desk does for one with people.
+/// Maintenance of a data directory without people: what an administrator's desk does for others.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,12 @@
 
 namespace hallux::database {
 
-/// errors  of all methods: DatabaseError Refused once somebody was added; as in the files that are included
-class OpenKeeping {
+/// errors  of all methods: DatabaseError Refused once somebody was added; as in the files that are
+///         included
+class OpenMaintenance {
  public:
   /// Nothing where there are people.
-  static std::optional<OpenKeeping> enter(Database& database);
+  static std::optional<OpenMaintenance> enter(Database& database);
 
   Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
   std::vector<Backup> backups();
@@ -25,7 +26,7 @@ class OpenKeeping {
   RetentionDone retain(const Progress& progress = {});
 
  private:
-  explicit OpenKeeping(Database& database) : database_(&database) {}
+  explicit OpenMaintenance(Database& database) : database_(&database) {}
   void require_nobody() const;
   Database* database_;
 };

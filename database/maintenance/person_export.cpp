@@ -20,7 +20,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What is kept about somebody; ?1 in `sql` is the person. `meaning` says what it is, why it is kept, and until when.
+/// What is kept about somebody; ?1 in `sql` is the person. `meaning` says what it is, why it is
+/// kept, and until when.
 struct KeptTable {
   const char* name;
   const char* meaning;

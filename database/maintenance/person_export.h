@@ -1,4 +1,4 @@
-/// All that is kept of one person, for that person: tables as CSV and JSON, and what each is, in plain words.
+/// Export of one person's data for that person: tables as CSV and JSON, in plain words.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,12 @@ struct PersonExport {
   std::int64_t files = 0, rows = 0;
 };
 
-/// Writes `explanation.txt`, `person.json` with everything, and a CSV file for each table, all from one moment, into a
-/// directory that is new or empty; complete or not there. Other people are named where the person sees their names anyway;
-/// notes that are private to instructors are not in it, and their number is.
-/// errors  DatabaseError: NotFound; Refused where the directory holds something; storage failures; Cancelled
+/// Writes `explanation.txt`, `person.json` with everything, and a CSV file for each table, all from
+/// one moment, into a directory that is new or empty; complete or not there. Other people are named
+/// where the person sees their names anyway; notes that are private to instructors are not in it,
+/// and their number is.
+/// errors  DatabaseError: NotFound; Refused where the directory holds something; storage failures;
+///         Cancelled
 PersonExport export_person(Database& database, PersonId person,
                            const std::filesystem::path& directory, const Progress& progress = {});
 

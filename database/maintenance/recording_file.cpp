@@ -128,7 +128,7 @@ Digest digest_from(std::span<const std::byte> bytes) {
 }
 
 /// What a file that is there says of itself; a backup does not read all of it again.
-KeptRecording found_file(const fs::path& file, const AttemptId& attempt) {
+BackedUpRecording found_file(const fs::path& file, const AttemptId& attempt) {
   DurableFile found = DurableFile::open_to_read(file);
   std::array<std::byte, file_magic.size() + uuid_bytes> head{};
   const std::int64_t bytes = found.bytes();
@@ -177,8 +177,8 @@ fs::path recording_file(const fs::path& backups, const AttemptId& attempt) {
   return backups / "recordings" / (attempt.text + ".recording");
 }
 
-KeptRecording keep_recording(Database& database, const AttemptId& attempt,
-                             const fs::path& backups) {
+BackedUpRecording back_up_recording(Database& database, const AttemptId& attempt,
+                                    const fs::path& backups) {
   const fs::path file = recording_file(backups, attempt);
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error))) return found_file(file, attempt);
@@ -195,7 +195,8 @@ KeptRecording keep_recording(Database& database, const AttemptId& attempt,
   return {attempt, static_cast<std::int64_t>(content.size()), digest};
 }
 
-void put_recording_back(Database& database, const KeptRecording& kept, const fs::path& backups) {
+void put_recording_back(Database& database, const BackedUpRecording& kept,
+                        const fs::path& backups) {
   const fs::path file = recording_file(backups, kept.attempt);
   const std::vector<std::byte> content = read_plain_file(file, file_bytes_max);
   if (static_cast<std::int64_t>(content.size()) != kept.bytes || content.size() < digest_bytes) {

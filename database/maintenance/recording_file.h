@@ -1,10 +1,11 @@
-/// One closed attempt's recording as a file of a backup: its chunks as they are stored, written once, never altered.
+/// Recording file of a backup: the stored chunks of one closed attempt, written once.
 ///
 ///     "HALLUXR1"  uuid (36 characters)  number of chunks
-///     for each chunk, in the order of the chain: seq, stream, first_tick, row_count, length, bytes, link (32 bytes)
-///     BLAKE2b-256 of all that stands before (32 bytes)
+///     for each chunk, in the order of the chain: seq, stream, first_tick, row_count, length,
+///     bytes, link (32 bytes) BLAKE2b-256 of all that stands before (32 bytes)
 ///
-/// Integers have 8 bytes, little-endian. Later backups name the same file, so a backup costs what is new.
+/// Integers have 8 bytes, little-endian. Later backups name the same file, so a backup costs what
+/// is new.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +18,13 @@
 namespace hallux::database {
 
 /// A recording that lies beside a backup.
-struct KeptRecording {
+struct BackedUpRecording {
   AttemptId attempt;
   std::int64_t bytes = 0;
-  Digest digest;  ///< the last 32 bytes of the file
+  /// The last 32 bytes of the file.
+  Digest digest;
 
-  friend bool operator==(const KeptRecording&, const KeptRecording&) = default;
+  friend bool operator==(const BackedUpRecording&, const BackedUpRecording&) = default;
 };
 
 std::filesystem::path recording_file(const std::filesystem::path& backups,
@@ -30,13 +32,16 @@ std::filesystem::path recording_file(const std::filesystem::path& backups,
 
 /// Writes the file unless it is there; whole or not at all.
 /// needs   the attempt is sealed, and its chain was checked
-/// errors  DatabaseError: storage failures; BadInput where what is there is no recording of that attempt
-KeptRecording keep_recording(Database& database, const AttemptId& attempt,
-                             const std::filesystem::path& backups);
+/// errors  DatabaseError: storage failures; BadInput where what is there is no recording of that
+///         attempt
+BackedUpRecording back_up_recording(Database& database, const AttemptId& attempt,
+                                    const std::filesystem::path& backups);
 
-/// Puts the chunks of the file into the database, which knows the attempt but not its chunks, in one transaction.
-/// errors  DatabaseError: NotFound; Damaged where the file is not what was kept; BadInput for a link
-void put_recording_back(Database& database, const KeptRecording& kept,
+/// Puts the chunks of the file into the database, which knows the attempt but not its chunks, in
+/// one transaction.
+/// errors  DatabaseError: NotFound; Damaged where the file is not what was kept; BadInput for a
+///         link
+void put_recording_back(Database& database, const BackedUpRecording& kept,
                         const std::filesystem::path& backups);
 
 }  // namespace hallux::database

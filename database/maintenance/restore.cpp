@@ -34,8 +34,8 @@ std::tuple<std::string, std::size_t, std::string> age_of(const fs::path& file) {
   return {moment_in_name(stem), stem.size(), stem};
 }
 
-/// What was asked for: a manifest, a whole database, or the newest of a folder. A newest one that is damaged is not passed
-/// over in silence: reading it says so.
+/// What was asked for: a manifest, a whole database, or the newest of a folder. A newest one that
+/// is damaged is not passed over in silence: reading it says so.
 fs::path chosen_backup(const fs::path& asked) {
   std::error_code error;
   if (!fs::is_directory(asked, error)) return asked;
@@ -147,7 +147,7 @@ class Restorer {
     // What is lost with the power is made anew: it has no name yet.
     database.connection().exec("PRAGMA synchronous = OFF");
     const double total = static_cast<double>(manifest_->recordings.size());
-    for (const KeptRecording& kept : manifest_->recordings) {
+    for (const BackedUpRecording& kept : manifest_->recordings) {
       report(part_of_tables + (part_of_recordings - part_of_tables) *
                                   static_cast<double>(restored_.recordings) / total);
       put_back(database, kept);
@@ -155,7 +155,7 @@ class Restorer {
     }
   }
 
-  void put_back(Database& database, const KeptRecording& kept) {
+  void put_back(Database& database, const BackedUpRecording& kept) {
     try {
       put_recording_back(database, kept, folder());
     } catch (const DatabaseError& error) {

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// ?1 and ?2 are the days of practices and of assessments (null: for ever), ?3 is now, ?4 an attempt, or null for all.
+/// ?1 and ?2 are the days of practices and of assessments (null: for ever), ?3 is now, ?4 an
+/// attempt, or null for all.
 constexpr const char* due_recordings =
     "SELECT a.uuid, a.kind, max(a.started_utc, coalesce((SELECT max(d.decided_utc) FROM decision d "
     "WHERE d.attempt_id = a.attempt_id), '')) AS since, (SELECT sum(length(c.bytes)) FROM chunk c "
@@ -48,7 +49,8 @@ constexpr const char* assessment_name = "retain_assessment_days";
 constexpr const char* account_name = "retain_account_days";
 constexpr const char* cache_name = "retain_cache_days";
 
-/// What another program wrote there and is no number of days means for ever: nothing goes by mistake.
+/// What another program wrote there and is no number of days means for ever: nothing goes by
+/// mistake.
 std::optional<std::int32_t> days_setting(Database& database, const char* name) {
   const std::optional<std::string> text = read_setting(database, name);
   if (!text) return std::nullopt;

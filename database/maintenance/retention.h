@@ -1,9 +1,11 @@
-/// How long what is kept, and letting go of the rest.
+/// Retention rules and the clean-up they cause.
 ///
-/// Nothing goes unless an administrator set a time. A recording's time runs from its start, of an assessment from the last
-/// decision about it where that is later; one with an open question stays. What goes with a recording is what an erasure of
-/// it takes (database/recording/erased_recordings.h): facts, seal and score stay. A closed account is one that was disabled; it is
-/// erased (database/maintenance/erasures.h), its recordings have their own time.
+/// Nothing goes unless an administrator set a time. A recording's time runs from its start, of an
+/// assessment from the last decision about it where that is later; one with an open question stays.
+/// What goes with a recording is what an erasure of it takes
+/// (database/recording/erased_recordings.h): facts, seal and score stay. A closed account is one
+/// that was disabled; it is erased (database/maintenance/erasures.h), its recordings have their own
+/// time.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +34,12 @@ enum class RetainedKind { Practice, Assessment, Account, Cache };
 /// What would go.
 struct RetentionPiece {
   RetainedKind kind = RetainedKind::Practice;
-  std::string name;       ///< an attempt's uuid, a person's number, a file of the cache
-  std::string login;      ///< of whom it is; "" for nobody
-  std::string since_utc;  ///< from when its time ran
+  /// An attempt's uuid, a person's number, a file of the cache.
+  std::string name;
+  /// Of whom it is; "" for nobody.
+  std::string login;
+  /// From when its time ran.
+  std::string since_utc;
   std::int64_t bytes = 0;
 };
 
@@ -49,8 +54,8 @@ void store_retention(Database& database, const RetentionRules& rules);
 /// Exactly what would go now, recordings by age, then accounts, then what is cached.
 std::vector<RetentionPiece> plan_retention(Database& database);
 
-/// Lets it go, each piece in a transaction of its own that asks once more; clears SQLite's log at the end. Killed in the
-/// middle each piece is there or gone; once more goes on.
+/// Lets it go, each piece in a transaction of its own that asks once more; clears SQLite's log at
+/// the end. Killed in the middle each piece is there or gone; once more goes on.
 /// errors  DatabaseError: storage failures; Cancelled
 RetentionDone apply_retention(Database& database, std::optional<PersonId> actor,
                               const Progress& progress = {});

@@ -5,7 +5,10 @@
 #include "database/course/decisions.h"
 #include "database/course/standings.h"
 #include "database/exchange/import_attempt.h"
-#include "database/maintenance/verify_parts.h"
+#include "database/maintenance/verify_audit.h"
+#include "database/maintenance/verify_pages.h"
+#include "database/maintenance/verify_progress.h"
+#include "database/maintenance/verify_scores.h"
 #include "database/recording/attempts.h"
 #include "database/recording/certificate_json.h"
 #include "database/recording/recordings.h"
@@ -106,24 +109,6 @@ void check_attempts(Database& database, VerifyProgress& progress, Verification& 
 }
 
 }  // namespace
-
-void fail_altered(const Database& database, const std::string& row) {
-  throw DatabaseError{DatabaseErrorKind::Damaged,
-                      row + " in " + database.file().string() + " was altered; restore a backup"};
-}
-
-void VerifyProgress::begin(std::string part, double end) {
-  part_ = std::move(part);
-  begin_ = end_;
-  end_ = end;
-}
-
-void VerifyProgress::tell(std::int64_t done, std::int64_t all) {
-  // Somebody may add rows meanwhile.
-  const double share = all > done ? static_cast<double>(done) / static_cast<double>(all) : 1.0;
-  if (!told_ || told_(begin_ + share * (end_ - begin_))) return;
-  throw Cancelled{"the check was stopped in " + part_ + "; no damage was found up to there"};
-}
 
 Verification verify(Database& database, const Progress& progress) {
   Verification found;

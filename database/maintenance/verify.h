@@ -1,7 +1,8 @@
-/// Checks everything that is sealed and names the first row that was altered.
+/// Verification of everything that is sealed; it names the first row that was altered.
 ///
-/// It shows alterations by whoever does not also recompute the chains; it cannot show that the newest unsealed rows or
-/// the last audit rows were cut off, nor that the owner of the files wrote all of them anew.
+/// It shows alterations by whoever does not also recompute the chains; it cannot show that the
+/// newest unsealed rows or the last audit rows were cut off, nor that the owner of the files wrote
+/// all of them anew.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +17,19 @@
 namespace hallux::database {
 
 struct Verification {
-  std::int64_t attempts = 0, chunks = 0, scores = 0, assets = 0, audit_rows = 0;  ///< found whole
-  std::optional<std::string>
-      first_damage;  ///< one sentence naming file and row; nothing: all is well
+  /// Found whole.
+  std::int64_t attempts = 0, chunks = 0, scores = 0, assets = 0, audit_rows = 0;
+  /// One sentence naming file and row; nothing: all is well.
+  std::optional<std::string> first_damage;
 
   bool is_whole() const noexcept { return !first_damage.has_value(); }
 };
 
-/// SQLite's own checks, every chunk chain, seal, score, asset, scenario text and the audit chain; that what the audit names is
-/// there unaltered, and that no attempt, score, decision or administrator is there that it does not name. Reads in pieces:
-/// a recording goes on meanwhile, and no more is held than some hundred rows. `progress` is told the part done and may
-/// return false to stop.
+/// SQLite's own checks, every chunk chain, seal, score, asset, scenario text and the audit chain;
+/// that what the audit names is there unaltered, and that no attempt, score, decision or
+/// administrator is there that it does not name. Reads in pieces: a recording goes on meanwhile,
+/// and no more is held than some hundred rows. `progress` is told the part done and may return
+/// false to stop.
 /// errors  DatabaseError for storage failures other than damage; Cancelled
 Verification verify(Database& database, const Progress& progress = {});
 

@@ -1,7 +1,9 @@
+#include "database/maintenance/verify_audit.h"
+
+#include "database/audit/audit.h"
 #include "database/course/decisions.h"
 #include "database/course/scores.h"
 #include "database/exchange/import_attempt.h"
-#include "database/maintenance/verify_parts.h"
 #include "database/recording/attempts.h"
 #include "database/recording/chain.h"
 #include "database/store/sql.h"
@@ -69,14 +71,16 @@ void check_against_audit(Database& database, const AuditRow& row, const std::str
   if (entry.subject_kind == "attempt") check_attempt(database, entry);
 }
 
-/// A query that answers with a row only where somebody wrote past the audit; `is_named` says which row it is.
+/// A query that answers with a row only where somebody wrote past the audit; `is_named` says which
+/// row it is.
 struct Unexplained {
   const char* sql;
   const char* is_named;
 };
 
-/// Each in one statement, so that whoever works meanwhile is seen with the audit row or without both, and with lists that are
-/// made once: the audit has no index by subject. An imported attempt was begun and sealed elsewhere.
+/// Each in one statement, so that whoever works meanwhile is seen with the audit row or without
+/// both, and with lists that are made once: the audit has no index by subject. An imported attempt
+/// was begun and sealed elsewhere.
 constexpr Unexplained unexplained[] = {
     {"SELECT uuid FROM attempt WHERE origin_id IS NULL AND uuid NOT IN "
      "(SELECT subject_id FROM audit WHERE action = 'attempt_begun' AND outcome = 'done') LIMIT 1",

@@ -1,17 +1,19 @@
+#include "database/maintenance/verify_pages.h"
+
 #include <algorithm>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
-#include "database/maintenance/verify_parts.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
 
 namespace {
 
-/// A file up to here is checked as a whole, pages that belong to nothing included: a fraction of a second (measured). Of a larger
-/// one the chunks, nearly all of it, are read piece by piece instead: a page of theirs that is wrong does not fit the chain.
+/// A file up to here is checked as a whole, pages that belong to nothing included: a fraction of a
+/// second (measured). Of a larger one the chunks, nearly all of it, are read piece by piece
+/// instead: a page of theirs that is wrong does not fit the chain.
 constexpr std::uintmax_t whole_check_bytes_max = 64 * 1024 * 1024;
 constexpr std::int64_t chunks_at_once = 5000;
 constexpr std::string_view chunk_table = "chunk";

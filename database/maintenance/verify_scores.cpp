@@ -1,7 +1,8 @@
+#include "database/maintenance/verify_scores.h"
+
 #include <vector>
 
 #include "database/course/score_json.h"
-#include "database/maintenance/verify_parts.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {

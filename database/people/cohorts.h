@@ -20,7 +20,8 @@ Cohort load_cohort(Database& database, CohortId id);
 /// Instructors first, then by login.
 std::vector<CohortMember> list_members(Database& database, CohortId id);
 
-/// Puts a person into a cohort, or changes what they are there. Who is that already keeps the day of their enrolment.
+/// Puts a person into a cohort, or changes what they are there. Who is that already keeps the day
+/// of their enrolment.
 /// errors  DatabaseError NotFound
 void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role);
 /// Takes a person out; their attempts stay theirs.

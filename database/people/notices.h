@@ -1,7 +1,7 @@
-/// Notices: what somebody is told at their next sign-in, until they say that they have seen it.
+/// Notices: sentences shown to a person at sign-in until they are acknowledged.
 ///
-/// A notice holds numbers only, so that nothing of it need be erased with a person. One for all administrators is told to
-/// each of them, and each acknowledges it for themself.
+/// A notice holds numbers only, so that nothing of it need be erased with a person. One for all
+/// administrators is told to each of them, and each acknowledges it for themself.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@ struct NoticeSubject {
 void tell_person(Database& database, PersonId told, NoticeKind kind,
                  const NoticeSubject& about = {});
 void tell_administrators(Database& database, NoticeKind kind, const NoticeSubject& about = {});
-/// One more refused sign-in: a notice that was not seen yet counts up, so that there is one however many there were.
+/// One more refused sign-in: a notice that was not seen yet counts up, so that there is one however
+/// many there were.
 void tell_of_refused_sign_in(Database& database, PersonId told);
 
 /// Those told to this person that they did not acknowledge, newest first.
@@ -30,7 +31,8 @@ std::vector<Notice> unseen_notices(Database& database, PersonId person);
 /// The same of those told to every administrator.
 std::vector<Notice> unseen_notices_of_administrators(Database& database, PersonId person);
 
-/// Whether the notice was told to this person alone, or to all administrators; nothing where there is none.
+/// Whether the notice was told to this person alone, or to all administrators; nothing where there
+/// is none.
 struct NoticeAudience {
   std::optional<PersonId> person;
 };

@@ -1,7 +1,9 @@
-/// One-time codes: with one a person chooses a password, when they are new or were reset. Only a hash is kept.
+/// One-time codes: with one a person chooses a password, when they are new or were reset. Only a
+/// hash is kept.
 ///
-/// A code has 60 random bits in three groups of four letters and digits that cannot be taken for each other
-/// ("7QK2-M9XD-3VTA"); case, spaces and dashes do not matter, and O, I, L read as 0, 1, 1.
+/// A code has 60 random bits in three groups of four letters and digits that cannot be taken for
+/// each other ("7QK2-M9XD-3VTA"); case, spaces and dashes do not matter, and O, I, L read as 0, 1,
+/// 1.
 #pragma once
 
 #include <optional>
@@ -17,7 +19,8 @@ namespace hallux::database {
 inline constexpr int one_time_code_days = 7;
 
 struct IssuedCode {
-  SecretText code;  ///< shown once; nobody can read it again
+  /// Shown once; nobody can read it again.
+  SecretText code;
   std::string expires_utc;
 };
 
@@ -29,8 +32,8 @@ SecretText random_code();
 IssuedCode issue_code(Database& database, PersonId person, PersonId issued_by,
                       const PasswordCost& cost = {});
 
-/// Whose code this is; nothing where the login is unknown, the code wrong or expired, or the person disabled, after the
-/// same work.
+/// Whose code this is; nothing where the login is unknown, the code wrong or expired, or the person
+/// disabled, after the same work.
 std::optional<Person> verify_code(Database& database, std::string_view login,
                                   const SecretText& code, const PasswordCost& cost = {});
 

@@ -1,4 +1,4 @@
-/// What shows a desk that its holder has just given their password again.
+/// Proof to a desk that its holder has just given their password again.
 #pragma once
 
 #include "database/records/ids.h"

@@ -18,8 +18,8 @@ struct PasswordCost {
 inline constexpr std::size_t password_code_points_min = 12;
 inline constexpr std::size_t password_code_points_max = 128;
 
-/// errors  DatabaseError BadInput: shorter than 12 or longer than 128 characters, one character repeated, one of the
-///         passwords that everybody tries first, or nothing but the login
+/// errors  DatabaseError BadInput: shorter than 12 or longer than 128 characters, one character
+///         repeated, one of the passwords that everybody tries first, or nothing but the login
 void check_password_rules(const SecretText& password, std::string_view login = {});
 
 /// The Argon2id text of libsodium, with its own salt and cost inside.

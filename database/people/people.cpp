@@ -84,6 +84,18 @@ void check_an_administrator_remains(Database& database, const char* what_cannot_
                                                       "; make another administrator first"};
 }
 
+void set_flag(Database& database, const char* tried, const char* sql, PersonId id, bool value,
+              const char* what_cannot_be) {
+  in_transaction_of_caller(database, tried, [&] {
+    load_person(database, id);
+    SQLite::Statement update{database.connection(), sql};
+    update.bind(1, value ? 1 : 0);
+    update.bind(2, id.number);
+    update.exec();
+    check_an_administrator_remains(database, what_cannot_be);
+  });
+}
+
 PersonId insert_new_person(Database& database, const NewPerson& person) {
   if (person_named(database, person.login)) {
     throw DatabaseError{DatabaseErrorKind::BadInput,
@@ -192,27 +204,14 @@ void set_password(Database& database, PersonId id, const SecretText& password,
 }
 
 void set_disabled(Database& database, PersonId id, bool is_disabled) {
-  in_transaction_of_caller(database, "disable or enable a person", [&] {
-    load_person(database, id);
-    SQLite::Statement update{database.connection(),
-                             "UPDATE person SET is_disabled = ? WHERE person_id = ?"};
-    update.bind(1, is_disabled ? 1 : 0);
-    update.bind(2, id.number);
-    update.exec();
-    check_an_administrator_remains(database, "cannot be disabled");
-  });
+  set_flag(database, "disable or enable a person",
+           "UPDATE person SET is_disabled = ? WHERE person_id = ?", id, is_disabled,
+           "cannot be disabled");
 }
 
 void set_administrator(Database& database, PersonId id, bool is_administrator) {
-  in_transaction_of_caller(database, "change a role", [&] {
-    load_person(database, id);
-    SQLite::Statement update{database.connection(),
-                             "UPDATE person SET is_administrator = ? WHERE person_id = ?"};
-    update.bind(1, is_administrator ? 1 : 0);
-    update.bind(2, id.number);
-    update.exec();
-    check_an_administrator_remains(database, "cannot lose the role");
-  });
+  set_flag(database, "change a role", "UPDATE person SET is_administrator = ? WHERE person_id = ?",
+           id, is_administrator, "cannot lose the role");
 }
 
 void remove_password(Database& database, PersonId id) {

@@ -12,7 +12,8 @@
 
 namespace hallux::database {
 
-/// errors  DatabaseError: BadInput for a login against the rules, one that is taken, or a weak password
+/// errors  DatabaseError: BadInput for a login against the rules, one that is taken, or a weak
+///         password
 PersonId create_person(Database& database, const NewPerson& person, const SecretText& password,
                        const PasswordCost& cost = {});
 
@@ -30,8 +31,8 @@ Person find_person(Database& database, std::string_view login);
 /// errors  DatabaseError NotFound
 Person load_person(Database& database, PersonId id);
 
-/// The person whose login and password these are; nothing where the login is unknown, the password wrong, or the person
-/// disabled, after the same work. A hash of another cost is made anew.
+/// The person whose login and password these are; nothing where the login is unknown, the password
+/// wrong, or the person disabled, after the same work. A hash of another cost is made anew.
 std::optional<Person> verify_person(Database& database, std::string_view login,
                                     const SecretText& password, const PasswordCost& cost = {});
 
@@ -45,7 +46,8 @@ void set_disabled(Database& database, PersonId id, bool is_disabled);
 /// errors  DatabaseError Refused where no administrator who can sign in would remain
 void set_administrator(Database& database, PersonId id, bool is_administrator);
 
-/// Nobody can sign in as them until a one-time code was redeemed (database/people/one_time_codes.h).
+/// Nobody can sign in as them until a one-time code was redeemed
+/// (database/people/one_time_codes.h).
 /// errors  DatabaseError Refused where no administrator who can sign in would remain
 void remove_password(Database& database, PersonId id);
 

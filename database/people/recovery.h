@@ -1,6 +1,7 @@
-/// The way back in for administrators who forgot their password: whoever owns the data directory makes a code for one.
+/// Recovery of an administrator who forgot the password: the owner of the directory makes a code.
 ///
-/// The owner could alter the file anyhow; this way it is written to the audit, and every administrator is told.
+/// The owner could alter the file anyhow; this way it is written to the audit, and every
+/// administrator is told.
 #pragma once
 
 #include <string_view>
@@ -10,8 +11,9 @@
 namespace hallux::database {
 
 /// A one-time code for an administrator. Their old password stays until the code is redeemed.
-/// errors  DatabaseError: Refused where this process does not run as the owner of the directory and its file; NotFound
-///         naming the login; BadInput where the person is no administrator, or disabled
+/// errors  DatabaseError: Refused where this process does not run as the owner of the directory and
+///         its file; NotFound naming the login; BadInput where the person is no administrator, or
+///         disabled
 IssuedCode recover_administrator(Database& database, std::string_view login,
                                  const PasswordCost& cost = {});
 

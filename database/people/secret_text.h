@@ -1,4 +1,5 @@
-/// A password on its way: never copied, kept out of the swap file and of core dumps, wiped when it goes.
+/// A password on its way: never copied, kept out of the swap file and of core dumps, wiped when it
+/// goes.
 #pragma once
 
 #include <cstddef>

@@ -1,16 +1,21 @@
-/// Slows down who guesses passwords, without letting anybody keep another person out.
+/// Waiting times against guessed passwords, without letting anybody keep another person out.
 ///
-/// Each try is counted as refused before the password is looked at and forgotten where it was right, so that a hundred
-/// tries at once count as a hundred. The next one waits for the longest of three times:
+/// Each try is counted as refused before the password is looked at and forgotten where it was
+/// right, so that a hundred tries at once count as a hundred. The next one waits for the longest of
+/// three times:
 ///
-///     one account at one station                     0 0 0 1 2 4 8 16 32 60 60 ... s after 0, 1, 2, ... refusals
-///     one account, at all the other stations         nothing for 10 refusals in an hour, then 1 2 4 8 8 ... s
+///     one account at one station                     0 0 0 1 2 4 8 16 32 60 60 ... s after 0, 1,
+///                                                    2, ... refusals
+///     one account, at all the other stations         nothing for 10 refusals in an hour, then 1 2
+///                                                    4 8 8 ... s
 ///     one station, for all the other accounts        the same
 ///
-/// So somebody at another station costs a person at most 8 seconds, and never the account. Rows hold digests keyed by the
-/// directory's uuid: what was typed as a login, known or not, is not kept. A row goes a day after its last refusal, and
-/// where the clock was set back it counts from the new now, so that no wait is ever longer than its time.
-/// source  docs/security.md; OWASP ASVS 4.0.3, 2.2.1: no more than 100 refusals an hour for an account
+/// So somebody at another station costs a person at most 8 seconds, and never the account. Rows
+/// hold digests keyed by the directory's uuid: what was typed as a login, known or not, is not
+/// kept. A row goes a day after its last refusal, and where the clock was set back it counts from
+/// the new now, so that no wait is ever longer than its time.
+/// source  docs/security.md; OWASP ASVS 4.0.3, 2.2.1: no more than 100 refusals an hour for an
+///         account
 #pragma once
 
 #include <cstdint>

@@ -116,8 +116,9 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
   };
   const CohortAttempts all =
       filter.cohort ? attempts_in(database, *filter.cohort) : CohortAttempts{};
-  // The newest few of many are looked for from the newest on, instead of all being gathered and sorted: the sign keeps SQLite
-  // from its index of persons. Of few, or of a cohort that ended long ago, that would be the longer way.
+  // The newest few of many are looked for from the newest on, instead of all being gathered and
+  // sorted: the sign keeps SQLite from its index of persons. Of few, or of a cohort that ended long
+  // ago, that would be the longer way.
   const bool is_walked = filter.count_max && all.count > gathered_most;
   const std::string owner = is_walked ? "+a.person_id" : "a.person_id";
   if (filter.person) either(owner + " = ?1");

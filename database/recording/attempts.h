@@ -1,5 +1,5 @@
-/// Attempts: listed, found, sealed. They begin in database/course/begin_attempt.h; their recordings are written by
-/// database/recording/recorder.h and read by database/recording/recordings.h.
+/// Attempts: listed, found, sealed. They begin in database/course/begin_attempt.h; their recordings
+/// are written by database/recording/recorder.h and read by database/recording/recordings.h.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,14 @@ namespace hallux::database {
 
 /// Whose attempts a list holds.
 struct AttemptFilter {
-  std::optional<PersonId> person;         ///< of this person
-  std::optional<CohortId> cohort;         ///< of the trainees of this cohort
-  bool of_nobody = false;                 ///< the robot's; alone or together with one of the others
-  std::optional<std::int32_t> count_max;  ///< at most so many, the newest
+  /// Of this person.
+  std::optional<PersonId> person;
+  /// Of the trainees of this cohort.
+  std::optional<CohortId> cohort;
+  /// The robot's; alone or together with one of the others.
+  bool of_nobody = false;
+  /// At most so many, the newest.
+  std::optional<std::int32_t> count_max;
 };
 
 /// Newest first; all where the filter asks for nothing.
@@ -33,8 +37,8 @@ std::vector<AttemptHeader> headers_that_begin_with(Database& database, const Att
 /// errors  DatabaseError NotFound where there is none, or more than one
 AttemptHeader the_one_of(Database& database, std::vector<AttemptHeader> found, const AttemptId& id);
 
-/// Closes an attempt: state, duration, quality and seal, whether it is valid by that quality, with an audit row that holds the
-/// seal.
+/// Closes an attempt: state, duration, quality and seal, whether it is valid by that quality, with
+/// an audit row that holds the seal.
 /// needs   the writer of the attempt has committed its last window; `last_link` is the link of that
 /// errors  DatabaseError: NotFound where it is not in state recording
 void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,

@@ -1,4 +1,4 @@
-/// The hash chain of an attempt's chunks and the seal that closes it.
+/// Hash chain of an attempt's chunks and the seal that closes it.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,10 @@ namespace hallux::database {
 /// Where a chunk stands in the record.
 struct ChunkPlace {
   Stream stream = Stream::Tape;
-  std::int64_t seq = 0;         ///< number of the half-second window
-  std::int64_t first_tick = 0;  ///< of its first row
+  /// Number of the half-second window.
+  std::int64_t seq = 0;
+  /// Of its first row.
+  std::int64_t first_tick = 0;
   std::int64_t row_count = 0;
 };
 
@@ -23,13 +25,14 @@ struct ChunkPlace {
 Digest link_of(const Digest& before, const AttemptId& attempt, const ChunkPlace& place,
                std::span<const std::byte> payload) noexcept;
 
-/// BLAKE2b-256 of the last link and of every fact in the header except the person, whose name may be erased and whose
-/// number the audit chain holds. A guidance is added at the end, where there is one: older seals hold.
+/// BLAKE2b-256 of the last link and of every fact in the header except the person, whose name may
+/// be erased and whose number the audit chain holds. A guidance is added at the end, where there is
+/// one: older seals hold.
 /// needs   duration_ticks is known
 Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept;
 
-/// Binds what an attempt is for to the audit row of its beginning: BLAKE2b-256 of the name of the kind, 1 or 0, and the name
-/// of the guidance where there is one.
+/// Binds what an attempt is for to the audit row of its beginning: BLAKE2b-256 of the name of the
+/// kind, 1 or 0, and the name of the guidance where there is one.
 Digest purpose_digest(AttemptKind kind, bool is_simulated, simulator::Guidance guidance) noexcept;
 
 }  // namespace hallux::database

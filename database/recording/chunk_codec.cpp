@@ -54,8 +54,8 @@ std::vector<std::byte> ChunkPacker::pack(const Columns& columns, std::span<const
   content_.clear();
   append_coded(content_, columns, tape);
   std::vector<std::byte> bytes = framed(format_coded, content_);
-  // Pauses and scripted hands repeat themselves, which zstd sees in a payload and not in a stream of bits. A hand that
-  // trembles does not: there is no need to try.
+  // Pauses and scripted hands repeat themselves, which zstd sees in a payload and not in a stream
+  // of bits. A hand that trembles does not: there is no need to try.
   if (bytes.size() > noisy_row_bytes * columns.row_count()) return bytes;
   std::vector<std::byte> plain = framed(format_payload, payload);
   return plain.size() < bytes.size() ? plain : bytes;
@@ -98,8 +98,8 @@ void ChunkUnpacker::unpack(std::span<const std::byte> bytes, const ChunkShape& s
   if (content_bytes > column_count * (shape.row_count * number_bytes_max + head_bytes_max)) {
     fail_damaged("it is larger than its rows can be, or does not say how large it is");
   }
-  // Of a payload each number takes a byte at least: refuses a false count before memory is taken for it. Coded columns
-  // may take no bits at all, so there the count itself is the bound.
+  // Of a payload each number takes a byte at least: refuses a false count before memory is taken
+  // for it. Coded columns may take no bits at all, so there the count itself is the bound.
   if (!is_coded && content_bytes < shape.row_count * column_count) {
     fail_damaged("it has fewer rows than it says");
   }

@@ -1,10 +1,12 @@
-/// Rows of the record as the bytes that are kept, without loss.
+/// Codec of chunks: rows of the record as bytes and back, without loss.
 ///
 ///   bytes = format (1 byte), one zstd frame with content size and checksum whose content is
-///           format 1: the payload itself (database/recording/columns.h)      format 2: the columns as coded (database/recording/column_coding.h)
+///           format 1: the payload itself (database/recording/columns.h)
+///           format 2: the columns as coded (database/recording/column_coding.h)
 ///
-/// The smaller of the two is written; format 1 alone is what programs wrote before, and is read for ever. The hash chain is taken over
-/// the payload, so it does not matter to what was sealed in which format a chunk is kept.
+/// The smaller of the two is written; format 1 alone is what programs wrote before, and is read for
+/// ever. The hash chain is taken over the payload, so it does not matter to what was sealed in
+/// which format a chunk is kept.
 /// source  docs/data_format.md; measured in tests/benchmarks/record
 #pragma once
 
@@ -34,8 +36,8 @@ class ChunkPacker {
   ChunkPacker(ChunkPacker&&) noexcept;
   ChunkPacker& operator=(ChunkPacker&&) noexcept;
   ~ChunkPacker();
-  /// needs   at least one row; `payload` is that of the columns; `tape`, where there is one, is what the chunk of the tape
-  ///         in the same window holds
+  /// needs   at least one row; `payload` is that of the columns; `tape`, where there is one, is
+  ///         what the chunk of the tape in the same window holds
   std::vector<std::byte> pack(const Columns& columns, std::span<const std::byte> payload,
                               const Columns* tape = nullptr);
 
@@ -60,8 +62,10 @@ class ChunkUnpacker {
   ChunkUnpacker(ChunkUnpacker&&) noexcept;
   ChunkUnpacker& operator=(ChunkUnpacker&&) noexcept;
   ~ChunkUnpacker();
-  /// Reads `bytes` into `columns`. `tape`: what the chunk of the tape in the same window holds, where there is one.
-  /// errors  DatabaseError Damaged: unknown format, not one whole frame, checksum, not exactly as many rows as claimed
+  /// Reads `bytes` into `columns`. `tape`: what the chunk of the tape in the same window holds,
+  /// where there is one.
+  /// errors  DatabaseError Damaged: unknown format, not one whole frame, checksum, not exactly as
+  ///         many rows as claimed
   void unpack(std::span<const std::byte> bytes, const ChunkShape& shape, const Columns* tape,
               Columns& columns);
 
@@ -73,7 +77,8 @@ class ChunkUnpacker {
 /// False for format 1, which does not look at the tape.
 bool may_need_tape(std::span<const std::byte> bytes) noexcept;
 
-/// Reads `bytes` as a chunk of any stream; for fuzzers: whatever the bytes, it returns or throws DatabaseError.
+/// Reads `bytes` as a chunk of any stream; for fuzzers: whatever the bytes, it returns or throws
+/// DatabaseError.
 void read_any_chunk(std::span<const std::byte> bytes);
 
 }  // namespace hallux::database

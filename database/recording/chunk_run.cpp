@@ -13,7 +13,8 @@ namespace hallux::database {
 
 namespace {
 
-/// How far tapes are unpacked ahead of the rest. A run of no more windows is not worth a thread: it takes a millisecond.
+/// How far tapes are unpacked ahead of the rest. A run of no more windows is not worth a thread: it
+/// takes a millisecond.
 constexpr std::size_t windows_ahead = 8;
 
 bool is_tape(const StoredChunk& chunk) noexcept { return chunk.place.stream == Stream::Tape; }
@@ -31,8 +32,9 @@ void reserve_for(std::span<const StoredChunk> chunks, simulator::Recording& reco
   recording.events.reserve(recording.events.size() + rows[2]);
 }
 
-/// Unpacks the tapes of a run and appends their lines, ahead of whoever asks for them. Half of the work of reading is in
-/// the tapes, and the samples of a window are told by its tape: so those of a long run have a thread of their own.
+/// Unpacks the tapes of a run and appends their lines, ahead of whoever asks for them. Half of the
+/// work of reading is in the tapes, and the samples of a window are told by its tape: so those of a
+/// long run have a thread of their own.
 class TapesAhead {
  public:
   /// needs   both outlive it; nobody else looks at `lines` meanwhile

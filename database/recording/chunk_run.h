@@ -1,4 +1,4 @@
-/// For the sources of this room only: a run of stored chunks as the rows that they hold.
+/// A run of stored chunks decoded to rows, on two threads.
 #pragma once
 
 #include <span>
@@ -12,7 +12,8 @@ namespace hallux::database {
 /// Chunks in the order of the chain, the first of which stands at the beginning of a window.
 struct ChunkRun {
   std::span<const StoredChunk> chunks;
-  Digest before;  ///< the link before the first of them
+  /// The link before the first of them.
+  Digest before;
 };
 
 /// All rows of the run, its links checked, appended to `recording`; of a long run on two threads.

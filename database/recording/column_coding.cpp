@@ -16,7 +16,8 @@ namespace {
 enum class Guess : std::uint8_t { Before = 0, Line = 1, Tape = 2, Root = 3 };
 
 constexpr unsigned order_of_zeros = 63;
-/// Tape and samples begin alike, with a tick and a pose: only there does the writer look for what the two share.
+/// Tape and samples begin alike, with a tick and a pose: only there does the writer look for what
+/// the two share.
 constexpr std::size_t shared_columns = 8;
 constexpr std::size_t real_part_column = 4;
 constexpr std::int64_t unit_micro = 1'000'000;
@@ -94,7 +95,8 @@ struct Choice {
   std::uint64_t bits = 0;
 };
 
-/// How many rests have how many bits: enough to judge an order by, and not led astray by one that is far off.
+/// How many rests have how many bits: enough to judge an order by, and not led astray by one that
+/// is far off.
 using Widths = std::array<std::uint32_t, 65>;
 
 Widths widths_of(std::span<const std::uint64_t> rests) noexcept {
@@ -143,7 +145,8 @@ class ColumnCoder {
   ColumnCoder(const Columns& columns, const Columns* tape) noexcept
       : columns_(columns), tape_(tape) {}
 
-  /// After it, `rests()` are those of the best guess, but for a column of one number only, which has none.
+  /// After it, `rests()` are those of the best guess, but for a column of one number only, which
+  /// has none.
   Head choose(std::size_t index) {
     if (columns_.is_constant(index)) {
       return {Guess::Before, order_of_zeros, zigzag(number_of(columns_.column(index).front()))};

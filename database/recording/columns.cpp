@@ -40,7 +40,8 @@ void put(QuantisedPose& pose, std::size_t part, std::int64_t value) noexcept {
   }
 }
 
-/// Puts a number into the field of its column; false for one that seldom changes, which a whole row is made for.
+/// Puts a number into the field of its column; false for one that seldom changes, which a whole row
+/// is made for.
 bool put(TapeLine& line, std::size_t column, std::int64_t value) noexcept {
   if (column > 7) return false;
   if (column == 0) {
@@ -71,8 +72,8 @@ struct Varying {
   const std::int64_t* values = nullptr;
 };
 
-/// Each column takes an interval of numbers and none minds another, so that a row of the least numbers and one of the
-/// greatest speak for all rows.
+/// Each column takes an interval of numbers and none minds another, so that a row of the least
+/// numbers and one of the greatest speak for all rows.
 template <typename Row, typename Values>
 void check_range(const Columns& columns, std::span<const Varying> varying,
                  RowFrom<Row, Values> row_from, const Values& first) {
@@ -90,7 +91,8 @@ void check_range(const Columns& columns, std::span<const Varying> varying,
   fail_damaged("a number does not fit its column");
 }
 
-/// Fills the columns that vary into rows that hold all others already; false where it met one that it cannot.
+/// Fills the columns that vary into rows that hold all others already; false where it met one that
+/// it cannot.
 template <typename Row>
 bool fill(std::span<Row> rows, std::span<const Varying> varying) noexcept {
   for (const Varying& column : varying) {

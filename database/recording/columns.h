@@ -1,11 +1,13 @@
-/// The rows of a chunk turned on their side: all of column 0, then all of column 1, ...; and the canonical payload of them.
+/// Columns of a chunk, which are its rows transposed, and their canonical payload.
 ///
-///   payload  = column 0 of all rows, column 1 of all rows, ... (the columns of simulator/record/record.h)
-///   a column = for each row the difference to the row before (the first to 0, modulo 2^64), zigzag, then base-128 varint,
-///              low seven bits first, in as few bytes as can be
+///   payload  = column 0 of all rows, column 1 of all rows, ... (the columns of
+///              simulator/record/record.h)
+///   a column = for each row the difference to the row before (the first to 0, modulo 2^64),
+///              zigzag, then base-128 varint, low seven bits first, in as few bytes as can be
 ///
-/// The payload is canonical: the same rows give the same payload, another payload means other rows. The hash chain is
-/// taken over it, so it does not matter to what was sealed how the columns were packed.
+/// The payload is canonical: the same rows give the same payload, another payload means other rows.
+/// The hash chain is taken over it, so it does not matter to what was sealed how the columns were
+/// packed.
 /// source  docs/data_format.md
 #pragma once
 
@@ -62,7 +64,8 @@ class Columns {
  private:
   std::size_t column_count_ = 0, row_count_ = 0;
   std::vector<std::int64_t> values_;
-  std::vector<bool> is_filled_;  ///< by fill, and not touched since: need not be looked at
+  /// By fill, and not touched since: need not be looked at.
+  std::vector<bool> is_filled_;
 };
 
 Columns columns_from(std::span<const simulator::TapeLine> rows);
@@ -76,11 +79,13 @@ void append_rows(const Columns& columns, std::vector<simulator::TapeLine>& rows)
 void append_rows(const Columns& columns, std::vector<simulator::ToolSample>& rows);
 void append_rows(const Columns& columns, std::vector<simulator::CutEvent>& rows);
 
-/// The payload of the columns, written into `buffer`, which grows where it must; valid as long as the buffer is let be.
+/// The payload of the columns, written into `buffer`, which grows where it must; valid as long as
+/// the buffer is let be.
 std::span<const std::byte> payload_in(std::vector<std::byte>& buffer, const Columns& columns);
 
 /// The columns that `payload` means, into `columns`, which says how many and how long.
-/// errors  DatabaseError Damaged where the payload is not exactly that many numbers in their shortest form
+/// errors  DatabaseError Damaged where the payload is not exactly that many numbers in their
+///         shortest form
 void read_payload(std::span<const std::byte> payload, Columns& columns);
 
 constexpr std::uint64_t zigzag(std::uint64_t difference) noexcept {

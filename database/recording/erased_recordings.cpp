@@ -78,7 +78,7 @@ std::int64_t erase_recording(Database& database, const AttemptId& id,
     append_audit(database, {actor, "recording_erased", "attempt", now.id.text, false, {}, ""});
     return chain.bytes;
   });
-  drop_kept(database.directory(), header.id.text + ".fields");
+  drop_cached(database.directory(), header.id.text + ".fields");
   return bytes;
 }
 

@@ -1,4 +1,4 @@
-/// Recordings that were erased: the rows of the hand are gone, the facts, the seal and the score of the attempt stay.
+/// Erased recordings: the chunks are gone; the facts, the seal and the score of the attempt stay.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 namespace hallux::database {
 
 struct ErasedRecording {
-  Digest last_link;  ///< of its chain: with it the seal can still be checked
+  /// Of its chain: with it the seal can still be checked.
+  Digest last_link;
   std::int64_t windows = 0;
   std::string erased_utc;
 };
@@ -20,8 +21,8 @@ struct ErasedRecording {
 /// Nothing where the recording of that attempt was not erased.
 std::optional<ErasedRecording> erased_recording(Database& database, const AttemptId& id);
 
-/// Takes the chunks of an attempt away, and the field that was kept of it, in one transaction with its audit row. Once
-/// more does nothing. Returns the bytes that went.
+/// Takes the chunks of an attempt away, and the field that was kept of it, in one transaction with
+/// its audit row. Once more does nothing. Returns the bytes that went.
 /// errors  DatabaseError: NotFound; Refused while it is being recorded; storage failures
 std::int64_t erase_recording(Database& database, const AttemptId& id,
                              std::optional<PersonId> actor);

@@ -28,7 +28,8 @@ double thread_cpu_s() noexcept {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-/// Pops what was waiting at the call, no more: a producer without pause must not keep the pass from ending.
+/// Pops what was waiting at the call, no more: a producer without pause must not keep the pass from
+/// ending.
 template <typename Row>
 std::size_t drain_ring(simulator::Ring<Row>& ring, std::vector<Row>& rows) {
   const std::size_t waiting = ring.size();
@@ -37,7 +38,8 @@ std::size_t drain_ring(simulator::Ring<Row>& ring, std::vector<Row>& rows) {
   return waiting;
 }
 
-/// Its window's tick: a line and the sample at its end stand in one window, also where missed ticks lie across the border.
+/// Its window's tick: a line and the sample at its end stand in one window, also where missed ticks
+/// lie across the border.
 std::int64_t last_tick(const simulator::TapeLine& line) noexcept {
   return line.tick + line.ticks - 1;
 }
@@ -121,7 +123,8 @@ class Recorder::Writer {
   void record(const std::stop_token& stop) {
     bool is_last_pass = false;
     while (!is_last_pass) {
-      // Rows of ticks before `safe_tick` were pushed before this pass: the producer had gone beyond them.
+      // Rows of ticks before `safe_tick` were pushed before this pass: the producer had gone beyond
+      // them.
       const std::int64_t safe_tick = newest_tick_;
       is_last_pass = channels_.closed.load(std::memory_order_acquire) || stop.stop_requested();
       const bool is_hurried = drain_rings() > channels_.samples.capacity() / 4;
@@ -131,8 +134,9 @@ class Recorder::Writer {
     commit_windows(std::nullopt);
   }
 
-  /// Does `write`, again and again where the disk is full and that is waited for. What waits meanwhile is bounded: the loop
-  /// pauses within a tick of the flag, and in virtual time the producer waits for room in its rings.
+  /// Does `write`, again and again where the disk is full and that is waited for. What waits
+  /// meanwhile is bounded: the loop pauses within a tick of the flag, and in virtual time the
+  /// producer waits for room in its rings.
   template <typename Write>
   void when_there_is_room(Write&& write) {
     for (bool is_done = false; !is_done;) {

@@ -1,13 +1,14 @@
-/// Writes an attempt while it happens: one thread that drains the rings, cuts half-second windows and commits each.
+/// Recorder of a running attempt: one thread drains the rings and commits each half-second window.
 ///
 ///   ring tape    -> |  window of 500 ticks: up to three chunks  |
-///   ring samples -> |  (tape, samples, events), linked in this  | -> one IMMEDIATE transaction, synchronous FULL
-///   ring events  -> |  order to the chain                       |
+///   ring samples -> |  (tape, samples, events), linked in this  | -> one IMMEDIATE transaction,
+///   ring events  -> |  order to the chain                       |    synchronous FULL
 ///
-/// Windows are cut by ticks, not by the clock: the same recording gives the same chunks whatever the scheduling. A line
-/// of the tape belongs to the window of its last tick, so that what is kept of a lost attempt is whole: no line without
-/// its sample. A window is committed once a later tick was seen in an earlier pass, because then every row of it was
-/// pushed. Killing the process loses the window being filled and what waits for the next pass (10 ms), never a committed one.
+/// Windows are cut by ticks, not by the clock: the same recording gives the same chunks whatever
+/// the scheduling. A line of the tape belongs to the window of its last tick, so that what is kept
+/// of a lost attempt is whole: no line without its sample. A window is committed once a later tick
+/// was seen in an earlier pass, because then every row of it was pushed. Killing the process loses
+/// the window being filled and what waits for the next pass (10 ms), never a committed one.
 /// source  docs/data_format.md
 #pragma once
 
@@ -24,22 +25,32 @@ namespace hallux::database {
 inline constexpr std::int64_t window_ticks = 500;
 
 struct RecorderStatistics {
-  std::int64_t bytes = 0;  ///< of packed chunks
+  /// Of packed chunks.
+  std::int64_t bytes = 0;
   std::int64_t chunks = 0;
-  std::int64_t rows = 0;  ///< of the three streams together
+  /// Of the three streams together.
+  std::int64_t rows = 0;
   std::int64_t samples = 0;
   std::int64_t commits = 0;
-  std::int64_t gaps = 0;        ///< places where the tape leaves ticks out
-  std::int64_t duplicates = 0;  ///< lines of the tape for ticks that one before covers
-  double cpu_s = 0.0;           ///< of the recorder's thread, commits included
-  double commit_s = 0.0;        ///< time spent committing, wall clock
-  double commit_max_s = 0.0;    ///< the longest
+  /// Places where the tape leaves ticks out.
+  std::int64_t gaps = 0;
+  /// Lines of the tape for ticks that one before covers.
+  std::int64_t duplicates = 0;
+  /// Of the recorder's thread, commits included.
+  double cpu_s = 0.0;
+  /// Time spent committing, wall clock.
+  double commit_s = 0.0;
+  /// The longest.
+  double commit_max_s = 0.0;
 };
 
 /// What a recorder does where the disk is full.
 enum class FullDisk {
-  Fails,  ///< as with any other failure: for those who nobody watches
-  IsWaitedFor  ///< keeps what is not committed, says so in channels.storage_full, tries again until there is room
+  /// As with any other failure: for those who nobody watches.
+  Fails,
+  /// Keeps what is not committed, says so in channels.storage_full, tries again until there is
+  /// room.
+  IsWaitedFor
 };
 
 class Recorder {
@@ -49,20 +60,22 @@ class Recorder {
   /// errors  DatabaseError where the second connection cannot be opened
   Recorder(const Database& database, WriterLease lease, simulator::AttemptChannels& channels,
            FullDisk full_disk = FullDisk::Fails);
-  /// Stops without sealing: what was drained is committed, the attempt is found interrupted at the next opening.
+  /// Stops without sealing: what was drained is committed, the attempt is found interrupted at the
+  /// next opening.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   const AttemptId& attempt() const noexcept;
 
-  /// Waits until the producer has set channels.closed and all it pushed is committed; for room on a full disk, where that is
-  /// waited for, until channels.gives_up.
+  /// Waits until the producer has set channels.closed and all it pushed is committed; for room on a
+  /// full disk, where that is waited for, until channels.gives_up.
   /// errors  DatabaseError: why channels.recorder_failed was set; what was committed before stays
   /// thread  the one that made the recorder
   RecorderStatistics drain();
 
-  /// Drains, then closes and seals the attempt with its quality (a JSON text), and brings SQLite's log into the file.
+  /// Drains, then closes and seals the attempt with its quality (a JSON text), and brings SQLite's
+  /// log into the file.
   /// errors  DatabaseError
   /// thread  the one that made the recorder
   RecorderStatistics finish(const std::string& quality_json);

@@ -1,4 +1,4 @@
-/// Reads an attempt's recording back, checking the chain link by link as it reads.
+/// Recordings read back, their chain checked link by link.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,10 @@
 
 namespace hallux::database {
 
-/// All that was committed: of a closed attempt the whole, of an interrupted one up to its last window.
-/// errors  DatabaseError: NotFound, also where the recording was erased; Damaged naming the first chunk whose bytes or link were altered, or the seal
+/// All that was committed: of a closed attempt the whole, of an interrupted one up to its last
+/// window.
+/// errors  DatabaseError: NotFound, also where the recording was erased; Damaged naming the first
+///         chunk whose bytes or link were altered, or the seal
 simulator::Recording load_recording(Database& database, const AttemptId& id);
 
 /// Simulated milliseconds from the attempt's first tick: from `first` up to and not with `end`.
@@ -18,14 +20,15 @@ struct TickRange {
   std::int64_t first = 0, end = 0;
 };
 
-/// The rows of those ticks, and lines of the tape that cover one of them; only their windows are read. Their links are
-/// checked, and the one after them, or the seal where nothing comes after: what was taken out there is noticed.
+/// The rows of those ticks, and lines of the tape that cover one of them; only their windows are
+/// read. Their links are checked, and the one after them, or the seal where nothing comes after:
+/// what was taken out there is noticed.
 /// errors  as load_recording
 simulator::Recording load_recording_part(Database& database, const AttemptId& id,
                                          const TickRange& ticks);
 
-/// What load_recording does, but keeps no rows longer than some windows; returns the number of chunks. Of an
-/// erased one the seal is checked.
+/// What load_recording does, but keeps no rows longer than some windows; returns the number of
+/// chunks. Of an erased one the seal is checked.
 /// errors  as load_recording
 std::int64_t check_recording(Database& database, const AttemptId& id);
 

@@ -1,10 +1,12 @@
-/// Small numbers as few bits: the Rice code of order `k`.
+/// Rice code of order `k`: small numbers as few bits.
 ///
-///   a number u = (u >> k) zeros, a one, the low k bits of u, lowest first; where u >> k is 32 or more: 32 zeros, a one, all
-///   64 bits of u. Bits fill a byte from its lowest; the last byte is filled with zeros.
+///   a number u = (u >> k) zeros, a one, the low k bits of u, lowest first
+///   u >> k is 32 or more: 32 zeros, a one, all 64 bits of u
 ///
-/// source  R. Rice, J. Plaunt, Adaptive variable-length coding (1971); the reader's refill after F. Giesen, Reading bits in
-///         far too many ways (2018)
+/// Bits fill a byte from its lowest; the last byte is filled with zeros.
+///
+/// source  R. Rice, J. Plaunt, Adaptive variable-length coding (1971); the reader's refill after F.
+///         Giesen, Reading bits in far too many ways (2018)
 #pragma once
 
 #include <algorithm>

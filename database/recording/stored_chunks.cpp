@@ -37,7 +37,8 @@ std::optional<std::int64_t> number_of(Database& database, const char* sql, const
   return query.getColumn(0).getInt64();
 }
 
-/// The last window of which a row stands before `end_tick`; first ticks rise with the windows in each stream.
+/// The last window of which a row stands before `end_tick`; first ticks rise with the windows in
+/// each stream.
 std::optional<std::int64_t> last_window_before(Database& database, const AttemptId& id,
                                                std::int64_t end_tick) {
   return number_of(

@@ -1,7 +1,7 @@
-/// For the sources of this room only: the chunks of an attempt as they are stored, and what is in them.
+/// Stored chunks of an attempt: loaded, decoded, checked against their links.
 ///
-/// The link of a chunk binds it to the one before, and every link is stored: so each chunk can be checked by itself, in any
-/// order and on any thread, and all of them together are the chain.
+/// The link of a chunk binds it to the one before, and every link is stored: so each chunk can be
+/// checked by itself, in any order and on any thread, and all of them together are the chain.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,8 @@ class Statement;
 namespace hallux::database {
 
 struct StoredChunk {
-  std::int64_t number = 0;  ///< its row in the database
+  /// Its row in the database.
+  std::int64_t number = 0;
   ChunkPlace place;
   std::vector<std::byte> bytes;
   std::optional<Digest> link;
@@ -42,8 +43,8 @@ std::vector<StoredChunk> load_chunks(Database& database, const AttemptId& id,
 /// The first window from that number on; nothing where there is none.
 std::optional<std::int64_t> window_from(Database& database, const AttemptId& id,
                                         std::int64_t first);
-/// Those in which a row of these ticks may stand, and one more: a row never stands in an earlier window than its last
-/// tick, but in older records a line of the tape stands by its first.
+/// Those in which a row of these ticks may stand, and one more: a row never stands in an earlier
+/// window than its last tick, but in older records a line of the tape stands by its first.
 WindowRange windows_around(Database& database, const AttemptId& id, const TickRange& ticks);
 
 /// Zeros before the first chunk, as in the chain: the link of the last chunk before a window.

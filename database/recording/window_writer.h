@@ -1,4 +1,4 @@
-/// The recorder's pen: chunks of one window into the database, each linked to the one before.
+/// Writer of the chunks of one window, each linked to the one before, in one transaction.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,8 @@ class WindowWriter {
   /// errors  DatabaseError NotFound where the attempt is not stored
   WindowWriter(Database database, AttemptId attempt);
 
-  /// Commits the rows as the chunks of window `seq` in one transaction; nothing where there are no rows.
+  /// Commits the rows as the chunks of window `seq` in one transaction; nothing where there are no
+  /// rows.
   /// needs   windows come in rising order; no stream has more than rows_per_chunk_max rows
   /// errors  DatabaseError: then nothing of this window is stored, and it may be tried again
   void commit(std::int64_t seq, const WindowRows& rows);

@@ -1,4 +1,4 @@
-/// The audit as an administrator reads it: rows with the logins that can still be named.
+/// Lines of the audit as an administrator reads them, with the logins that can still be named.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,34 @@ namespace hallux::database {
 struct AuditLine {
   std::int64_t number = 0;
   std::string at_utc;
-  std::string actor;         ///< login; "" for nobody and for erased people
-  std::string action;        ///< "signed_in"
-  std::string subject_kind;  ///< "attempt"
+  /// Login; "" for nobody and for erased people.
+  std::string actor;
+  /// "signed_in".
+  std::string action;
+  /// "attempt".
+  std::string subject_kind;
   std::string subject_id;
-  std::string
-      subject;  ///< the login or the cohort's name, where the subject is one that can be named
+  /// The login or the cohort's name, where the subject is one that can be named.
+  std::string subject;
   bool was_refused = false;
-  std::string text;  ///< "" where there is none or it was erased
+  /// "" where there is none or it was erased.
+  std::string text;
 };
 
 struct AuditPage {
-  std::vector<AuditLine> lines;       ///< newest first
-  std::int64_t total = 0;             ///< lines that fit what was asked for
-  std::optional<std::int64_t> older;  ///< ask for lines before this number; nothing: no older ones
+  /// Newest first.
+  std::vector<AuditLine> lines;
+  /// Lines that fit what was asked for.
+  std::int64_t total = 0;
+  /// Ask for lines before this number; nothing: no older ones.
+  std::optional<std::int64_t> older;
 };
 
 struct AuditRequest {
-  std::optional<std::int64_t> before;  ///< nothing: the newest
-  std::int32_t lines = 50;             ///< at most 500
+  /// Nothing: the newest.
+  std::optional<std::int64_t> before;
+  /// At most 500.
+  std::int32_t lines = 50;
   bool refused_only = false;
 };
 

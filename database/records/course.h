@@ -1,4 +1,5 @@
-/// Cohorts, who is in them and how they stand; scenario versions and the operations that are published.
+/// Cohorts, who is in them and how they stand; scenario versions and the operations that are
+/// published.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,8 @@ struct CohortMember {
   std::string login, display_name;
   CohortRole role = CohortRole::Trainee;
   bool is_disabled = false;
-  std::string enrolled_utc;  ///< "" where that was not noted yet
+  /// "" where that was not noted yet.
+  std::string enrolled_utc;
 };
 
 struct Membership {
@@ -38,41 +40,51 @@ struct Membership {
 
 /// A scored assessment that counts, as learning is judged by it.
 struct AssessedRun {
-  std::int64_t begun_s = 0;  ///< of the calendar, since 1970
+  /// Of the calendar, since 1970.
+  std::int64_t begun_s = 0;
   std::int32_t rubric_version = 0;
-  std::int64_t standing_milli = 0;  ///< the decided score where there is one
+  /// The decided score where there is one.
+  std::int64_t standing_milli = 0;
   PassFacts pass;
 };
 
 /// By one kind of device: what is done by mouse says little about an arm.
 struct DeviceRuns {
   std::string device_class;
-  std::vector<AssessedRun> runs;  ///< oldest first
+  /// Oldest first.
+  std::vector<AssessedRun> runs;
 };
 
-/// How one person stands in one operation, over all its versions. Attempts that are void, not valid, of a directory that is
-/// not accepted, or without a score count as attempts only. Never the robot's.
+/// How one person stands in one operation, over all its versions. Attempts that are void, not
+/// valid, of a directory that is not accepted, or without a score count as attempts only. Never the
+/// robot's.
 struct OperationStanding {
   std::string scenario_name;
   std::int32_t attempts = 0;
-  std::optional<std::int64_t> best_milli, last_milli;  ///< the decided score where there is one
+  /// The decided score where there is one.
+  std::optional<std::int64_t> best_milli, last_milli;
   std::string last_started_utc;
-  std::int32_t assessments = 0;            ///< of the attempts those for a grade that count
-  std::vector<DeviceRuns> by_device = {};  ///< those with scored assessments, by name
+  /// Of the attempts those for a grade that count.
+  std::int32_t assessments = 0;
+  /// Those with scored assessments, by name.
+  std::vector<DeviceRuns> by_device = {};
 };
 
 struct TraineeStanding {
   PersonId id;
   std::string login, display_name;
   bool is_disabled = false;
-  std::vector<OperationStanding> operations;  ///< by name
-  std::vector<AttemptHeader> last_attempts;   ///< newest first, at most as many as were asked for
+  /// By name.
+  std::vector<OperationStanding> operations;
+  /// Newest first, at most as many as were asked for.
+  std::vector<AttemptHeader> last_attempts;
   std::int32_t open_help_requests = 0;
 };
 
 enum class ScenarioState { Draft, Published, Retired };
 
-std::string_view name_of(ScenarioState state) noexcept;  ///< "draft", "published", "retired"
+/// "draft", "published", "retired".
+std::string_view name_of(ScenarioState state) noexcept;
 /// Nothing where `name` is none of the three.
 std::optional<ScenarioState> scenario_state_from(std::string_view name) noexcept;
 
@@ -80,11 +92,14 @@ struct ScenarioVersion {
   ScenarioVersionId id;
   std::string name;
   std::int32_t version = 1;
-  bool is_reviewed = false;  ///< a surgeon signed it
+  /// A surgeon signed it.
+  bool is_reviewed = false;
   ScenarioState state = ScenarioState::Draft;
-  std::string changed_by;  ///< who put it into that state; "" for erased people
+  /// Who put it into that state; "" for erased people.
+  std::string changed_by;
   std::string since_utc;
-  std::int32_t attempts = 0;  ///< made with it, the robot's included
+  /// Made with it, the robot's included.
+  std::int32_t attempts = 0;
 };
 
 /// A published operation as its trainee sees it.
@@ -94,8 +109,10 @@ struct Operation {
   std::int32_t version = 1;
   bool is_reviewed = false;
   std::string published_utc;
-  OperationStanding standing;                 ///< the trainee's own
-  std::optional<AttemptAllowance> allowance;  ///< nothing: as many assessments as they like
+  /// The trainee's own.
+  OperationStanding standing;
+  /// Nothing: as many assessments as they like.
+  std::optional<AttemptAllowance> allowance;
 };
 
 }  // namespace hallux::database

@@ -1,4 +1,4 @@
-/// What an instructor decided about the result of an attempt. The machine's score is kept beside it.
+/// Decision of an instructor about the result of an attempt. The computed score stays beside it.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,39 @@
 namespace hallux::database {
 
 enum class DecisionKind {
-  Confirmed,   ///< the machine's score stands
-  Overridden,  ///< another score stands in its place
-  Voided       ///< the attempt does not count
+  /// The machine's score stands.
+  Confirmed,
+  /// Another score stands in its place.
+  Overridden,
+  /// The attempt does not count.
+  Voided
 };
 
-std::string_view name_of(DecisionKind kind) noexcept;  ///< "confirmed", "overridden", "voided"
+/// "confirmed", "overridden", "voided".
+std::string_view name_of(DecisionKind kind) noexcept;
 /// Nothing where `name` is none of the three.
 std::optional<DecisionKind> decision_kind_from(std::string_view name) noexcept;
 
 struct NewDecision {
   AttemptId attempt;
   DecisionKind kind = DecisionKind::Confirmed;
-  std::int64_t score_milli = 0;  ///< Overridden: 0 to 100 000; of the other kinds it is not read
-  std::string reason;            ///< never empty
+  /// Overridden: 0 to 100 000; of the other kinds it is not read.
+  std::int64_t score_milli = 0;
+  /// Never empty.
+  std::string reason;
 };
 
 struct Decision {
   DecisionId id;
   AttemptId attempt;
   DecisionKind kind = DecisionKind::Confirmed;
-  std::optional<ScoreId>
-      about;  ///< the machine's score it was about; a voided attempt may have none
-  std::optional<std::int64_t> score_milli;  ///< that stands; nothing: voided
+  /// The machine's score it was about; a voided attempt may have none.
+  std::optional<ScoreId> about;
+  /// That stands; nothing: voided.
+  std::optional<std::int64_t> score_milli;
   std::string reason;
-  std::string decided_by;  ///< shown name; "" for erased people
+  /// Shown name; "" for erased people.
+  std::string decided_by;
   std::string decided_utc;
   bool is_in_force = false;
 };

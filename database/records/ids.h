@@ -1,4 +1,4 @@
-/// The names of stored rows, as distinct types, so that one is never taken for another.
+/// Ids of stored rows, as distinct types, so that one is never taken for another.
 #pragma once
 
 #include <cstdint>

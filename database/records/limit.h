@@ -1,4 +1,4 @@
-/// How many assessments of an operation a trainee has, and what is left of them.
+/// Limit of assessments of an operation, and what is left of it.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,14 @@ namespace hallux::database {
 struct AttemptLimit {
   std::string scenario_name;
   std::int32_t attempts_max = 0;
-  std::string set_by;  ///< login; "" for erased people
+  /// Login; "" for erased people.
+  std::string set_by;
   std::string set_utc;
 };
 
-/// What the strictest limit of a trainee's cohorts allows. Used are assessments begun since the enrolment that are being
-/// recorded, closed and valid, or were interrupted after the blade had touched bone; void ones are not.
+/// What the strictest limit of a trainee's cohorts allows. Used are assessments begun since the
+/// enrolment that are being recorded, closed and valid, or were interrupted after the blade had
+/// touched bone; void ones are not.
 struct AttemptAllowance {
   std::int32_t used = 0, attempts_max = 0;
   std::string cohort_name;

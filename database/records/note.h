@@ -1,4 +1,4 @@
-/// What instructors and trainees say to each other about a moment of an attempt.
+/// Notes, questions and answers about a moment of an attempt.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace hallux::database {
 
-/// A point on a body: 0 is the bone as it was, 1... the pieces by number. In the frame of the bone before anything moved.
+/// A point on a body: 0 is the bone as it was, 1... the pieces by number. In the frame of the bone
+/// before anything moved.
 struct BonePoint {
   std::int32_t body = 0;
   std::array<double, 3> point_in_bone_mm{};
@@ -20,20 +21,23 @@ struct BonePoint {
 
 /// When in an attempt, and perhaps where.
 struct AttemptMoment {
-  std::int64_t moment_us = 0;  ///< simulated, from the attempt's first tick
+  /// Simulated, from the attempt's first tick.
+  std::int64_t moment_us = 0;
   std::optional<BonePoint> place = std::nullopt;
 };
 
 struct NewNote {
   AttemptId attempt;
   AttemptMoment moment;
-  bool is_private = false;  ///< for the instructors of the cohort only
+  /// For the instructors of the cohort only.
+  bool is_private = false;
   std::string text;
 };
 
 struct NoteReply {
   PersonId author;
-  std::string author_name;  ///< as shown; "" for erased people
+  /// As shown; "" for erased people.
+  std::string author_name;
   std::string text;
   std::string written_utc;
 };
@@ -47,7 +51,8 @@ struct Note {
   bool is_private = false;
   std::string text;
   std::string written_utc;
-  std::vector<NoteReply> replies;  ///< oldest first
+  /// Oldest first.
+  std::vector<NoteReply> replies;
 };
 
 struct NewHelpRequest {
@@ -71,7 +76,8 @@ struct HelpRequest {
   std::string asker_name;
   std::string question;
   std::string asked_utc;
-  std::optional<HelpAnswer> answer;  ///< nothing: open
+  /// Nothing: open.
+  std::optional<HelpAnswer> answer;
 };
 
 }  // namespace hallux::database

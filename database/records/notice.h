@@ -1,4 +1,4 @@
-/// What people are told at their next sign-in.
+/// Notices shown to people at sign-in.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,20 @@
 namespace hallux::database {
 
 enum class NoticeKind {
-  Recovered,          ///< to administrators: the owner of the directory made a code for one of them
-  AdministratorMade,  ///< to administrators: somebody became one
-  BackupSkipped,      ///< to administrators: for want of space
-  CodeIssued,         ///< an administrator took the password away and made a one-time code
-  PasswordSet,        ///< by an administrator
-  SignInsRefused,     ///< as this person, since they were told last; `count` says how many
-  ResultOverridden,   ///< of an attempt of theirs
+  /// To administrators: the owner of the directory made a code for one of them.
+  Recovered,
+  /// To administrators: somebody became one.
+  AdministratorMade,
+  /// To administrators: for want of space.
+  BackupSkipped,
+  /// An administrator took the password away and made a one-time code.
+  CodeIssued,
+  /// By an administrator.
+  PasswordSet,
+  /// As this person, since they were told last; `count` says how many.
+  SignInsRefused,
+  /// Of an attempt of theirs.
+  ResultOverridden,
   ResultVoided
 };
 
@@ -25,7 +32,8 @@ struct Notice {
   NoticeKind kind = NoticeKind::Recovered;
   std::string at_utc;
   bool is_for_administrators = false;
-  std::string login;  ///< of whom it is about; "" where there is nobody, or nobody to be named
+  /// Of whom it is about; "" where there is nobody, or nobody to be named.
+  std::string login;
   std::optional<AttemptId> attempt;
   std::int64_t count = 0;
 };

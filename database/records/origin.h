@@ -10,8 +10,10 @@ namespace hallux::database {
 
 struct Origin {
   DirectoryId directory;
-  bool is_accepted = false;  ///< what was imported from there counts as if it had been made here
-  std::string imported_utc;  ///< the first time
+  /// What was imported from there counts as if it had been made here.
+  bool is_accepted = false;
+  /// The first time.
+  std::string imported_utc;
   std::int32_t attempts = 0, people = 0;
 };
 

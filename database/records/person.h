@@ -10,8 +10,10 @@ namespace hallux::database {
 enum class CohortRole { Trainee, Instructor };
 
 struct NewPerson {
-  std::string login;         ///< 2 to 64 of a-z 0-9 . _ -, beginning with a letter
-  std::string display_name;  ///< may be empty: the login is then shown
+  /// 2 to 64 of a-z 0-9 . _ -, beginning with a letter.
+  std::string login;
+  /// May be empty: the login is then shown.
+  std::string display_name;
   bool is_administrator = false;
 };
 
@@ -22,9 +24,12 @@ struct Person {
   bool is_administrator = false;
   bool is_disabled = false;
   std::string created_utc;
-  std::string last_sign_in_utc;  ///< "" where there was none
-  bool has_password = true;      ///< false: nobody can sign in as them until a code was redeemed
-  std::string code_expires_utc;  ///< of the one-time code that waits for them; "" for none
+  /// "" where there was none.
+  std::string last_sign_in_utc;
+  /// False: nobody can sign in as them until a code was redeemed.
+  bool has_password = true;
+  /// Of the one-time code that waits for them; "" for none.
+  std::string code_expires_utc;
 };
 
 }  // namespace hallux::database

@@ -1,4 +1,4 @@
-/// What an attempt was worth, as it is kept: points in integer thousandths, a ledger that adds up, sentences.
+/// Score card of an attempt: points in integer thousandths, a ledger that adds up, sentences.
 #pragma once
 
 #include <array>
@@ -10,41 +10,58 @@ namespace hallux::database {
 
 enum class LedgerKind { Metric, Damping, Gate };
 
-/// One place where points were won or lost. A line with points_lost_milli 0 is kept: it says what was right.
+/// One place where points were won or lost. A line with points_lost_milli 0 is kept: it says what
+/// was right.
 struct LedgerLine {
   LedgerKind kind = LedgerKind::Metric;
-  std::string item;    ///< rubric item or gate: "A1"
-  std::string metric;  ///< "angle_deg"
-  std::string group;   ///< "accuracy"
-  std::string unit;    ///< "deg", "mm"
-  double value = 0.0;  ///< rounded to 1e-6 of its unit
-  bool is_measured =
-      true;             ///< false: nothing to measure (no cut was made); value then means nothing
-  double target = 0.0;  ///< where full points begin to be lost, or the gate's limit
-  std::int64_t weight_milli = 0;          ///< rubric points x 1000 that this line could have earned
-  std::int64_t points_lost_milli = 0;     ///< rubric points x 1000
-  std::int64_t start_us = 0, end_us = 0;  ///< the moment of the attempt it is about
-  std::array<double, 3> place_in_bone_mm{};  ///< the patch of bone it is about
-  std::string text;  ///< one sentence with the number, the target and the loss
+  /// Rubric item or gate: "A1".
+  std::string item;
+  /// "angle_deg".
+  std::string metric;
+  /// "accuracy".
+  std::string group;
+  /// "deg", "mm".
+  std::string unit;
+  /// Rounded to 1e-6 of its unit.
+  double value = 0.0;
+  /// False: nothing to measure (no cut was made); value then means nothing.
+  bool is_measured = true;
+  /// Where full points begin to be lost, or the gate's limit.
+  double target = 0.0;
+  /// Rubric points x 1000 that this line could have earned.
+  std::int64_t weight_milli = 0;
+  /// Rubric points x 1000.
+  std::int64_t points_lost_milli = 0;
+  /// The moment of the attempt it is about.
+  std::int64_t start_us = 0, end_us = 0;
+  /// The patch of bone it is about.
+  std::array<double, 3> place_in_bone_mm{};
+  /// One sentence with the number, the target and the loss.
+  std::string text;
 };
 
 /// What decides whether a result passes (assessment/pass_mark.h), without the rest of the card.
 struct PassFacts {
   std::int64_t measured_milli = 0, rubric_milli = 0;
   std::int64_t safety_measured_milli = 0, safety_earned_milli = 0;
-  bool is_gated = false;  ///< a gate is triggered
+  /// A gate is triggered.
+  bool is_gated = false;
 };
 
 struct GroupScore {
   std::string name;
-  std::int64_t weight_milli = 0;    ///< in the whole rubric
-  std::int64_t measured_milli = 0;  ///< of which could be measured; 0: not measured yet
-  std::int64_t earned_milli = 0;    ///< before gates
+  /// In the whole rubric.
+  std::int64_t weight_milli = 0;
+  /// Of which could be measured; 0: not measured yet.
+  std::int64_t measured_milli = 0;
+  /// Before gates.
+  std::int64_t earned_milli = 0;
 };
 
 struct GateResult {
   std::string name;
-  std::int64_t cap_milli = 0;  ///< highest score (of 100 000) once the gate is triggered
+  /// Highest score (of 100 000) once the gate is triggered.
+  std::int64_t cap_milli = 0;
   bool is_triggered = false;
   double value = 0.0, limit = 0.0;
   std::string unit;
@@ -53,20 +70,26 @@ struct GateResult {
 
 /// earned_milli + the sum of all points_lost_milli = measured_milli, exactly.
 struct ScoreCard {
-  std::int64_t score_milli =
-      0;  ///< 0 to 100 000: 100 x earned / measured, rounded to the nearest thousandth
-  std::int64_t earned_milli = 0;    ///< rubric points x 1000, after damping and gates
-  std::int64_t measured_milli = 0;  ///< rubric points x 1000 that could be measured
-  std::int64_t rubric_milli = 0;    ///< rubric points x 1000 in all (100 000)
+  /// 0 to 100 000: 100 x earned / measured, rounded to the nearest thousandth.
+  std::int64_t score_milli = 0;
+  /// Rubric points x 1000, after damping and gates.
+  std::int64_t earned_milli = 0;
+  /// Rubric points x 1000 that could be measured.
+  std::int64_t measured_milli = 0;
+  /// Rubric points x 1000 in all (100 000).
+  std::int64_t rubric_milli = 0;
   std::vector<GroupScore> groups;
   std::vector<GateResult> gates;
   std::vector<LedgerLine> ledger;
-  /// The losses of the ledger scaled to 100: they add up to 100 000 - score_milli exactly (largest remainders).
+  /// The losses of the ledger scaled to 100: they add up to 100 000 - score_milli exactly (largest
+  /// remainders).
   std::vector<std::int64_t> shown_losses_milli;
-  std::vector<std::string> sentences;  ///< the three that matter most, greatest loss first
+  /// The three that matter most, greatest loss first.
+  std::vector<std::string> sentences;
   std::string scenario;
   std::int32_t scenario_version = 0, rubric_version = 0, engine = 0;
-  bool is_reviewed = false;  ///< a surgeon signed the scenario's version
+  /// A surgeon signed the scenario's version.
+  bool is_reviewed = false;
 };
 
 PassFacts pass_facts_of(const ScoreCard& card) noexcept;

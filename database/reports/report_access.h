@@ -1,4 +1,5 @@
-/// What a report may read: a decision about each table of the schema, and what else a report's statement may do.
+/// Access of reports: a decision about each table of the schema, and what a report's statement may
+/// do.
 #pragma once
 
 #include <array>
@@ -9,8 +10,10 @@ namespace hallux::database {
 
 enum class ReportAccess {
   Open,
-  Closed,      ///< secrets, names, and who was where
-  WithoutText  ///< free text that somebody wrote is closed, the rest open
+  /// Secrets, names, and who was where.
+  Closed,
+  /// Free text that somebody wrote is closed, the rest open.
+  WithoutText
 };
 
 /// Nothing for a table about which nothing was decided; such a table is closed.

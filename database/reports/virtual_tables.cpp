@@ -17,7 +17,8 @@ namespace hallux::database {
 
 namespace {
 
-/// One table: which stream it reads, and what its columns are called. The word that holds switches and faults is two.
+/// One table: which stream it reads, and what its columns are called. The word that holds switches
+/// and faults is two.
 struct RecordTable {
   Stream stream = Stream::Sample;
   const char* name = "";
@@ -64,7 +65,8 @@ struct Cursor : sqlite3_vtab_cursor {
   std::string attempt;
 };
 
-/// What the statement says of `tick`: bits of the plan's number, in the order in which their values come.
+/// What the statement says of `tick`: bits of the plan's number, in the order in which their values
+/// come.
 enum class TickBound : int { From = 1, After = 2, To = 4, Before = 8, At = 16 };
 constexpr std::array tick_bounds{TickBound::From, TickBound::After, TickBound::To,
                                  TickBound::Before, TickBound::At};
@@ -182,7 +184,8 @@ int close_cursor(sqlite3_vtab_cursor* cursor) {
   return SQLITE_OK;
 }
 
-/// The whole ticks from `value` on; SQLite compares each row with what the statement says once more.
+/// The whole ticks from `value` on; SQLite compares each row with what the statement says once
+/// more.
 std::int64_t tick_near(double value, double rounded) noexcept {
   constexpr double limit = 9e15;
   return static_cast<std::int64_t>(std::isnan(value) ? 0.0 : std::clamp(rounded, -limit, limit));
@@ -311,7 +314,8 @@ void add_record_tables(Database& database) {
           DatabaseErrorKind::InputOutput,
           "could not add the table " + std::string{table.name} + " to " + database.file().string()};
     }
-    // Made now: an authorizer that comes later would take its declaration for a change of the schema.
+    // Made now: an authorizer that comes later would take its declaration for a change of the
+    // schema.
     translating(database, "add a table of the record", [&] {
       const SQLite::Statement first_use{database.connection(),
                                         "SELECT tick FROM " + std::string{table.name} + "('')"};

@@ -1,10 +1,12 @@
-/// Chunks as tables: pose_samples(attempt), tape_lines(attempt) and cut_events(attempt) in plain SQL.
+/// Virtual tables of SQL over chunks: pose_samples(attempt), tape_lines(attempt),
+/// cut_events(attempt).
 ///
 ///   SELECT tick, tool_x_in_world_um FROM pose_samples('3f...') WHERE tick BETWEEN 60000 AND 60009
 ///
-/// Table-valued functions of SQLite: each row is read from its chunk when it is asked for, and its chunk's link is checked.
-/// Bounds on `tick` decide which windows are opened at all. Rows come by rising tick. An attempt that is not there has no
-/// rows; a damaged chunk ends the statement with SQLITE_CORRUPT and the chunk's place.
+/// Table-valued functions of SQLite: each row is read from its chunk when it is asked for, and its
+/// chunk's link is checked. Bounds on `tick` decide which windows are opened at all. Rows come by
+/// rising tick. An attempt that is not there has no rows; a damaged chunk ends the statement with
+/// SQLITE_CORRUPT and the chunk's place.
 /// source  docs/data_format.md; https://www.sqlite.org/vtab.html
 #pragma once
 

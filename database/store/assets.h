@@ -1,4 +1,4 @@
-/// Content kept under its own digest: bones, and the scenario texts attempts were made with.
+/// Assets, stored under their own digest: bones, and the scenario texts attempts were made with.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,8 @@ std::vector<std::byte> get_asset(Database& database, const Digest& digest);
 struct ScenarioText {
   std::string name;
   std::int32_t version = 1;
-  std::string json;  ///< byte for byte as it was read
+  /// Byte for byte as it was read.
+  std::string json;
   bool is_reviewed = false;
 };
 

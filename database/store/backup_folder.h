@@ -1,4 +1,4 @@
-/// The folder that backups lie in: its names, its lock, what a stopped backup left in it.
+/// Folder of backups: its names, its lock, its room, and clearing what a stopped backup left.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,10 @@ namespace hallux::database {
 class BackupFolder {
  public:
   enum class Wait { No, Yes };
-  /// Makes the folder (0700) where it is missing, takes its lock and clears what a stopped backup left.
-  /// errors  DatabaseError: Locked where another process has it and is not waited for; storage failures
+  /// Makes the folder (0700) where it is missing, takes its lock and clears what a stopped backup
+  /// left.
+  /// errors  DatabaseError: Locked where another process has it and is not waited for; storage
+  ///         failures
   explicit BackupFolder(std::filesystem::path folder, Wait wait = Wait::No);
   ~BackupFolder();
   BackupFolder(const BackupFolder&) = delete;

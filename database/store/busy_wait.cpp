@@ -14,7 +14,8 @@ namespace {
 
 constexpr int mean_step_ms = 2;
 
-/// 1, 2 or 3 ms, in another order for each process: two that wait for a third do not come at the same moments.
+/// 1, 2 or 3 ms, in another order for each process: two that wait for a third do not come at the
+/// same moments.
 int step_ms(int time) noexcept { return 1 + static_cast<int>((time * 7 + ::getpid()) % 3); }
 
 /// The timeout itself is passed on as the argument: nothing has to live as long as the connection.

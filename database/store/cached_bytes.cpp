@@ -106,8 +106,8 @@ void let_go(const fs::path& folder, std::int64_t bytes_max) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> load_kept(const fs::path& data_directory,
-                                                const std::string& name, const Digest& key) {
+std::optional<std::vector<std::byte>> load_cached(const fs::path& data_directory,
+                                                  const std::string& name, const Digest& key) {
   CHECK(is_name(name));
   const std::vector<std::byte> content = content_of(folder_of(data_directory) / name);
   Head head;
@@ -124,8 +124,8 @@ std::optional<std::vector<std::byte>> load_kept(const fs::path& data_directory,
   return bytes;
 }
 
-void keep_bytes(const fs::path& data_directory, const std::string& name, const Digest& key,
-                std::span<const std::byte> bytes, std::int64_t bytes_max) {
+void store_cached(const fs::path& data_directory, const std::string& name, const Digest& key,
+                  std::span<const std::byte> bytes, std::int64_t bytes_max) {
   CHECK(is_name(name) && bytes.size() <= plain_bytes_max);
   const fs::path folder = folder_of(data_directory);
   make_private_directory(folder);
@@ -140,7 +140,7 @@ void keep_bytes(const fs::path& data_directory, const std::string& name, const D
   let_go(folder, bytes_max);
 }
 
-void drop_kept(const fs::path& data_directory, const std::string& name) {
+void drop_cached(const fs::path& data_directory, const std::string& name) {
   CHECK(is_name(name));
   std::error_code error;
   const fs::path file = folder_of(data_directory) / name;

@@ -34,7 +34,8 @@ std::unique_ptr<SQLite::Database> open_file(const std::filesystem::path& file,
   }
 }
 
-/// Two processes that make the file at once hinder each other here, and SQLite waits for neither: both would wait for ever.
+/// Two processes that make the file at once hinder each other here, and SQLite waits for neither:
+/// both would wait for ever.
 bool becomes_wal(Database& database) {
   constexpr std::chrono::milliseconds pause{5};
   const auto deadline =
@@ -78,7 +79,8 @@ void configure(Database& database, Access access) {
   });
 }
 
-/// An attempt in state recording whose lease nobody holds lost its writer: killed, crashed, or out of power.
+/// An attempt in state recording whose lease nobody holds lost its writer: killed, crashed, or out
+/// of power.
 void mark_interrupted_attempts(Database& database) {
   std::vector<AttemptId> abandoned;
   translating(database, "look for interrupted attempts", [&] {

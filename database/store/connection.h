@@ -1,4 +1,4 @@
-/// The one door to the database file `hallux.db` in a data directory.
+/// Connection to the database file `hallux.db` in a data directory.
 #pragma once
 
 #include <cstdint>
@@ -23,26 +23,31 @@ enum class Access { ReadWrite, ReadOnly };
 struct OpenOptions {
   Access access = Access::ReadWrite;
   int busy_timeout_ms = 5000;
-  std::string vfs_name;  ///< empty: SQLite's own; tests name one that fails on purpose
-  /// The time that rows are stored with, ISO 8601; empty: the clock's. For simulated courses, which tell of past weeks,
-  /// and for tests of what expires.
+  /// Empty: SQLite's own; tests name one that fails on purpose.
+  std::string vfs_name;
+  /// The time that rows are stored with, ISO 8601; empty: the clock's. For simulated courses, which
+  /// tell of past weeks, and for tests of what expires.
   std::string pretended_utc = {};
-  std::string pretended_station = {};  ///< what the sign-in guard counts by; empty: this machine's
-  /// The file system that the directory is on, as a mount table names it; empty: what this system's says. For tests.
+  /// What the sign-in guard counts by; empty: this machine's.
+  std::string pretended_station = {};
+  /// The file system that the directory is on, as a mount table names it; empty: what this system's
+  /// says. For tests.
   std::string file_system = {};
-  /// A copy of an older database goes into `backups` before its schema is migrated; where it cannot be made, the
-  /// migration is refused.
+  /// A copy of an older database goes into `backups` before its schema is migrated; where it cannot
+  /// be made, the migration is refused.
   bool backs_up_before_migration = true;
 };
 
 /// A connection with the settings that every connection has. One thread at a time may use it.
 class Database {
  public:
-  /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600), migrates the
-  /// schema, and marks as interrupted the attempts whose writer is gone.
+  /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600),
+  /// migrates the schema, and marks as interrupted the attempts whose writer is gone.
   /// A network share is refused for writing: the log needs memory that all who write share.
-  /// ensures  WAL, synchronous FULL, foreign keys, busy timeout, no trusted schema; a newer file is not touched
-  /// errors   DatabaseError: ReadOnly, Full, InputOutput, Damaged, Newer, Locked; NotFound where reading finds no file
+  /// ensures  WAL, synchronous FULL, foreign keys, busy timeout, no trusted schema; a newer file is
+  ///          not touched
+  /// errors   DatabaseError: ReadOnly, Full, InputOutput, Damaged, Newer, Locked; NotFound where
+  ///          reading finds no file
   static Database open(const std::filesystem::path& directory, const OpenOptions& options = {});
 
   /// Another connection to the same file with the same options, for another thread.

@@ -1,4 +1,4 @@
-/// What can go wrong with what is kept, as one sentence: what was tried, on which file or row, what to do.
+/// Errors of the database as one sentence: what was tried, on which file or row, what to do.
 #pragma once
 
 #include <stdexcept>
@@ -7,15 +7,24 @@
 namespace hallux::database {
 
 enum class DatabaseErrorKind {
-  Full,      ///< no space left
-  ReadOnly,  ///< the directory or the file cannot be written
-  Damaged,  ///< what is stored contradicts itself: a broken page, a broken chain, no database at all
-  InputOutput,  ///< the disk answered with an error
-  Newer,        ///< written by a newer version of this program
-  Locked,       ///< another process kept it busy for longer than the timeout
-  Refused,      ///< this person may not do this
-  NotFound,     ///< there is no such row
-  BadInput      ///< what was given cannot be stored: a login, a password, a name twice
+  /// No space left.
+  Full,
+  /// The directory or the file cannot be written.
+  ReadOnly,
+  /// What is stored contradicts itself: a broken page, a broken chain, no database at all.
+  Damaged,
+  /// The disk answered with an error.
+  InputOutput,
+  /// Written by a newer version of this program.
+  Newer,
+  /// Another process kept it busy for longer than the timeout.
+  Locked,
+  /// This person may not do this.
+  Refused,
+  /// There is no such row.
+  NotFound,
+  /// What was given cannot be stored: a login, a password, a name twice.
+  BadInput
 };
 
 class DatabaseError : public std::runtime_error {

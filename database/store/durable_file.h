@@ -1,4 +1,4 @@
-/// Files that must be whole on the disk before the next step relies on them, and files from outside that are not trusted.
+/// Durable files, whole on the disk before the next step relies on them; untrusted files.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,8 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 }  // namespace
 
 std::string file_system_in(std::string_view mount_table, const std::filesystem::path& path) {
-  // 36 35 98:0 /mnt1 /mnt2 rw,noatime master:1 - ext3 /dev/root rw: the fifth, and the first after the dash.
+  // 36 35 98:0 /mnt1 /mnt2 rw,noatime master:1 - ext3 /dev/root rw: the fifth, and the first after
+  // the dash.
   std::istringstream lines{std::string{mount_table}};
   std::string found;
   std::size_t longest = 0;

@@ -1,4 +1,4 @@
-/// Which file system a directory is on, and whether several machines may write there.
+/// File system of a directory: local, or a share that several machines may write to.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace hallux::database {
 
-/// The name in this mount table (as /proc/self/mountinfo) of the last mount above the absolute `path`; "" where there is none.
+/// The name in this mount table (as /proc/self/mountinfo) of the last mount above the absolute
+/// `path`; "" where there is none.
 std::string file_system_in(std::string_view mount_table, const std::filesystem::path& path);
 
 /// Of the nearest directory above `path` that exists; "" where the system does not say.
@@ -18,7 +19,8 @@ std::string file_system_of(const std::filesystem::path& path);
 /// Known as shared between machines: "nfs4", "cifs", "fuse.sshfs" ...
 bool is_network_share(std::string_view file_system) noexcept;
 
-/// Refuses to write on a network share. `file_system` is its name, or empty: what the system says of `directory`.
+/// Refuses to write on a network share. `file_system` is its name, or empty: what the system says
+/// of `directory`.
 /// errors  DatabaseError ReadOnly naming directory, file system and mend
 void check_file_system(const std::filesystem::path& directory, std::string file_system);
 

@@ -120,7 +120,8 @@ void make_private_file(const std::filesystem::path& file) {
     return;
   }
   if (errno != EEXIST) throw file_error(file, "make", errno);
-  // Not opened where it exists: closing it again would drop the POSIX locks of this process's other connections.
+  // Not opened where it exists: closing it again would drop the POSIX locks of this process's other
+  // connections.
   ::chmod(file.c_str(), 0600);
 }
 

@@ -17,7 +17,8 @@ int followers_of(std::uint8_t lead) noexcept {
   return 4;
 }
 
-/// No surrogates, nothing beyond U+10FFFF, nothing in a longer form than needed: told by the first follower.
+/// No surrogates, nothing beyond U+10FFFF, nothing in a longer form than needed: told by the first
+/// follower.
 bool is_good_pair(std::uint8_t lead, std::uint8_t next) noexcept {
   if (lead == 0xE0) return next >= 0xA0;
   if (lead == 0xED) return next < 0xA0;

@@ -1,4 +1,4 @@
-/// What people may write into notes, questions, answers and reasons.
+/// Rules of free text in notes, questions, answers and reasons.
 #pragma once
 
 #include <cstddef>

@@ -1,17 +1,18 @@
-/// A directory that gets its name when all of it is there: what is restored, what is exported.
+/// Fresh directory that gets its name when all of it is there: a restored one, an export.
 #pragma once
 
 #include <filesystem>
 
 namespace hallux::database {
 
-/// While it is made it is a hidden one beside the place it gets, ".NAME.unfinished"; gone where it is not finished. A lock
-/// tells one that is being made from one that a kill left, which is cleared.
+/// While it is made it is a hidden one beside the place it gets, ".NAME.unfinished"; gone where it
+/// is not finished. A lock tells one that is being made from one that a kill left, which is
+/// cleared.
 class FreshDirectory {
  public:
   /// Makes the directories it lies in where they are missing.
-  /// errors  DatabaseError: Refused where the directory holds something; Locked where another process makes it; BadInput
-  ///         where nothing can have this name; storage failures
+  /// errors  DatabaseError: Refused where the directory holds something; Locked where another
+  ///         process makes it; BadInput where nothing can have this name; storage failures
   explicit FreshDirectory(const std::filesystem::path& directory);
   ~FreshDirectory();
   FreshDirectory(const FreshDirectory&) = delete;
@@ -19,8 +20,9 @@ class FreshDirectory {
 
   /// Where to write, 0700.
   const std::filesystem::path& path() const noexcept { return path_; }
-  /// Gives it its name once all directories in it lie on the disk; whoever wrote a file in it has synced that. Asks once
-  /// more whether the name is free: something may have been put there meanwhile.
+  /// Gives it its name once all directories in it lie on the disk; whoever wrote a file in it has
+  /// synced that. Asks once more whether the name is free: something may have been put there
+  /// meanwhile.
   void finish() const;
 
  private:

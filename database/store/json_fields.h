@@ -1,4 +1,4 @@
-/// For the sources of this room only: JSON that nobody vouches for, read within bounds and never converted in silence.
+/// Fields of untrusted JSON, read within bounds and never converted in silence.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,9 @@
-/// How long SQLite's log (hallux.db-wal) is, and how it is kept short.
+/// Size of SQLite's log (hallux.db-wal), and its limit.
 ///
-/// What is committed stands in the log first. Each commit that leaves more than 1,000 pages (8 MB) there copies them into the
-/// database, as far as no reader needs them, and the log is written from its beginning again. It only becomes shorter by the
-/// limit that every writer sets, and at the end of an attempt.
+/// What is committed stands in the log first. Each commit that leaves more than 1,000 pages (8 MB)
+/// there copies them into the database, as far as no reader needs them, and the log is written from
+/// its beginning again. It only becomes shorter by the limit that every writer sets, and at the end
+/// of an attempt.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace hallux::database {
 /// A log that was longer, because somebody read for long, is cut to this when it begins again.
 inline constexpr std::int64_t log_bytes_kept = 16 * 1024 * 1024;
 
-/// The bytes of the log now; 0 where there is none. A look at the file system: cheap enough for once a second.
+/// The bytes of the log now; 0 where there is none. A look at the file system: cheap enough for
+/// once a second.
 std::uintmax_t log_bytes(const std::filesystem::path& directory) noexcept;
 
 /// Copies the log into the database and empties it, as far as nobody is reading; waits for nobody.

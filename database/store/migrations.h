@@ -1,4 +1,4 @@
-/// Brings a database file to the schema this program knows, one numbered file of database/schema at a time.
+/// Migrations to the newest schema, one numbered file of database/schema at a time.
 #pragma once
 
 #include "database/store/connection.h"
@@ -9,13 +9,15 @@ namespace hallux::database {
 std::int32_t newest_schema() noexcept;
 
 /// Looks at the file without changing it.
-/// errors  DatabaseError: Newer where the file's schema is newer than this program; Damaged where it is not ours
+/// errors  DatabaseError: Newer where the file's schema is newer than this program; Damaged where
+///         it is not ours
 void check_schema_is_known(Database& database);
 
 /// Whether there is something to migrate; a file without any schema has nothing.
 bool is_of_older_schema(Database& database);
 
-/// Applies what is missing, each file in one transaction with its PRAGMA user_version; safe against a second process.
+/// Applies what is missing, each file in one transaction with its PRAGMA user_version; safe against
+/// a second process.
 void migrate(Database& database);
 
 }  // namespace hallux::database

@@ -1,4 +1,5 @@
-/// The identity of a data directory: made with its database, copied with its backups, named by its exports.
+/// The identity of a data directory: made with its database, copied with its backups, named by its
+/// exports.
 #pragma once
 
 #include "database/records/ids.h"

@@ -1,4 +1,4 @@
-/// What an administrator set for the whole directory; what has no row is as the program ships it.
+/// Settings of the whole directory; one without a row is as the program ships it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// For the sources of this room only: foreign errors translated once, transactions, and digests as blobs.
+/// SQL statements: errors translated once, transactions, digests as blobs.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -49,7 +49,8 @@ auto in_transaction(Database& database, std::string_view tried, Work&& work) {
   });
 }
 
-/// Runs `work` inside the transaction the caller has begun, or in one of its own where there is none.
+/// Runs `work` inside the transaction the caller has begun, or in one of its own where there is
+/// none.
 template <typename Work>
 auto in_transaction_of_caller(Database& database, std::string_view tried, Work&& work) {
   if (is_in_transaction(database)) return translating(database, tried, std::forward<Work>(work));

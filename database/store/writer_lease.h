@@ -1,7 +1,7 @@
-/// Shows other processes that an attempt's writer is alive.
+/// Lease that shows other processes that an attempt's writer is alive.
 ///
-/// An advisory lock (flock) on writers/UUID.lock: the kernel gives it back the moment the process ends, however it ends,
-/// so no clock, process number or boot id has to be trusted.
+/// An advisory lock (flock) on writers/UUID.lock: the kernel gives it back the moment the process
+/// ends, however it ends, so no clock, process number or boot id has to be trusted.
 #pragma once
 
 #include <filesystem>

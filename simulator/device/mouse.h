@@ -8,7 +8,7 @@
 /// nobody holds the saw: it stops.
 #pragma once
 
-#include "simulator/device/haptic_device.h"
+#include "simulator/device/steered_device.h"
 #include "simulator/record/latest.h"
 
 namespace hallux::simulator {
@@ -40,16 +40,11 @@ RigidTransform steered(const RigidTransform& world_from_target, const Quat& worl
 RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& middle_in_world_mm,
                            double reach_mm) noexcept;
 
-class MouseDevice final : public HapticDevice {
+class MouseDevice final : public SteeredDevice {
  public:
-  /// Without a new target for longer, every switch is off.
-  static constexpr std::int64_t silence_ticks = 1500;
-
   explicit MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling = {});
 
-  /// Where the hand is led from now on; to be said again and again while a switch is on.
-  /// thread  window
-  void aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept;
+  void aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept override;
 
   DeviceDescription description() const override { return {"Mouse and keyboard", "mouse"}; }
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,

@@ -11,9 +11,10 @@ struct BigCourse {
   std::int32_t trainees = 1000, attempts_each = 100;
 };
 
-/// Into an empty directory: root, who administers; kim, who teaches "big", with all trainees (trainee-1, ...); and lee, who
-/// teaches "idle", whose five trainees have done nothing. Each second attempt is an assessment, with a card of the usual
-/// length; most of them are decided about; each tenth attempt has a question, each tenth of those is open. The audit's rows are
+/// Into an empty directory: root, who administers; kim, who teaches "big", with all trainees
+/// (trainee-1, ...); and lee, who teaches "idle", whose five trainees have done nothing. Each
+/// second attempt is an assessment, with a card of the usual length; most of them are decided
+/// about; each tenth attempt has a question, each tenth of those is open. The audit's rows are
 /// there, its chain is not. Passwords are `password`, at the cheapest cost.
 void make_big_course(Database& database, const BigCourse& course, const std::string& password);
 

@@ -1,7 +1,9 @@
-/// What is killed in tests: a process that records in real time, one that writes as fast as it may, one that only opens.
+/// What is killed in tests: a process that records in real time, one that writes as fast as it may,
+/// one that only opens.
 ///
 ///     kill_course record DIR           a thousand ticks a second for a minute
-///     kill_course write DIR NAME N     N writes in all under that name, what an earlier child wrote included
+///     kill_course write DIR NAME N     N writes in all under that name, what an earlier child
+///                                      wrote included
 ///     kill_course open DIR             opens for writing and ends
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <unistd.h>

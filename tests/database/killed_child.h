@@ -1,4 +1,5 @@
-/// The program kill_course as a child that is killed: what it says of its work comes through a pipe.
+/// The program kill_course as a child that is killed: what it says of its work comes through a
+/// pipe.
 #pragma once
 
 #include <sys/types.h>
@@ -13,11 +14,16 @@ namespace hallux::database {
 /// One line of the pipe; written whole or not at all.
 struct ChildWord {
   enum class Kind : std::int32_t {
-    Began,         ///< value: what is already there
-    Pushed,        ///< value: ticks that the producer has handed over
-    Acknowledged,  ///< value: windows or writes that are committed
-    Waited,        ///< value: the longest that one write took [us]
-    Failed         ///< the reason stands on stderr
+    /// Value: what is already there.
+    Began,
+    /// Value: ticks that the producer has handed over.
+    Pushed,
+    /// Value: windows or writes that are committed.
+    Acknowledged,
+    /// Value: the longest that one write took [us].
+    Waited,
+    /// The reason stands on stderr.
+    Failed
   };
   Kind kind = Kind::Began;
   std::int32_t value = 0;

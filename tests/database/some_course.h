@@ -1,5 +1,5 @@
-/// A course to test desks in: root and max administer; ada and bob are trainees of autumn, eve of spring; kim teaches
-/// autumn; lee teaches spring and is a trainee of autumn.
+/// A course to test desks in: root and max administer; ada and bob are trainees of autumn, eve of
+/// spring; kim teaches autumn; lee teaches spring and is a trainee of autumn.
 #pragma once
 
 #include <gtest/gtest.h>

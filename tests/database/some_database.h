@@ -1,4 +1,5 @@
-/// Worlds for the tests of this room: an empty data directory, stored bones, recordings of a hand that moves.
+/// Worlds for the tests of this room: an empty data directory, stored bones, recordings of a hand
+/// that moves.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@
 namespace hallux::database {
 
 enum class Medium {
-  Memory,  ///< where there is such a place: most tests are not about how fast a disk syncs
+  /// Where there is such a place: most tests are not about how fast a disk syncs.
+  Memory,
   Disk
 };
 

@@ -17,7 +17,8 @@ std::vector<DerivedFile> some_derived(const ExportMaterial& material);
 /// Every file below `folder` by its path, with its bytes.
 std::map<std::string, std::string> bytes_below(const std::filesystem::path& folder);
 
-/// Replaces the first `old_text` in the file; the manifest's digest and size of it are brought up to date.
+/// Replaces the first `old_text` in the file; the manifest's digest and size of it are brought up
+/// to date.
 void alter(const std::filesystem::path& folder, const std::string& name,
            const std::string& old_text, const std::string& new_text);
 

@@ -1,6 +1,7 @@
 /// Feeds any bytes to the reader of manifests: it must throw DatabaseError, or give one that is written and read again.
 #include "database/course/score_json.h"
-#include "database/exchange/manifest.h"
+#include "database/exchange/read_manifest.h"
+#include "database/exchange/write_manifest.h"
 #include "simulator/base/check.h"
 #include "tests/fuzz/text_fuzz.h"
 

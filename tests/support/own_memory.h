@@ -1,4 +1,5 @@
-/// Looks for a secret in the memory of this process, as somebody with a core dump or the swap file would.
+/// Looks for a secret in the memory of this process, as somebody with a core dump or the swap file
+/// would.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <new>
 
 #include "simulator/base/random.h"
 
@@ -16,19 +15,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using Change = PowerCutVfs::Change;
 
-constexpr std::size_t sector_bytes = 512;
-
-/// SQLite gives room for this and, right behind it, for the real file.
-struct ShimFile {
-  sqlite3_file base;
-  PowerCutVfs* vfs;
-  const char* path;  ///< SQLite keeps it for as long as the file is open
-};
-
-ShimFile* shim_of(sqlite3_file* file) { return reinterpret_cast<ShimFile*>(file); }
-sqlite3_file* real_of(sqlite3_file* file) {
-  return reinterpret_cast<sqlite3_file*>(shim_of(file) + 1);
-}
+constexpr std::size_t written_at_once_bytes = 512;
 
 void apply(const Change& change, Bytes& content) {
   const auto offset = static_cast<std::size_t>(change.offset);
@@ -43,9 +30,9 @@ void apply(const Change& change, Bytes& content) {
 
 /// Some of its sectors, each as it is or not at all.
 void apply_torn(const Change& change, Random& random, Bytes& content) {
-  for (std::size_t at = 0; at < change.bytes.size(); at += sector_bytes) {
+  for (std::size_t at = 0; at < change.bytes.size(); at += written_at_once_bytes) {
     if (random.uniform() < 0.5) continue;
-    const std::size_t count = std::min(sector_bytes, change.bytes.size() - at);
+    const std::size_t count = std::min(written_at_once_bytes, change.bytes.size() - at);
     const auto first = change.bytes.begin() + static_cast<std::ptrdiff_t>(at);
     apply({change.offset + static_cast<std::int64_t>(at),
            Bytes(first, first + static_cast<std::ptrdiff_t>(count))},
@@ -58,143 +45,44 @@ Bytes content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-int close_file(sqlite3_file* file) { return real_of(file)->pMethods->xClose(real_of(file)); }
-int read_file(sqlite3_file* file, void* bytes, int count, sqlite3_int64 offset) {
-  return real_of(file)->pMethods->xRead(real_of(file), bytes, count, offset);
-}
-int write_file(sqlite3_file* file, const void* bytes, int count, sqlite3_int64 offset) {
-  ShimFile* shim = shim_of(file);
-  if (shim->vfs->before_write) shim->vfs->before_write();
-  const auto* first = static_cast<const std::uint8_t*>(bytes);
-  shim->vfs->note(shim->path, {offset, Bytes(first, first + count)});
-  return real_of(file)->pMethods->xWrite(real_of(file), bytes, count, offset);
-}
-int truncate_file(sqlite3_file* file, sqlite3_int64 size) {
-  shim_of(file)->vfs->note(shim_of(file)->path, {size, {}});
-  return real_of(file)->pMethods->xTruncate(real_of(file), size);
-}
-int sync_file(sqlite3_file* file, int) {
-  ShimFile* shim = shim_of(file);
-  if (shim->vfs->before_write) shim->vfs->before_write();
-  // The real disk need not be waited for: this machine's power stays on.
-  shim->vfs->note_sync(shim->path);
-  return SQLITE_OK;
-}
-int size_of_file(sqlite3_file* file, sqlite3_int64* size) {
-  return real_of(file)->pMethods->xFileSize(real_of(file), size);
-}
-int lock_file(sqlite3_file* file, int lock) {
-  return real_of(file)->pMethods->xLock(real_of(file), lock);
-}
-int unlock_file(sqlite3_file* file, int lock) {
-  return real_of(file)->pMethods->xUnlock(real_of(file), lock);
-}
-int check_lock(sqlite3_file* file, int* answer) {
-  return real_of(file)->pMethods->xCheckReservedLock(real_of(file), answer);
-}
-int control_file(sqlite3_file* file, int operation, void* argument) {
-  return real_of(file)->pMethods->xFileControl(real_of(file), operation, argument);
-}
-int sector_size(sqlite3_file*) { return static_cast<int>(sector_bytes); }
-/// Nothing is promised: no atomic write, no order of appends, no sector that survives beside a written one.
-int characteristics(sqlite3_file*) { return 0; }
-int map_shared(sqlite3_file* file, int region, int size, int extend, void volatile** memory) {
-  return real_of(file)->pMethods->xShmMap(real_of(file), region, size, extend, memory);
-}
-int lock_shared(sqlite3_file* file, int offset, int count, int flags) {
-  return real_of(file)->pMethods->xShmLock(real_of(file), offset, count, flags);
-}
-void fence_shared(sqlite3_file* file) { real_of(file)->pMethods->xShmBarrier(real_of(file)); }
-int unmap_shared(sqlite3_file* file, int remove) {
-  return real_of(file)->pMethods->xShmUnmap(real_of(file), remove);
-}
-
-/// Version 2: with shared memory for WAL, without memory mapping, which would go round the shim.
-constexpr sqlite3_io_methods methods{2,
-                                     close_file,
-                                     read_file,
-                                     write_file,
-                                     truncate_file,
-                                     sync_file,
-                                     size_of_file,
-                                     lock_file,
-                                     unlock_file,
-                                     check_lock,
-                                     control_file,
-                                     sector_size,
-                                     characteristics,
-                                     map_shared,
-                                     lock_shared,
-                                     fence_shared,
-                                     unmap_shared,
-                                     nullptr,
-                                     nullptr};
-
-int open_file(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* flags_out) {
-  auto* power = static_cast<PowerCutVfs*>(vfs->pAppData);
-  auto* shim = shim_of(file);
-  shim->base.pMethods = nullptr;
-  shim->vfs = power;
-  shim->path = name == nullptr ? "" : name;
-  if (name != nullptr) power->know(name);
-  const int answer = power->real()->xOpen(power->real(), name, real_of(file), flags, flags_out);
-  if (answer == SQLITE_OK) shim->base.pMethods = &methods;
-  return answer;
-}
-
-int delete_file(sqlite3_vfs* vfs, const char* name, int sync) {
-  auto* power = static_cast<PowerCutVfs*>(vfs->pAppData);
-  power->note_removal(name);
-  return power->real()->xDelete(power->real(), name, sync);
-}
-int access_file(sqlite3_vfs* vfs, const char* name, int flags, int* answer) {
-  auto* real = static_cast<PowerCutVfs*>(vfs->pAppData)->real();
-  return real->xAccess(real, name, flags, answer);
-}
-int full_path(sqlite3_vfs* vfs, const char* name, int size, char* path) {
-  auto* real = static_cast<PowerCutVfs*>(vfs->pAppData)->real();
-  return real->xFullPathname(real, name, size, path);
-}
-
 }  // namespace
 
-PowerCutVfs::PowerCutVfs(std::string name)
-    : name_(std::move(name)),
-      real_(sqlite3_vfs_find(nullptr)),
-      shim_(std::make_unique<sqlite3_vfs>(*real_)) {
-  shim_->szOsFile = static_cast<int>(sizeof(ShimFile)) + real_->szOsFile;
-  shim_->pNext = nullptr;
-  shim_->zName = name_.c_str();
-  shim_->pAppData = this;
-  shim_->xOpen = open_file;
-  shim_->xDelete = delete_file;
-  shim_->xAccess = access_file;
-  shim_->xFullPathname = full_path;
-  if (sqlite3_vfs_register(shim_.get(), 0) != SQLITE_OK) throw std::bad_alloc{};
-}
-
-PowerCutVfs::~PowerCutVfs() { sqlite3_vfs_unregister(shim_.get()); }
-
-void PowerCutVfs::know(const std::string& path) {
+int PowerCutVfs::at_opening(const char* path, int flags) {
   const std::lock_guard lock{mutex_};
-  if (!files_.contains(path)) files_[path].durable = content_of(path);
+  if (*path != '\0' && !files_.contains(path)) files_[path].durable = content_of(path);
+  return flags;
 }
 
-void PowerCutVfs::note(const std::string& path, Change change) {
-  const std::lock_guard lock{mutex_};
-  files_[path].unsynced.push_back(std::move(change));
+int PowerCutVfs::at_writing(const char* path, const void* bytes, int count, std::int64_t offset) {
+  if (before_write) before_write();
+  const auto* first = static_cast<const std::uint8_t*>(bytes);
+  note(path, {offset, Bytes(first, first + count)});
+  return SQLITE_OK;
 }
 
-void PowerCutVfs::note_sync(const std::string& path) {
+void PowerCutVfs::at_truncating(const char* path, std::int64_t size) { note(path, {size, {}}); }
+
+bool PowerCutVfs::at_syncing(const char* path) {
+  if (before_write) before_write();
   const std::lock_guard lock{mutex_};
   File& file = files_[path];
   for (const Change& change : file.unsynced) apply(change, file.durable);
   file.unsynced.clear();
+  // The real disk need not be waited for: this machine's power stays on.
+  return false;
 }
 
-void PowerCutVfs::note_removal(const std::string& path) {
+void PowerCutVfs::at_removing(const char* path) {
   const std::lock_guard lock{mutex_};
   files_.erase(path);
+}
+
+int PowerCutVfs::sector_bytes(int) const { return static_cast<int>(written_at_once_bytes); }
+int PowerCutVfs::characteristics(int) const { return 0; }
+
+void PowerCutVfs::note(const char* path, Change change) {
+  const std::lock_guard lock{mutex_};
+  files_[path].unsynced.push_back(std::move(change));
 }
 
 void PowerCutVfs::leave_after_power_cut(const std::filesystem::path& directory,

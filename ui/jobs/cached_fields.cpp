@@ -67,8 +67,8 @@ Digest key_of(const AttemptMaterial& material) {
 void keep(const AttemptMaterial& material, const std::filesystem::path& data_directory,
           const Digest& key, const OpenedFields& fields) {
   try {
-    database::keep_bytes(data_directory, kept_fields_name(material.header.id), key,
-                         bytes_of(fields));
+    database::store_cached(data_directory, kept_fields_name(material.header.id), key,
+                           bytes_of(fields));
   } catch (const database::DatabaseError& error) {
     if (!is_storage_failure(error.kind())) throw;
   }
@@ -112,7 +112,7 @@ OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::p
   const simulator::BladeSize& blade = material.scenario.blade.size;
   const RigidTransform& world_from_bone = material.bone.world_from_bone;
   if (const auto kept =
-          database::load_kept(data_directory, kept_fields_name(material.header.id), key)) {
+          database::load_cached(data_directory, kept_fields_name(material.header.id), key)) {
     std::optional<OpenedFields> fields = fields_from(*kept);
     if (fields && assessment::are_of(*fields, blade, world_from_bone, material.recording)) {
       report(progress, 1.0);

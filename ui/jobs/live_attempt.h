@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "database/desks/trainee_desk.h"
+#include "ui/jobs/attempt_controls.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
@@ -32,14 +33,15 @@ struct OperatingTable {
 /// errors  ScenarioError, MeshError; Cancelled
 OperatingTable lay_table(const scenarios::Scenario& scenario, const StageProgress& progress);
 
-/// What a trainee begins, at their own desk, with their own hand and the mouse.
+/// What a trainee begins, at their own desk and with their own hand.
 struct LiveBegin {
   database::ScenarioVersionId scenario;
   database::PersonId person;
   database::AttemptKind kind = database::AttemptKind::Practice;
   simulator::Guidance guidance = simulator::Guidance::None;
   std::string stereo_mode = "mono";
-  std::string device_class = "mouse";
+  /// As the device's description says it.
+  std::string device_class = {};
 };
 
 /// Stores the bone and begins the attempt.
@@ -47,21 +49,7 @@ struct LiveBegin {
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
                                  const LiveBegin& begin, const simulator::Bone& bone);
 
-/// What stopped recording or loop, as far as people can do something about it.
-enum class LiveFailure { None, DiskFull, MemoryFull, Other };
-
-/// How it ended.
-struct LiveEnd {
-  simulator::AttemptEnd end = simulator::AttemptEnd::Cancelled;
-  bool is_sealed = false;  ///< finished and whole: it can be scored
-  LiveFailure failure = LiveFailure::None;
-  std::string reason;          ///< of the failure, as the one who noticed it said it
-  std::filesystem::path file;  ///< that was recorded into
-  simulator::LoopStatistics loop;
-  database::RecorderStatistics recorder;
-};
-
-class LiveAttempt {
+class LiveAttempt final : public AttemptControls {
  public:
   /// Longer than this no attempt runs: the loop then ends it as finished.
   static constexpr std::int64_t ticks_at_most = 60 * 60 * 1000;
@@ -72,7 +60,7 @@ class LiveAttempt {
               database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device,
               simulator::Guidance guidance);
   /// Stops it where it still runs; what was recorded is committed.
-  ~LiveAttempt();
+  ~LiveAttempt() override;
   LiveAttempt(const LiveAttempt&) = delete;
   LiveAttempt& operator=(const LiveAttempt&) = delete;
 
@@ -82,21 +70,26 @@ class LiveAttempt {
   /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes nobody back.
   const std::optional<double>& force_scale() const noexcept { return force_scale_; }
 
-  // -- commands; thread  window
-  void pause() { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
-  void resume() { say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0}); }
-  void declare_done(std::int32_t step) { say({simulator::CommandKind::StepDone, step, 0}); }
-  void pick_up_freed() { say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0}); }
-  void close_hinge() { say({simulator::CommandKind::CloseHinge, 0, 0}); }
-  void finish() { say({simulator::CommandKind::Finish, 0, 0}); }
-  /// Kept as interrupted, never scored.
-  void abandon();
-
-  /// The recorder waits for room on the disk, while operating or while sealing.
-  /// thread  window
-  bool is_storage_full() const noexcept {
+  void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
+  void resume() override {
+    say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0});
+  }
+  void declare_done(std::int32_t step) override {
+    say({simulator::CommandKind::StepDone, step, 0});
+  }
+  void pick_up_freed() override {
+    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
+  }
+  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
+  void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
+  void abandon() override;
+  bool is_storage_full() const noexcept override {
     return channels_.storage_full.load(std::memory_order_relaxed);
   }
+  const LiveEnd* end() const noexcept override {
+    return is_over_.load(std::memory_order_acquire) ? &end_ : nullptr;
+  }
+
   const std::filesystem::path& directory() const noexcept { return directory_; }
   /// Of the database's log now.
   std::uintmax_t log_bytes() const noexcept;
@@ -106,12 +99,6 @@ class LiveAttempt {
   const simulator::LoopView& view() noexcept { return watch_.view.read(); }
   /// For the one thread that follows the bone.
   simulator::AttemptWatch& watch() noexcept { return watch_; }
-
-  /// Nothing while it runs or is being sealed.
-  /// thread  window
-  const LiveEnd* end() const noexcept {
-    return is_over_.load(std::memory_order_acquire) ? &end_ : nullptr;
-  }
 
  private:
   void say(const simulator::Command& command);

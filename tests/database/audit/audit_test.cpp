@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "database/audit/audit_page.h"
 #include "database/course/begin_attempt.h"
 #include "tests/database/some_database.h"
 

@@ -1,4 +1,5 @@
-/// What a trainee is told of the others: enough people, old figures until five have changed, and nobody to be made out.
+/// What a trainee is told of the others: enough people, old figures until five have changed, and
+/// nobody to be made out.
 #include "database/course/comparisons.h"
 
 #include <gtest/gtest.h>

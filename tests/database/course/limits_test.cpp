@@ -112,7 +112,8 @@ TEST_F(Limits, GiveTheLastOneToOneOfTwoWindows) {
         ++refused_now;
       }
     };
-    // Both are open before either begins: an opening would find the first one's attempt interrupted.
+    // Both are open before either begins: an opening would find the first one's attempt
+    // interrupted.
     Database one_window = database().open_again(), other_window = database().open_again();
     { const std::jthread one(begin, std::move(one_window)), other(begin, std::move(other_window)); }
     begun += begun_now;

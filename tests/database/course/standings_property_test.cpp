@@ -1,4 +1,5 @@
-/// How people stand is kept by triggers; here random courses are played, and counted once more by hand.
+/// How people stand is kept by triggers; here random courses are played, and counted once more by
+/// hand.
 #include "database/course/standings.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,5 +1,5 @@
-/// Walks the policy table: each action x role x relation is tried at a real desk on a real row. What the table allows must
-/// be done, all else be refused or not be offered at all.
+/// Walks the policy table: each action x role x relation is tried at a real desk on a real row.
+/// What the table allows must be done, all else be refused or not be offered at all.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ namespace {
 
 enum class Outcome { Done, Refused, NotOffered };
 
-/// Who owns the row that is tried: at each desk somebody else, and the trainee of a cohort is a stranger to all but its
-/// instructor.
+/// Who owns the row that is tried: at each desk somebody else, and the trainee of a cohort is a
+/// stranger to all but its instructor.
 struct Subject {
   std::string login;  ///< "" for the robot
   AttemptId attempt;
@@ -316,7 +316,8 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
   });
 }
 
-/// Of notices those told to the subject, and at an administrator's desk those told to all administrators.
+/// Of notices those told to the subject, and at an administrator's desk those told to all
+/// administrators.
 Outcome about_notices(Walk& world, TriedDesk& desk, const Subject& subject) {
   if (subject.login.empty()) return Outcome::NotOffered;
   const PersonId told = world.id_of(subject.login);

@@ -28,7 +28,8 @@ TEST(Policy, HasOneLineForEachAction) {
   }
 }
 
-/// Written down a second time and by hand: whoever changes the table changes this too, and says so in the commit.
+/// Written down a second time and by hand: whoever changes the table changes this too, and says so
+/// in the commit.
 TEST(Policy, IsThis) {
   constexpr std::array<std::array<const char*, role_count>, action_count> expected{{
       // house, trainee, instructor, administrator

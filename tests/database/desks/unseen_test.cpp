@@ -1,5 +1,5 @@
-/// What one may not see is as if it were not there: the same kind, the same words, the same rows written. Only the audit
-/// tells them apart.
+/// What one may not see is as if it were not there: the same kind, the same words, the same rows
+/// written. Only the audit tells them apart.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-/// Export and import, killed at moments spread over their course: what has its name is whole, and once more completes it.
+/// Export and import, killed at moments spread over their course: what has its name is whole, and
+/// once more completes it.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -45,7 +46,8 @@ void run_and_kill(const std::function<void()>& work, std::chrono::microseconds a
   EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0);
 }
 
-/// At moments spread over what one undisturbed run takes, each run in a place of its own, by number; `check` after each.
+/// At moments spread over what one undisturbed run takes, each run in a place of its own, by
+/// number; `check` after each.
 void kill_everywhere(const std::function<void(int)>& work, const std::function<void(int)>& check) {
   const auto begin = std::chrono::steady_clock::now();
   work(0);

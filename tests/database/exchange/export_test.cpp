@@ -8,7 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "database/exchange/manifest.h"
+#include "database/exchange/read_manifest.h"
+#include "database/exchange/write_manifest.h"
 #include "database/store/csv_text.h"
 #include "database/store/fresh_directory.h"
 #include "tests/database/some_exchange.h"

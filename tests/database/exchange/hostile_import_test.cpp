@@ -1,4 +1,5 @@
-/// Folders that nobody vouches for: each is refused with a sentence that names the place, and nothing is stored.
+/// Folders that nobody vouches for: each is refused with a sentence that names the place, and
+/// nothing is stored.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -190,7 +190,7 @@ TEST(Backup, IsSkippedWithAWordWhereTwiceItsSizeIsNotFree) {
   SomeCourse course;
   const fs::path folder = backups_of(course.database());
   EXPECT_EQ(kind_thrown([&] {
-              keep_backup(course.database(), folder, course.id_of("root"), {{}, 1000});
+              back_up_with_rotation(course.database(), folder, course.id_of("root"), {{}, 1000});
             }),
             DatabaseErrorKind::Full);
   EXPECT_TRUE(list_backups(folder).empty());
@@ -282,11 +282,11 @@ TEST(Rotation, RemovesBackupsAndLastWhatNoManifestNames) {
   const AttemptId attempt = course.recorded_by("ada");
   store_rotation(database, {1, 0, 0, 0});
   database.pretend_it_is("2026-03-01T14:25:07.000Z");
-  const Backup first = keep_backup(database, folder, {});
+  const Backup first = back_up_with_rotation(database, folder, {});
   erase_recording(database, attempt, std::nullopt);
   EXPECT_EQ(recording_count(folder), 1U);
   database.pretend_it_is("2026-03-02T14:25:07.000Z");
-  const Backup second = keep_backup(database, folder, {});
+  const Backup second = back_up_with_rotation(database, folder, {});
   ASSERT_EQ(list_backups(folder).size(), 1U);
   EXPECT_EQ(list_backups(folder).front().file, second.file);
   EXPECT_EQ(recording_count(folder), 0U);

@@ -1,4 +1,5 @@
-/// Files cut short and bits turned over: each damage of something sealed is named, and none makes the program fall.
+/// Files cut short and bits turned over: each damage of something sealed is named, and none makes
+/// the program fall.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -98,7 +99,8 @@ TEST_F(Damage, OfOneBitIsNamedWhereAnythingSealedHasIt) {
   for (int i = 0; i < flips; ++i) {
     Content damaged = whole();
     std::uint64_t at = random.bits() % damaged.size();
-    // Tables with few rows leave most of their page zero; three of four bits are in something that was written.
+    // Tables with few rows leave most of their page zero; three of four bits are in something that
+    // was written.
     while (i % 4 != 0 && damaged[at] == '\0') at = random.bits() % damaged.size();
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << (random.bits() % 8)));
     named += said_of(damaged).empty() ? 0 : 1;

@@ -63,8 +63,8 @@ class CourseWithZelda : public SomeCourse {
     EXPECT_THROW(trainee("ada").recording(attempt_), DatabaseError);
     instructor("kim", autumn()).decide({attempt_, DecisionKind::Overridden, 60'000, "zelda knows"});
     desk.reset(canary, cheap);
-    keep_bytes(database().directory(), attempt_.text + ".fields", Digest{},
-               std::as_bytes(std::span{"of a hand", 9}));
+    store_cached(database().directory(), attempt_.text + ".fields", Digest{},
+                 std::as_bytes(std::span{"of a hand", 9}));
   }
 
   PersonId id() const noexcept { return id_; }

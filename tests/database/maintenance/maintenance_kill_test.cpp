@@ -1,5 +1,5 @@
-/// Backup, restore, erasure and retention, killed at every report of their progress and at moments in between: nothing
-/// half is left, and once more completes it.
+/// Backup, restore, erasure and retention, killed at every report of their progress and at moments
+/// in between: nothing half is left, and once more completes it.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -28,7 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 using Progress = Progress;
 
-/// Runs `work` in a process of its own and kills it at that report, or after that time; true where it ended before.
+/// Runs `work` in a process of its own and kills it at that report, or after that time; true where
+/// it ended before.
 bool ended_before_kill(const std::function<void(const Progress&)>& work, int report,
                        std::chrono::microseconds after) {
   const pid_t child = ::fork();
@@ -54,7 +55,8 @@ bool ended_before_kill(const std::function<void(const Progress&)>& work, int rep
   return WIFEXITED(status);
 }
 
-/// At each report until one run ends by itself, then at 20 moments of its course; `check` after each kill.
+/// At each report until one run ends by itself, then at 20 moments of its course; `check` after
+/// each kill.
 void kill_everywhere(const std::function<void(const Progress&)>& work,
                      const std::function<void()>& check) {
   const auto begin = std::chrono::steady_clock::now();

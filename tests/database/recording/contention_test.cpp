@@ -1,4 +1,5 @@
-/// Several processes in one directory: nobody is told that it is locked, and nothing is lost when some of them are killed.
+/// Several processes in one directory: nobody is told that it is locked, and nothing is lost when
+/// some of them are killed.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ struct Written {
   int kills = 0;
 };
 
-/// Hears a child to its end, and kills it once it has acknowledged `kill_at`; false where it was killed.
+/// Hears a child to its end, and kills it once it has acknowledged `kill_at`; false where it was
+/// killed.
 bool let_write(KilledChild& child, std::int32_t kill_at, Written& written) {
   bool is_killed = false;
   while (const auto word = child.listen()) {

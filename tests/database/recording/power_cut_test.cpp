@@ -1,4 +1,5 @@
-/// Unsynced writes that are lost, torn or kept at random when the power goes: nothing acknowledged is missing afterwards.
+/// Unsynced writes that are lost, torn or kept at random when the power goes: nothing acknowledged
+/// is missing afterwards.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +46,8 @@ WindowRows rows_of(const simulator::Recording& recording, std::int64_t window) {
   return rows;
 }
 
-/// Records through the file system; before about one write in `rarity` its disk is copied as a cut would leave it.
+/// Records through the file system; before about one write in `rarity` its disk is copied as a cut
+/// would leave it.
 std::vector<CutDisk> cut_while_recording(const simulator::Recording& recording, double rarity) {
   const TemporaryDirectory temporary;
   tests::PowerCutVfs vfs{"power_cut"};

@@ -31,7 +31,8 @@ TEST(RecordingCost, OfAMinuteIsFewBytesASampleAndUnderOnePercentOfACore) {
             << 1000.0 * statistics.commit_s / static_cast<double>(statistics.commits)
             << " ms mean, " << 1000.0 * statistics.commit_max_s << " ms longest, read back "
             << 1000.0 * read_cpu_s << " ms of CPU a minute\n";
-  // Seven noisy integers a row cannot be kept in less than about one byte each, twice (tape and sample).
+  // Seven noisy integers a row cannot be kept in less than about one byte each, twice (tape and
+  // sample).
   EXPECT_LT(static_cast<double>(statistics.bytes) / samples, 40.0);
 #ifdef NDEBUG
   EXPECT_LT(statistics.cpu_s / recorded_s, 0.01);

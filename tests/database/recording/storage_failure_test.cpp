@@ -34,7 +34,8 @@ DatabaseErrorKind kind_of_opening(const std::filesystem::path& directory,
 TEST(StorageFailure, AFullDiskAtTheFirstOpeningIsSaidAndMended) {
   const TemporaryDirectory temporary;
   tests::FaultyVfs vfs{"full_at_first"};
-  // Wherever in making the file the space ends, the next opening with space finds or makes a whole one.
+  // Wherever in making the file the space ends, the next opening with space finds or makes a whole
+  // one.
   for (int writes = 0; writes < 12; ++writes) {
     vfs.fail_after(writes, SQLITE_FULL);
     EXPECT_EQ(kind_of_opening(temporary.data(), through(vfs)), DatabaseErrorKind::Full) << writes;

@@ -25,21 +25,21 @@ Digest key_of(std::uint8_t number) {
   return key;
 }
 
-TEST(KeptBytes, ComeBackAsTheyWereForTheSameKeyAlone) {
+TEST(CachedBytes, ComeBackAsTheyWereForTheSameKeyAlone) {
   const TemporaryDirectory temporary;
-  keep_bytes(temporary.data(), "a-1.fields", key_of(1), some_bytes(100000));
-  EXPECT_EQ(load_kept(temporary.data(), "a-1.fields", key_of(1)), some_bytes(100000));
-  EXPECT_FALSE(load_kept(temporary.data(), "a-1.fields", key_of(2)));
-  EXPECT_FALSE(load_kept(temporary.data(), "a-2.fields", key_of(1)));
-  keep_bytes(temporary.data(), "a-1.fields", key_of(2), some_bytes(5));
-  EXPECT_EQ(load_kept(temporary.data(), "a-1.fields", key_of(2)), some_bytes(5));
-  keep_bytes(temporary.data(), "none", key_of(2), {});
-  EXPECT_EQ(load_kept(temporary.data(), "none", key_of(2)), std::vector<std::byte>());
+  store_cached(temporary.data(), "a-1.fields", key_of(1), some_bytes(100000));
+  EXPECT_EQ(load_cached(temporary.data(), "a-1.fields", key_of(1)), some_bytes(100000));
+  EXPECT_FALSE(load_cached(temporary.data(), "a-1.fields", key_of(2)));
+  EXPECT_FALSE(load_cached(temporary.data(), "a-2.fields", key_of(1)));
+  store_cached(temporary.data(), "a-1.fields", key_of(2), some_bytes(5));
+  EXPECT_EQ(load_cached(temporary.data(), "a-1.fields", key_of(2)), some_bytes(5));
+  store_cached(temporary.data(), "none", key_of(2), {});
+  EXPECT_EQ(load_cached(temporary.data(), "none", key_of(2)), std::vector<std::byte>());
 }
 
-TEST(KeptBytes, ArePrivate) {
+TEST(CachedBytes, ArePrivate) {
   const TemporaryDirectory temporary;
-  keep_bytes(temporary.data(), "a", key_of(1), some_bytes(10));
+  store_cached(temporary.data(), "a", key_of(1), some_bytes(10));
   struct stat folder {
   }, file{};
   ASSERT_EQ(::stat((temporary.data() / "cache").c_str(), &folder), 0);
@@ -48,9 +48,9 @@ TEST(KeptBytes, ArePrivate) {
   EXPECT_EQ(file.st_mode & 0777U, 0600U);
 }
 
-TEST(KeptBytes, AreNothingWhereAByteDiffersOrIsMissing) {
+TEST(CachedBytes, AreNothingWhereAByteDiffersOrIsMissing) {
   const TemporaryDirectory temporary;
-  keep_bytes(temporary.data(), "a", key_of(1), some_bytes(3000, 31));
+  store_cached(temporary.data(), "a", key_of(1), some_bytes(3000, 31));
   const fs::path file = temporary.data() / "cache/a";
   const auto size = fs::file_size(file);
   for (std::uintmax_t at = 0; at < size; at += 13) {
@@ -61,48 +61,48 @@ TEST(KeptBytes, AreNothingWhereAByteDiffersOrIsMissing) {
       stream.seekp(static_cast<std::streamoff>(at));
       stream.put(static_cast<char>(byte ^ 0x10));
     }
-    const auto found = load_kept(temporary.data(), "a", key_of(1));
+    const auto found = load_cached(temporary.data(), "a", key_of(1));
     EXPECT_TRUE(!found || *found == some_bytes(3000, 31)) << at;
-    keep_bytes(temporary.data(), "a", key_of(1), some_bytes(3000, 31));
+    store_cached(temporary.data(), "a", key_of(1), some_bytes(3000, 31));
   }
   for (std::uintmax_t left = 0; left < size; left += 37) {
     fs::resize_file(file, left);
-    EXPECT_FALSE(load_kept(temporary.data(), "a", key_of(1))) << left;
-    keep_bytes(temporary.data(), "a", key_of(1), some_bytes(3000, 31));
+    EXPECT_FALSE(load_cached(temporary.data(), "a", key_of(1))) << left;
+    store_cached(temporary.data(), "a", key_of(1), some_bytes(3000, 31));
   }
 }
 
-TEST(KeptBytes, TheOldestGoWhereThereAreTooMany) {
+TEST(CachedBytes, TheOldestGoWhereThereAreTooMany) {
   const TemporaryDirectory temporary;
   const auto now = fs::file_time_type::clock::now();
   std::int64_t one = 0;
   for (int i = 0; i < 4; ++i) {
     const std::string name = "f" + std::to_string(i);
-    keep_bytes(temporary.data(), name, key_of(1), some_bytes(4000, 113));
+    store_cached(temporary.data(), name, key_of(1), some_bytes(4000, 113));
     one = static_cast<std::int64_t>(fs::file_size(temporary.data() / "cache" / name));
     fs::last_write_time(temporary.data() / "cache" / name, now - std::chrono::hours(10 - i));
   }
-  keep_bytes(temporary.data(), "new", key_of(1), some_bytes(4000, 113), 3 * one);
-  EXPECT_FALSE(load_kept(temporary.data(), "f0", key_of(1)));
-  EXPECT_FALSE(load_kept(temporary.data(), "f1", key_of(1)));
-  EXPECT_TRUE(load_kept(temporary.data(), "f2", key_of(1)));
-  EXPECT_TRUE(load_kept(temporary.data(), "new", key_of(1)));
+  store_cached(temporary.data(), "new", key_of(1), some_bytes(4000, 113), 3 * one);
+  EXPECT_FALSE(load_cached(temporary.data(), "f0", key_of(1)));
+  EXPECT_FALSE(load_cached(temporary.data(), "f1", key_of(1)));
+  EXPECT_TRUE(load_cached(temporary.data(), "f2", key_of(1)));
+  EXPECT_TRUE(load_cached(temporary.data(), "new", key_of(1)));
 }
 
-TEST(KeptBytes, AreDroppedWithTheirRecording) {
+TEST(CachedBytes, AreDroppedWithTheirRecording) {
   const TemporaryDirectory temporary;
-  keep_bytes(temporary.data(), "a", key_of(1), some_bytes(10));
-  drop_kept(temporary.data(), "a");
-  EXPECT_FALSE(load_kept(temporary.data(), "a", key_of(1)));
-  drop_kept(temporary.data(), "a");
+  store_cached(temporary.data(), "a", key_of(1), some_bytes(10));
+  drop_cached(temporary.data(), "a");
+  EXPECT_FALSE(load_cached(temporary.data(), "a", key_of(1)));
+  drop_cached(temporary.data(), "a");
 }
 
-TEST(KeptBytes, WhereTheFolderCannotBeTheReasonIsSaid) {
+TEST(CachedBytes, WhereTheFolderCannotBeTheReasonIsSaid) {
   const TemporaryDirectory temporary;
   fs::create_directories(temporary.data());
   std::ofstream(temporary.data() / "cache") << "a file";
-  EXPECT_THROW(keep_bytes(temporary.data(), "a", key_of(1), some_bytes(10)), DatabaseError);
-  EXPECT_FALSE(load_kept(temporary.data(), "a", key_of(1)));
+  EXPECT_THROW(store_cached(temporary.data(), "a", key_of(1), some_bytes(10)), DatabaseError);
+  EXPECT_FALSE(load_cached(temporary.data(), "a", key_of(1)));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-/// Old databases, stored as the program of their time wrote them, are opened by the program of today.
+/// Old databases, stored as the program of their time wrote them, are opened by the program of
+/// today.
 #include "database/store/migrations.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>

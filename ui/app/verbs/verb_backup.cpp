@@ -26,7 +26,7 @@ template <typename Work>
 ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
   database::Database database = open_kept(context);
   if (context.login.empty()) {
-    if (auto open = database::OpenKeeping::enter(database)) return work(*open);
+    if (auto open = database::OpenMaintenance::enter(database)) return work(*open);
   }
   AdministratorVisit administrator = visit_administrator(context, database, task);
   return work(administrator.desk);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "simulator/device/mouse.h"
 #include "ui/screens/instructor/attempts_screen.h"
 #include "ui/screens/instructor/trainee_screen.h"
 #include "ui/screens/operating/operating_screen.h"
@@ -104,7 +105,11 @@ void Course::brief(database::ScenarioVersionId scenario) {
 }
 void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
                      simulator::Guidance guidance) {
-  shell_.push(std::make_unique<OperatingScreen>(visit_, *this, scenario, kind, guidance));
+  shell_.push(std::make_unique<OperatingScreen>(
+      visit_, *this, OperationChoice{scenario, kind, guidance},
+      [](const RigidTransform& world_from_start) {
+        return std::make_unique<simulator::MouseDevice>(world_from_start);
+      }));
 }
 void Course::show_result(const database::AttemptId& attempt) {
   shell_.push(std::make_unique<ResultScreen>(visit_, *this, attempt));

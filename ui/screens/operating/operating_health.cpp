@@ -12,6 +12,8 @@ namespace {
 using simulator::ForceLimit;
 
 constexpr double shown_for_s = 1.0;
+/// Of the loop and of its rings, beyond which people are told.
+constexpr double late_limit_us = 2000.0, ring_limit = 0.5;
 
 constexpr std::array<std::pair<ForceLimit, std::string_view>, 7> limit_words{{
     {ForceLimit::Stopped, "limit.stopped"},
@@ -37,6 +39,14 @@ OperatingHealth health_of(const simulator::LoopView& view, std::optional<double>
   if (force_scale)
     health.arm = ArmHealth{*force_scale, glm::length(view.device_force_newton), recent_limits};
   return health;
+}
+
+std::string_view trouble_of(const simulator::LoopView& view, bool has_lost_picture) noexcept {
+  if (has(view.sample.status, simulator::ToolStatus::Faulted)) return "operate.trouble.device";
+  if (has_lost_picture) return "operate.trouble.picture";
+  if (view.ring_share > ring_limit) return "operate.trouble.disk";
+  if (view.late_us <= late_limit_us) return {};
+  return view.has_priority ? "operate.trouble.busy" : "operate.trouble.priority";
 }
 
 void RecentLimits::see(std::uint32_t limits, double now_s) noexcept {

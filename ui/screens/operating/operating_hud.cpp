@@ -19,7 +19,8 @@ namespace {
 constexpr float bar_height = 44.0F, panel_height = 92.0F, gap = 16.0F;
 constexpr float pad = 20.0F, badge_room = 112.0F;
 constexpr float health_width = 280.0F, health_row = 24.0F, health_edge = 12.0F;
-/// Bands that colour the force; source  docs/haptics.md (usual pushes are 8 to 20 N), not surgeon-reviewed
+/// Bands that colour the force; source  docs/haptics.md (usual pushes are 8 to 20 N), not
+/// surgeon-reviewed
 constexpr double high_force_newton = 15.0, force_scale_newton = 30.0;
 constexpr double reading_scale_degree = 8.0, reading_band_degree = 2.0;
 constexpr double distance_scale_mm = 4.0, distance_band_mm = 0.5;
@@ -38,7 +39,8 @@ struct Hud {
 
   const Theme& theme() const { return ui.theme(); }
   Canvas& canvas() const { return ui.canvas(); }
-  /// Over it the pointer is a pointer: the saw stays where it is. `name` is a text of the catalogue.
+  /// Over it the pointer is a pointer: the saw stays where it is. `name` is a text of the
+  /// catalogue.
   void panel(const char* name, const Rect& rect, float corner = radius::picture) const {
     ui.area(name, ui.text(name), rect);
     draw_hud_panel(canvas(), theme(), rect, corner);
@@ -124,7 +126,8 @@ float draw_step(Hud& in, Point at, std::size_t step, bool has_title) {
   return width;
 }
 
-/// The steps between mode and state, or below them where there is no room; with the button of the step at hand.
+/// The steps between mode and state, or below them where there is no room; with the button of the
+/// step at hand.
 void draw_steps(Hud& in, float left_used, float right_used) {
   if (in.hud.steps.empty()) return;
   ButtonSpec done{in.hud.step_action, ButtonLook::Primary, Icon::None, in.hud.is_step_ready};
@@ -164,7 +167,8 @@ void draw_steps(Hud& in, float left_used, float right_used) {
   in.answer.step = button(in.ui, "operate.step", place, done);
 }
 
-/// The hottest bone at the right of the line, with a sign from where bone suffers. Returns the width that it takes.
+/// The hottest bone at the right of the line, with a sign from where bone suffers. Returns the
+/// width that it takes.
 float draw_heat(Hud& in, const Rect& line) {
   if (!in.hud.bone_celsius) return 0.0F;
   const bool is_hot = *in.hud.bone_celsius > simulator::hot_celsius;

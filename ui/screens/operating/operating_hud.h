@@ -1,7 +1,8 @@
-/// The panels over the picture of an operation: mode and time, steps, tool, force, how the blade stands to the plan, health.
+/// The panels over the picture of an operation: mode and time, steps, tool, force, how the blade
+/// stands to the plan, health.
 ///
-/// All of it lies within an inset of 6 %, and the middle stays free. What does not fit a small window goes in this order:
-/// the reading of the plan, the tool, the titles of steps.
+/// All of it lies within an inset of 6 %, and the middle stays free. What does not fit a small
+/// window goes in this order: the reading of the plan, the tool, the titles of steps.
 #pragma once
 
 #include <optional>
@@ -21,17 +22,23 @@ struct OperatingHud {
   bool is_practice = true, is_paused = false, is_reviewed = false, is_simulated = false;
   std::int64_t tick = 0;
   std::vector<std::string> steps;
-  std::size_t step = 0;          ///< at which one is
-  std::string_view step_action;  ///< what its button says; "" for none
-  bool is_step_busy = false;     ///< it was pressed, and its work is under way
+  /// At which one is.
+  std::size_t step = 0;
+  /// What its button says; "" for none.
+  std::string_view step_action;
+  /// It was pressed, and its work is under way.
+  bool is_step_busy = false;
   bool is_step_ready = true;
-  std::string_view saw;  ///< name of the blade
+  /// Name of the blade.
+  std::string_view saw;
   double blade_width_mm = 0.0, blade_thickness_mm = 0.0;
   long cycles_per_minute = 0;
   bool is_saw_on = false, is_irrigated = false, is_cutting = false;
   double force_newton = 0.0;
-  std::optional<double> bone_celsius;  ///< of the hottest bone, where it is told while operating
-  std::optional<Point> tip;            ///< of the blade, on the window
+  /// Of the hottest bone, where it is told while operating.
+  std::optional<double> bone_celsius;
+  /// Of the blade, on the window.
+  std::optional<Point> tip;
   std::optional<PlanReading> reading;
   OperatingHealth health;
   bool is_health_open = false;

@@ -1,66 +1,71 @@
+// Operating, drawn: each frame hears the person, asks the session what is so, and draws that.
+//
+//     keys, pointer --> session (what happens) --> viewport, panels, cards (what is seen)
+//
+// The order within a frame is the meaning: first what takes the hands off the saw, then keys, then
+// the way of the saw, then what came back from the loop; only then the picture, so that no frame
+// shows a saw that runs after it was stopped.
 #include "ui/screens/operating/operating_screen.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
-#include "database/store/assets.h"
 #include "scenarios/planned_guide.h"
-#include "simulator/base/units.h"
-#include "simulator/record/sample_force.h"
-#include "ui/render/scene_painter.h"
-#include "ui/screens/operating/operation_work.h"
+#include "ui/screens/operating/hud_facts.h"
+#include "ui/screens/operating/operating_cards.h"
 #include "ui/widgets/controls/card.h"
-#include "ui/widgets/controls/menu.h"
-#include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
 
 namespace {
 
-using database::AttemptKind;
 using scenarios::StepKind;
-using simulator::Switch;
-using simulator::ToolStatus;
 
-constexpr double reach_mm = 90.0;  ///< from the site, that the saw may be led
 constexpr double soon_s = 0.05;
-constexpr Vec2 plane_half_mm{16.0, 13.0};
-/// Of the loop, beyond which people are told.
-constexpr double late_limit_us = 2000.0;
+/// How soon the screen notices that there is room on the disk again.
+constexpr double look_again_s = 0.2;
 
-constexpr std::array<const char*, standard_view_count> view_names{
-    "operate.key.view.1", "operate.key.view.2", "operate.key.view.3", "operate.key.view.4",
-    "operate.key.view.5", "operate.key.view.6", "operate.key.view.7", "operate.key.view.8"};
+std::string text_in(const Ui& ui, std::string_view id) { return std::string(ui.text(id)); }
 
-std::uint32_t bit(Switch value) noexcept { return static_cast<std::uint32_t>(value); }
+const char* name_of(StereoMode mode) {
+  switch (mode) {
+    case StereoMode::Mono:
+      return "mono";
+    case StereoMode::SideBySide:
+      return "side_by_side";
+    case StereoMode::Anaglyph:
+      break;
+  }
+  return "anaglyph";
+}
+
+std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& steps) {
+  std::vector<StepKind> kinds;
+  for (const scenarios::OperationStep& step : steps) kinds.push_back(step.kind);
+  return kinds;
+}
 
 }  // namespace
 
 OperatingScreen::OperatingScreen(std::shared_ptr<Visit> visit, Places& places,
-                                 database::ScenarioVersionId scenario, AttemptKind kind,
-                                 simulator::Guidance guidance)
+                                 const OperationChoice& choice, LendDevice lend_device)
     : visit_(std::move(visit)),
       places_(places),
-      scenario_(scenario),
-      kind_(kind),
-      guidance_(guidance) {}
+      choice_(choice),
+      lend_device_(std::move(lend_device)),
+      session_(choice.kind) {}
 
-OperatingScreen::~OperatingScreen() {
-  bone_.reset();
-  begun_.reset();
-}
-
-void OperatingScreen::leave(Shell& /*shell*/) {
-  if (phase_ != Phase::Operating || is_paused_) return;
-  set_paused(true);
-  paused_by_ = "operate.paused.locked";
+std::string_view OperatingScreen::why_not_leave() const {
+  const auto staying = session_.staying();
+  if (texts_ == nullptr || staying == OperatingSession::Staying::No) return {};
+  return texts_->text(staying == OperatingSession::Staying::WhileScored ? "operate.stay.scoring"
+                                                                        : "operate.stay");
 }
 
 void OperatingScreen::draw(Ui& ui, const Rect& /*content*/, Shell& shell) {
-  sight_.display = ui.display();
-  switch (phase_) {
+  texts_ = &ui.texts();
+  viewport_.set_display(ui.display());
+  switch (session_.phase()) {
     case Phase::Preparing:
       prepare(ui, shell);
       break;
@@ -78,7 +83,7 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
   ui.canvas().fill(ui.display(), ui.theme().page);
   if (prepared_.is_new()) {
     prepared_.start(ui, shell, ui.text("operate.preparing"),
-                    [visit = visit_, scenario = scenario_](WorkReport& report) {
+                    [visit = visit_, scenario = choice_.scenario](WorkReport& report) {
                       return prepare_operation(*visit, scenario, report);
                     });
   }
@@ -86,158 +91,64 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
       card(ui, centred(ui.display(), std::min(520.0F, ui.display().w - 32.0F), 300.0F),
            ui.text("operate.preparing"));
   if (!prepared_.draw_until_ready(ui, "operate.unprepared", inside, 4)) return;
-  const OperatingTable& table = *prepared_.value().table;
-  world_from_target_ = start_pose(table);
-  sight_.camera = start_camera(table);
-  phase_ = Phase::Ready;
+  viewport_.face(table());
+  session_.lay(kinds_of(table().scenario.steps),
+               LedSaw(start_pose(table()), start_camera(table()).target_mm));
   ui.want_frame_in_s(0.0);
 }
 
-void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
-  const OperatingTable& table = *prepared_.value().table;
-  const float width = std::min(520.0F, ui.display().w - 32.0F);
-  const std::string_view words =
-      ui.text(is_practice() ? "operate.ready.practice" : "operate.ready.assessment");
-  const float words_height = ui.paragraph_height(Type::Body, words, width - 2.0F * space::card);
-  // Below, where the panels will be: the bone stays in sight.
-  const float height = 64.0F + words_height + 24.0F + button_height + 24.0F;
-  const Rect display = ui.display();
-  const float above = std::max(display.bottom() - height - hud_inset_share * display.h, 0.0F);
-  const Rect rect{display.mid_x() - 0.5F * width, above, width, height};
-  const Rect inside = card(ui, rect, table.scenario.title);
-  ui.canvas().paragraph({inside.x, inside.y, inside.w, words_height},
-                        {Type::Body, ui.theme().text_secondary}, words);
-  ButtonSpec start{ui.text("operate.begin"), ButtonLook::Primary, Icon::Play};
-  start.is_busy = phase_ == Phase::Beginning;
-  const ButtonSpec back{ui.text("operate.back"), ButtonLook::Ghost};
-  const float start_width = button_width(ui, start), back_width = button_width(ui, back);
-  const float y = inside.bottom() - button_height;
-  if (button(ui, "operate.begin", {inside.right() - start_width, y, start_width, button_height},
-             start))
-    begin(ui, shell);
-  if (phase_ == Phase::Ready &&
-      button(ui, "operate.back",
-             {inside.right() - start_width - back_width - 12.0F, y, back_width, button_height},
-             back))
-    shell.pop();
+LiveBegin OperatingScreen::what_to_begin() const {
+  LiveBegin what;
+  what.scenario = choice_.scenario;
+  what.person = visit_->person().id;
+  what.kind = choice_.kind;
+  what.guidance = choice_.guidance;
+  what.stereo_mode = name_of(viewport_.stereo_mode());
+  return what;
 }
 
 void OperatingScreen::begin(Ui& ui, Shell& shell) {
-  if (phase_ != Phase::Ready) return;
-  phase_ = Phase::Beginning;
-  why_not_leave_ = ui.text("operate.stay");
-  auto begun = std::make_shared<Begun>();
-  LiveBegin what;
-  what.scenario = scenario_;
-  what.person = visit_->person().id;
-  what.kind = kind_;
-  what.guidance = guidance_;
-  what.stereo_mode = stereo_.mode == StereoMode::Mono         ? "mono"
-                     : stereo_.mode == StereoMode::SideBySide ? "side_by_side"
-                                                              : "anaglyph";
+  if (!session_.begin()) return;
+  auto begun = std::make_shared<Running>();
   work_.start(
-      shell, std::string(ui.text("operate.beginning")),
-      [visit = visit_, table = prepared_.value().table, start = world_from_target_, what,
-       begun](WorkReport&) {
-        auto mouse = std::make_unique<simulator::MouseDevice>(start);
-        begun->mouse = mouse.get();
-        begun->live = begin_operation(*visit, table, what, std::move(mouse));
+      shell, text_in(ui, "operate.beginning"),
+      [visit = visit_, table = prepared_.value().table, what = what_to_begin(),
+       start = session_.saw().world_from_target(), lend = lend_device_, begun](WorkReport&) {
+        std::unique_ptr<simulator::SteeredDevice> device = lend(start);
+        begun->device = device.get();
+        begun->live = begin_operation(*visit, table, what, std::move(device));
       },
       [this, begun](WorkEnd end, const std::string& reason) {
-        if (end != WorkEnd::Done) {
-          why_not_leave_.clear();
-          stopped_ = sentence_of(reason);
-          phase_ = end == WorkEnd::Cancelled ? Phase::Ready : Phase::Stopped;
-          return;
-        }
-        begun_ = begun;
-        bone_ = std::make_unique<BoneBeingCut>(*begun_->live, std::move(prepared_.value().picture));
-        phase_ = Phase::Operating;
+        if (end == WorkEnd::Cancelled) return session_.take_back();
+        if (end == WorkEnd::Failed) return session_.fail_to_begin(reason);
+        running_ = std::make_unique<Running>(std::move(*begun));
+        running_->bone =
+            std::make_unique<BoneBeingCut>(*running_->live, std::move(prepared_.value().picture));
+        session_.run(*running_->live, *running_->device);
       });
-}
-
-void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
-  ui.canvas().fill(ui.display(), ui.theme().page);
-  const std::string why = stopped_ + (begun_ ? " " + std::string(ui.text("operate.kept")) : "");
-  const float width = std::min(560.0F, ui.display().w - 32.0F);
-  const float height = 250.0F + ui.paragraph_height(Type::Small, why, width - 2.0F * space::card);
-  Rect inside = card(ui, centred(ui.display(), width, height), {});
-  if (begun_) {
-    const ButtonSpec see{ui.text("operate.see_kept"), ButtonLook::Ghost, Icon::Eye};
-    const float see_width = button_width(ui, see);
-    inside.h -= button_height;
-    if (button(ui, "operate.see_kept",
-               {inside.mid_x() - 0.5F * see_width, inside.bottom(), see_width, button_height}, see))
-      return lead_on(shell, Onward::Replay);
-  }
-  if (failed_card(ui, "operate.stopped", inside,
-                  {ui.text("operate.stopped"), why, ui.text("operate.back")}))
-    shell.pop();
 }
 
 // -- while it runs
 
 void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
   const AreaResponse area = ui.area("operate.view", ui.text("operate.view"), ui.display());
-  const bool is_open = asking_ == Asking::Nothing && phase_ < Phase::Sealing;
-  if (is_open) look(ui, area);
-  if (is_open && phase_ == Phase::Operating && !is_paused_) {
-    if (const char* why = what_took_the_hands(ui)) {
-      set_paused(true);
-      paused_by_ = why;
-    }
-  }
-  if (is_open && phase_ == Phase::Operating) hear_keys(ui, shell);
-  if (is_open && phase_ == Phase::Operating && !is_paused_) {
+  if (session_.is_open()) viewport_.look(ui, area, table());
+  hear_hands(ui, area, shell);
+  if (running_) follow_loop(ui, shell);
+  show_scene(ui, shell);
+  draw_cards(ui, shell);
+  if (running_) follow_end(ui, shell);
+}
+
+void OperatingScreen::hear_hands(Ui& ui, const AreaResponse& area, Shell& shell) {
+  session_.watch({ui.has_lost_keys(), ui.has_pointer_left() && viewport_.is_led_by_pointer(),
+                  reachable_layer(ui.shown()) > Layer::Page},
+                 ui.time_s());
+  if (session_.is_heard()) hear_keys(ui, shell);
+  if (session_.is_led()) {
     steer(ui, area);
   } else {
-    steering_.let_go();
-  }
-  if (phase_ == Phase::Operating || phase_ == Phase::Sealing) follow_events(ui, shell);
-  follow_storage(ui);
-  show_scene(ui, shell);
-  if (phase_ == Phase::Ready || phase_ == Phase::Beginning) {
-    draw_ready(ui, shell);
-  } else if (phase_ == Phase::Operating) {
-    if (is_hud_shown_) draw_hud(ui, shell);
-    if (asking_ == Asking::Nothing) {
-      if (is_storage_full_) {
-        draw_storage_full(ui);
-      } else if (is_paused_) {
-        draw_paused(ui);
-      }
-    }
-    draw_question(ui);
-  } else if (phase_ == Phase::Sealing) {
-    if (is_storage_full_) {
-      draw_storage_full(ui);
-    } else {
-      draw_sealing(ui);
-    }
-  }
-  if (begun_) follow_end(ui, shell);
-}
-
-void OperatingScreen::look(Ui& ui, const AreaResponse& area) {
-  sight_.camera = steering_.looked(area, ui.modifiers(), sight_);
-  hear_views(ui);
-  if (ui.shortcut({Key::F9}, ui.text("operate.key.stereo"))) {
-    stereo_.mode = static_cast<StereoMode>((static_cast<int>(stereo_.mode) + 1) % 3);
-  }
-  if (ui.shortcut(with_shift(Key::F9), ui.text("operate.key.swap"))) {
-    stereo_.is_swapped = !stereo_.is_swapped;
-  }
-}
-
-void OperatingScreen::hear_views(Ui& ui) {
-  for (int view = 0; view < standard_view_count; ++view) {
-    const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
-    if (ui.shortcut({key}, ui.text(view_names[static_cast<std::size_t>(view)]))) {
-      sight_.camera = standard_view(sight_.camera, static_cast<StandardView>(view));
-    }
-  }
-  if (ui.shortcut({Key::R}, ui.text("operate.key.reset"))) {
-    sight_.camera = start_camera(*prepared_.value().table);
+    viewport_.let_go();
   }
 }
 
@@ -249,205 +160,201 @@ void OperatingScreen::hear_keys(Ui& ui, Shell& shell) {
   const auto heard = [&](Key key, const char* id) { return pressed({key}, id); };
   // The saw also answers while Shift slows the hand down.
   if (heard(Key::Space, "operate.key.saw") || pressed(with_shift(Key::Space), "operate.key.saw"))
-    is_saw_on_ = !is_saw_on_ && !is_paused_;
-  if (heard(Key::I, "operate.key.irrigation")) is_irrigated_ = !is_irrigated_;
-  if (is_practice() && heard(Key::G, "operate.key.plane")) is_plane_shown_ = !is_plane_shown_;
-  if (heard(Key::H, "operate.key.hud")) is_hud_shown_ = !is_hud_shown_;
+    session_.set_saw_on(!session_.saw().is_on());
+  if (heard(Key::I, "operate.key.irrigation"))
+    session_.set_irrigated(!session_.saw().is_irrigated());
+  if (session_.is_practice() && heard(Key::G, "operate.key.plane"))
+    panels_.is_plane_shown = !panels_.is_plane_shown;
+  if (heard(Key::H, "operate.key.hud")) panels_.are_shown = !panels_.are_shown;
   bool& is_saw_heard = shell.preferences().is_saw_heard;
   if (heard(Key::M, "operate.key.sound")) is_saw_heard = !is_saw_heard;
-  if (heard(Key::P, "operate.key.pause")) set_paused(!is_paused_);
-  if (heard(Key::End, "operate.key.finish")) ask(Asking::Finish);
+  if (heard(Key::P, "operate.key.pause")) session_.toggle_pause();
+  if (heard(Key::End, "operate.key.finish")) session_.ask(Asked::Finish);
 }
 
 void OperatingScreen::steer(Ui& ui, const AreaResponse& area) {
-  const OperatingTable& table = *prepared_.value().table;
-  for (const simulator::PointerMotion& motion :
-       {steering_.motion(area, ui.modifiers(), sight_, world_from_target_.translation_mm),
-        steering_.motion_by_keys(ui)}) {
-    world_from_target_ = steered(world_from_target_, sight_.camera.world_from_view, motion);
-  }
-  world_from_target_ =
-      simulator::kept_within(world_from_target_, start_camera(table).target_mm, reach_mm);
-  const std::uint32_t switches =
-      (is_saw_on_ ? bit(Switch::SawRuns) : 0U) | (is_irrigated_ ? bit(Switch::Irrigates) : 0U);
-  begun_->mouse->aim(world_from_target_, switches);
-  steered_s_ = ui.time_s();
+  session_.lead(viewport_.motions(ui, area, session_.saw().world_from_target().translation_mm),
+                viewport_.world_from_view(), ui.time_s());
   if (area.is_hovered) ui.hide_pointer();
 }
 
-// -- the picture
+/// What came back from the loop and its recorder since the last frame.
+void OperatingScreen::follow_loop(Ui& ui, Shell& shell) {
+  running_->loop = running_->live->view();
+  if (session_.phase() != Phase::Operating && session_.phase() != Phase::Sealing) return;
+  tell(ui, shell, session_.follow(running_->bone->take_events(), ui.time_s()));
+  if (session_.follow_storage()) ui.want_frame_in_s(0.0);
+  if (session_.pausing().is_storage_full()) ui.want_frame_in_s(look_again_s);
+}
+
+void OperatingScreen::tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const {
+  for (const StepNotice notice : notices) {
+    const auto [title, detail] = words_of(notice);
+    shell.say({Meaning::Info, text_in(ui, title), text_in(ui, detail)});
+  }
+}
 
 void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
-  const double now_s = ui.time_s();
-  const double step_ms = 1000.0 * (now_s - std::exchange(last_s_, now_s));
-  frame_ms_ = std::max(step_ms, 0.9 * frame_ms_);
-  if (begun_ && begun_->live->view().lines > 0) {
-    last_sample_ = begun_->live->view().sample;
-    has_sample_ = true;
-  }
-  if (!is_paused_) let_chips_fly(step_ms / 1000.0);
   sound_the_saw(shell);
-  shell.scenes().draw_behind(scene(ui), sight_.camera, stereo_);
-  if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
-  triangles_ = shell.scenes().triangles();
-  ++pictures_;
-  const bool is_running = phase_ == Phase::Operating && asking_ == Asking::Nothing && !is_paused_;
-  if (is_running || shell.scenes().is_coarse()) {
+  const bool is_paused = session_.pausing().is_paused();
+  const bool has_stepped = running_ && running_->loop.lines > 0;
+  BoneBeingCut* bone = running_ ? running_->bone.get() : nullptr;
+  viewport_.draw(ui, shell.scenes(),
+                 {.table = table(),
+                  .whole = prepared_.value().picture,
+                  .bone = bone,
+                  .loop = has_stepped ? &running_->loop : nullptr,
+                  .world_from_target = session_.saw().world_from_target(),
+                  .cut = shown_cut(),
+                  .is_paused = is_paused,
+                  .is_irrigated = session_.saw().is_irrigated()});
+  if (session_.is_led() || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
-  } else if (phase_ != Phase::Ready && (!bone_ || !bone_->is_up_to_date() || !is_paused_)) {
+  } else if (session_.phase() != Phase::Ready &&
+             (bone == nullptr || !bone->is_up_to_date() || !is_paused)) {
     ui.want_frame_in_s(soon_s);
   }
 }
 
-void OperatingScreen::let_chips_fly(double step_s) {
-  if (!begun_) return;
-  const simulator::LoopView& view = begun_->live->view();
-  std::optional<SwarfSource> source;
-  if (has(view.sample.status, ToolStatus::Cutting)) {
-    const scenarios::Scenario& scenario = prepared_.value().table->scenario;
-    const auto& blade = scenario.blade;
-    source.emplace();
-    source->world_from_tool = transform_from(view.sample.world_from_tool);
-    source->width_mm = blade.size.width_mm;
-    const double rate_mm_s = simulator::feed_rate_mm_s(
-        view.engaged, simulator::force_size_newton(view.sample),
-        blade.cycles_per_minute * blade.sharpness, scenario.patient.bone_quality);
-    source->removed_mm3_s = rate_mm_s * view.engaged.width_mm() * blade.size.kerf_mm;
-    source->is_irrigated = is_irrigated_;
-  }
-  swarf_.advance(step_s, source);
-}
-
 /// Off by its key, while paused, and after the operation: then the player is told silence.
 void OperatingScreen::sound_the_saw(Shell& shell) {
-  if (!begun_) return;
-  const bool is_heard = shell.preferences().is_saw_heard && phase_ == Phase::Operating;
-  if (is_heard && player_ == nullptr) player_ = std::make_unique<SawPlayer>();
-  if (player_ == nullptr) return;
-  const simulator::LoopView& view = begun_->live->view();
-  SawTone tone = saw_tone(view.sample, view.engaged,
-                          prepared_.value().table->scenario.blade.cycles_per_minute);
-  tone.runs = tone.runs && is_heard && !is_paused_;
-  player_->play(tone);
+  if (!running_) return;
+  const bool is_heard = shell.preferences().is_saw_heard && session_.phase() == Phase::Operating;
+  if (is_heard && running_->player == nullptr) running_->player = std::make_unique<SawPlayer>();
+  if (running_->player == nullptr) return;
+  SawTone tone = saw_tone(running_->loop.sample, running_->loop.engaged,
+                          table().scenario.blade.cycles_per_minute);
+  tone.runs = tone.runs && is_heard && !session_.pausing().is_paused();
+  running_->player->play(tone);
 }
 
-Scene OperatingScreen::scene(Ui& ui) {
-  const OperatingTable& table = *prepared_.value().table;
-  Scene scene;
-  scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
-  if (bone_) {
-    bone_->add_to(scene);
-  } else {
-    BoneInScene whole;
-    whole.mesh = prepared_.value().picture.mesh.get();
-    whole.look = &prepared_.value().picture.look;
-    whole.world_from_bone = table.bone.world_from_bone;
-    scene.bones.push_back(whole);
-  }
-  const simulator::BladeSize& blade = table.scenario.blade.size;
-  SawInScene saw;
-  saw.world_from_tool =
-      has_sample_ ? transform_from(last_sample_.world_from_tool) : world_from_target_;
-  saw.blade = blade;
-  saw.thickness_mm = table.scenario.blade.thickness_mm;
-  saw.is_running = has(last_sample_.status, ToolStatus::SawOn) && !is_paused_;
-  // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
-  saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
-  scene.saw = saw;
-  scene.lines.push_back({saw.world_from_tool, 0.5 * blade.width_mm + 1.0});
-  scene.chips = swarf_.chips();
-  const scenarios::PlannedCut* cut = planned_cut();
-  if (cut != nullptr && is_plane_shown_) {
-    scene.planes.push_back(
-        {table.bone.world_from_bone * bone_from_face(*cut), plane_half_mm, Ink::Reference});
-  }
-  return scene;
-}
-
-/// The cut that the step at hand asks for, in practice only.
-const scenarios::PlannedCut* OperatingScreen::planned_cut() const {
-  const OperatingTable& table = *prepared_.value().table;
-  return is_practice() ? cut_at_step(table.scenario, table.plan, step_) : nullptr;
-}
-
-std::optional<PlanReading> OperatingScreen::plan_reading() const {
-  const scenarios::PlannedCut* cut = planned_cut();
-  if (cut == nullptr || !is_plane_shown_) return std::nullopt;
-  const OperatingTable& table = *prepared_.value().table;
-  return read_against(
-      *cut, table.scenario.blade.size,
-      inverse(table.bone.world_from_bone) * transform_from(last_sample_.world_from_tool));
+const scenarios::PlannedCut* OperatingScreen::shown_cut() const {
+  if (!session_.is_practice() || !panels_.is_plane_shown) return nullptr;
+  return cut_at_step(table().scenario, table().plan, session_.steps().step());
 }
 
 // -- the panels
 
-OperatingHealth OperatingScreen::health(Ui& ui, Shell& /*shell*/) {
-  const simulator::LoopView& view = begun_->live->view();
-  limits_.see(view.force_limits, ui.time_s());
-  OperatingHealth health = health_of(view, begun_->live->force_scale(), limits_.bits());
-  health.frame_ms = frame_ms_;
-  if (is_health_open_) health.log_bytes = begun_->live->log_bytes();
-  health.triangles = static_cast<long>(triangles_);
-  const char* trouble = nullptr;
-  if (has(view.sample.status, ToolStatus::Faulted)) {
-    trouble = "operate.trouble.device";
-  } else if (bone_->has_failed()) {
-    trouble = "operate.trouble.picture";
-  } else if (view.ring_share > 0.5) {
-    trouble = "operate.trouble.disk";
-  } else if (view.late_us > late_limit_us) {
-    trouble = view.has_priority ? "operate.trouble.busy" : "operate.trouble.priority";
+void OperatingScreen::draw_cards(Ui& ui, Shell& shell) {
+  const Phase phase = session_.phase();
+  const bool is_storage_full = session_.pausing().is_storage_full();
+  if (phase == Phase::Ready || phase == Phase::Beginning) return draw_ready(ui, shell);
+  if (phase != Phase::Operating && phase != Phase::Sealing) return;
+  if (phase == Phase::Operating && panels_.are_shown) draw_hud(ui, shell);
+  if (session_.asked() != Asked::Nothing) return ask(ui);
+  if (is_storage_full) {
+    if (draw_storage_full_card(ui, running_->live->directory())) session_.give_up(ui.time_s());
+  } else if (phase == Phase::Sealing) {
+    draw_sealing(ui, session_.ended_s());
+  } else if (session_.pausing().is_paused()) {
+    if (draw_paused_card(ui, session_.pausing().by())) session_.go_on();
   }
-  if (trouble != nullptr) health.trouble = ui.text(trouble);
-  return health;
 }
 
-OperatingHud OperatingScreen::hud(Ui& ui, Shell& shell) {
-  const OperatingTable& table = *prepared_.value().table;
-  const std::vector<scenarios::OperationStep>& steps = table.scenario.steps;
-  OperatingHud hud;
-  hud.is_practice = is_practice();
-  hud.is_paused = is_paused_;
-  hud.is_reviewed = table.scenario.is_reviewed;
-  hud.is_simulated = visit_->is_simulated();
-  hud.tick = last_sample_.tick;
-  for (const scenarios::OperationStep& step : steps) hud.steps.push_back(step.title);
-  hud.step = step_;
-  if (step_ < steps.size()) {
-    const StepKind kind = steps[step_].kind;
-    const char* verb = kind == StepKind::Remove   ? "operate.step.remove"
-                       : kind == StepKind::Close  ? "operate.step.close"
-                       : kind == StepKind::Finish ? "operate.step.finish"
-                                                  : "operate.step.done";
-    hud.step_action = ui.text(verb);
-    hud.is_step_busy = waiting_ != Waiting::Nothing;
-    hud.is_step_ready = !is_paused_ && waiting_ == Waiting::Nothing &&
-                        (kind != StepKind::Remove || freed_ > removed_);
+void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
+  switch (draw_ready_card(ui, table().scenario.title, session_.is_practice(),
+                          session_.phase() == Phase::Beginning)) {
+    case ReadyAnswer::Waiting:
+      break;
+    case ReadyAnswer::Begin:
+      begin(ui, shell);
+      break;
+    case ReadyAnswer::Back:
+      shell.pop();
+      break;
   }
-  hud.saw = table.scenario.blade.name;
-  hud.blade_width_mm = table.scenario.blade.size.width_mm;
-  hud.blade_thickness_mm = table.scenario.blade.thickness_mm;
-  hud.cycles_per_minute = std::lround(table.scenario.blade.cycles_per_minute);
-  hud.is_saw_on = has(last_sample_.status, ToolStatus::SawOn);
-  hud.is_irrigated = is_irrigated_;
-  hud.is_cutting = has(last_sample_.status, ToolStatus::Cutting);
-  hud.force_newton = simulator::force_size_newton(last_sample_);
-  hud.tip = place_on(sight_, transform_from(last_sample_.world_from_tool).translation_mm);
-  hud.reading = plan_reading();
-  // Like the read-outs of the plan: help while one learns, none in an assessment.
-  if (is_practice()) hud.bone_celsius = begun_->live->view().hottest_celsius;
-  hud.health = health(ui, shell);
-  hud.is_health_open = is_health_open_;
-  return hud;
 }
 
 void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
   const HudAnswer answer = draw_operating_hud(ui, hud(ui, shell));
-  if (answer.health) is_health_open_ = !is_health_open_;
-  if (answer.pause) set_paused(!is_paused_);
-  if (answer.finish) ask(Asking::Finish);
-  if (answer.abandon) ask(Asking::Abandon);
-  if (answer.step) carry_out_step(ui);
+  if (answer.health) panels_.is_health_open = !panels_.is_health_open;
+  if (answer.pause) session_.toggle_pause();
+  if (answer.finish) session_.ask(Asked::Finish);
+  if (answer.abandon) session_.ask(Asked::Abandon);
+  if (answer.step) session_.press_step(ui.time_s());
+}
+
+OperatingHud OperatingScreen::hud(const Ui& ui, Shell& shell) {
+  const simulator::LoopView& loop = running_->loop;
+  OperatingHud hud = hud_of(ui.texts(), session_, table(), loop, shown_cut());
+  hud.is_simulated = visit_->is_simulated();
+  hud.tip = viewport_.place_of(transform_from(loop.sample.world_from_tool).translation_mm);
+  hud.health = health(ui, shell);
+  hud.is_health_open = panels_.is_health_open;
+  return hud;
+}
+
+OperatingHealth OperatingScreen::health(const Ui& ui, Shell& shell) {
+  const simulator::LoopView& loop = running_->loop;
+  panels_.limits.see(loop.force_limits, ui.time_s());
+  OperatingHealth health = health_of(loop, running_->live->force_scale(), panels_.limits.bits());
+  health.frame_ms = viewport_.frame_ms();
+  if (panels_.is_health_open) health.log_bytes = running_->live->log_bytes();
+  health.triangles = static_cast<long>(shell.scenes().triangles());
+  const std::string_view trouble = trouble_of(loop, running_->bone->has_failed());
+  if (!trouble.empty()) health.trouble = ui.text(trouble);
+  return health;
+}
+
+void OperatingScreen::ask(Ui& ui) {
+  const Answer answer = draw_end_question(ui, session_.asked());
+  if (answer == Answer::Waiting) return;
+  session_.answer(answer == Answer::Act, ui.time_s());
+  ui.want_frame_in_s(0.0);
+}
+
+// -- the end
+
+void OperatingScreen::follow_end(Ui& ui, Shell& shell) {
+  if (session_.phase() == Phase::Sealing) ui.want_frame_in_s(soon_s);
+  switch (session_.follow_end()) {
+    case OperatingSession::Onward::Nowhere:
+      break;
+    case OperatingSession::Onward::Stopped:
+      ui.want_frame_in_s(0.0);
+      break;
+    case OperatingSession::Onward::Abandoned:
+      shell.say({Meaning::Info, text_in(ui, "operate.abandoned"),
+                 text_in(ui, "operate.abandoned.detail")});
+      shell.pop();
+      break;
+    case OperatingSession::Onward::Score:
+      score(ui, shell);
+      break;
+  }
+}
+
+void OperatingScreen::score(const Ui& ui, Shell& shell) {
+  work_.start(
+      shell, text_in(ui, "operate.scoring"),
+      [visit = visit_, attempt = running_->live->attempt()](WorkReport& report) {
+        score_operation(*visit, attempt, report);
+      },
+      [this, &shell, title = text_in(ui, "operate.unscored")](WorkEnd end,
+                                                              const std::string& reason) {
+        if (end != WorkEnd::Done) shell.say({Meaning::Warn, title, sentence_of(reason)});
+        show_result(shell);
+      });
+}
+
+void OperatingScreen::show_result(Shell& shell) {
+  session_.close();
+  shell.pop();
+  places_.show_result(running_->live->attempt());
+}
+
+void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
+  switch (draw_stopped_card(ui, session_.stop(), running_ != nullptr)) {
+    case StoppedAnswer::Waiting:
+      break;
+    case StoppedAnswer::SeeKept:
+      shell.pop();
+      places_.show_replay(running_->live->attempt(), 0.0);
+      break;
+    case StoppedAnswer::Back:
+      shell.pop();
+      break;
+  }
 }
 
 }  // namespace hallux::ui

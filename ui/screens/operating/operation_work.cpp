@@ -52,8 +52,9 @@ PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId sc
 
 std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
                                              std::shared_ptr<const OperatingTable> table,
-                                             const LiveBegin& what,
+                                             LiveBegin what,
                                              std::unique_ptr<simulator::HapticDevice> device) {
+  what.device_class = device->description().device_class;
   return visit.in_turn([&](database::Session& session, database::Database& database) {
     database::TraineeDesk desk = desk_of(session);
     database::WriterLease lease = begin_live(database, desk, what, table->bone);

@@ -1,11 +1,20 @@
-/// What an operation does beside the window, before and after it: preparing, beginning, scoring.
+/// Work of an operation beside the window, before and after it: preparing, beginning, scoring.
 #pragma once
 
 #include <memory>
 
-#include "ui/screens/operating/operating_screen.h"
+#include "ui/jobs/live_attempt.h"
+#include "ui/screens/operating/bone_being_cut.h"
+#include "ui/screens/parts/signed_in_session.h"
+#include "ui/window/shell/background.h"
 
 namespace hallux::ui {
+
+/// What an operation needs before it can begin.
+struct PreparedOperation {
+  std::shared_ptr<const OperatingTable> table;
+  BonePicture picture;
+};
 
 /// Reads the version, makes the patient, its plan and its picture.
 /// errors  DatabaseError, ScenarioError, MeshError; Cancelled
@@ -13,11 +22,12 @@ namespace hallux::ui {
 PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId scenario,
                                     WorkReport& report);
 
-/// Begins the attempt at the desk of who is signed in, and starts it.
+/// Begins the attempt at the desk of who is signed in, and starts it. Its device class is what the
+/// device says.
 /// errors  DatabaseError
 std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
                                              std::shared_ptr<const OperatingTable> table,
-                                             const LiveBegin& what,
+                                             LiveBegin what,
                                              std::unique_ptr<simulator::HapticDevice> device);
 
 /// Scores what was recorded and stores the score.

@@ -1,4 +1,4 @@
-/// How the blade stands to a planned face: what practice shows and an assessment does not.
+/// Tilt and distance of the blade from a planned face, shown in practice and not in an assessment.
 #pragma once
 
 #include "scenarios/plan.h"
@@ -7,7 +7,8 @@
 namespace hallux::ui {
 
 struct PlanReading {
-  /// Of the blade against the face: about the tooth line (the teeth rise towards the waste), and about the feed.
+  /// Of the blade against the face: about the tooth line (the teeth rise towards the waste), and
+  /// about the feed.
   double pitch_rad = 0.0, roll_rad = 0.0;
   /// Of the kerf's kept side at the middle of the teeth from the face, positive in the waste.
   double distance_mm = 0.0;

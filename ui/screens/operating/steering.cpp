@@ -16,7 +16,8 @@ constexpr double stand_off_mm = 30.0;
 constexpr double turn_rad_per_pixel = 0.0045, orbit_rad_per_pixel = 0.008;
 constexpr double depth_mm_per_notch = 1.0, zoom_per_notch = 1.1;
 constexpr double key_step_mm = 1.0, key_turn_rad = 0.0175;
-/// What one wants to see around the site: most of a phalanx, the head and half the shaft of a metatarsal.
+/// What one wants to see around the site: most of a phalanx, the head and half the shaft of a
+/// metatarsal.
 constexpr double usual_aspect = 1.6;
 constexpr double site_share_of_bone = 0.5, site_least_mm = 20.0, site_most_mm = 30.0;
 

@@ -1,4 +1,4 @@
-/// From pointer, wheel and keys to where the saw is led and from where it is seen; plain functions of what was done.
+/// Motion of the saw and of the camera by pointer, wheel and keys; plain functions of what was done.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace hallux::ui {
 
-/// Where the saw is held when an attempt begins: off the bone on the side of the approach, its blade square to the bone's
-/// own axes. What the plan asks beyond that is the trainee's to find.
+/// Where the saw is held when an attempt begins: off the bone on the side of the approach, its
+/// blade square to the bone's own axes. What the plan asks beyond that is the trainee's to find.
 RigidTransform start_pose(const OperatingTable& table);
 /// The site as one stands before it.
 Camera start_camera(const OperatingTable& table);
@@ -26,10 +26,11 @@ struct Sight {
     return view_of(camera, viewer, Eye::Middle, static_cast<double>(display.w / display.h));
   }
 };
-/// Where a point of the world is on the window, logical pixels; nothing where it lies behind the eye.
+/// Place of a point on the window, logical pixels; nothing where it lies behind the eye.
 std::optional<Point> place_on(const Sight& sight, const Vec3& point_in_world_mm);
 
-/// The target's motion in this frame. While the right or the middle button is held, the pointer does not lead the saw.
+/// The target's motion in this frame. While the right or the middle button is held, the pointer
+/// does not lead the saw.
 class Steering {
  public:
   /// `tip_in_world_mm` is what the pointer's way is measured at.
@@ -44,7 +45,8 @@ class Steering {
   Camera looked(const AreaResponse& area, const Modifiers& modifiers, const Sight& sight) const;
 
  private:
-  std::optional<Point> pointer_;  ///< of the last frame, while it led
+  /// Of the last frame, while it led.
+  std::optional<Point> pointer_;
 };
 
 }  // namespace hallux::ui

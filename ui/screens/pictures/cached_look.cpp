@@ -62,7 +62,7 @@ Digest digest_of_bone(const simulator::Bone& bone) {
 
 void keep(const std::filesystem::path& data_directory, const Digest& bone, const BoneLook& look) {
   try {
-    database::keep_bytes(data_directory, name_of(bone), key_of(bone), bytes_of(look.depth));
+    database::store_cached(data_directory, name_of(bone), key_of(bone), bytes_of(look.depth));
   } catch (const database::DatabaseError& error) {
     if (!is_storage_failure(error.kind())) throw;
   }
@@ -76,7 +76,7 @@ BoneLook kept_look_of(const std::filesystem::path& data_directory, const simulat
                       const Progress& progress) {
   const Digest digest = digest_of_bone(bone);
   const std::uint64_t id = picture_id("look " + hex_from_digest(digest));
-  if (const auto kept = database::load_kept(data_directory, name_of(digest), key_of(digest))) {
+  if (const auto kept = database::load_cached(data_directory, name_of(digest), key_of(digest))) {
     if (std::optional<DepthVolume> depth = depth_from(*kept)) {
       if (progress) progress(1.0);
       return {id, *std::move(depth), bone.cortex};

@@ -95,7 +95,6 @@ struct ArmAttempt {
     LiveBegin what;
     what.scenario = course.version();
     what.person = visit->person().id;
-    what.device_class = "arm";
     simulator::HandMotion motion;
     motion.keys = {{0, start_pose(*table), 0}};
     live = begin_operation(

@@ -114,8 +114,9 @@ Operator::Operator(OperableCourse& course, database::AttemptKind kind, float sca
   // Whoever runs the tests has not asked to hear them.
   shell_->preferences().is_saw_heard = false;
   shell_->push(std::make_unique<ScreenBelow>());
-  shell_->push(std::make_unique<OperatingScreen>(course.visit_of_ada(), places, course.version(),
-                                                 kind, simulator::Guidance::None));
+  shell_->push(std::make_unique<OperatingScreen>(
+      course.visit_of_ada(), places, OperationChoice{course.version(), kind},
+      [](const RigidTransform& start) { return std::make_unique<simulator::MouseDevice>(start); }));
   driver_ = std::make_unique<Driver>(
       texts_,
       [this, painter](Ui& ui) {

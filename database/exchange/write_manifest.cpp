@@ -1,4 +1,4 @@
-#include "database/exchange/manifest.h"
+#include "database/exchange/write_manifest.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

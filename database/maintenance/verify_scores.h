@@ -1,0 +1,12 @@
+/// Verification of the scores: their cards, and which of them is in force.
+#pragma once
+
+#include "database/maintenance/verify_progress.h"
+
+namespace hallux::database {
+
+/// Every score is what its card says, and the newest of an attempt is in force.
+/// errors  DatabaseError Damaged; Cancelled
+void check_scores(Database& database, VerifyProgress& progress, Verification& found);
+
+}  // namespace hallux::database

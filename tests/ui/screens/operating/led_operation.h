@@ -1,0 +1,71 @@
+/// An operation without a window, a loop or a clock: an attempt that notes what it is told, and a
+/// device likewise.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulator/device/steered_device.h"
+#include "ui/screens/operating/operating_session.h"
+
+namespace hallux::ui {
+
+/// Notes its commands as words; its disk and its end are the test's to say.
+class NotedAttempt final : public AttemptControls {
+ public:
+  void pause() override { told.emplace_back("pause"); }
+  void resume() override { told.emplace_back("resume"); }
+  void declare_done(std::int32_t step) override { told.push_back("done " + std::to_string(step)); }
+  void pick_up_freed() override { told.emplace_back("pick up"); }
+  void close_hinge() override { told.emplace_back("close hinge"); }
+  void finish() override { told.emplace_back("finish"); }
+  void abandon() override { told.emplace_back("abandon"); }
+  bool is_storage_full() const noexcept override { return is_full; }
+  const LiveEnd* end() const noexcept override { return ended ? &*ended : nullptr; }
+
+  std::vector<std::string> told;
+  bool is_full = false;
+  std::optional<LiveEnd> ended;
+};
+
+/// Keeps where it was led last.
+class NotedDevice final : public simulator::SteeredDevice {
+ public:
+  void aim(const RigidTransform& world_from_target, std::uint32_t wanted) noexcept override {
+    place_mm = world_from_target.translation_mm;
+    switches = wanted;
+    ++aims;
+  }
+  simulator::DeviceDescription description() const override { return {"Noted", "mouse"}; }
+  bool exchange(const Vec3&, std::int64_t, simulator::RawDeviceState&) noexcept override {
+    return true;
+  }
+
+  Vec3 place_mm{0.0, 0.0, 0.0};
+  std::uint32_t switches = 0;
+  int aims = 0;
+};
+
+/// The site lies at the origin, the saw begins 30 mm above it.
+inline constexpr Vec3 start_mm{0.0, 30.0, 0.0};
+
+/// A session that operates with them, one step of each kind.
+struct LedOperation {
+  explicit LedOperation(database::AttemptKind kind = database::AttemptKind::Practice);
+
+  /// A frame in which somebody leads the saw that far across their view.
+  void lead(const Vec2& across_mm, double now_s);
+  /// Turns the saw on and tells the device.
+  void saw(double now_s);
+  /// Where the session stands when a finished record is closed.
+  void end_with(const LiveEnd& end) { attempt.ended = end; }
+
+  NotedAttempt attempt;
+  NotedDevice device;
+  OperatingSession session;
+};
+
+simulator::CutEvent event_of(simulator::CutEventKind kind, std::int32_t subject = 0);
+
+}  // namespace hallux::ui

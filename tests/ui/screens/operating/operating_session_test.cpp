@@ -1,0 +1,295 @@
+// What happens while somebody operates, without a window, a loop or a clock.
+#include "ui/screens/operating/operating_session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/ui/screens/operating/led_operation.h"
+
+namespace hallux::ui {
+namespace {
+
+using simulator::CutEventKind;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Phase = OperatingSession::Phase;
+using Onward = OperatingSession::Onward;
+using Staying = OperatingSession::Staying;
+
+constexpr auto saw_bit = static_cast<std::uint32_t>(simulator::Switch::SawRuns);
+constexpr auto irrigation_bit = static_cast<std::uint32_t>(simulator::Switch::Irrigates);
+
+LiveEnd sealed() {
+  LiveEnd end;
+  end.end = simulator::AttemptEnd::Finished;
+  end.is_sealed = true;
+  return end;
+}
+
+// -- before
+
+TEST(OperatingSession, BeginsOnceAndMayBeLeftUntilThen) {
+  OperatingSession session(database::AttemptKind::Practice);
+  EXPECT_FALSE(session.begin()) << "nothing is laid out yet";
+  session.lay({scenarios::StepKind::Finish}, LedSaw());
+  EXPECT_EQ(session.phase(), Phase::Ready);
+  EXPECT_EQ(session.staying(), Staying::No);
+  EXPECT_TRUE(session.begin());
+  EXPECT_FALSE(session.begin());
+  EXPECT_EQ(session.staying(), Staying::WhileRecorded);
+  EXPECT_FALSE(session.is_heard()) << "nothing runs yet";
+  session.take_back();
+  EXPECT_TRUE(session.begin()) << "who stopped it may begin again";
+}
+
+TEST(OperatingSession, ThatCannotBeginSaysWhyAndMayBeLeft) {
+  OperatingSession session(database::AttemptKind::Practice);
+  session.lay({}, LedSaw());
+  session.begin();
+  session.fail_to_begin("the disk is full");
+  EXPECT_EQ(session.phase(), Phase::Stopped);
+  EXPECT_EQ(session.stop().failure, LiveFailure::Other);
+  EXPECT_EQ(session.stop().reason, "the disk is full");
+  EXPECT_EQ(session.staying(), Staying::No);
+}
+
+TEST(OperatingSession, HearsNobodyBeforeItRuns) {
+  OperatingSession session(database::AttemptKind::Practice);
+  session.lay({}, LedSaw());
+  session.pause(PausedBy::Locked);
+  session.ask(Asked::Finish);
+  EXPECT_FALSE(session.pausing().is_paused());
+  EXPECT_EQ(session.asked(), Asked::Nothing);
+  EXPECT_FALSE(session.follow_storage());
+  EXPECT_EQ(session.follow_end(), Onward::Nowhere);
+}
+
+// -- the hands
+
+TEST(OperatingSession, SteersTheDeviceThatItWasGiven) {
+  LedOperation operation;
+  operation.session.set_irrigated(true);
+  operation.saw(1.0);
+  EXPECT_EQ(operation.device.switches, saw_bit | irrigation_bit);
+  operation.lead({3.0, -2.0}, 1.1);
+  EXPECT_EQ(operation.device.place_mm, start_mm + Vec3(3.0, -2.0, 0.0));
+  EXPECT_EQ(operation.session.saw().world_from_target().translation_mm, operation.device.place_mm);
+  EXPECT_THAT(operation.attempt.told, IsEmpty());
+}
+
+TEST(OperatingSession, APauseTakesTheSawFromTheHandAndGoingOnDoesNotGiveItBack) {
+  LedOperation operation;
+  operation.session.set_irrigated(true);
+  operation.saw(1.0);
+  operation.session.toggle_pause();
+  EXPECT_EQ(operation.device.switches, 0U);
+  EXPECT_FALSE(operation.session.saw().is_on());
+  EXPECT_FALSE(operation.session.is_led());
+  operation.session.set_saw_on(true);
+  EXPECT_FALSE(operation.session.saw().is_on()) << "nobody starts it in a pause";
+  operation.session.toggle_pause();
+  operation.lead({0.0, 0.0}, 1.2);
+  EXPECT_EQ(operation.device.switches, irrigation_bit);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "resume"));
+}
+
+TEST(OperatingSession, PausesWhereHandsAreTakenOffARunningSaw) {
+  const auto cause_of = [](const HandsSeen& hands, double now_s) {
+    LedOperation operation;
+    operation.saw(1.0);
+    operation.session.watch(hands, now_s);
+    EXPECT_TRUE(operation.session.pausing().is_paused());
+    EXPECT_THAT(operation.attempt.told, ElementsAre("pause"));
+    return operation.session.pausing().by();
+  };
+  EXPECT_EQ(cause_of({.have_lost_keys = true}, 1.1), PausedBy::KeysLost);
+  EXPECT_EQ(cause_of({.has_pointer_left = true}, 1.1), PausedBy::PointerLeft);
+  EXPECT_EQ(cause_of({.is_covered = true}, 1.1), PausedBy::Covered);
+  EXPECT_EQ(cause_of({}, 2.6), PausedBy::Stillness) << "the device has stopped it already";
+}
+
+TEST(OperatingSession, ASawThatIsOffIsTakenAwayByTheKeyboardAlone) {
+  LedOperation operation;
+  operation.session.watch({.has_pointer_left = true, .is_covered = true}, 100.0);
+  EXPECT_FALSE(operation.session.pausing().is_paused());
+  operation.session.watch({.have_lost_keys = true}, 100.0);
+  EXPECT_EQ(operation.session.pausing().by(), PausedBy::KeysLost);
+}
+
+TEST(OperatingSession, TheCauseOfAPauseIsTheFirst) {
+  LedOperation operation;
+  operation.session.pause(PausedBy::Covered);
+  operation.session.pause(PausedBy::Locked);
+  EXPECT_EQ(operation.session.pausing().by(), PausedBy::Covered);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause"));
+}
+
+// -- steps
+
+TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.press_step(1.0);
+  session.press_step(2.0);
+  session.press_step(3.0);
+  session.press_step(3.1);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up"))
+      << "a step that waits is not pressed again";
+  session.follow(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
+  session.press_step(5.0);
+  session.follow(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
+  EXPECT_EQ(session.steps().step(), 4U);
+  session.press_step(7.0);
+  EXPECT_EQ(session.asked(), Asked::Finish);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up", "done 2",
+                                                  "close hinge", "done 3", "pause"));
+}
+
+TEST(OperatingSession, TellsWhatDidNotComeOff) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  EXPECT_THAT(session.follow(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
+              ElementsAre(StepNotice::KerfRefused));
+  session.press_step(1.0);
+  session.press_step(1.0);
+  session.press_step(1.0);
+  EXPECT_THAT(session.follow({}, 20.9), IsEmpty());
+  EXPECT_THAT(session.follow({}, 21.0), ElementsAre(StepNotice::NothingFree));
+  EXPECT_THAT(session.follow({}, 50.0), IsEmpty()) << "said once";
+}
+
+// -- questions
+
+TEST(OperatingSession, AsksInAPauseAndGoesOnAsItWas) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.ask(Asked::Abandon);
+  EXPECT_TRUE(session.pausing().is_paused());
+  EXPECT_FALSE(session.is_open());
+  session.ask(Asked::Finish);
+  EXPECT_EQ(session.asked(), Asked::Abandon) << "one question at a time";
+  session.answer(false, 1.0);
+  EXPECT_TRUE(session.is_led());
+  session.pause(PausedBy::Person);
+  session.ask(Asked::Abandon);
+  session.answer(false, 2.0);
+  EXPECT_TRUE(session.pausing().is_paused()) << "it was paused before";
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "resume", "pause"));
+}
+
+// -- the end
+
+TEST(OperatingSession, ThatIsFinishedIsSealedAndScored) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.ask(Asked::Finish);
+  session.answer(true, 5.0);
+  EXPECT_EQ(session.phase(), Phase::Sealing);
+  EXPECT_EQ(session.ended_s(), 5.0);
+  EXPECT_EQ(session.follow_end(), Onward::Nowhere);
+  EXPECT_EQ(session.staying(), Staying::WhileRecorded);
+  operation.end_with(sealed());
+  EXPECT_EQ(session.follow_end(), Onward::Score);
+  EXPECT_EQ(session.follow_end(), Onward::Nowhere) << "once";
+  EXPECT_EQ(session.staying(), Staying::WhileScored);
+  session.close();
+  EXPECT_EQ(session.staying(), Staying::No);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "finish"));
+}
+
+TEST(OperatingSession, ThatIsAbandonedIsOverWithoutAScore) {
+  LedOperation operation;
+  operation.session.ask(Asked::Abandon);
+  operation.session.answer(true, 5.0);
+  operation.end_with({});
+  EXPECT_EQ(operation.session.follow_end(), Onward::Abandoned);
+  EXPECT_EQ(operation.session.phase(), Phase::Over);
+  EXPECT_EQ(operation.session.staying(), Staying::No);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "abandon"));
+}
+
+TEST(OperatingSession, ThatRanToItsLastTickIsScored) {
+  LedOperation operation;
+  operation.session.ask(Asked::Abandon);
+  operation.end_with(sealed());
+  EXPECT_EQ(operation.session.follow_end(), Onward::Score);
+  EXPECT_EQ(operation.session.asked(), Asked::Nothing) << "there is nothing left to abandon";
+}
+
+TEST(OperatingSession, AFailureStopsItAndTheSaw) {
+  LedOperation operation;
+  operation.saw(1.0);
+  LiveEnd end;
+  end.failure = LiveFailure::MemoryFull;
+  end.reason = "no memory";
+  end.file = "course.db";
+  operation.end_with(end);
+  EXPECT_EQ(operation.session.follow_end(), Onward::Stopped);
+  EXPECT_EQ(operation.session.stop().failure, LiveFailure::MemoryFull);
+  EXPECT_EQ(operation.session.stop().reason, "no memory");
+  EXPECT_EQ(operation.session.stop().file, "course.db");
+  EXPECT_FALSE(operation.session.saw().is_on());
+  EXPECT_EQ(operation.session.staying(), Staying::No);
+}
+
+// -- the disk
+
+TEST(OperatingSession, AFullDiskPausesUntilThereIsRoomAndSomebodyGoesOn) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  operation.attempt.is_full = true;
+  EXPECT_TRUE(session.follow_storage());
+  EXPECT_FALSE(session.follow_storage()) << "said once";
+  EXPECT_TRUE(session.pausing().is_storage_full());
+  session.toggle_pause();
+  EXPECT_TRUE(session.pausing().is_paused()) << "nobody goes on without room";
+  operation.attempt.is_full = false;
+  EXPECT_TRUE(session.follow_storage());
+  EXPECT_EQ(session.pausing().by(), PausedBy::RoomAgain);
+  EXPECT_FALSE(session.is_led());
+  session.go_on();
+  EXPECT_TRUE(session.is_led());
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "resume"));
+}
+
+TEST(OperatingSession, ADiskThatFillsUpBesideAQuestionKeepsItPaused) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.ask(Asked::Abandon);
+  operation.attempt.is_full = true;
+  session.follow_storage();
+  session.answer(false, 1.0);
+  EXPECT_TRUE(session.pausing().is_storage_full());
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause"));
+}
+
+TEST(OperatingSession, WhoDoesNotWaitForRoomIsStoppedAndKeepsWhatWasSaved) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  operation.attempt.is_full = true;
+  session.follow_storage();
+  session.give_up(3.0);
+  EXPECT_EQ(session.phase(), Phase::Sealing);
+  LiveEnd end;
+  end.failure = LiveFailure::DiskFull;
+  operation.end_with(end);
+  EXPECT_EQ(session.follow_end(), Onward::Stopped);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "abandon"));
+}
+
+TEST(OperatingSession, ADiskThatFillsUpWhileSealingIsWaitedForToo) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.ask(Asked::Finish);
+  session.answer(true, 1.0);
+  operation.attempt.is_full = true;
+  EXPECT_TRUE(session.follow_storage());
+  EXPECT_TRUE(session.pausing().is_storage_full());
+  operation.attempt.is_full = false;
+  EXPECT_TRUE(session.follow_storage());
+  EXPECT_EQ(session.phase(), Phase::Sealing);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "finish"));
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,178 @@
+// The cards over the picture of an operation.
+//
+// Each stands where it hides least: the card that begins at the foot, where the panels will be; a
+// pause below the bone where there is room, because whoever pauses may want to look at it; what
+// stopped everything in the middle.
+#include "ui/screens/operating/operating_cards.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "ui/screens/operating/operating_hud.h"
+#include "ui/screens/parts/value_text.h"
+#include "ui/widgets/controls/button.h"
+#include "ui/widgets/controls/card.h"
+#include "ui/widgets/shapes.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr double shown_after_s = 0.3;
+constexpr float sealing_height = 44.0F, title_height = 28.0F;
+/// The panels at the foot and the line of trouble above them.
+constexpr float room_of_panels = 92.0F + 16.0F + 44.0F;
+
+/// Empty where the person paused: they know it.
+std::string_view cause_of(PausedBy by) {
+  constexpr std::array<std::pair<PausedBy, std::string_view>, 6> causes{{
+      {PausedBy::Locked, "operate.paused.locked"},
+      {PausedBy::KeysLost, "operate.paused.keys"},
+      {PausedBy::PointerLeft, "operate.paused.pointer"},
+      {PausedBy::Covered, "operate.paused.covered"},
+      {PausedBy::Stillness, "operate.paused.still"},
+      {PausedBy::RoomAgain, "operate.paused.room"},
+  }};
+  const auto* const found = std::ranges::find(causes, by, &decltype(causes)::value_type::first);
+  return found == causes.end() ? std::string_view() : found->second;
+}
+
+struct PanelWords {
+  std::string_view title;
+  std::string sentence;
+};
+
+/// A panel of a title, a sentence and room for a button; where it lies is the caller's.
+float panel_height(const Ui& ui, const PanelWords& words, float width) {
+  return 44.0F + ui.paragraph_height(Type::Small, words.sentence, width - 48.0F) + 12.0F +
+         button_height + 16.0F;
+}
+
+/// True where its button was pressed.
+bool draw_panel(Ui& ui, const Rect& rect, const PanelWords& words, const char* button_id,
+                const ButtonSpec& spec) {
+  const LayerScope layer(ui.canvas(), Layer::Page);
+  const float inner = rect.w - 48.0F;
+  draw_hud_panel(ui.canvas(), ui.theme(), rect);
+  ui.canvas().text_in({rect.x + 24.0F, rect.y + 12.0F, inner, title_height},
+                      {Type::CardTitle, ui.theme().text, Align::Centre}, words.title);
+  ui.canvas().paragraph({rect.x + 24.0F, rect.y + 44.0F, inner, rect.h - 72.0F - button_height},
+                        {Type::Small, ui.theme().text_secondary, Align::Centre}, words.sentence);
+  const float width = button_width(ui, spec);
+  return button(
+      ui, button_id,
+      {rect.mid_x() - 0.5F * width, rect.bottom() - 16.0F - button_height, width, button_height},
+      spec);
+}
+
+std::string words_of(const Ui& ui, const OperatingSession::Stop& stop) {
+  switch (stop.failure) {
+    case LiveFailure::DiskFull:
+      return ui.texts().say("operate.stopped.disk", {{"file", stop.file.string()}});
+    case LiveFailure::MemoryFull:
+      return std::string(ui.text("operate.stopped.memory"));
+    case LiveFailure::Other:
+      return sentence_of(stop.reason);
+    case LiveFailure::None:
+      break;
+  }
+  return std::string(ui.text("operate.stopped.unknown"));
+}
+
+}  // namespace
+
+ReadyAnswer draw_ready_card(Ui& ui, const std::string& title, bool is_practice, bool is_beginning) {
+  const float width = std::min(520.0F, ui.display().w - 32.0F);
+  const std::string_view words =
+      ui.text(is_practice ? "operate.ready.practice" : "operate.ready.assessment");
+  const float words_height = ui.paragraph_height(Type::Body, words, width - 2.0F * space::card);
+  const float height = 64.0F + words_height + 24.0F + button_height + 24.0F;
+  const Rect display = ui.display();
+  const float above = std::max(display.bottom() - height - hud_inset_share * display.h, 0.0F);
+  const Rect inside = card(ui, {display.mid_x() - 0.5F * width, above, width, height}, title);
+  ui.canvas().paragraph({inside.x, inside.y, inside.w, words_height},
+                        {Type::Body, ui.theme().text_secondary}, words);
+  ButtonSpec start{ui.text("operate.begin"), ButtonLook::Primary, Icon::Play};
+  start.is_busy = is_beginning;
+  const ButtonSpec back{ui.text("operate.back"), ButtonLook::Ghost};
+  const float start_width = button_width(ui, start), back_width = button_width(ui, back);
+  const float y = inside.bottom() - button_height;
+  if (button(ui, "operate.begin", {inside.right() - start_width, y, start_width, button_height},
+             start))
+    return ReadyAnswer::Begin;
+  const Rect left{inside.right() - start_width - back_width - 12.0F, y, back_width, button_height};
+  return !is_beginning && button(ui, "operate.back", left, back) ? ReadyAnswer::Back
+                                                                 : ReadyAnswer::Waiting;
+}
+
+bool draw_paused_card(Ui& ui, PausedBy by) {
+  const std::string_view cause = cause_of(by);
+  const PanelWords words{ui.text("operate.paused"),
+                         (cause.empty() ? std::string() : std::string(ui.text(cause)) + " ") +
+                             std::string(ui.text("operate.paused.sentence"))};
+  const Rect display = ui.display();
+  const float width = std::min(440.0F, display.w - 32.0F);
+  const float height = panel_height(ui, words, width);
+  const float low = 0.94F * display.h - room_of_panels - height;
+  return draw_panel(ui,
+                    {display.mid_x() - 0.5F * width, std::max(display.mid_y() - 0.5F * height, low),
+                     width, height},
+                    words, "operate.go_on",
+                    {ui.text("operate.resume"), ButtonLook::Secondary, Icon::Play});
+}
+
+bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory) {
+  const PanelWords words{
+      ui.text("operate.full"),
+      ui.texts().say("operate.full.sentence", {{"directory", directory.string()}})};
+  const float width = std::min(560.0F, ui.display().w - 32.0F);
+  return draw_panel(ui, centred(ui.display(), width, panel_height(ui, words, width)), words,
+                    "operate.full.stop", {ui.text("operate.full.stop"), ButtonLook::Secondary});
+}
+
+Answer draw_end_question(Ui& ui, Asked asked) {
+  if (asked == Asked::Finish) {
+    return question(ui, "operate.ask_finish",
+                    {ui.text("operate.ask.finish"), ui.text("operate.ask.finish.detail"),
+                     ui.text("operate.ask.finish.act"), ui.text("operate.ask.keep"), false});
+  }
+  return question(ui, "operate.ask_abandon",
+                  {ui.text("operate.ask.abandon"), ui.text("operate.ask.abandon.detail"),
+                   ui.text("operate.ask.abandon.act"), ui.text("operate.ask.keep"), true});
+}
+
+void draw_sealing(Ui& ui, double since_s) {
+  if (ui.time_s() - since_s < shown_after_s) return;
+  const std::string_view words = ui.text("operate.sealing");
+  const float width = ui.width_of(Type::BodyMedium, words) + 48.0F;
+  const Rect display = ui.display();
+  const Rect rect{display.mid_x() - 0.5F * width, 0.94F * display.h - sealing_height, width,
+                  sealing_height};
+  draw_hud_panel(ui.canvas(), ui.theme(), rect);
+  ui.canvas().text_in(rect, {Type::BodyMedium, ui.theme().text, Align::Centre}, words);
+}
+
+StoppedAnswer draw_stopped_card(Ui& ui, const OperatingSession::Stop& stop, bool is_kept) {
+  ui.canvas().fill(ui.display(), ui.theme().page);
+  const std::string why =
+      words_of(ui, stop) + (is_kept ? " " + std::string(ui.text("operate.kept")) : "");
+  const float width = std::min(560.0F, ui.display().w - 32.0F);
+  const float height = 250.0F + ui.paragraph_height(Type::Small, why, width - 2.0F * space::card);
+  Rect inside = card(ui, centred(ui.display(), width, height), {});
+  if (is_kept) {
+    const ButtonSpec see{ui.text("operate.see_kept"), ButtonLook::Ghost, Icon::Eye};
+    const float see_width = button_width(ui, see);
+    inside.h -= button_height;
+    if (button(ui, "operate.see_kept",
+               {inside.mid_x() - 0.5F * see_width, inside.bottom(), see_width, button_height}, see))
+      return StoppedAnswer::SeeKept;
+  }
+  return failed_card(ui, "operate.stopped", inside,
+                     {ui.text("operate.stopped"), why, ui.text("operate.back")})
+             ? StoppedAnswer::Back
+             : StoppedAnswer::Waiting;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,38 @@
+/// The cards over the picture of an operation, before, beside and after it; plain functions of what
+/// they say.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "ui/screens/operating/operating_session.h"
+#include "ui/widgets/controls/menu.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+enum class ReadyAnswer { Waiting, Begin, Back };
+/// What is operated on, and the button that begins.
+/// is_beginning  it was pressed, and its work is under way
+ReadyAnswer draw_ready_card(Ui& ui, const std::string& title, bool is_practice, bool is_beginning);
+
+/// The pause with its cause. True where somebody goes on.
+bool draw_paused_card(Ui& ui, PausedBy by);
+
+/// A full disk: where it is, and that nothing is lost. True where somebody does not wait for room.
+/// directory  that is recorded into
+bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory);
+
+/// The question before an operation ends.
+Answer draw_end_question(Ui& ui, Asked asked);
+
+/// The record is being closed: a moment, unless the disk is slow.
+/// since_s  on the clock of `ui`; what takes no time is not shown
+void draw_sealing(Ui& ui, double since_s);
+
+enum class StoppedAnswer { Waiting, SeeKept, Back };
+/// Why it stopped, over the whole window.
+/// is_kept  something was recorded and can be looked at
+StoppedAnswer draw_stopped_card(Ui& ui, const OperatingSession::Stop& stop, bool is_kept);
+
+}  // namespace hallux::ui

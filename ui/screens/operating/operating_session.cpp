@@ -1,0 +1,160 @@
+#include "ui/screens/operating/operating_session.h"
+
+#include <utility>
+
+namespace hallux::ui {
+
+OperatingSession::Staying OperatingSession::staying() const noexcept {
+  if (phase_ == Phase::Scoring) return Staying::WhileScored;
+  const bool is_recorded = phase_ >= Phase::Beginning && phase_ <= Phase::Sealing;
+  return is_recorded ? Staying::WhileRecorded : Staying::No;
+}
+
+// -- before
+
+void OperatingSession::lay(std::vector<scenarios::StepKind> steps, const LedSaw& saw) {
+  steps_ = StepProgress(std::move(steps));
+  saw_ = saw;
+  phase_ = Phase::Ready;
+}
+
+bool OperatingSession::begin() noexcept {
+  if (phase_ != Phase::Ready) return false;
+  phase_ = Phase::Beginning;
+  return true;
+}
+
+void OperatingSession::run(AttemptControls& attempt, simulator::SteeredDevice& device) noexcept {
+  attempt_ = &attempt;
+  saw_.take(device);
+  phase_ = Phase::Operating;
+}
+
+void OperatingSession::fail_to_begin(const std::string& reason) {
+  stop_ = {LiveFailure::Other, reason, {}};
+  phase_ = Phase::Stopped;
+}
+
+// -- the hands
+
+void OperatingSession::watch(const HandsSeen& hands, double now_s) {
+  if (!is_led()) return;
+  if (hands.have_lost_keys) return pause(PausedBy::KeysLost);
+  if (!saw_.is_on()) return;
+  if (hands.has_pointer_left) return pause(PausedBy::PointerLeft);
+  if (hands.is_covered) return pause(PausedBy::Covered);
+  if (saw_.is_silent(now_s)) pause(PausedBy::Stillness);
+}
+
+void OperatingSession::pause(PausedBy by) {
+  if (phase_ != Phase::Operating || !pausing_.pause(by)) return;
+  saw_.let_go();
+  attempt_->pause();
+}
+
+void OperatingSession::go_on() {
+  if (phase_ == Phase::Operating && pausing_.go_on()) attempt_->resume();
+}
+
+void OperatingSession::toggle_pause() {
+  if (pausing_.is_paused()) return go_on();
+  pause(PausedBy::Person);
+}
+
+// -- steps
+
+void OperatingSession::press_step(double now_s) {
+  switch (steps_.press(now_s)) {
+    case StepDeed::Nothing:
+      break;
+    case StepDeed::EndStep:
+      end_step();
+      break;
+    case StepDeed::PickUp:
+      attempt_->pick_up_freed();
+      break;
+    case StepDeed::CloseHinge:
+      attempt_->close_hinge();
+      break;
+    case StepDeed::AskToFinish:
+      ask(Asked::Finish);
+      break;
+  }
+}
+
+std::vector<StepNotice> OperatingSession::follow(std::span<const simulator::CutEvent> events,
+                                                 double now_s) {
+  std::vector<StepNotice> notices;
+  for (const simulator::CutEvent& event : events) {
+    const StepNews news = steps_.follow(event);
+    if (news.is_fulfilled) end_step();
+    if (news.notice) notices.push_back(*news.notice);
+  }
+  if (const std::optional<StepNotice> notice = steps_.expire(now_s)) notices.push_back(*notice);
+  return notices;
+}
+
+void OperatingSession::end_step() { attempt_->declare_done(steps_.end_step()); }
+
+// -- the end
+
+void OperatingSession::ask(Asked what) {
+  if (!is_heard()) return;
+  asking_ = {what, pausing_.is_paused()};
+  pause(PausedBy::Person);
+}
+
+void OperatingSession::answer(bool is_agreed, double now_s) {
+  const auto [asked, was_paused] = std::exchange(asking_, {});
+  if (!is_agreed) {
+    if (!was_paused) go_on();
+    return;
+  }
+  seal(now_s);
+  ending_.is_abandoned = asked == Asked::Abandon;
+  if (ending_.is_abandoned) {
+    attempt_->abandon();
+  } else {
+    attempt_->finish();
+  }
+}
+
+bool OperatingSession::follow_storage() {
+  if (phase_ != Phase::Operating && phase_ != Phase::Sealing) return false;
+  const bool is_full = attempt_->is_storage_full();
+  if (is_full == pausing_.is_storage_full()) return false;
+  if (is_full) {
+    pause(PausedBy::Person);
+    pausing_.wait_for_room();
+  } else {
+    pausing_.have_room();
+  }
+  return true;
+}
+
+void OperatingSession::give_up(double now_s) {
+  seal(now_s);
+  attempt_->abandon();
+}
+
+void OperatingSession::seal(double now_s) noexcept {
+  phase_ = Phase::Sealing;
+  ending_.since_s = now_s;
+}
+
+OperatingSession::Onward OperatingSession::follow_end() {
+  if (phase_ != Phase::Operating && phase_ != Phase::Sealing) return Onward::Nowhere;
+  const LiveEnd* end = attempt_->end();
+  if (end == nullptr) return Onward::Nowhere;
+  asking_ = {};
+  if (end->failure != LiveFailure::None || (!end->is_sealed && !ending_.is_abandoned)) {
+    stop_ = {end->failure, end->reason, end->file};
+    saw_.set_on(false);
+    phase_ = Phase::Stopped;
+    return Onward::Stopped;
+  }
+  phase_ = ending_.is_abandoned ? Phase::Over : Phase::Scoring;
+  return ending_.is_abandoned ? Onward::Abandoned : Onward::Score;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,85 @@
+#include "ui/screens/operating/step_progress.h"
+
+namespace hallux::ui {
+
+using scenarios::StepKind;
+using simulator::CutEventKind;
+
+namespace {
+
+/// By the number that the kernel gives a hinge that it does not close.
+StepNotice notice_of_hinge(std::int32_t refusal) noexcept {
+  return refusal == 1   ? StepNotice::HingeBroken
+         : refusal == 2 ? StepNotice::HingeStiff
+                        : StepNotice::HingeMissing;
+}
+
+}  // namespace
+
+std::optional<StepKind> StepProgress::kind() const noexcept {
+  return step_ < steps_.size() ? std::optional(steps_[step_]) : std::nullopt;
+}
+
+bool StepProgress::is_ready() const noexcept {
+  return !is_waiting() && kind() && (*kind() != StepKind::Remove || freed_ > removed_);
+}
+
+StepDeed StepProgress::press(double now_s) noexcept {
+  if (!kind() || is_waiting()) return StepDeed::Nothing;
+  switch (*kind()) {
+    case StepKind::Verify:
+    case StepKind::Cut:
+      return StepDeed::EndStep;
+    case StepKind::Remove:
+      wait_for(Waiting::Piece, now_s);
+      return StepDeed::PickUp;
+    case StepKind::Close:
+      wait_for(Waiting::Hinge, now_s);
+      return StepDeed::CloseHinge;
+    case StepKind::Finish:
+      return StepDeed::AskToFinish;
+  }
+  return StepDeed::Nothing;
+}
+
+StepNews StepProgress::follow(const simulator::CutEvent& event) noexcept {
+  switch (event.kind) {
+    case CutEventKind::PieceFreed:
+      ++freed_;
+      return {};
+    case CutEventKind::PieceRemoved:
+      ++removed_;
+      return {waiting_ == Waiting::Piece};
+    case CutEventKind::HingeClosed:
+      return {waiting_ == Waiting::Hinge};
+    case CutEventKind::HingeRefused:
+      return refused(notice_of_hinge(event.subject));
+    case CutEventKind::KerfRefused:
+      return refused(StepNotice::KerfRefused);
+    default:
+      return {};
+  }
+}
+
+std::optional<StepNotice> StepProgress::expire(double now_s) noexcept {
+  if (!is_waiting() || now_s < waiting_until_s_) return std::nullopt;
+  return refused(waiting_ == Waiting::Piece ? StepNotice::NothingFree : StepNotice::HingeUnanswered)
+      .notice;
+}
+
+std::int32_t StepProgress::end_step() noexcept {
+  waiting_ = Waiting::Nothing;
+  return static_cast<std::int32_t>(step_++);
+}
+
+void StepProgress::wait_for(Waiting what, double now_s) noexcept {
+  waiting_ = what;
+  waiting_until_s_ = now_s + longest_wait_s;
+}
+
+StepNews StepProgress::refused(StepNotice notice) noexcept {
+  waiting_ = Waiting::Nothing;
+  return {false, notice};
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,74 @@
+/// The step of an operation that is at hand, and the answer that a pressed step waits for.
+///
+///     at hand --pressed--> done at once
+///        |   '--pressed--> waits for a piece or the hinge --event of the kernel--> done
+///        '<---refused, or 20 s without an answer----'
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scenarios/scenario.h"
+#include "simulator/record/record.h"
+
+namespace hallux::ui {
+
+/// What the button of a step asks for.
+enum class StepDeed { Nothing, EndStep, PickUp, CloseHinge, AskToFinish };
+
+/// What people are told of a step that did not come off.
+enum class StepNotice {
+  NothingFree,
+  HingeBroken,
+  HingeStiff,
+  HingeMissing,
+  HingeUnanswered,
+  KerfRefused
+};
+
+struct StepNews {
+  /// The step at hand got what it waited for.
+  bool is_fulfilled = false;
+  std::optional<StepNotice> notice = {};
+};
+
+class StepProgress {
+ public:
+  /// Pieces take a slow machine seconds.
+  static constexpr double longest_wait_s = 20.0;
+
+  StepProgress() = default;
+  explicit StepProgress(std::vector<scenarios::StepKind> steps) : steps_(std::move(steps)) {}
+
+  /// Number of the step at hand, from 0; the count of steps after the last.
+  std::size_t step() const noexcept { return step_; }
+  /// Nothing after the last step.
+  std::optional<scenarios::StepKind> kind() const noexcept;
+  bool is_waiting() const noexcept { return waiting_ != Waiting::Nothing; }
+  /// Whether the button does anything now: a piece is taken out once one is free.
+  bool is_ready() const noexcept;
+
+  /// The button of the step at hand was pressed; what it asks for may be waited for from now on.
+  StepDeed press(double now_s) noexcept;
+  /// Takes what happened at the bone.
+  StepNews follow(const simulator::CutEvent& event) noexcept;
+  /// Gives up on an answer that does not come.
+  std::optional<StepNotice> expire(double now_s) noexcept;
+  /// Ends the step at hand. Returns its number.
+  std::int32_t end_step() noexcept;
+
+ private:
+  enum class Waiting { Nothing, Piece, Hinge };
+
+  void wait_for(Waiting what, double now_s) noexcept;
+  StepNews refused(StepNotice notice) noexcept;
+
+  std::vector<scenarios::StepKind> steps_;
+  std::size_t step_ = 0;
+  Waiting waiting_ = Waiting::Nothing;
+  double waiting_until_s_ = 0.0;
+  int freed_ = 0, removed_ = 0;
+};
+
+}  // namespace hallux::ui
