@@ -24,11 +24,6 @@ double TissueMap::clearance_mm(const Vec3& point_in_bone_mm) const noexcept {
   return outer_.signed_distance_mm(point_in_bone_mm);
 }
 
-Tissue TissueMap::at(const Vec3& point_in_bone_mm) const noexcept {
-  TissueMemory nothing;
-  return at(point_in_bone_mm, nothing);
-}
-
 Tissue TissueMap::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   const double cortex_mm =
       cortex_ ? cortex_thickness_mm(*cortex_, point_in_bone_mm.x) : all_cortical_mm;

@@ -29,7 +29,10 @@ class TissueMap {
   explicit TissueMap(const Bone& bone);
 
   /// thread  any; allocates nothing
-  Tissue at(const Vec3& point_in_bone_mm) const noexcept;
+  Tissue at(const Vec3& point_in_bone_mm) const noexcept {
+    TissueMemory nothing;
+    return at(point_in_bone_mm, nothing);
+  }
   Tissue at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
   /// Distance to the original outer surface, negative inside [mm].
   double clearance_mm(const Vec3& point_in_bone_mm) const noexcept;
