@@ -43,7 +43,7 @@ struct DeskHolder {
 /// view and one that does not exist are refused alike.
 class AttemptDesk {
  public:
-  /// Those the table lets this desk list, newest first; all, or so many.
+  /// The attempts that the table lets this desk list, newest first; all, or so many.
   std::vector<AttemptHeader> attempts(std::optional<std::int32_t> count_max = std::nullopt);
   /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods
   ///         as well

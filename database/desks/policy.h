@@ -12,26 +12,27 @@
 namespace hallux::database {
 
 enum class Role : std::uint8_t {
-  /// Nobody signed in: what belongs to nobody.
+  /// Nobody signed in: for what belongs to nobody.
   House,
   /// Any person, for what is their own.
   Trainee,
-  /// Of one cohort.
+  /// An instructor of one cohort.
   Instructor,
-  /// Of the data directory.
+  /// An administrator of the data directory.
   Administrator
 };
 inline constexpr std::size_t role_count = 4;
 
+/// What somebody asks to do; the name of each in the audit is in desks.cpp.
 enum class Action : std::uint8_t {
   BeginAttempt,
   ListAttempts,
-  /// Header, recording, score, decisions.
+  /// Header, recording, score and decisions of an attempt.
   ViewAttempt,
   StoreScore,
-  /// What is published.
+  /// The published operations.
   ListOperations,
-  /// Those the trainee sees.
+  /// The notes that a trainee sees.
   ReadNotes,
   ReadPrivateNotes,
   WriteNote,
@@ -39,24 +40,24 @@ enum class Action : std::uint8_t {
   AskForHelp,
   ReadHelp,
   AnswerHelp,
-  /// Confirm, override, void.
+  /// To confirm, override or void a result.
   DecideResult,
-  /// Its trainees and how they stand.
+  /// The trainees of a cohort and their standings.
   SeeCohort,
-  /// Knowing the old one.
+  /// A new password by somebody who knows the old one.
   ChangePassword,
-  /// Without the old one.
+  /// A new password without the old one.
   SetPassword,
-  /// In place of a password.
+  /// A one-time code in place of a password.
   IssueCode,
   AddPerson,
   ListPeople,
   DisablePerson,
-  /// Administrator or not.
+  /// To make a person an administrator, or no longer one.
   ChangeRole,
   AddCohort,
   ListCohorts,
-  /// And take out again.
+  /// To put a person into a cohort, and to take them out.
   Enrol,
   ListScenarios,
   ImportScenario,
@@ -64,41 +65,41 @@ enum class Action : std::uint8_t {
   RetireScenario,
   ReadAudit,
   BackUp,
-  /// What was imported from where.
+  /// The directories that attempts were imported from.
   ListOrigins,
-  /// What came from there counts, or no longer.
+  /// Whether the attempts of an origin count here.
   AcceptOrigin,
-  /// And acknowledge them.
+  /// Notices, and to acknowledge them.
   ReadNotices,
-  /// Of the data directory.
+  /// Settings of the data directory.
   ChangeSettings,
-  /// For good.
   ErasePerson,
-  /// All that is kept of them.
+  /// All that is stored of a person.
   ExportPerson,
-  /// Let go of what need not be kept.
+  /// The clean-up by the retention rules.
   Retain,
   /// How many assessments the trainees of a cohort have.
   LimitAttempts,
-  /// See how it stands, nobody by name.
+  /// The standing of a cohort, nobody by name.
   CompareWithCohort,
   /// Plain SQL over what reports may read.
   RunReport,
-  /// As files for other programs.
+  /// An attempt as files for other programs.
   ExportAttempt,
-  /// What another directory exported.
+  /// An attempt that another directory exported.
   ImportAttempt
 };
 inline constexpr std::size_t action_count = 42;
 
+/// Whose row it is, seen from the person at the desk.
 enum class Relation : std::uint8_t {
-  /// The row is this person's, or is this person.
+  /// This person's, or this person.
   Own,
-  /// Of a trainee of the desk's cohort.
+  /// A trainee's of the desk's cohort.
   Cohort,
-  /// Of nobody.
+  /// Nobody's: the robot's.
   Robot,
-  /// Of anybody else; or of no person at all, as a cohort or a scenario.
+  /// Anybody else's; or no person's at all, as a cohort or a scenario.
   Other
 };
 inline constexpr std::size_t relation_count = 4;
@@ -109,7 +110,7 @@ constexpr Relations only(Relation relation) noexcept {
   return static_cast<Relations>(1U << static_cast<unsigned>(relation));
 }
 
-/// In which relations each role may do an action.
+/// The relations in which each role may do an action.
 struct PolicyLine {
   Action action;
   std::array<Relations, role_count> allowed;
@@ -178,6 +179,7 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
 
 inline constexpr std::array<PolicyLine, action_count> policy = make_policy();
 
+/// Whether the table lets that role do that action to a row in that relation.
 constexpr bool allows(Role role, Action action, Relation relation) noexcept {
   for (const PolicyLine& line : policy) {
     if (line.action != action) continue;

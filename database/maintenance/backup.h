@@ -2,16 +2,13 @@
 ///
 /// A folder of backups:
 ///
-///     hallux-20260301-142507.json     the manifest: its digests say what belongs to this backup;
-///                                     written last
-///     hallux-20260301-142507.tables   a database: all tables, without the chunks of closed
-///                                     attempts
-///     recordings/UUID.recording       the chunks of one closed attempt; written once, named by
-///                                     many manifests
-///     erasures.jsonl                  who was erased since
-///                                     (database/maintenance/erasure_journal.h)
-///     hallux-20260301-142507.db       of an older version, or from before a migration: a whole
-///                                     database in one file
+///     hallux-20260301-142507.json    the manifest: digests of what belongs to it; written last
+///     hallux-20260301-142507.tables  a database: all tables but the chunks of closed attempts
+///     recordings/UUID.recording      the chunks of one closed attempt; written once, named by
+///                                    many manifests
+///     erasures.jsonl                 the erasures since (database/maintenance/erasure_journal.h)
+///     hallux-20260301-142507.db      a whole database in one file: of an older version, or from
+///                                    before a migration
 ///
 /// source  docs/decisions/0009-a-backup-shares-its-recordings.md
 #pragma once
@@ -31,21 +28,21 @@ namespace hallux::database {
 struct Backup {
   /// The manifest, or the whole database.
   std::filesystem::path file;
-  /// To the second.
+  /// When it was made, to the second.
   std::string made_utc = {};
   /// The uuid of where it was made; "" of a whole database.
   std::string directory = {};
-  /// Of all that belongs to it.
+  /// The size of all that belongs to it.
   std::int64_t bytes = 0;
   std::int64_t recordings = 0;
-  /// Of it what this backup wrote; 0 in a list.
+  /// The part of it that this backup wrote; 0 in a list.
   std::int64_t new_bytes = 0;
   /// Attempts whose chain did not hold; their rows are kept as they are.
   std::int64_t damaged = 0;
 };
 
 struct BackupOptions {
-  /// Told the part done; false stops.
+  /// Told the fraction done [0, 1]; false cancels.
   Progress progress = {};
   /// For tests of a disk that fills.
   std::optional<std::uintmax_t> pretended_free_bytes = {};

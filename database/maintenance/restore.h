@@ -25,11 +25,11 @@ struct RestoreOrder {
 };
 
 struct Restored {
-  /// Which one it was.
+  /// The backup that was restored.
   std::filesystem::path backup;
   std::string made_utc;
   std::int64_t attempts = 0, recordings = 0;
-  /// Whom the journal erased once more.
+  /// People whom the journal of erasures erased once more.
   std::int64_t erased_people = 0;
   /// Only where it was restored even damaged.
   std::optional<std::string> first_damage = {};

@@ -1,5 +1,4 @@
-/// One-time codes: with one a person chooses a password, when they are new or were reset. Only a
-/// hash is kept.
+/// One-time codes, with which new and reset people choose a password; only a hash is stored.
 ///
 /// A code has 60 random bits in three groups of four letters and digits that cannot be taken for
 /// each other ("7QK2-M9XD-3VTA"); case, spaces and dashes do not matter, and O, I, L read as 0, 1,
@@ -37,7 +36,8 @@ IssuedCode issue_code(Database& database, PersonId person, PersonId issued_by,
 std::optional<Person> verify_code(Database& database, std::string_view login,
                                   const SecretText& code, const PasswordCost& cost = {});
 
-/// A code that was used, or that an administrator took back.
+/// Removes a code that was used, or that an administrator took back.
+/// errors  DatabaseError
 void remove_code(Database& database, PersonId person);
 
 }  // namespace hallux::database

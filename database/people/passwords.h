@@ -9,7 +9,7 @@
 
 namespace hallux::database {
 
-/// 64 MiB and three passes: 67 ms measured. Tests take less.
+/// The cost of one Argon2id hash: 64 MiB and three passes, 67 ms measured. Tests take less.
 struct PasswordCost {
   unsigned long long passes = 3;
   std::size_t memory_bytes = 64ULL << 20U;
@@ -25,7 +25,9 @@ void check_password_rules(const SecretText& password, std::string_view login = {
 /// The Argon2id text of libsodium, with its own salt and cost inside.
 std::string hash_password(const SecretText& password, const PasswordCost& cost);
 
+/// Whether `argon2id` was made from this password.
 bool is_password(const std::string& argon2id, const SecretText& password) noexcept;
+/// Whether `argon2id` was made at another cost than this.
 bool needs_rehash(const std::string& argon2id, const PasswordCost& cost) noexcept;
 
 /// The work of is_password for a name that does not exist, so that the time tells nothing.

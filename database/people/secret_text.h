@@ -1,5 +1,4 @@
-/// A password on its way: never copied, kept out of the swap file and of core dumps, wiped when it
-/// goes.
+/// Text of a password: never copied, not in the swap file or a core dump, wiped at the end.
 #pragma once
 
 #include <cstddef>

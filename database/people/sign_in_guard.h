@@ -4,11 +4,11 @@
 /// right, so that a hundred tries at once count as a hundred. The next one waits for the longest of
 /// three times:
 ///
-///     one account at one station                     0 0 0 1 2 4 8 16 32 60 60 ... s after 0, 1,
-///                                                    2, ... refusals
-///     one account, at all the other stations         nothing for 10 refusals in an hour, then 1 2
-///                                                    4 8 8 ... s
-///     one station, for all the other accounts        the same
+///     one account at one station               0 0 0 1 2 4 8 16 32 60 60 ... s
+///                                              after 0, 1, 2, ... refusals
+///     one account, at all the other stations   nothing for 10 refusals in an hour,
+///                                              then 1 2 4 8 8 ... s
+///     one station, for all the other accounts  the same
 ///
 /// So somebody at another station costs a person at most 8 seconds, and never the account. Rows
 /// hold digests keyed by the directory's uuid: what was typed as a login, known or not, is not

@@ -46,13 +46,14 @@ struct RecorderStatistics {
 
 /// What a recorder does where the disk is full.
 enum class FullDisk {
-  /// As with any other failure: for those who nobody watches.
+  /// As with any other failure: for an attempt that nobody watches.
   Fails,
   /// Keeps what is not committed, says so in channels.storage_full, tries again until there is
   /// room.
   IsWaitedFor
 };
 
+/// thread  made, drained and finished by one; writes on a thread of its own
 class Recorder {
  public:
   /// Starts the thread with its own connection to the file of `database`.

@@ -21,9 +21,11 @@ inline constexpr std::int32_t application_id = 0x48414C58;
 enum class Access { ReadWrite, ReadOnly };
 
 struct OpenOptions {
+  /// Only a connection that writes makes, migrates and marks anything.
   Access access = Access::ReadWrite;
+  /// The longest wait for another connection that writes [ms].
   int busy_timeout_ms = 5000;
-  /// Empty: SQLite's own; tests name one that fails on purpose.
+  /// The file system below SQLite; empty: SQLite's own. Tests name one that fails on purpose.
   std::string vfs_name;
   /// The time that rows are stored with, ISO 8601; empty: the clock's. For simulated courses, which
   /// tell of past weeks, and for tests of what expires.
@@ -38,7 +40,8 @@ struct OpenOptions {
   bool backs_up_before_migration = true;
 };
 
-/// A connection with the settings that every connection has. One thread at a time may use it.
+/// A connection with the settings that every connection has.
+/// thread  one at a time; another thread gets a connection of its own by open_again()
 class Database {
  public:
   /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600),
@@ -51,20 +54,23 @@ class Database {
   static Database open(const std::filesystem::path& directory, const OpenOptions& options = {});
 
   /// Another connection to the same file with the same options, for another thread.
+  /// errors   as open
   Database open_again() const;
 
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
   ~Database();
 
-  /// For the files of this room only: SQL is written nowhere else.
+  /// For the files of this room only: SQL is written nowhere else. Valid as long as this object.
   SQLite::Database& connection() noexcept { return *connection_; }
+  /// The data directory, and `hallux.db` in it.
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
   int busy_timeout_ms() const noexcept { return options_.busy_timeout_ms; }
   const std::string& vfs_name() const noexcept { return options_.vfs_name; }
   const std::string& pretended_utc() const noexcept { return options_.pretended_utc; }
   const std::string& pretended_station() const noexcept { return options_.pretended_station; }
+  /// As the options of the same name, from now on.
   void pretend_it_is(std::string utc) { options_.pretended_utc = std::move(utc); }
   void pretend_to_be(std::string station) { options_.pretended_station = std::move(station); }
 

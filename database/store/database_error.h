@@ -6,6 +6,7 @@
 
 namespace hallux::database {
 
+/// The reason, for those who answer one kind otherwise than another.
 enum class DatabaseErrorKind {
   /// No space left.
   Full,
@@ -27,6 +28,7 @@ enum class DatabaseErrorKind {
   BadInput
 };
 
+/// Thrown by every function of this room whose comment names it; what() is the sentence.
 class DatabaseError : public std::runtime_error {
  public:
   DatabaseError(DatabaseErrorKind kind, const std::string& sentence)

@@ -20,9 +20,10 @@ class FreshDirectory {
 
   /// Where to write, 0700.
   const std::filesystem::path& path() const noexcept { return path_; }
-  /// Gives it its name once all directories in it lie on the disk; whoever wrote a file in it has
-  /// synced that. Asks once more whether the name is free: something may have been put there
-  /// meanwhile.
+  /// Gives it its name once all directories in it lie on the disk. Asks once more whether the name
+  /// is free: something may have been put there meanwhile.
+  /// needs   every file in it was synced by its writer
+  /// errors  as the constructor
   void finish() const;
 
  private:

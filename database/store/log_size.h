@@ -13,7 +13,7 @@
 
 namespace hallux::database {
 
-/// A log that was longer, because somebody read for long, is cut to this when it begins again.
+/// The size [bytes] that a log is cut to when it begins again, where a long reading made it longer.
 inline constexpr std::int64_t log_bytes_kept = 16 * 1024 * 1024;
 
 /// The bytes of the log now; 0 where there is none. A look at the file system: cheap enough for
@@ -21,7 +21,7 @@ inline constexpr std::int64_t log_bytes_kept = 16 * 1024 * 1024;
 std::uintmax_t log_bytes(const std::filesystem::path& directory) noexcept;
 
 /// Copies the log into the database and empties it, as far as nobody is reading; waits for nobody.
-/// errors  none: what could not be copied stands in the log as well as in the database
+/// errors  none: what could not be copied stays in the log and is not lost
 void shorten_log(Database& database) noexcept;
 
 }  // namespace hallux::database
