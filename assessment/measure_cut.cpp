@@ -1,10 +1,8 @@
 #include "assessment/measure_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "assessment/blade_track.h"
@@ -12,23 +10,23 @@
 #include "assessment/metrics/face_metrics.h"
 #include "assessment/metrics/resection.h"
 #include "assessment/number_text.h"
+#include "scenarios/metric_names.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
 
 namespace {
 
+using scenarios::Metric;
 using scenarios::PlannedCut;
 using simulator::Recording;
 
-constexpr std::array names_along{"angle_deg",   "location_mm",      "depth_mm", "step_mm",
-                                 "flatness_mm", "past_landmark_mm", "notch_mm"};
-constexpr std::array names_across{"angle_deg", "location_mm", "flatness_mm"};
-
 /// A cut along the bone is planned from landmarks of depth and exit; one across it is not.
-std::span<const char* const> names_for(const PlannedCut& planned) noexcept {
-  if (planned.kind == scenarios::FaceKind::AlongAxis) return names_along;
-  return names_across;
+bool is_metric_of(const scenarios::MetricName& metric, const PlannedCut& planned) noexcept {
+  using scenarios::MetricSubject;
+  if (metric.subject == MetricSubject::CutAlong)
+    return planned.kind == scenarios::FaceKind::AlongAxis;
+  return metric.subject == MetricSubject::Cut || metric.subject == MetricSubject::CutOrHinge;
 }
 
 /// A span of ticks, both ends included.
@@ -36,10 +34,10 @@ struct Moment {
   std::int64_t first_tick = 0, last_tick = 0;
 };
 
-Measurement measurement(const PlannedCut& planned, const char* metric, double value,
+Measurement measurement(const PlannedCut& planned, Metric metric, double value,
                         const Moment& moment, const Vec3& place_in_bone_mm) {
   Measurement made;
-  made.metric = metric;
+  made.metric = name_of(metric);
   made.cut = planned.name;
   made.value = rounded_to_micro(value);
   made.start_us = time_us_from_tick(moment.first_tick);
@@ -50,9 +48,10 @@ Measurement measurement(const PlannedCut& planned, const char* metric, double va
 
 std::vector<Measurement> nothing_measured(const PlannedCut& planned) {
   std::vector<Measurement> measurements;
-  for (const char* metric : names_for(planned)) {
+  for (const scenarios::MetricName& metric : scenarios::known_metrics()) {
+    if (!is_metric_of(metric, planned)) continue;
     Measurement absent;
-    absent.metric = metric;
+    absent.metric = metric.name;
     absent.cut = planned.name;
     absent.is_measured = false;
     absent.place_in_bone_mm = planned.depth_point_in_bone_mm;
@@ -107,16 +106,16 @@ void add_harm(std::vector<Measurement>& measurements, const PlannedCut& planned,
   const auto moment_of = [&](std::int32_t worst) {
     return cutting_moment(rebuilt, worst < 0 ? kerf : worst);
   };
-  measurements.push_back(measurement(planned, "past_landmark_mm", harm.past_landmark_mm,
+  measurements.push_back(measurement(planned, Metric::PastLandmarkMm, harm.past_landmark_mm,
                                      moment_of(harm.past_kerf), planned.depth_point_in_bone_mm));
-  measurements.push_back(measurement(planned, "notch_mm", harm.notch_mm, moment_of(harm.notch_kerf),
-                                     planned.exit_point_in_bone_mm));
+  measurements.push_back(measurement(planned, Metric::NotchMm, harm.notch_mm,
+                                     moment_of(harm.notch_kerf), planned.exit_point_in_bone_mm));
 }
 
 void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& planned,
                   const std::optional<Flatness>& flatness) {
   const Flatness known = flatness.value_or(Flatness{});
-  measurements.push_back(measurement(planned, "flatness_mm", known.flatness_mm,
+  measurements.push_back(measurement(planned, Metric::FlatnessMm, known.flatness_mm,
                                      {known.tick, known.tick}, known.point_in_bone_mm));
   measurements.back().is_measured = flatness.has_value();
 }
@@ -142,11 +141,11 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
       measure_face(face.samples_in_bone_mm, face.plane, plan,
                    {planned.depth_point_in_bone_mm, planned.exit_point_in_bone_mm, plan.normal});
   const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
-  made.push_back(measurement(planned, "angle_deg", metrics.angle_deg, {frozen_tick, frozen_tick},
-                             metrics.worst_point_in_bone_mm));
+  made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg,
+                             {frozen_tick, frozen_tick}, metrics.worst_point_in_bone_mm));
   made.back().direction = direction_words(deepest_direction(face.plane, plan));
   if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_words(face, plan);
-  made.push_back(measurement(planned, "location_mm", metrics.location_mm,
+  made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm,
                              cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));
   made.back().direction = words_of(metrics.worst_mm, plan.normal);
 }
@@ -156,10 +155,10 @@ void add_resection(std::vector<Measurement>& made, const PlannedCut& planned,
                    const ResectionPlan& plan, const CutFace& face, const RebuiltBone& rebuilt) {
   const ResectionMetrics resection = measure_resection(face.plane, plan);
   const Moment cutting = cutting_moment(rebuilt, face.kerf);
-  made.push_back(measurement(planned, "depth_mm", std::abs(resection.depth_error_mm), cutting,
+  made.push_back(measurement(planned, Metric::DepthMm, std::abs(resection.depth_error_mm), cutting,
                              plan.depth_point_in_bone_mm));
   made.back().direction = words_of(resection.depth_error_mm, plan.face.normal);
-  made.push_back(measurement(planned, "step_mm", std::abs(resection.step_error_mm), cutting,
+  made.push_back(measurement(planned, Metric::StepMm, std::abs(resection.step_error_mm), cutting,
                              plan.exit_point_in_bone_mm));
   made.back().direction = words_of(resection.step_error_mm, plan.face.normal);
 }

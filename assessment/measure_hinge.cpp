@@ -10,6 +10,7 @@
 #include "assessment/ledger.h"
 #include "assessment/metrics/akin.h"
 #include "assessment/number_text.h"
+#include "scenarios/metric_names.h"
 #include "simulator/base/units.h"
 #include "simulator/cutting/hinge/hinge_gap.h"
 
@@ -17,13 +18,14 @@ namespace hallux::assessment {
 
 namespace {
 
+using scenarios::Metric;
 using scenarios::PlannedCut;
 using scenarios::PlannedHinge;
 using simulator::HingeGap;
 
-Measurement named(const PlannedHinge& hinge, const char* metric) {
+Measurement named(const PlannedHinge& hinge, Metric metric) {
   Measurement made;
-  made.metric = metric;
+  made.metric = name_of(metric);
   made.hinge = hinge.name;
   made.is_measured = false;
   made.place_in_bone_mm = hinge.point_in_bone_mm;
@@ -95,8 +97,8 @@ std::string wedge_words(const Wedge& wedge) {
 
 void add_wedge(std::vector<Measurement>& made, const CutEvidence& first, const CutEvidence& second,
                const PlannedHinge& hinge, const RebuiltBone& rebuilt) {
-  Measurement error = named(hinge, "wedge_error_deg");
-  Measurement sagittal = named(hinge, "wedge_sagittal_deg");
+  Measurement error = named(hinge, Metric::WedgeErrorDeg);
+  Measurement sagittal = named(hinge, Metric::WedgeSagittalDeg);
   if (first.has_face() && second.has_face()) {
     const Wedge wedge = measure_wedge(first, second, hinge);
     const bool is_larger = std::abs(wedge.made.wedge_deg) > std::abs(wedge.planned.wedge_deg);
@@ -160,7 +162,7 @@ std::optional<Reach> reach_of(const HingeEvidence& evidence, const PlannedHinge&
 /// hinge_mm of the kerf that left least.
 Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
                                const std::vector<KerfGap>& gaps) {
-  Measurement bridge = named(hinge, "hinge_mm");
+  Measurement bridge = named(hinge, Metric::HingeMm);
   if (gaps.empty()) return bridge;
   const KerfGap& thinnest = *std::min_element(
       gaps.begin(), gaps.end(),
@@ -176,7 +178,7 @@ Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge
 /// over_cut_mm of the kerf that went furthest: from the first tick beyond the cortex to the deepest.
 Measurement over_cut_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
                                  const std::vector<KerfGap>& gaps) {
-  Measurement over_cut = named(hinge, "over_cut_mm");
+  Measurement over_cut = named(hinge, Metric::OverCutMm);
   if (gaps.empty()) return over_cut;
   const KerfGap& furthest = *std::max_element(
       gaps.begin(), gaps.end(),
@@ -198,9 +200,10 @@ Measurement over_cut_measurement(const HingeEvidence& evidence, const PlannedHin
 /// The worse of the two cuts.
 Measurement flatness_measurement(const PlannedHinge& hinge, std::span<const Measurement> measured) {
   const Measurement* worse = nullptr;
+  const std::string flatness_name(name_of(Metric::FlatnessMm));
   for (const std::string& cut : {hinge.first_cut, hinge.second_cut}) {
-    const Measurement* flatness = find_measurement(measured, "flatness_mm", cut);
-    if (flatness == nullptr || !flatness->is_measured) return named(hinge, "flatness_mm");
+    const Measurement* flatness = find_measurement(measured, flatness_name, cut);
+    if (flatness == nullptr || !flatness->is_measured) return named(hinge, Metric::FlatnessMm);
     if (worse == nullptr || flatness->value > worse->value) worse = flatness;
   }
   Measurement made = *worse;
@@ -223,7 +226,7 @@ std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const HingeEvi
   made.push_back(flatness_measurement(hinge, measured));
   made.push_back(over_cut_measurement(evidence, hinge, gaps));
   Measurement lost = made[2];
-  lost.metric = "hinge_lost";
+  lost.metric = name_of(Metric::HingeLost);
   lost.value = lost.is_measured && lost.value == 0.0 ? 1.0 : 0.0;
   made.push_back(std::move(lost));
   if (!first.has_face() || !second.has_face()) made[2].is_measured = false;

@@ -8,6 +8,7 @@
 #include "assessment/ledger.h"
 #include "assessment/number_text.h"
 #include "assessment/shown_points.h"
+#include "scenarios/metric_names.h"
 
 namespace hallux::assessment {
 
@@ -18,62 +19,31 @@ using database::LedgerKind;
 using database::LedgerLine;
 using database::ScoreCard;
 using scenarios::Gate;
+using scenarios::MetricWording;
 using scenarios::RubricItem;
 using scenarios::Scenario;
 
 constexpr std::size_t sentence_limit = 3;
 
-/// How a metric is said: `subject` + value + `tail` (+ direction after `lean`). Where the value is 0 and `at_zero` is not
-/// empty, that is said in place of all of it.
-struct Wording {
-  const char* metric;
-  const char* subject;
-  const char* tail;
-  const char* lean;
-  const char* at_zero = "";
-};
-
-constexpr Wording wordings[] = {
-    {"angle_deg", "The face is tilted ", "", ", deepest at its "},
-    {"location_mm", "The face lies up to ", " from the plan", ", there too far "},
-    {"depth_mm", "At the depth landmark the face is ", " from the planned depth", ", too far "},
-    {"step_mm", "At the exit the face is ", " off the planned one", ", too far "},
-    {"notch_mm", "At the exit the face runs ", " into the bone that is kept", ""},
-    {"past_landmark_mm", "The face passes ", " beyond the landmark", ""},
-    {"flatness_mm", "The blade wandered ", " out of its plane, by its poses in the kerf", ""},
-    {"wedge_error_deg", "The wedge is ", " off the planned angle", ", too "},
-    {"wedge_sagittal_deg", "The wedge leans ", " in the sagittal plane", ", wider "},
-    {"hinge_mm", "The hinge is ", " thick", "", "The hinge is gone"},
-    {"over_cut_mm", "The blade went ", " past the far cortex", "",
-     "The blade stayed inside the far cortex"},
-};
-
 /// A claim has no unit: its value is 1 where it holds.
 bool is_claim(const std::string& unit) noexcept { return unit.empty(); }
 
-const Wording* wording_of(const std::string& metric) noexcept {
-  for (const Wording& wording : wordings) {
-    if (metric == wording.metric) return &wording;
-  }
-  return nullptr;
-}
-
-std::string direction_clause(const Wording& wording, const Measurement& measurement) {
+std::string direction_clause(const MetricWording& wording, const Measurement& measurement) {
   if (measurement.direction.empty() || wording.lean[0] == '\0') return "";
-  const char* const edge = measurement.metric == "angle_deg" ? " edge" : "";
-  return wording.lean + measurement.direction + edge;
+  return wording.lean + measurement.direction + wording.lean_end;
 }
 
 std::string metric_clause(const RubricItem& item, const Measurement& measurement, bool is_loss) {
   const std::string value = value_text(measurement.value, item.unit);
-  const Wording* wording = wording_of(item.metric);
-  if (wording == nullptr) return item.title + ": " + value;
-  const bool is_zero = measurement.value == 0.0 && wording->at_zero[0] != '\0';
-  std::string text = is_zero ? wording->at_zero : wording->subject + value + wording->tail;
+  const scenarios::MetricName* metric = scenarios::find_metric(item.metric);
+  if (metric == nullptr || metric->unit.empty()) return item.title + ": " + value;
+  const MetricWording& wording = metric->wording;
+  const bool is_zero = measurement.value == 0.0 && wording.at_zero[0] != '\0';
+  std::string text = is_zero ? wording.at_zero : wording.subject + value + wording.tail;
   // A direction and more numbers help to mend a loss; where nothing was lost they would only sound like one.
   if (!is_loss) return text;
   const std::string detail = measurement.detail.empty() ? "" : ": " + measurement.detail;
-  return text + direction_clause(*wording, measurement) + detail;
+  return text + direction_clause(wording, measurement) + detail;
 }
 
 /// A line with its points as they are said.

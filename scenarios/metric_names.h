@@ -1,26 +1,64 @@
-/// The metrics that a rubric may name, with the unit each is said in.
+/// The scoring metrics: one row each with its id, unit, subject and wording. Rubrics, scoring and sentences read this table.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace hallux::scenarios {
 
+/// In the order of the table.
+enum class Metric : std::uint8_t {
+  AngleDeg,
+  LocationMm,
+  DepthMm,
+  StepMm,
+  FlatnessMm,
+  PastLandmarkMm,
+  NotchMm,
+  WedgeErrorDeg,
+  WedgeSagittalDeg,
+  HingeMm,
+  OverCutMm,
+  HingeLost,
+  Count
+};
+
 /// What an item or gate with this metric must name.
 enum class MetricSubject {
   Cut,
-  Hinge,      ///< the bridge, or the wedge that its two cuts take out
-  CutOrHinge  ///< one cut, or the worse of a hinge's two
+  /// A cut along the bone, which is planned from landmarks of depth and exit.
+  CutAlong,
+  /// The bridge, or the wedge that its two cuts take out.
+  Hinge,
+  /// One cut, or the worse of a hinge's two.
+  CutOrHinge
+};
+
+/// How a metric is said: `subject`, the value, `tail`, and where a direction helps `lean`, the direction and `lean_end`.
+/// Where the value is 0 and `at_zero` is not empty, that is said in place of all of it.
+struct MetricWording {
+  const char* subject = "";
+  const char* tail = "";
+  const char* lean = "";
+  const char* lean_end = "";
+  const char* at_zero = "";
 };
 
 struct MetricName {
-  std::string_view name, unit;
+  Metric metric = Metric::Count;
+  /// The id in rubrics and score cards; its last word is the unit.
+  std::string_view name;
+  /// Empty for a claim, whose value is 1 where it holds and which is said by the item's title.
+  std::string_view unit;
   MetricSubject subject = MetricSubject::Cut;
+  MetricWording wording = {};
 };
 
 /// source  docs/metrics.md
 std::span<const MetricName> known_metrics() noexcept;
 /// Nothing (null) where there is no metric of that name; what is returned lives as long as the program.
 const MetricName* find_metric(std::string_view name) noexcept;
+std::string_view name_of(Metric metric) noexcept;
 
 }  // namespace hallux::scenarios

@@ -1,3 +1,5 @@
+#include "ui/report/face_svg.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,7 +7,6 @@
 
 #include "assessment/number_text.h"
 #include "ui/report/html_text.h"
-#include "ui/report/report_svg.h"
 
 namespace hallux::ui {
 

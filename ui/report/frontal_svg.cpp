@@ -1,5 +1,6 @@
+#include "ui/report/frontal_svg.h"
+
 #include "ui/report/html_text.h"
-#include "ui/report/report_svg.h"
 
 namespace hallux::ui {
 

@@ -5,9 +5,11 @@
 #include "assessment/number_text.h"
 #include "assessment/shown_points.h"
 #include "simulator/base/embedded.h"
+#include "ui/report/face_svg.h"
+#include "ui/report/frontal_svg.h"
 #include "ui/report/html_text.h"
 #include "ui/report/report_ledger.h"
-#include "ui/report/report_svg.h"
+#include "ui/report/trace_svg.h"
 #include "ui/report/wound_text.h"
 
 namespace hallux::ui {

@@ -1,3 +1,5 @@
+#include "ui/report/trace_svg.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,7 +9,6 @@
 
 #include "assessment/number_text.h"
 #include "ui/report/html_text.h"
-#include "ui/report/report_svg.h"
 
 namespace hallux::ui {
 

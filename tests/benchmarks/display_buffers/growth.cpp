@@ -36,8 +36,7 @@ std::uint32_t count_of(const AppendStep& step, const Triangle&) { return step.tr
 /// All steps on one buffer.
 template <typename Element>
 Appended append_all(std::size_t initial, const std::vector<AppendStep>& steps, double factor) {
-  ui::DisplayBuffer<Element> buffer(
-      {}, {.growth = {.factor = factor, .least = 1}, .removal = ui::RemovalPolicy::Overwrite});
+  ui::DisplayBuffer<Element> buffer({}, {.growth = {.factor = factor, .least = 1}});
   buffer.append(std::vector<Element>(initial));
   buffer.upload();
   glFinish();

@@ -11,19 +11,17 @@
 #include <vector>
 
 #include "simulator/base/random.h"
+#include "tests/benchmarks/display_buffers/placed_buffer.h"
 #include "tests/benchmarks/display_buffers/sections.h"
 #include "tests/benchmarks/display_buffers/workloads.h"
 #include "tests/benchmarks/report/chart.h"
 #include "tests/benchmarks/report/spread.h"
-#include "ui/render/gl/display_buffer.h"
 
 namespace hallux::benchmarks {
 
 namespace {
 
 using simulator::Triangle;
-using ui::DisplayBuffer;
-using ui::RemovalPolicy;
 
 constexpr Triangle blank{0, 0, 0};
 constexpr std::size_t batch = 40;  ///< triangles a frame: about what a saw's frame hides
@@ -48,12 +46,12 @@ std::vector<Method> methods() {
 }
 
 /// The triangle's place as one finds it who keeps no record: by its indices.
-std::uint32_t search(const DisplayBuffer<Triangle>& buffer, const Triangle& triangle) {
+std::uint32_t search(const PlacedBuffer<Triangle>& buffer, const Triangle& triangle) {
   const auto all = buffer.elements();
   return static_cast<std::uint32_t>(std::find(all.begin(), all.end(), triangle) - all.begin());
 }
 
-void send_all(const DisplayBuffer<Triangle>& buffer) {
+void send_all(const PlacedBuffer<Triangle>& buffer) {
   glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
   const auto bytes = std::as_bytes(buffer.elements());
   glBufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
@@ -73,7 +71,7 @@ std::vector<std::uint32_t> shuffled(std::size_t count) {
 /// Microseconds a triangle, of frames that each remove one batch.
 Spread remove_batches(const Method& method, const std::vector<Triangle>& triangles,
                       const std::vector<std::uint32_t>& order, std::size_t frames) {
-  DisplayBuffer<Triangle> buffer(blank, {.removal = method.removal});
+  PlacedBuffer<Triangle> buffer(blank, method.removal);
   buffer.append(triangles);
   buffer.upload();
   glFinish();

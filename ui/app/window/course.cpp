@@ -1,10 +1,16 @@
 #include "ui/app/window/course.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "simulator/device/mouse.h"
+#include "ui/screens/administrator/audit_screen.h"
+#include "ui/screens/administrator/cohorts_screen.h"
+#include "ui/screens/administrator/people_screen.h"
+#include "ui/screens/administrator/scenarios_screen.h"
 #include "ui/screens/instructor/attempts_screen.h"
+#include "ui/screens/instructor/cohort_screen.h"
 #include "ui/screens/instructor/trainee_screen.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/parts/notice_text.h"
@@ -20,6 +26,16 @@
 #include "ui/screens/trainee/questions_screen.h"
 
 namespace hallux::ui {
+
+namespace {
+
+bool administers(const Visit& visit) { return visit.person().is_administrator; }
+bool teaches(const Visit& visit) { return !visit.taught().empty(); }
+bool is_staff(const Visit& visit) { return administers(visit) || teaches(visit); }
+bool may_ask(const Visit& visit) { return !administers(visit) || !visit.memberships().empty(); }
+bool is_anybody(const Visit&) { return true; }
+
+}  // namespace
 
 Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,
                database::PasswordCost cost)
@@ -62,42 +78,64 @@ Visitor Course::visitor_of(const Visit& visit) const {
   const database::Person& person = visit.person();
   Visitor visitor;
   visitor.name = person.display_name.empty() ? person.login : person.display_name;
-  visitor.role = texts_.text(person.is_administrator   ? "role.administrator"
-                             : !visit.taught().empty() ? "role.instructor"
-                                                       : "role.trainee");
+  visitor.role = texts_.text(administers(visit) ? "role.administrator"
+                             : teaches(visit)   ? "role.instructor"
+                                                : "role.trainee");
   visitor.initials = initials_of(visitor.name);
   visitor.hue = static_cast<int>(person.id.number % 6);
   visitor.places = places_of(visit);
   return visitor;
 }
 
+// In the order in which the navigation lists them: a place, who has it, and its screen.
+std::span<const Course::Route> Course::routes() noexcept {
+  using At = Course&;
+  static constexpr std::array<Route, 10> all{{
+      {"nav.people", "place.people", Icon::People, administers,
+       [](At at) -> Shown { return std::make_unique<PeopleScreen>(at.visit_, at.cost_); }},
+      {"nav.cohorts", "place.cohorts", Icon::Cohorts, administers,
+       [](At at) -> Shown { return std::make_unique<CohortsScreen>(at.visit_); }},
+      {"nav.scenarios", "place.scenarios", Icon::Scenarios, administers,
+       [](At at) -> Shown { return std::make_unique<ScenariosScreen>(at.visit_); }},
+      {"nav.records", "place.records", Icon::Audit, administers,
+       [](At at) -> Shown { return std::make_unique<RecordsScreen>(at.visit_); }},
+      {"nav.cohort", "place.cohort", Icon::Cohort, teaches, &Course::cohort_screen},
+      {"nav.inbox", "place.inbox", Icon::Inbox, teaches, &Course::inbox_screen},
+      {"nav.operations", "place.operations", Icon::Operations, is_anybody,
+       [](At at) -> Shown {
+         return std::make_unique<OperationsScreen>(at.visit_, at, at.pictures_);
+       }},
+      {"nav.history", "place.history", Icon::History, is_anybody,
+       [](At at) -> Shown { return std::make_unique<HistoryScreen>(at.visit_, at); }},
+      {"nav.attempts", "place.attempts", Icon::Ratings, is_staff,
+       [](At at) -> Shown { return std::make_unique<AttemptsScreen>(at.visit_, at); }},
+      {"nav.questions", "place.questions", Icon::Messages, may_ask,
+       [](At at) -> Shown { return std::make_unique<QuestionsScreen>(at.visit_, at); }},
+  }};
+  return all;
+}
+
+Course::Shown Course::cohort_screen(Course& at) {
+  return std::make_unique<CohortScreen>(at.visit_, at, [&at] { at.show_place("nav.inbox"); });
+}
+
+Course::Shown Course::inbox_screen(Course& at) {
+  return std::make_unique<InboxScreen>(at.visit_, at, at.answer_drafts_,
+                                       [&at](int open) { at.show_badge(open); });
+}
+
 std::vector<Visitor::Place> Course::places_of(const Visit& visit) const {
   std::vector<Visitor::Place> places;
-  const auto add = [&](const char* id, std::string_view label, Icon icon) {
-    places.push_back({id, std::string(label), icon});
-  };
-  add_staff_places(visit, places);
-  add("nav.operations", texts_.text("place.operations"), Icon::Operations);
-  add("nav.history", texts_.text("place.history"), Icon::History);
-  const bool is_trainee = !visit.person().is_administrator && visit.taught().empty();
-  if (!is_trainee) add("nav.attempts", texts_.text("place.attempts"), Icon::Ratings);
-  if (!visit.person().is_administrator || !visit.memberships().empty())
-    add("nav.questions", texts_.text("place.questions"), Icon::Messages);
+  for (const Route& route : routes()) {
+    if (!route.is_for(visit)) continue;
+    places.push_back({std::string(route.id), std::string(texts_.text(route.label)), route.icon});
+  }
   return places;
 }
 
-void Course::show_place(const std::string& id) {
-  if (show_staff_place(id)) return;
-  if (id == "nav.attempts") {
-    shell_.replace_all(std::make_unique<AttemptsScreen>(visit_, *this));
-  }
-  if (id == "nav.questions") {
-    shell_.replace_all(std::make_unique<QuestionsScreen>(visit_, *this));
-  }
-  if (id == "nav.operations") {
-    shell_.replace_all(std::make_unique<OperationsScreen>(visit_, *this, pictures_));
-  }
-  if (id == "nav.history") shell_.replace_all(std::make_unique<HistoryScreen>(visit_, *this));
+void Course::show_place(std::string_view id) {
+  for (const Route& route : routes())
+    if (route.id == id) shell_.replace_all(route.screen(*this));
 }
 
 void Course::brief(database::ScenarioVersionId scenario) {
@@ -158,6 +196,30 @@ void Course::sign_out() {
       },
       [](WorkEnd, const std::string&) {});
   ask_who();
+}
+
+void Course::count_questions() {
+  if (visit_->taught().empty()) return;
+  auto open = std::make_shared<int>(0);
+  shell_.background().start(
+      std::string(texts_.text("course.counting")),
+      [open, visit = visit_](WorkReport&) {
+        *open = visit->in_turn([](database::Session& session, database::Database&) {
+          return count_open(read_inbox(session));
+        });
+      },
+      // Somebody else may have come in meanwhile. A count that failed leaves no badge; the inbox says why.
+      [this, open, visit = visit_](WorkEnd end, const std::string&) {
+        if (end == WorkEnd::Done && visit == visit_) show_badge(*open);
+      });
+}
+
+void Course::show_badge(int open_questions) {
+  if (!shell_.visitor()) return;
+  Visitor visitor = *shell_.visitor();
+  for (Visitor::Place& place : visitor.places)
+    if (place.id == "nav.inbox") place.badge = open_questions;
+  shell_.set_visitor(std::move(visitor));
 }
 
 }  // namespace hallux::ui

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string_view>
 
 #include "ui/screens/instructor/inbox_screen.h"
 #include "ui/screens/parts/places.h"
@@ -28,19 +30,29 @@ class Course : public Places {
   void show_trainee(database::CohortId cohort, database::PersonId trainee) override;
 
  private:
+  using Shown = std::unique_ptr<Screen>;
+  /// A place of the navigation.
+  struct Route {
+    std::string_view id;
+    /// The text that names it.
+    std::string_view label;
+    Icon icon;
+    bool (*is_for)(const Visit& visit);
+    Shown (*screen)(Course& course);
+  };
+
+  static std::span<const Route> routes() noexcept;
+  static Shown cohort_screen(Course& course);
+  static Shown inbox_screen(Course& course);
   void ask_who();
   void welcome(std::shared_ptr<Visit> visit);
   Visitor visitor_of(const Visit& visit) const;
   std::vector<Visitor::Place> places_of(const Visit& visit) const;
-  /// What instructors and administrators have before the places of everybody (course_staff.cpp).
-  void add_staff_places(const Visit& visit, std::vector<Visitor::Place>& places) const;
-  /// True where `id` is one of them; its screen is then shown.
-  bool show_staff_place(const std::string& id);
   /// Reads how many questions are open, for the inbox's badge.
   void count_questions();
   void show_badge(int open_questions);
   /// The screen of a place of the navigation.
-  void show_place(const std::string& id);
+  void show_place(std::string_view id);
   void show_account();
   /// What the person was told since they were here last.
   void tell_notices();

@@ -63,7 +63,6 @@ void DisplayStore::upload(std::span<const std::byte> bytes, std::size_t element_
       send(bytes, range);
     }
   }
-  sent_bytes_ = bytes.size();
 }
 
 void DisplayStore::grow(std::span<const std::byte> bytes, std::size_t element_bytes) {
@@ -72,15 +71,8 @@ void DisplayStore::grow(std::span<const std::byte> bytes, std::size_t element_by
   GlBuffer grown;
   glBindBuffer(binding, grown.name());
   glBufferData(binding, static_cast<GLsizeiptr>(room_bytes_), nullptr, GL_DYNAMIC_DRAW);
-  const std::size_t kept = std::min(sent_bytes_, bytes.size());
-  if (policy_.growth.refill == Refill::OnCard && kept > 0) {
-    glBindBuffer(GL_COPY_READ_BUFFER, buffer_.name());
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, binding, 0, 0, static_cast<GLsizeiptr>(kept));
-    counts_.copied_bytes += kept;
-  } else {
-    changed_.clear();
-    changed_.add(0, bytes.size());
-  }
+  changed_.clear();
+  changed_.add(0, bytes.size());
   buffer_ = std::move(grown);
 }
 
@@ -89,32 +81,6 @@ void DisplayStore::send(std::span<const std::byte> bytes, const ChangedRanges::R
                   static_cast<GLsizeiptr>(range.last - range.first), bytes.data() + range.first);
   ++counts_.uploads;
   counts_.uploaded_bytes += range.last - range.first;
-}
-
-void ElementPlaces::append(std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto element = static_cast<std::uint32_t>(place_of_.size());
-    place_of_.push_back(static_cast<std::uint32_t>(element_at_.size()));
-    element_at_.push_back(element);
-  }
-}
-
-void ElementPlaces::move_last_to(std::uint32_t place) {
-  const std::uint32_t moved = element_at_.back(), gone = element_at_[place];
-  element_at_[place] = moved;
-  place_of_[moved] = place;
-  place_of_[gone] = nowhere;
-  element_at_.pop_back();
-}
-
-void ElementPlaces::pack(const std::vector<std::uint8_t>& is_gone_at) {
-  std::uint32_t kept = 0;
-  for (std::size_t place = 0; place < element_at_.size(); ++place) {
-    const std::uint32_t element = element_at_[place];
-    place_of_[element] = is_gone_at[place] != 0 ? nowhere : kept;
-    if (is_gone_at[place] == 0) element_at_[kept++] = element;
-  }
-  element_at_.resize(kept);
 }
 
 }  // namespace hallux::ui

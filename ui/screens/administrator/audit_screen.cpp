@@ -16,10 +16,43 @@ namespace {
 
 using database::AuditLine;
 
-enum Field { When, Who, Did, What, Entry, ColumnCount };
 constexpr float side_width = 320.0F, stacked_height = 704.0F, backup_height = 384.0F,
                 roomy_from = 640.0F;
 constexpr std::int32_t lines_per_page = 50;
+
+std::string actor_text(const Ui& ui, const AuditLine& line) {
+  return line.actor.empty() ? std::string(ui.text("records.nobody")) : line.actor;
+}
+
+void draw_deed(Ui& ui, const AuditLine& line, const Rect& cell) {
+  Rect rest = cell;
+  if (line.was_refused) {
+    const float width = pill_width(ui, ui.text("records.refused.one"));
+    pill(ui, {rest.x, rest.mid_y()}, ui.text("records.refused.one"), Meaning::Warn);
+    take_left(rest, width, 8.0F);
+  }
+  ui.canvas().text_in(rest, {Type::Small, ui.theme().text}, deed_text(ui.texts(), line), true);
+}
+
+std::vector<RowColumn<AuditLine>> columns_of(const Ui& ui) {
+  constexpr CellStyle actor{Type::Small, &Theme::text}, entry{Type::Small, &Theme::text_caption};
+  using Line = const AuditLine&;
+  return {
+      {{ui.text("records.when"), 140.0F},
+       [](Line line) { return moment_text(line.at_utc); },
+       small_cell},
+      {{ui.text("records.who"), 0.0F, 0.8F},
+       [&ui](Line line) { return actor_text(ui, line); },
+       actor},
+      {{ui.text("records.did"), 0.0F, 1.3F}, draw_deed},
+      {{ui.text("records.what"), 0.0F, 1.5F, Align::Left, roomy_from},
+       [&ui](Line line) { return subject_text(ui.texts(), line); },
+       small_cell},
+      {{ui.text("records.entry"), 64.0F, 1.0F, Align::Right, roomy_from},
+       [](Line line) { return grouped(static_cast<long>(line.number)); },
+       entry},
+  };
+}
 
 }  // namespace
 
@@ -111,30 +144,18 @@ void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
 }
 
 void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
-  const std::array<TableColumn, ColumnCount> columns{
-      {{ui.text("records.when"), 140.0F},
-       {ui.text("records.who"), 0.0F, 0.8F},
-       {ui.text("records.did"), 0.0F, 1.3F},
-       {ui.text("records.what"), 0.0F, 1.5F, Align::Left, false, roomy_from},
-       {ui.text("records.entry"), 64.0F, 1.0F, Align::Right, false, roomy_from}}};
   const std::vector<AuditLine>& lines = page_.value().lines;
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(lines.size());
-  spec.row_height = 38.0F;
-  spec.label = ui.text("records.audit");
-  const auto at = [&](int row) -> const AuditLine& { return lines[static_cast<std::size_t>(row)]; };
-  spec.row_id = [&](int row) { return std::to_string(at(row).number); };
-  spec.row_label = [&](int row) {
-    return ui.texts().say("records.row", {{"did", deed_text(ui.texts(), at(row))},
-                                          {"moment", moment_text(at(row).at_utc)}});
-  };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    draw_cell(own, at(row), column, cell);
-  };
+  RowTable<AuditLine> shown{
+      ui.text("records.audit"), [](const AuditLine& line) { return std::to_string(line.number); },
+      [&](const AuditLine& line) {
+        return ui.texts().say("records.row", {{"did", deed_text(ui.texts(), line)},
+                                              {"moment", moment_text(line.at_utc)}});
+      },
+      columns_of(ui)};
+  shown.row_height = 38.0F;
   table_.chosen = {std::to_string(chosen_)};
-  const TableResponse response = table(ui, "records.row", content, spec, table_);
-  if (response.opened) chosen_ = at(*response.opened).number;
+  const TableResponse response = table(ui, "records.row", content, shown, lines, table_);
+  if (response.opened) chosen_ = lines[static_cast<std::size_t>(*response.opened)].number;
 }
 
 void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
@@ -151,8 +172,7 @@ void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
       ui.texts().say("records.line", {{"number", grouped(static_cast<long>(chosen->number))}});
   Rect rest = card(ui, rect, title, space::side_card);
   fact_line(ui, rest, ui.text("records.when"), moment_text(chosen->at_utc));
-  fact_line(ui, rest, ui.text("records.who"),
-            chosen->actor.empty() ? ui.text("records.nobody") : std::string_view(chosen->actor));
+  fact_line(ui, rest, ui.text("records.who"), actor_text(ui, *chosen));
   fact_line(ui, rest, ui.text("records.outcome"),
             ui.text(chosen->was_refused ? "records.outcome.refused" : "records.outcome.done"));
   take_top(rest, 8.0F);
@@ -164,36 +184,6 @@ void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
   ui.canvas().paragraph({rest.x, rest.y - offset, rest.w - 12.0F, height},
                         {Type::Small, ui.theme().text_secondary}, subject);
   ui.end_scroll();
-}
-
-void RecordsScreen::draw_cell(Ui& ui, const AuditLine& line, int field, const Rect& cell) const {
-  const TextStyle plain{Type::Small, ui.theme().text_secondary};
-  switch (field) {
-    case When:
-      ui.canvas().text_in(cell, plain, moment_text(line.at_utc), true);
-      return;
-    case Who:
-      ui.canvas().text_in(
-          cell, {Type::Small, ui.theme().text},
-          line.actor.empty() ? ui.text("records.nobody") : std::string_view(line.actor), true);
-      return;
-    case Did: {
-      Rect rest = cell;
-      if (line.was_refused) {
-        const float width = pill_width(ui, ui.text("records.refused.one"));
-        pill(ui, {rest.x, rest.mid_y()}, ui.text("records.refused.one"), Meaning::Warn);
-        take_left(rest, width, 8.0F);
-      }
-      ui.canvas().text_in(rest, {Type::Small, ui.theme().text}, deed_text(ui.texts(), line), true);
-      return;
-    }
-    case What:
-      ui.canvas().text_in(cell, plain, subject_text(ui.texts(), line), true);
-      return;
-    default:
-      ui.canvas().text_in(cell, {Type::Small, ui.theme().text_caption, Align::Right},
-                          grouped(static_cast<long>(line.number)));
-  }
 }
 
 void RecordsScreen::draw_pager(Ui& ui, const Rect& line) {

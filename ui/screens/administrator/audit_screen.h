@@ -10,7 +10,7 @@
 #include "ui/screens/administrator/retention_dialogs.h"
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 
@@ -36,7 +36,6 @@ class RecordsScreen : public Screen {
   void read_last_backup(Ui& ui, Shell& shell);
   void draw_audit(Ui& ui, const Rect& rect);
   void draw_table(Ui& ui, const Rect& content);
-  void draw_cell(Ui& ui, const database::AuditLine& line, int field, const Rect& cell) const;
   void draw_pager(Ui& ui, const Rect& line);
   void draw_line(Ui& ui, const Rect& rect) const;
   void draw_backup(Ui& ui, const Rect& rect, Shell& shell);

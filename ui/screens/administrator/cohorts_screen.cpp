@@ -5,6 +5,7 @@
 
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
+#include "ui/screens/parts/person_cell.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
@@ -24,6 +25,10 @@ constexpr float list_height = 260.0F, gap = 14.0F;
 
 std::string_view role_id(CohortRole role) noexcept {
   return role == CohortRole::Trainee ? "role.trainee" : "role.instructor";
+}
+
+std::string member_name(const CohortMember& member) {
+  return shown_name_of(member.login, member.display_name);
 }
 
 }  // namespace
@@ -94,33 +99,22 @@ void CohortsScreen::draw_cohorts(Ui& ui, const Rect& content) {
                {Icon::Cohorts, ui.text("cohorts.empty"), ui.text("cohorts.empty.sentence"), {}});
     return;
   }
-  const std::array<TableColumn, 3> columns{
-      {{ui.text("cohorts.name")},
-       {ui.text("cohorts.trainees"), 72.0F, 1.0F, Align::Right},
-       {ui.text("cohorts.instructors"), 84.0F, 1.0F, Align::Right}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(cohorts.size());
-  spec.label = ui.text("cohorts.title");
-  const auto at = [&](int row) -> const database::Cohort& {
-    return cohorts[static_cast<std::size_t>(row)].cohort;
-  };
-  spec.row_id = [&](int row) { return std::to_string(at(row).id.number); };
-  spec.row_label = [&](int row) { return at(row).name; };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const Theme& theme = own.theme();
-    if (column == 0) {
-      own.canvas().text_in(cell, {Type::BodyMedium, theme.text}, at(row).name, true);
-    } else {
-      own.canvas().text_in(cell, {Type::Body, theme.text_secondary, Align::Right},
-                           std::to_string(column == 1 ? at(row).trainees : at(row).instructors));
-    }
-  };
+  const RowTable<Listed> shown{
+      ui.text("cohorts.title"),
+      [](const Listed& listed) { return std::to_string(listed.cohort.id.number); },
+      [](const Listed& listed) { return listed.cohort.name; },
+      {{{ui.text("cohorts.name")},
+        [](const Listed& listed) { return listed.cohort.name; },
+        name_cell},
+       {{ui.text("cohorts.trainees"), 72.0F, 1.0F, Align::Right},
+        [](const Listed& listed) { return std::to_string(listed.cohort.trainees); }},
+       {{ui.text("cohorts.instructors"), 84.0F, 1.0F, Align::Right},
+        [](const Listed& listed) { return std::to_string(listed.cohort.instructors); }}}};
   cohort_table_.chosen.clear();
   if (chosen_) cohort_table_.chosen.insert(std::to_string(chosen_->number));
-  const TableResponse response = table(ui, "cohorts.row", content, spec, cohort_table_);
+  const TableResponse response = table(ui, "cohorts.row", content, shown, cohorts, cohort_table_);
   if (!response.opened) return;
-  chosen_ = at(*response.opened).id;
+  chosen_ = cohorts[static_cast<std::size_t>(*response.opened)].cohort.id;
   member_.clear();
 }
 
@@ -152,37 +146,24 @@ void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
 }
 
 void CohortsScreen::draw_member_table(Ui& ui, const Rect& content, const Listed& listed) {
-  const std::array<TableColumn, 3> columns{
-      {{ui.text("people.name"), 0.0F, 1.4F},
-       {ui.text("people.role"), 96.0F},
-       {ui.text("cohorts.since"), 140.0F, 1.0F, Align::Left, false, since_from}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(listed.members.size());
-  spec.label = listed.cohort.name;
-  const auto at = [&](int row) -> const CohortMember& {
-    return listed.members[static_cast<std::size_t>(row)];
-  };
-  const auto name_of = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
-  spec.row_id = [&](int row) { return at(row).login; };
-  spec.row_label = name_of;
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const TextStyle plain{Type::Body, own.theme().text_secondary};
-    if (column == 0) {
-      avatar(own, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name_of(row)),
-             static_cast<int>(at(row).id.number % 6));
-      own.canvas().text_in({cell.x + 38.0F, cell.y, cell.w - 38.0F, cell.h},
-                           {Type::BodyMedium, own.theme().text}, name_of(row), true);
-    } else if (column == 1) {
-      own.canvas().text_in(cell, plain, own.text(role_id(at(row).role)), true);
-    } else {
-      own.canvas().text_in(cell, plain, moment_text(at(row).enrolled_utc), true);
-    }
-  };
+  using Member = const CohortMember&;
+  const RowTable<CohortMember> shown{
+      listed.cohort.name,
+      &CohortMember::login,
+      member_name,
+      {{{ui.text("people.name"), 0.0F, 1.4F},
+        [](Ui& own, Member member, const Rect& cell) {
+          draw_person_cell(own, cell, member_name(member), member.id);
+        }},
+       {{ui.text("people.role"), 96.0F},
+        [&ui](Member member) { return std::string(ui.text(role_id(member.role))); }},
+       {{ui.text("cohorts.since"), 140.0F, 1.0F, Align::Left, since_from},
+        [](Member member) { return moment_text(member.enrolled_utc); }}}};
   member_table_.chosen.clear();
   if (!member_.empty()) member_table_.chosen.insert(member_);
-  const TableResponse response = table(ui, "cohorts.member", content, spec, member_table_);
-  if (response.opened) member_ = at(*response.opened).login;
+  const TableResponse response =
+      table(ui, "cohorts.member", content, shown, listed.members, member_table_);
+  if (response.opened) member_ = listed.members[static_cast<std::size_t>(*response.opened)].login;
 }
 
 void CohortsScreen::draw_member_actions(Ui& ui, const Rect& line, const Listed& listed,
@@ -321,27 +302,17 @@ void CohortsScreen::draw_enrol_table(Ui& ui, const Rect& rect, const Listed& lis
                {Icon::People, ui.text("people.none"), ui.text("cohorts.enrol.none"), {}});
     return;
   }
-  const std::array<TableColumn, 2> columns{{{ui.text("people.name")}, {ui.text("people.login")}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(shown.size());
-  spec.row_height = 38.0F;
-  spec.has_checkboxes = true;
-  spec.label = ui.text("cohorts.enrol");
-  const auto at = [&](int row) -> const database::Person& {
-    return *shown[static_cast<std::size_t>(row)];
+  const auto name = [](const database::Person& person) {
+    return shown_name_of(person.login, person.display_name);
   };
-  spec.row_id = [&](int row) { return at(row).login; };
-  spec.row_label = [&](int row) { return shown_name_of(at(row).login, at(row).display_name); };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const std::string words =
-        column == 0 ? shown_name_of(at(row).login, at(row).display_name) : at(row).login;
-    own.canvas().text_in(cell,
-                         {column == 0 ? Type::BodyMedium : Type::Body,
-                          column == 0 ? own.theme().text : own.theme().text_secondary},
-                         words, true);
-  };
-  table(ui, "cohorts.enrolment.row", rect, spec, enrolment_->table);
+  RowTable<database::Person> people{ui.text("cohorts.enrol"),
+                                    &database::Person::login,
+                                    name,
+                                    {{{ui.text("people.name")}, name, name_cell},
+                                     {{ui.text("people.login")}, &database::Person::login}}};
+  people.row_height = 38.0F;
+  people.has_checkboxes = true;
+  table(ui, "cohorts.enrolment.row", rect, people, shown, enrolment_->table);
 }
 
 void CohortsScreen::draw_question(Ui& ui, Shell& shell) {

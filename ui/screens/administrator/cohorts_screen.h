@@ -9,7 +9,7 @@
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/limits_dialog.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 

@@ -5,6 +5,7 @@
 
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
+#include "ui/screens/parts/person_cell.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
@@ -16,7 +17,6 @@ namespace {
 
 using database::Person;
 
-enum Column { Name, Login, RoleColumn, CohortColumn, StateColumn, Seen, ColumnCount };
 constexpr ListPageSpec page_spec{312.0F, 1.0F, 660.0F, 480.0F, 760.0F};
 constexpr float search_width = 220.0F, roomy_from = 700.0F;
 
@@ -41,14 +41,6 @@ bool is_in_tab(Admission admission, int tab) noexcept {
   if (tab == 1) return admission == Admission::Active;
   if (tab == 2) return admission == Admission::Invited || admission == Admission::NeedsCode;
   return admission == Admission::Disabled;
-}
-
-void draw_name(Ui& ui, const Person& person, const Rect& cell) {
-  const std::string name = shown_name_of(person.login, person.display_name);
-  avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name),
-         static_cast<int>(person.id.number % 6));
-  ui.canvas().text_in({cell.x + 38.0F, cell.y, cell.w - 38.0F, cell.h},
-                      {Type::BodyMedium, ui.theme().text}, name, true);
 }
 
 }  // namespace
@@ -96,32 +88,51 @@ void PeopleScreen::read_people(Ui& ui, Shell& shell) {
   });
 }
 
-void PeopleScreen::filter() {
-  shown_.clear();
+std::string PeopleScreen::name_of(const Listed& listed) {
+  return shown_name_of(listed.person.login, listed.person.display_name);
+}
+
+std::vector<RowColumn<PeopleScreen::Listed>> PeopleScreen::columns_of(const Ui& ui) const {
+  return {
+      {{ui.text("people.name"), 0.0F, 1.7F},
+       [](Ui& own, const Listed& listed, const Rect& cell) {
+         draw_person_cell(own, cell, name_of(listed), listed.person.id);
+       },
+       {},
+       by(name_of)},
+      {{ui.text("people.login")}, login_of, plain_cell, by(login_of)},
+      {{ui.text("people.role"), 96.0F, 1.0F, Align::Left, roomy_from},
+       [&ui](const Listed& listed) { return std::string(ui.text(role_id(listed))); },
+       plain_cell,
+       by(role_id)},
+      {{ui.text("people.cohorts"), 0.0F, 1.0F, Align::Left, roomy_from},
+       &Listed::cohorts,
+       plain_cell,
+       by(&Listed::cohorts)},
+      {{ui.text("people.state"), 112.0F},
+       [](Ui& own, const Listed& listed, const Rect& cell) {
+         pill(own, {cell.x, cell.mid_y()}, own.text(admission_id(listed.admission)),
+              meaning_of(listed.admission));
+       },
+       {},
+       by(&Listed::admission)},
+      {{ui.text("people.seen"), 88.0F, 1.0F, Align::Left, roomy_from},
+       [&ui, this](const Listed& listed) {
+         return ago_text(ui.texts(), listed.person.last_sign_in_utc, now_utc_);
+       },
+       plain_cell,
+       by([](const Listed& listed) { return listed.person.last_sign_in_utc; })},
+  };
+}
+
+std::vector<const PeopleScreen::Listed*> PeopleScreen::found() const {
+  std::vector<const Listed*> found;
   for (const Listed& listed : people_.value()) {
     const bool is_found = holds_words(listed.person.login, search_) ||
                           holds_words(listed.person.display_name, search_);
-    if (is_found && is_in_tab(listed.admission, tab_)) shown_.push_back(&listed);
+    if (is_found && is_in_tab(listed.admission, tab_)) found.push_back(&listed);
   }
-  const auto key = [this](const Listed& listed) -> std::string {
-    switch (table_.sort.column) {
-      case RoleColumn:
-        return std::string(role_id(listed));
-      case CohortColumn:
-        return listed.cohorts;
-      case StateColumn:
-        return std::to_string(static_cast<int>(listed.admission));
-      case Seen:
-        return listed.person.last_sign_in_utc;
-      case Login:
-        return listed.person.login;
-      default:
-        return shown_name_of(listed.person.login, listed.person.display_name);
-    }
-  };
-  std::stable_sort(shown_.begin(), shown_.end(), [&](const Listed* a, const Listed* b) {
-    return table_.sort.is_descending ? key(*b) < key(*a) : key(*a) < key(*b);
-  });
+  return found;
 }
 
 const PeopleScreen::Listed* PeopleScreen::chosen() const {
@@ -155,7 +166,6 @@ void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
     card(ui, page.side(), {});
     return;
   }
-  filter();
   draw_list(ui, page.list());
   draw_person(ui, page.side(), shell);
 }
@@ -185,58 +195,18 @@ void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
                                          label("people.tab.disabled", 3)};
   const std::array<std::string_view, 4> labels{words[0], words[1], words[2], words[3]};
   tabs(ui, "people.tab", take_top(rest, tabs_height, 4.0F), labels, tab_);
-  filter();
-  if (!shown_.empty()) return draw_table(ui, rest);
+  std::vector<const Listed*> shown = found();
+  if (!shown.empty()) return draw_table(ui, rest, std::move(shown));
   empty_card(ui, "people.none", rest,
              {Icon::People, ui.text("people.none"), ui.text("people.none.sentence"), {}});
 }
 
-void PeopleScreen::draw_table(Ui& ui, const Rect& content) {
-  const std::array<TableColumn, ColumnCount> columns{
-      {{ui.text("people.name"), 0.0F, 1.7F, Align::Left, true},
-       {ui.text("people.login"), 0.0F, 1.0F, Align::Left, true},
-       {ui.text("people.role"), 96.0F, 1.0F, Align::Left, true, roomy_from},
-       {ui.text("people.cohorts"), 0.0F, 1.0F, Align::Left, true, roomy_from},
-       {ui.text("people.state"), 112.0F, 1.0F, Align::Left, true},
-       {ui.text("people.seen"), 88.0F, 1.0F, Align::Left, true, roomy_from}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(shown_.size());
-  spec.label = ui.text("people.title");
-  const auto at = [this](int row) -> const Listed& {
-    return *shown_[static_cast<std::size_t>(row)];
-  };
-  spec.row_id = [&](int row) { return at(row).person.login; };
-  spec.row_label = [&](int row) {
-    return shown_name_of(at(row).person.login, at(row).person.display_name);
-  };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const Listed& listed = at(row);
-    const TextStyle plain{Type::Body, own.theme().text_secondary};
-    switch (column) {
-      case Name:
-        return draw_name(own, listed.person, cell);
-      case Login:
-        own.canvas().text_in(cell, plain, listed.person.login, true);
-        return;
-      case RoleColumn:
-        own.canvas().text_in(cell, plain, own.text(role_id(listed)), true);
-        return;
-      case CohortColumn:
-        own.canvas().text_in(cell, plain, listed.cohorts, true);
-        return;
-      case StateColumn:
-        pill(own, {cell.x, cell.mid_y()}, own.text(admission_id(listed.admission)),
-             meaning_of(listed.admission));
-        return;
-      default:
-        own.canvas().text_in(cell, plain,
-                             ago_text(own.texts(), listed.person.last_sign_in_utc, now_utc_), true);
-    }
-  };
+void PeopleScreen::draw_table(Ui& ui, const Rect& content, std::vector<const Listed*> shown) {
+  const RowTable<Listed> people{ui.text("people.title"), login_of, name_of, columns_of(ui)};
+  sort_rows(shown, people.columns, table_.sort, 0);
   table_.chosen = {chosen_};
-  const TableResponse response = table(ui, "people.row", content, spec, table_);
-  if (response.opened) chosen_ = at(*response.opened).person.login;
+  const TableResponse response = table(ui, "people.row", content, people, shown, table_);
+  if (response.opened) chosen_ = shown[static_cast<std::size_t>(*response.opened)]->person.login;
 }
 
 void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {

@@ -10,7 +10,7 @@
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/person_dialogs.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 
@@ -46,14 +46,18 @@ class PeopleScreen : public Screen {
 
   static List read(database::Session& session);
   void read_people(Ui& ui, Shell& shell);
-  void filter();
+  static std::string login_of(const Listed& listed) { return listed.person.login; }
+  static std::string name_of(const Listed& listed);
   static std::string_view role_id(const Listed& listed) noexcept;
+  std::vector<RowColumn<Listed>> columns_of(const Ui& ui) const;
+  /// Those who are searched for, of the tab.
+  std::vector<const Listed*> found() const;
   const Listed* chosen() const;
   bool is_last_administrator(const database::Person& person) const;
   void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add);
   void draw_list(Ui& ui, const Rect& content);
-  void draw_table(Ui& ui, const Rect& content);
+  void draw_table(Ui& ui, const Rect& content, std::vector<const Listed*> shown);
   void draw_person(Ui& ui, const Rect& content, Shell& shell);
   void draw_facts(Ui& ui, Rect& rest, const Listed& listed) const;
   void draw_code_button(Ui& ui, Rect& rest, const Listed& listed);
@@ -74,7 +78,6 @@ class PeopleScreen : public Screen {
   Reading<List> people_;
   std::string search_, now_utc_;
   int tab_ = 0;
-  std::vector<const Listed*> shown_;  ///< of people_, searched and sorted
   TableState table_;
   std::string chosen_;  ///< login
   DeskWork work_, adding_, erasing_;

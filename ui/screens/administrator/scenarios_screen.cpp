@@ -19,7 +19,6 @@ namespace {
 using database::ScenarioState;
 using database::ScenarioVersion;
 
-enum Column { Operation, Version, StateColumn, Review, Attempts, ColumnCount };
 constexpr ListPageSpec page_spec{1000.0F, 0.46F, 560.0F, 420.0F, 520.0F};
 constexpr float review_from = 420.0F, attempts_from = 500.0F;
 
@@ -40,6 +39,30 @@ Meaning meaning_of(ScenarioState state) noexcept {
 
 std::string_view review_id(const ScenarioVersion& version) noexcept {
   return version.is_reviewed ? "scenarios.reviewed" : "scenarios.not_reviewed";
+}
+
+std::vector<RowColumn<ScenarioVersion>> columns_of(const Ui& ui) {
+  using Version = const ScenarioVersion&;
+  return {
+      {{ui.text("scenarios.operation")},
+       [](Version version) { return operation_text(version.name); },
+       name_cell},
+      {{ui.text("scenarios.version"), 56.0F, 1.0F, Align::Right},
+       [](Version version) { return std::to_string(version.version); }},
+      {{ui.text("scenarios.state"), 106.0F},
+       [](Ui& own, Version version, const Rect& cell) {
+         pill(own, {cell.x, cell.mid_y()}, own.text(state_id(version.state)),
+              meaning_of(version.state));
+       }},
+      {{ui.text("scenarios.review"), 150.0F, 1.0F, Align::Left, review_from},
+       [](Ui& own, Version version, const Rect& cell) {
+         const CellStyle warning{Type::Small, &Theme::warn_text};
+         draw_cell_words(own, cell, Align::Left, version.is_reviewed ? small_cell : warning,
+                         own.text(review_id(version)));
+       }},
+      {{ui.text("scenarios.attempts"), 66.0F, 1.0F, Align::Right, attempts_from},
+       [](Version version) { return grouped(version.attempts); }},
+  };
 }
 
 /// One line of the sheet: how far it is set in, and how it looks.
@@ -167,50 +190,15 @@ void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
         {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence"), {}});
     return;
   }
-  const std::array<TableColumn, ColumnCount> columns{
-      {{ui.text("scenarios.operation")},
-       {ui.text("scenarios.version"), 56.0F, 1.0F, Align::Right},
-       {ui.text("scenarios.state"), 106.0F},
-       {ui.text("scenarios.review"), 150.0F, 1.0F, Align::Left, false, review_from},
-       {ui.text("scenarios.attempts"), 66.0F, 1.0F, Align::Right, false, attempts_from}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(versions.size());
-  spec.label = ui.text("scenarios.title");
-  const auto at = [&](int row) -> const ScenarioVersion& {
-    return versions[static_cast<std::size_t>(row)];
-  };
-  spec.row_id = [&](int row) { return std::to_string(at(row).id.number); };
-  spec.row_label = [&](int row) { return name_text(ui.texts(), at(row)); };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const ScenarioVersion& version = at(row);
-    const TextStyle number{Type::Body, own.theme().text_secondary, Align::Right};
-    switch (column) {
-      case Operation:
-        own.canvas().text_in(cell, {Type::BodyMedium, own.theme().text},
-                             operation_text(version.name), true);
-        return;
-      case Version:
-        own.canvas().text_in(cell, number, std::to_string(version.version));
-        return;
-      case StateColumn:
-        pill(own, {cell.x, cell.mid_y()}, own.text(state_id(version.state)),
-             meaning_of(version.state));
-        return;
-      case Review:
-        own.canvas().text_in(
-            cell,
-            {Type::Small, version.is_reviewed ? own.theme().text_secondary : own.theme().warn_text},
-            own.text(review_id(version)), true);
-        return;
-      default:
-        own.canvas().text_in(cell, number, grouped(version.attempts));
-    }
-  };
+  const RowTable<ScenarioVersion> shown{
+      ui.text("scenarios.title"),
+      [](const ScenarioVersion& version) { return std::to_string(version.id.number); },
+      [&](const ScenarioVersion& version) { return name_text(ui.texts(), version); },
+      columns_of(ui)};
   table_.chosen.clear();
   if (chosen_) table_.chosen.insert(std::to_string(chosen_->number));
-  const TableResponse response = table(ui, "scenarios.row", content, spec, table_);
-  if (response.opened) chosen_ = at(*response.opened).id;
+  const TableResponse response = table(ui, "scenarios.row", content, shown, versions, table_);
+  if (response.opened) chosen_ = versions[static_cast<std::size_t>(*response.opened)].id;
 }
 
 void ScenariosScreen::draw_chosen(Ui& ui, const Rect& rect, Shell& shell) {

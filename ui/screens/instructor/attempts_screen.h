@@ -7,7 +7,7 @@
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -24,7 +24,6 @@ class AttemptsScreen : public Screen {
  private:
   void draw_list(Ui& ui, const Rect& content);
   void draw_table(Ui& ui, const Rect& content);
-  void sort();
 
   std::shared_ptr<Visit> visit_;
   Places& places_;

@@ -1,28 +1,23 @@
-// The part of the cohort screen in which assessments are limited.
-#include "ui/screens/instructor/cohort_screen.h"
-#include "ui/screens/parts/desk_work.h"
+#include "ui/screens/instructor/cohort_limits.h"
 
 namespace hallux::ui {
 
-void CohortScreen::open_limits() {
-  limits_.emplace();
-  limits_->cohort_name = glance_.value().cohort.name;
-  limits_->operations = glance_.value().operations;
-  limits_->limits = glance_.value().limits;
-  limiting_.forget_fault();
+void CohortLimits::open(database::CohortId cohort, LimitsForm form) {
+  cohort_ = cohort;
+  form_ = std::move(form);
+  work_.forget_fault();
 }
 
-void CohortScreen::draw_limits(Ui& ui, Shell& shell) {
-  if (!limits_) return;
-  const Answer answer = draw_limits_dialog(ui, *limits_, limiting_.fault(), limiting_.is_running());
-  if (answer == Answer::Keep) limits_.reset();
+void CohortLimits::draw(Ui& ui, Shell& shell, std::function<void()> changed) {
+  if (!form_) return;
+  const Answer answer = draw_limits_dialog(ui, *form_, work_.fault(), work_.is_running());
+  if (answer == Answer::Keep) form_.reset();
   if (answer != Answer::Act) return;
-  const std::optional<LimitChange> change = change_in(*limits_);
+  const std::optional<LimitChange> change = change_in(*form_);
   if (!change) return;
-  limiting_.start<bool>(
+  work_.start<bool>(
       shell, visit_, {std::string(ui.text("limits.changing")), {}},
-      [cohort = taught_[cohort_].cohort, change = *change](database::Session& session,
-                                                           WorkReport&) {
+      [cohort = cohort_, change = *change](database::Session& session, WorkReport&) {
         database::InstructorDesk desk = instructor_of(session, cohort);
         if (change.attempts_max) {
           desk.set_limit(change.scenario_name, *change.attempts_max);
@@ -31,10 +26,11 @@ void CohortScreen::draw_limits(Ui& ui, Shell& shell) {
         }
         return true;
       },
-      [this, &shell, done = said_of(ui.texts(), *limits_, *change)](bool&) {
-        limits_.reset();
+      [this, &shell, changed = std::move(changed),
+       done = said_of(ui.texts(), *form_, *change)](bool&) {
+        form_.reset();
         shell.say({Meaning::Good, done});
-        glance_.read_again();
+        changed();
       });
 }
 

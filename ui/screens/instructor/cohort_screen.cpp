@@ -50,6 +50,10 @@ std::optional<StandingIn> standing_in(const TraineeProgress& trainee,
   return std::nullopt;
 }
 
+std::string row_id(const TraineeStanding& trainee) {
+  return trainee.login.empty() ? "erased-" + std::to_string(trainee.id.number) : trainee.login;
+}
+
 int hue_of(database::PersonId person) noexcept { return static_cast<int>(person.number % 6); }
 
 Rect card_row(Rect& rest, float height, bool is_first, Ui& ui) {
@@ -81,7 +85,8 @@ CohortScreen::CohortScreen(std::shared_ptr<Visit> visit, Places& places,
     : visit_(std::move(visit)),
       places_(places),
       open_inbox_(std::move(open_inbox)),
-      taught_(visit_->taught()) {
+      taught_(visit_->taught()),
+      limits_(visit_) {
   CHECK(!taught_.empty());
 }
 
@@ -172,7 +177,7 @@ void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     draw_last_attempts(ui, side);
   }
   draw_cohort_menu(ui);
-  draw_limits(ui, shell);
+  limits_.draw(ui, shell, [this] { glance_.read_again(); });
 }
 
 void CohortScreen::draw_head(Ui& ui, Rect& page) {
@@ -193,7 +198,12 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
   if (taught_.size() > 1) head.buttons_width += button_width(ui, other) + button_gap;
   Rect buttons = page_head(ui, "cohort", page, head).buttons;
   if (button(ui, "cohort.limits", take_left(buttons, limit_width, button_gap), limit))
-    open_limits();
+    limits_.open(taught_[cohort_].cohort, {glance_.value().cohort.name,
+                                           glance_.value().operations,
+                                           glance_.value().limits,
+                                           {},
+                                           {},
+                                           {}});
   if (taught_.size() > 1 && button(ui, "cohort.other", buttons, other))
     menu_ = Point{buttons.right() - 250.0F, buttons.bottom() + 6.0F};
 }
@@ -243,21 +253,12 @@ void CohortScreen::draw_pills(Ui& ui, Rect& page) {
   }
 }
 
-void CohortScreen::sort(std::vector<const TraineeProgress*>& shown) const {
-  const int column = table_.sort.column;
-  const std::size_t operations = glance_.value().operations.size();
-  if (column < 0) return;
-  const auto key = [&](const TraineeProgress& trainee) -> std::pair<std::int64_t, std::string> {
-    const std::string name = shown_name_of(trainee.standing.login, trainee.standing.display_name);
-    if (column == 0 || static_cast<std::size_t>(column) > operations) return {0, name};
-    const auto standing =
-        standing_in(trainee, glance_.value().operations[static_cast<std::size_t>(column) - 1]);
-    return {standing ? standing->results.best_milli.value_or(-1) : -2, name};
-  };
-  std::stable_sort(shown.begin(), shown.end(),
-                   [&](const TraineeProgress* a, const TraineeProgress* b) {
-                     return table_.sort.is_descending ? key(*b) < key(*a) : key(*a) < key(*b);
-                   });
+CohortScreen::SortKey CohortScreen::sort_key(const TraineeProgress& trainee,
+                                             const std::string* operation) {
+  const std::string name = shown_name_of(trainee.standing.login, trainee.standing.display_name);
+  if (operation == nullptr) return {0, name};
+  const auto standing = standing_in(trainee, *operation);
+  return {standing ? standing->results.best_milli.value_or(-1) : -2, name};
 }
 
 void CohortScreen::turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>& heads) {
@@ -286,16 +287,26 @@ void CohortScreen::turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>
                          ui.text("cohort.later")});
 }
 
-std::vector<TableColumn> CohortScreen::columns_of(const Ui& ui,
-                                                  const std::vector<std::string>& heads) const {
+std::vector<RowColumn<TraineeProgress>> CohortScreen::columns_of(
+    const Ui& ui, const std::vector<std::string>& heads) const {
+  using Trainee = const TraineeProgress&;
   const float person = page_columns_ > 3 ? person_width : 0.0F;
-  std::vector<TableColumn> columns{{ui.text("cohort.person"), person, 1.35F, Align::Left, true}};
+  std::vector<RowColumn<TraineeProgress>> columns{
+      {{ui.text("cohort.person"), person, 1.35F},
+       [this](Ui& own, Trainee trainee, const Rect& cell) { draw_person_cell(own, trainee, cell); },
+       {},
+       by([](Trainee trainee) { return sort_key(trainee, nullptr); })}};
   for (int number = 0; number < static_cast<int>(heads.size()); ++number) {
-    TableColumn& column = columns.emplace_back();
-    column.head = heads[static_cast<std::size_t>(number)];
-    column.can_sort = true;
+    const std::string& operation = glance_.value().operations[static_cast<std::size_t>(number)];
     const bool is_on_page = number >= first_column_ && number < first_column_ + page_columns_;
-    if (!is_on_page) column.from_width = std::numeric_limits<float>::infinity();
+    columns.push_back(
+        {{heads[static_cast<std::size_t>(number)], 0.0F, 1.0F, Align::Left,
+          is_on_page ? 0.0F : std::numeric_limits<float>::infinity()},
+         [this, &operation](Ui& own, Trainee trainee, const Rect& cell) {
+           draw_standing_cell(own, trainee, operation, cell);
+         },
+         {},
+         by([&operation](Trainee trainee) { return sort_key(trainee, &operation); })});
   }
   return columns;
 }
@@ -319,30 +330,18 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   std::vector<std::string> heads;
   for (const std::string& operation : glance.operations) heads.push_back(operation_text(operation));
   turn_pages(ui, rest, heads);
-  sort(shown);
-  const std::vector<TableColumn> columns = columns_of(ui, heads);
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(shown.size());
-  spec.row_height = grid_row;
-  spec.label = glance.cohort.name;
-  const auto at = [&](int row) -> const TraineeStanding& {
-    return shown[static_cast<std::size_t>(row)]->standing;
-  };
-  spec.row_id = [&](int row) {
-    return at(row).login.empty() ? "erased-" + std::to_string(at(row).id.number) : at(row).login;
-  };
-  spec.row_label = [&](int row) {
-    return person_name_of(ui.texts(), at(row).login, at(row).display_name);
-  };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const TraineeProgress& trainee = *shown[static_cast<std::size_t>(row)];
-    if (column == 0) return draw_person_cell(own, trainee, cell);
-    draw_standing_cell(own, trainee, glance.operations[static_cast<std::size_t>(column) - 1], cell);
-  };
-  const TableResponse response = table(ui, "cohort.row", rest, spec, table_);
+  const RowTable<TraineeProgress> grid{
+      glance.cohort.name, [](const TraineeProgress& trainee) { return row_id(trainee.standing); },
+      [&](const TraineeProgress& trainee) {
+        return person_name_of(ui.texts(), trainee.standing.login, trainee.standing.display_name);
+      },
+      columns_of(ui, heads), grid_row};
+  sort_rows(shown, grid.columns, table_.sort);
+  const TableResponse response = table(ui, "cohort.row", rest, grid, shown, table_);
   draw_legend(ui, legend);
-  if (response.opened) places_.show_trainee(glance.cohort.id, at(*response.opened).id);
+  if (!response.opened) return;
+  const TraineeProgress& opened = *shown[static_cast<std::size_t>(*response.opened)];
+  places_.show_trainee(glance.cohort.id, opened.standing.id);
 }
 
 void CohortScreen::draw_person_cell(Ui& ui, const TraineeProgress& progress,

@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "ui/jobs/course/standing_jobs.h"
-#include "ui/screens/parts/desk_work.h"
-#include "ui/screens/parts/limits_dialog.h"
+#include "ui/screens/instructor/cohort_limits.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 
@@ -47,6 +46,9 @@ class CohortScreen : public Screen {
 
   static Glance look(database::Session& session, database::CohortId cohort);
   static bool is_in(const TraineeProgress& trainee, int filter, std::string_view now_utc);
+  using SortKey = std::pair<std::int64_t, std::string>;
+  /// The best score in an operation, then the name; by the name alone where none is given.
+  static SortKey sort_key(const TraineeProgress& trainee, const std::string* operation);
   static std::string last_seen(const database::TraineeStanding& trainee);
   void read(Ui& ui, Shell& shell);
   void show(std::size_t cohort);
@@ -58,17 +60,14 @@ class CohortScreen : public Screen {
   /// As many operations as have room beside each other are a page; with more, cuts a line off `rest` that turns them.
   void turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>& heads);
   /// The person and all operations; those of other pages are left out and keep their number.
-  std::vector<TableColumn> columns_of(const Ui& ui, const std::vector<std::string>& heads) const;
+  std::vector<RowColumn<TraineeProgress>> columns_of(const Ui& ui,
+                                                     const std::vector<std::string>& heads) const;
   void draw_person_cell(Ui& ui, const TraineeProgress& progress, const Rect& cell) const;
   void draw_standing_cell(Ui& ui, const TraineeProgress& trainee, const std::string& operation,
                           const Rect& cell) const;
   void draw_legend(Ui& ui, const Rect& line) const;
-  /// needs   the glance is ready
-  void open_limits();
-  void draw_limits(Ui& ui, Shell& shell);
   void draw_requests(Ui& ui, const Rect& rect);
   void draw_last_attempts(Ui& ui, const Rect& rect);
-  void sort(std::vector<const TraineeProgress*>& shown) const;
 
   std::shared_ptr<Visit> visit_;
   Places& places_;
@@ -79,8 +78,7 @@ class CohortScreen : public Screen {
   int filter_ = All;
   int first_column_ = 0, page_columns_ = 1;  ///< the operations that are shown
   TableState table_;
-  std::optional<LimitsForm> limits_;  ///< while they are changed
-  DeskWork limiting_;
+  CohortLimits limits_;
   std::optional<Point> menu_;  ///< its corner, while the cohorts are listed
 };
 

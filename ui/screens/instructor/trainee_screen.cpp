@@ -18,7 +18,6 @@ namespace {
 using database::AttemptHeader;
 using database::OperationStanding;
 
-enum Column { Number, Operation, Started, Kind, StateColumn, Score, ColumnCount };
 constexpr float standing_width = 232.0F, standing_height = 138.0F, roomy_from = 680.0F;
 
 std::string_view competence_id(Competence competence) noexcept {
@@ -40,28 +39,22 @@ float standings_height(float width, std::size_t count) noexcept {
   return static_cast<float>(rows) * (standing_height + space::between_cards);
 }
 
-void draw_attempt_cell(Ui& ui, const AttemptHeader& attempt, int field, const Rect& cell) {
-  const TextStyle plain{Type::Body, ui.theme().text_secondary};
-  switch (field) {
-    case Number:
-      ui.canvas().text_in(cell, {Type::Body, ui.theme().text_caption, Align::Right},
-                          grouped(static_cast<long>(attempt.order)));
-      return;
-    case Operation:
-      ui.canvas().text_in(cell, {Type::BodyMedium, ui.theme().text},
-                          operation_text(attempt.scenario_name), true);
-      return;
-    case Started:
-      ui.canvas().text_in(cell, plain, moment_text(attempt.started_utc), true);
-      return;
-    case Kind:
-      ui.canvas().text_in(cell, plain, kind_text(ui, attempt));
-      return;
-    case StateColumn:
-      return draw_attempt_state(ui, attempt, cell);
-    default:
-      draw_attempt_score(ui, attempt, cell);
-  }
+std::vector<RowColumn<AttemptHeader>> columns_of(const Ui& ui) {
+  using Attempt = const AttemptHeader&;
+  return {
+      {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, roomy_from},
+       [](Attempt attempt) { return grouped(static_cast<long>(attempt.order)); },
+       caption_cell},
+      {{ui.text("attempts.operation")},
+       [](Attempt attempt) { return operation_text(attempt.scenario_name); },
+       name_cell},
+      {{ui.text("attempts.started"), 150.0F},
+       [](Attempt attempt) { return moment_text(attempt.started_utc); }},
+      {{ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, roomy_from},
+       [&ui](Attempt attempt) { return std::string(kind_text(ui, attempt)); }},
+      {{ui.text("attempts.state"), 150.0F, 1.0F, Align::Left, roomy_from}, draw_attempt_state},
+      {{ui.text("attempts.score"), 84.0F, 1.0F, Align::Right}, draw_attempt_score},
+  };
 }
 
 }  // namespace
@@ -160,30 +153,13 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
                {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
     return;
   }
-  const std::array<TableColumn, ColumnCount> columns{
-      {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, false, roomy_from},
-       {ui.text("attempts.operation")},
-       {ui.text("attempts.started"), 150.0F},
-       {ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, false, roomy_from},
-       {ui.text("attempts.state"), 150.0F, 1.0F, Align::Left, false, roomy_from},
-       {ui.text("attempts.score"), 84.0F, 1.0F, Align::Right}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(attempts.size());
-  spec.label = ui.text("trainee.attempts");
-  const auto at = [&](int row) -> const AttemptHeader& {
-    return attempts[static_cast<std::size_t>(row)];
-  };
-  spec.row_id = [&](int row) { return std::to_string(at(row).order); };
-  spec.row_label = [&](int row) {
-    return ui.texts().say("attempts.row", {{"operation", operation_text(at(row).scenario_name)},
-                                           {"moment", moment_text(at(row).started_utc)}});
-  };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    draw_attempt_cell(own, at(row), column, cell);
-  };
-  const TableResponse response = table(ui, "trainee.row", content, spec, table_);
-  if (response.opened) places_.show_result(at(*response.opened).id);
+  const RowTable<AttemptHeader> shown{
+      ui.text("trainee.attempts"),
+      [](const AttemptHeader& attempt) { return std::to_string(attempt.order); },
+      [&](const AttemptHeader& attempt) { return attempt_name(ui.texts(), attempt); },
+      columns_of(ui)};
+  const TableResponse response = table(ui, "trainee.row", content, shown, attempts, table_);
+  if (response.opened) places_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
 }
 
 }  // namespace hallux::ui

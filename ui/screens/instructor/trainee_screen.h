@@ -8,7 +8,7 @@
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 

@@ -66,6 +66,11 @@ std::string operation_text(std::string_view scenario_name) {
   return name;
 }
 
+std::string attempt_name(const Texts& texts, const database::AttemptHeader& attempt) {
+  return texts.say("attempts.row", {{"operation", operation_text(attempt.scenario_name)},
+                                    {"moment", moment_text(attempt.started_utc)}});
+}
+
 std::string shown_name_of(std::string_view login, std::string_view display_name) {
   return std::string(display_name.empty() ? login : display_name);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "database/records/attempt.h"
 #include "ui/widgets/texts/texts.h"
 
 namespace hallux::ui {
@@ -20,6 +21,9 @@ std::string ago_text(const Texts& texts, std::string_view utc, std::string_view 
 
 /// An operation's name as a word of its own: "akin" is "Akin".
 std::string operation_text(std::string_view scenario_name);
+
+/// An attempt as a list calls it: its operation and when it was begun.
+std::string attempt_name(const Texts& texts, const database::AttemptHeader& attempt);
 
 /// The name that is shown: the login where there is none.
 std::string shown_name_of(std::string_view login, std::string_view display_name);

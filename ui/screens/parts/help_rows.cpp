@@ -1,14 +1,11 @@
 #include "ui/screens/parts/help_rows.h"
 
-#include <array>
-#include <vector>
-
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/marks.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 
@@ -52,34 +49,27 @@ std::string help_moment(const Texts& texts, const HelpRequest& request) {
 
 int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& rows,
               std::span<const HelpRequest* const> requests, database::HelpRequestId chosen) {
-  const std::array<TableColumn, 3> columns{
-      {{ui.text("help.question")},
-       {ui.text("help.asked"), 150.0F, 1.0F, Align::Left, false, roomy_from},
-       {ui.text("help.state"), 96.0F}}};
-  const auto at = [&](int row) -> const HelpRequest& {
-    return *requests[static_cast<std::size_t>(row)];
-  };
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(requests.size());
-  spec.row_height = row_height;
-  spec.label = rows.label;
-  spec.row_id = [&](int row) { return std::to_string(at(row).id.number); };
-  spec.row_label = [&](int row) { return row_title(ui.texts(), at(row), rows.names_asker); };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    if (column == 0) {
-      draw_request_cell(own, at(row), rows.names_asker, cell);
-    } else if (column == 2) {
-      pill(own, {cell.x, cell.mid_y()}, own.text(at(row).answer ? "help.answered" : "help.open"),
-           at(row).answer ? Meaning::Good : Meaning::Info);
-    } else {
-      own.canvas().text_in(cell, {Type::Small, own.theme().text_secondary},
-                           moment_text(at(row).asked_utc));
-    }
-  };
+  using Request = const HelpRequest&;
+  RowTable<HelpRequest> shown{
+      rows.label,
+      [](Request request) { return std::to_string(request.id.number); },
+      [&](Request request) { return row_title(ui.texts(), request, rows.names_asker); },
+      {{{ui.text("help.question")},
+        [&](Ui& own, Request request, const Rect& cell) {
+          draw_request_cell(own, request, rows.names_asker, cell);
+        }},
+       {{ui.text("help.asked"), 150.0F, 1.0F, Align::Left, roomy_from},
+        [](Request request) { return moment_text(request.asked_utc); },
+        small_cell},
+       {{ui.text("help.state"), 96.0F}, [](Ui& own, Request request, const Rect& cell) {
+          pill(own, {cell.x, cell.mid_y()},
+               own.text(request.answer ? "help.answered" : "help.open"),
+               request.answer ? Meaning::Good : Meaning::Info);
+        }}}};
+  shown.row_height = row_height;
   TableState state;
   if (chosen.number > 0) state.chosen = {std::to_string(chosen.number)};
-  return table(ui, rows.id, rect, spec, state).opened.value_or(-1);
+  return table(ui, rows.id, rect, shown, requests, state).opened.value_or(-1);
 }
 
 float help_request_height(const Ui& ui, const HelpRequest& request, float width) {

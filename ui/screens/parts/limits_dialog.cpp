@@ -1,7 +1,6 @@
 #include "ui/screens/parts/limits_dialog.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "ui/screens/parts/course_text.h"
@@ -38,34 +37,24 @@ void choose(LimitsForm& form, const std::string& operation) {
 }
 
 void draw_operations(Ui& ui, const Rect& rect, LimitsForm& form) {
-  const std::array<TableColumn, 2> columns{
-      {{ui.text("limits.operation")}, {ui.text("limits.number"), 150.0F, 1.0F, Align::Right}}};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(form.operations.size());
-  spec.row_height = row_height;
-  spec.label = ui.text("limits.operations");
-  const auto at = [&](int row) -> const std::string& {
-    return form.operations[static_cast<std::size_t>(row)];
-  };
-  spec.row_id = at;
-  spec.row_label = [&](int row) { return operation_text(at(row)); };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const Theme& theme = own.theme();
-    if (column == 0) {
-      own.canvas().text_in(cell, {Type::BodyMedium, theme.text}, operation_text(at(row)), true);
-      return;
-    }
-    const auto limit = limit_of(form, at(row));
-    own.canvas().text_in(cell, {Type::Body, limit ? theme.text : theme.text_caption, Align::Right},
+  const auto number = [&](Ui& own, const std::string& operation, const Rect& cell) {
+    const auto limit = limit_of(form, operation);
+    const Color color = limit ? own.theme().text : own.theme().text_caption;
+    own.canvas().text_in(cell, {Type::Body, color, Align::Right},
                          limit ? std::to_string(*limit) : std::string(own.text("limits.none")),
                          true);
   };
+  RowTable<std::string> shown{ui.text("limits.operations"),
+                              [](const std::string& operation) { return operation; },
+                              operation_text,
+                              {{{ui.text("limits.operation")}, operation_text, name_cell},
+                               {{ui.text("limits.number"), 150.0F, 1.0F, Align::Right}, number}}};
+  shown.row_height = row_height;
   form.table.chosen.clear();
   if (!form.chosen.empty()) form.table.chosen.insert(form.chosen);
-  const TableResponse response = table(ui, "limits.row", rect, spec, form.table);
+  const TableResponse response = table(ui, "limits.row", rect, shown, form.operations, form.table);
   if (!response.opened) return;
-  choose(form, at(*response.opened));
+  choose(form, form.operations[static_cast<std::size_t>(*response.opened)]);
   ui.want_frame_in_s(0.0);
 }
 

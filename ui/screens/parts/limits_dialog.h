@@ -7,7 +7,7 @@
 
 #include "database/records/limit.h"
 #include "ui/widgets/controls/menu.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
 

@@ -20,6 +20,8 @@ namespace hallux::ui {
 namespace {
 
 constexpr float head_height = 64.0F, panel_width = 352.0F, edge = 20.0F, time_edge = 12.0F;
+constexpr float row_height = 36.0F;
+constexpr CellStyle moment_cell{Type::SmallMedium, &Theme::accent};
 constexpr float two_tracks_from = 720.0F, one_track_from = 560.0F;
 constexpr double swings_per_second = 9.0;  ///< as it is drawn: the true rate is a blur
 /// A click on the timeline this near to a note means the note.
@@ -34,6 +36,12 @@ std::string fixed_text(double value, int decimals) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
   return text.data();
+}
+
+void draw_event(Ui& ui, const AttemptEvent& event, const Rect& cell) {
+  draw_meaning(ui.canvas(), ui.theme(), event.meaning, {cell.x + 7.0F, cell.mid_y()}, 6.0F);
+  ui.canvas().text_in({cell.x + 22.0F, cell.y, cell.w - 22.0F, cell.h},
+                      {Type::Small, ui.theme().text}, ui.text(event.words), true);
 }
 
 std::array<double, 3> array_of(const Vec3& point) { return {point.x, point.y, point.z}; }
@@ -258,41 +266,30 @@ void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
                 {}});
     return;
   }
-  const database::ScoreCard& card = *material().card;
-  const std::vector<std::size_t> order = lines_by_loss(card);
-  const assessment::ShownPoints shown = assessment::shown_points(card);
-  const std::array<TableColumn, 3> columns{{
-      {ui.text("result.ledger.item"), 0.0F, 1.0F},
-      {ui.text("result.ledger.loss"), 52.0F, 1.0F, Align::Right},
-      {ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
-  }};
-  const auto line_of = [&](int row) -> const database::LedgerLine& {
-    return card.ledger[order[static_cast<std::size_t>(row)]];
+  const database::ScoreCard& score = *material().card;
+  const std::vector<std::size_t> order = lines_by_loss(score);
+  const assessment::ShownPoints shown = assessment::shown_points(score);
+  const auto title = [&](std::size_t row) {
+    return item_title(score.ledger[row], &material().scenario);
   };
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(order.size());
-  spec.row_height = 36.0F;
-  spec.label = ui.text("replay.ledger");
-  spec.row_id = [&](int row) { return line_of(row).item; };
-  spec.row_label = [&](int row) { return item_title(line_of(row), &material().scenario); };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const database::LedgerLine& line = line_of(row);
-    const std::size_t index = order[static_cast<std::size_t>(row)];
-    if (column == 0) {
-      own.canvas().text_in(cell, {Type::Small, own.theme().text},
-                           item_title(line, &material().scenario), true);
-    } else if (column == 1) {
-      own.canvas().text_in(cell, {Type::SmallMedium, own.theme().text, Align::Right},
-                           loss_text(line, shown.lines[index]));
-    } else {
-      own.canvas().text_in(cell, {Type::SmallMedium, own.theme().accent, Align::Right},
-                           clock_text(static_cast<double>(line.start_us) / 1.0e6));
-    }
-  };
-  const TableResponse response = table(ui, "replay.ledger", rect, spec, ledger_);
+  RowTable<std::size_t> lines{
+      ui.text("replay.ledger"),
+      [&](std::size_t row) { return score.ledger[row].item; },
+      title,
+      {{{ui.text("result.ledger.item")}, title, {Type::Small, &Theme::text}},
+       {{ui.text("result.ledger.loss"), 52.0F, 1.0F, Align::Right},
+        [&](std::size_t row) { return loss_text(score.ledger[row], shown.lines[row]); },
+        {Type::SmallMedium, &Theme::text}},
+       {{ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
+        [&](std::size_t row) {
+          return clock_text(static_cast<double>(score.ledger[row].start_us) / 1.0e6);
+        },
+        moment_cell}}};
+  lines.row_height = row_height;
+  const TableResponse response = table(ui, "replay.ledger", rect, lines, order, ledger_);
   if (!response.opened) return;
-  const database::LedgerLine& line = line_of(*response.opened);
+  const database::LedgerLine& line =
+      score.ledger[order[static_cast<std::size_t>(*response.opened)]];
   ledger_.chosen = {line.item};
   const auto& place = line.place_in_bone_mm;
   picked_in_bone_mm_ = Vec3(place[0], place[1], place[2]);
@@ -301,35 +298,21 @@ void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
 
 void ReplayScreen::draw_events(Ui& ui, const Rect& rect) {
   const std::vector<AttemptEvent>& events = material().events;
-  const std::array<TableColumn, 2> columns{{
-      {ui.text("replay.event"), 0.0F, 1.0F},
-      {ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
-  }};
-  const auto event_of = [&](int row) -> const AttemptEvent& {
-    return events[static_cast<std::size_t>(row)];
-  };
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(events.size());
-  spec.row_height = 36.0F;
-  spec.label = ui.text("replay.events");
-  spec.row_id = [](int row) { return std::to_string(row); };
-  spec.row_label = [&](int row) { return std::string(ui.text(event_of(row).words)); };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const AttemptEvent& event = event_of(row);
-    if (column == 0) {
-      draw_meaning(own.canvas(), own.theme(), event.meaning, {cell.x + 7.0F, cell.mid_y()}, 6.0F);
-      own.canvas().text_in({cell.x + 22.0F, cell.y, cell.w - 22.0F, cell.h},
-                           {Type::Small, own.theme().text}, own.text(event.words), true);
-    } else {
-      own.canvas().text_in(cell, {Type::SmallMedium, own.theme().accent, Align::Right},
-                           clock_text(event.time_s));
-    }
-  };
-  const TableResponse response = table(ui, "replay.event", rect, spec, events_);
+  // An event is known by its number alone.
+  const auto id = [&](const AttemptEvent& event) { return std::to_string(&event - events.data()); };
+  RowTable<AttemptEvent> shown{
+      ui.text("replay.events"),
+      id,
+      [&](const AttemptEvent& event) { return std::string(ui.text(event.words)); },
+      {{{ui.text("replay.event")}, draw_event},
+       {{ui.text("result.ledger.moment"), 60.0F, 1.0F, Align::Right},
+        [](const AttemptEvent& event) { return clock_text(event.time_s); },
+        moment_cell}}};
+  shown.row_height = row_height;
+  const TableResponse response = table(ui, "replay.event", rect, shown, events, events_);
   if (!response.opened) return;
   events_.chosen = {std::to_string(*response.opened)};
-  player_.look_at(event_of(*response.opened).time_s);
+  player_.look_at(events[static_cast<std::size_t>(*response.opened)].time_s);
 }
 
 Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {

@@ -12,7 +12,7 @@
 #include "ui/screens/replay/notes_panel.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {

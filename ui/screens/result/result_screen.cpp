@@ -23,9 +23,19 @@ constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height 
                 row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F, title_height = 52.0F,
                 unseen_wound_height = 220.0F;
 
-enum Column { Item, Yours, Target, Lost, Moment, ColumnCount };
+constexpr CellStyle item_cell{Type::Body, &Theme::text};
 
 double second_of(std::int64_t time_us) noexcept { return static_cast<double>(time_us) / 1.0e6; }
+
+/// When points were lost, as a way to that moment; true where it was taken.
+bool draw_moment(Ui& ui, const LedgerLine& line, const Rect& cell) {
+  if (line.end_us == 0 || !line.is_measured) {
+    draw_cell_words(ui, cell, Align::Right, caption_cell, "\xE2\x80\x93");
+    return false;
+  }
+  return link(ui, "result.moment." + line.item, {cell.right(), cell.mid_y()},
+              clock_text(second_of(line.start_us)), Align::Right, Type::BodyMedium);
+}
 
 }  // namespace
 
@@ -273,54 +283,36 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
   for (const assessment::ShownLine& each : shown.lines)
     greatest = std::max(greatest, each.lost_milli);
   const bool is_narrow = rect.w < 540.0F;
-  const std::array<TableColumn, ColumnCount> columns{{
-      {ui.text("result.ledger.item"), 0.0F, 1.0F},
-      {ui.text("result.ledger.yours"), 76.0F, 1.0F, Align::Right},
-      {ui.text("result.ledger.target"), is_narrow ? 76.0F : 100.0F, 1.0F, Align::Right},
-      {ui.text("result.ledger.loss"), is_narrow ? 52.0F : 108.0F, 1.0F, Align::Right},
-      {ui.text("result.ledger.moment"), 64.0F, 1.0F, Align::Right},
-  }};
-  const auto line_of = [&](int row) -> const LedgerLine& {
-    return score.ledger[order[static_cast<std::size_t>(row)]];
-  };
-  const auto shown_of = [&](int row) -> const assessment::ShownLine& {
-    return shown.lines[order[static_cast<std::size_t>(row)]];
-  };
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(order.size());
-  spec.row_height = row_height;
-  spec.label = ui.text("result.ledger");
-  spec.row_id = [&](int row) { return line_of(row).item; };
-  spec.row_label = [&](int row) { return item_title(line_of(row), scenario()); };
   std::optional<std::size_t> watched;
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    const LedgerLine& line = line_of(row);
-    const Theme& theme = own.theme();
-    Canvas& canvas = own.canvas();
-    if (column == Item) {
-      canvas.text_in(cell, {Type::Body, theme.text}, item_title(line, scenario()), true);
-    } else if (column == Yours) {
-      canvas.text_in(cell, {Type::Body, theme.text, Align::Right}, yours_text(line));
-    } else if (column == Target) {
-      canvas.text_in(cell, {Type::Body, theme.text_caption, Align::Right},
-                     target_text(line, scenario()));
-    } else if (column == Lost) {
-      const std::int64_t lost = shown_of(row).lost_milli;
-      canvas.text_in(cell, {Type::BodyStrong, theme.text, Align::Right},
-                     loss_text(line, shown_of(row)));
-      const float length = loss_bar_width * static_cast<float>(lost) / static_cast<float>(greatest);
-      if (!is_narrow && lost > 0)
-        canvas.fill({cell.right() - 52.0F - length, cell.mid_y() - 3.0F, length, 6.0F},
-                    theme.muted_bar, 3.0F);
-    } else if (line.end_us == 0 || !line.is_measured) {
-      canvas.text_in(cell, {Type::Body, theme.text_caption, Align::Right}, "\xE2\x80\x93");
-    } else if (link(own, "result.moment." + line.item, {cell.right(), cell.mid_y()},
-                    clock_text(second_of(line.start_us)), Align::Right, Type::BodyMedium)) {
-      watched = order[static_cast<std::size_t>(row)];
-    }
+  const auto title = [&](std::size_t row) { return item_title(score.ledger[row], scenario()); };
+  const auto loss = [&](Ui& own, std::size_t row, const Rect& cell) {
+    const assessment::ShownLine& line = shown.lines[row];
+    own.canvas().text_in(cell, {Type::BodyStrong, own.theme().text, Align::Right},
+                         loss_text(score.ledger[row], line));
+    const float share = static_cast<float>(line.lost_milli) / static_cast<float>(greatest);
+    const float length = loss_bar_width * share;
+    if (!is_narrow && line.lost_milli > 0)
+      own.canvas().fill({cell.right() - 52.0F - length, cell.mid_y() - 3.0F, length, 6.0F},
+                        own.theme().muted_bar, 3.0F);
   };
-  const TableResponse response = table(ui, "result.ledger", rect, spec, ledger_);
+  const auto moment = [&](Ui& own, std::size_t row, const Rect& cell) {
+    if (draw_moment(own, score.ledger[row], cell)) watched = row;
+  };
+  RowTable<std::size_t> lines{
+      ui.text("result.ledger"),
+      [&](std::size_t row) { return score.ledger[row].item; },
+      title,
+      {{{ui.text("result.ledger.item")}, title, item_cell},
+       {{ui.text("result.ledger.yours"), 76.0F, 1.0F, Align::Right},
+        [&](std::size_t row) { return yours_text(score.ledger[row]); },
+        item_cell},
+       {{ui.text("result.ledger.target"), is_narrow ? 76.0F : 100.0F, 1.0F, Align::Right},
+        [&](std::size_t row) { return target_text(score.ledger[row], scenario()); },
+        caption_cell},
+       {{ui.text("result.ledger.loss"), is_narrow ? 52.0F : 108.0F, 1.0F, Align::Right}, loss},
+       {{ui.text("result.ledger.moment"), 64.0F, 1.0F, Align::Right}, moment}}};
+  lines.row_height = row_height;
+  const TableResponse response = table(ui, "result.ledger", rect, lines, order, ledger_);
   if (response.opened) {
     const std::size_t line = order[static_cast<std::size_t>(*response.opened)];
     if (chosen_line_ == line) watched = line;

@@ -13,7 +13,7 @@
 #include "ui/screens/result/decide_form.h"
 #include "ui/screens/result/plan_card.h"
 #include "ui/screens/result/result_material.h"
-#include "ui/widgets/controls/table.h"
+#include "ui/widgets/controls/row_table.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {

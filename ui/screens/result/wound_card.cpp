@@ -204,8 +204,7 @@ std::optional<double> draw_wound(Ui& ui, const Rect& rect, const WoundFacts& wou
   }
   const Timeline shown = timeline_of(ui, wound, moment_s);
   const WoundPanes panes = panes_in(ui, rect, wound, timeline_height(shown));
-  CanvasPainter painter(ui.canvas());
-  draw_timeline(painter, ui.theme(), panes.curves, shown);
+  draw_timeline(ui.canvas(), ui.theme(), panes.curves, shown);
   return draw_facts(ui, panes.facts, wound);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "simulator/base/units.h"
 #include "ui/screens/parts/attempt_marks.h"
@@ -21,8 +22,6 @@ namespace {
 constexpr float head_room = 100.0F, facts_width = 360.0F, chart_height = 404.0F;
 constexpr float least_chart = 330.0F, least_table = 200.0F, control_gap = 16.0F;
 constexpr int fewest_places = 12;  // the axis is no shorter: two points are no trend
-
-enum Column { Number, When, Kind, StateColumn, Duration, Score, ColumnCount };
 
 std::vector<std::string> operation_names(const std::vector<OperationHistory>& histories) {
   std::vector<std::string> names;
@@ -45,41 +44,49 @@ float controls_width(const Ui& ui, const std::vector<OperationHistory>& historie
   return segmented_width(ui, labels) + control_gap + button_width(ui, copy_button(ui));
 }
 
-void draw_cell(Ui& ui, const OperationHistory& history, std::size_t row, int column,
-               const Rect& cell) {
+std::string duration_text(const database::AttemptHeader& attempt) {
+  return attempt.duration_ticks ? clock_text(second_from_tick(*attempt.duration_ticks))
+                                : std::string();
+}
+
+/// The points; where there are none, that an attempt with a number has no score.
+void draw_score(Ui& ui, const JudgedAttempt& attempt, bool has_number, const Rect& cell) {
   const Theme& theme = ui.theme();
-  const JudgedAttempt& attempt = history.attempts[row];
-  const TextStyle plain{Type::Body, theme.text_secondary};
-  const TextStyle caption{Type::Body, theme.text_caption, Align::Right};
-  switch (column) {
-    case Number:
-      ui.canvas().text_in(cell, caption,
-                          history.numbers[row] > 0 ? grouped(history.numbers[row]) : "\u2013");
-      break;
-    case When:
-      ui.canvas().text_in(cell, plain, moment_text(attempt.header.started_utc));
-      break;
-    case Kind:
-      ui.canvas().text_in(cell, plain, kind_text(ui, attempt.header));
-      break;
-    case Duration:
-      if (attempt.header.duration_ticks) {
-        ui.canvas().text_in(cell, {Type::Body, theme.text_secondary, Align::Right},
-                            clock_text(second_from_tick(*attempt.header.duration_ticks)));
-      }
-      break;
-    case StateColumn:
-      draw_attempt_state(ui, attempt.header, cell);
-      break;
-    default:
-      if (attempt.score_milli) {
-        ui.canvas().text_in(cell, {Type::BodyMedium, theme.text, Align::Right},
-                            points_text(*attempt.score_milli));
-      } else if (history.numbers[row] > 0) {
-        ui.canvas().text_in(cell, {Type::Small, theme.text_caption, Align::Right},
-                            ui.text("attempts.not_scored"));
-      }
+  if (attempt.score_milli) {
+    ui.canvas().text_in(cell, {Type::BodyMedium, theme.text, Align::Right},
+                        points_text(*attempt.score_milli));
+  } else if (has_number) {
+    ui.canvas().text_in(cell, {Type::Small, theme.text_caption, Align::Right},
+                        ui.text("attempts.not_scored"));
   }
+}
+
+/// A row is the attempt's place in the history.
+std::vector<RowColumn<std::size_t>> columns_of(const Ui& ui, const OperationHistory& history) {
+  const auto header = [&history](std::size_t row) -> const database::AttemptHeader& {
+    return history.attempts[row].header;
+  };
+  return {
+      {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right},
+       [&history](std::size_t row) {
+         return history.numbers[row] > 0 ? grouped(history.numbers[row]) : "\u2013";
+       },
+       caption_cell},
+      {{ui.text("attempts.started"), 0.0F, 1.4F},
+       [header](std::size_t row) { return moment_text(header(row).started_utc); }},
+      {{ui.text("attempts.kind")},
+       [header, &ui](std::size_t row) { return std::string(kind_text(ui, header(row))); }},
+      {{ui.text("attempts.state")},
+       [header](Ui& own, std::size_t row, const Rect& cell) {
+         draw_attempt_state(own, header(row), cell);
+       }},
+      {{ui.text("history.duration"), 90.0F, 1.0F, Align::Right},
+       [header](std::size_t row) { return duration_text(header(row)); }},
+      {{ui.text("attempts.score"), 88.0F, 1.0F, Align::Right},
+       [&history](Ui& own, std::size_t row, const Rect& cell) {
+         draw_score(own, history.attempts[row], history.numbers[row] > 0, cell);
+       }},
+  };
 }
 
 struct Fact {
@@ -300,32 +307,17 @@ void HistoryScreen::draw_facts(Ui& ui, const Rect& rect) const {
 void HistoryScreen::draw_attempts(Ui& ui, const Rect& rect) {
   const OperationHistory& shown = history();
   const Rect inside = card(ui, rect, ui.text("history.list"));
-  const std::array<TableColumn, ColumnCount> columns{{
-      {ui.text("attempts.number"), 48.0F, 1.0F, Align::Right},
-      {ui.text("attempts.started"), 0.0F, 1.4F},
-      {ui.text("attempts.kind"), 0.0F, 1.0F},
-      {ui.text("attempts.state"), 0.0F, 1.0F},
-      {ui.text("history.duration"), 90.0F, 1.0F, Align::Right},
-      {ui.text("attempts.score"), 88.0F, 1.0F, Align::Right},
-  }};
-  TableSpec spec;
-  spec.columns = columns;
-  spec.row_count = static_cast<int>(shown.attempts.size());
-  spec.label = ui.text("history.list");
-  const auto at = [&](int row) {  // newest first
-    return shown.attempts.size() - 1 - static_cast<std::size_t>(row);
-  };
-  spec.row_id = [&](int row) { return std::to_string(shown.attempts[at(row)].header.order); };
-  spec.row_label = [&](int row) {
-    const database::AttemptHeader& header = shown.attempts[at(row)].header;
-    return ui.texts().say("attempts.row", {{"operation", operation_text(header.scenario_name)},
-                                           {"moment", moment_text(header.started_utc)}});
-  };
-  spec.draw_cell = [&](Ui& own, int row, int column, const Rect& cell) {
-    draw_cell(own, shown, at(row), column, cell);
-  };
-  const TableResponse response = table(ui, "history.list", inside, spec, table_);
-  if (response.opened) places_.show_result(shown.attempts[at(*response.opened)].header.id);
+  std::vector<std::size_t> newest_first(shown.attempts.size());
+  std::iota(newest_first.rbegin(), newest_first.rend(), std::size_t{0});
+  const RowTable<std::size_t> list{
+      ui.text("history.list"),
+      [&](std::size_t row) { return std::to_string(shown.attempts[row].header.order); },
+      [&](std::size_t row) { return attempt_name(ui.texts(), shown.attempts[row].header); },
+      columns_of(ui, shown)};
+  const TableResponse response = table(ui, "history.list", inside, list, newest_first, table_);
+  if (!response.opened) return;
+  const std::size_t opened = newest_first[static_cast<std::size_t>(*response.opened)];
+  places_.show_result(shown.attempts[opened].header.id);
 }
 
 }  // namespace hallux::ui

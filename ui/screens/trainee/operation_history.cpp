@@ -1,10 +1,11 @@
+#include "ui/screens/trainee/operation_history.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "ui/screens/parts/value_text.h"
-#include "ui/screens/trainee/history_screen.h"
 
 namespace hallux::ui {
 

@@ -32,41 +32,41 @@ SeriesLook look_of(const Theme& theme, SeriesRole role) {
   return {theme.accent, 2.0F};
 }
 
-void draw_dashed(ChartPainter& painter, const std::vector<Point>& run, const SeriesLook& look,
+void draw_dashed(Canvas& canvas, const std::vector<Point>& run, const SeriesLook& look,
                  bool is_dotted) {
   for (const std::vector<Point>& dash :
        dashes_along(run, is_dotted ? 2.0F : 7.0F, is_dotted ? 3.0F : 4.0F))
-    painter.polyline(dash, look.color, look.thickness);
+    canvas.polyline(dash, look.color, look.thickness);
 }
 
-void draw_axes(ChartPainter& painter, const Theme& theme, const Rect& rect, const Plot& plot,
+void draw_axes(Canvas& canvas, const Theme& theme, const Rect& rect, const Plot& plot,
                const LineChart& chart) {
   const std::vector<double> across = nice_ticks(chart.y_low, chart.y_high, 6);
   const double step = across.size() > 1 ? across[1] - across[0] : 1.0;
   for (const double value : across) {
     const float y = std::round(plot.y(value));
-    painter.fill({plot.rect.x, y, plot.rect.w, 1.0F},
-                 value == chart.y_low ? theme.axis : theme.line, 0.0F);
-    painter.text({plot.rect.x - 10.0F, y}, Type::Caption, Align::Right, theme.text_caption,
-                 tick_text(value, step));
+    canvas.fill({plot.rect.x, y, plot.rect.w, 1.0F}, value == chart.y_low ? theme.axis : theme.line,
+                0.0F);
+    canvas.text({plot.rect.x - 10.0F, y}, {Type::Caption, theme.text_caption, Align::Right},
+                tick_text(value, step));
   }
   const int most = std::max(2, static_cast<int>(plot.rect.w / 36.0F));
   const std::vector<double> down = nice_ticks(chart.x_low, chart.x_high, most);
   const double x_step = down.size() > 1 ? down[1] - down[0] : 1.0;
   for (const double value : down) {
     if (x_step < 1.0 && value != std::round(value)) continue;
-    painter.fill({std::round(plot.x(value)), plot.rect.bottom(), 1.0F, 5.0F}, theme.axis, 0.0F);
-    painter.text({plot.x(value), plot.rect.bottom() + 16.0F}, Type::Caption, Align::Centre,
-                 theme.text_caption, tick_text(value, std::max(x_step, 1.0)));
+    canvas.fill({std::round(plot.x(value)), plot.rect.bottom(), 1.0F, 5.0F}, theme.axis, 0.0F);
+    canvas.text({plot.x(value), plot.rect.bottom() + 16.0F},
+                {Type::Caption, theme.text_caption, Align::Centre},
+                tick_text(value, std::max(x_step, 1.0)));
   }
-  painter.text({rect.x, plot.rect.y - 18.0F}, Type::Caption, Align::Left, theme.text_caption,
-               chart.y_unit);
-  painter.text({plot.rect.right(), plot.rect.bottom() + 36.0F}, Type::Caption, Align::Right,
-               theme.text_caption, chart.x_name);
+  canvas.text({rect.x, plot.rect.y - 18.0F}, {Type::Caption, theme.text_caption, Align::Left},
+              chart.y_unit);
+  canvas.text({plot.rect.right(), plot.rect.bottom() + 36.0F},
+              {Type::Caption, theme.text_caption, Align::Right}, chart.x_name);
 }
 
-void draw_noise(ChartPainter& painter, const Theme& theme, const Plot& plot,
-                const LineChart& chart) {
+void draw_noise(Canvas& canvas, const Theme& theme, const Plot& plot, const LineChart& chart) {
   if (!chart.noise) return;
   for (const Series& series : chart.series) {
     if (series.role != SeriesRole::Median) continue;
@@ -76,65 +76,64 @@ void draw_noise(ChartPainter& painter, const Theme& theme, const Plot& plot,
       upper.push_back({plot.x(point.x), plot.y(std::min(point.y + *chart.noise, chart.y_high))});
       lower.push_back({plot.x(point.x), plot.y(std::max(point.y - *chart.noise, chart.y_low))});
     }
-    painter.band(upper, lower, faded(theme.accent, theme.is_dark() ? 0.13F : 0.10F));
+    canvas.band(upper, lower, faded(theme.accent, theme.is_dark() ? 0.13F : 0.10F));
   }
 }
 
-void draw_mark(ChartPainter& painter, const Theme& theme, Point at, const SeriesLook& look,
+void draw_mark(Canvas& canvas, const Theme& theme, Point at, const SeriesLook& look,
                bool is_looked_at) {
   const float radius = is_looked_at ? 6.5F : 4.0F;
   if (look.is_square) {
-    painter.fill(
+    canvas.fill(
         {at.x - radius - 1.5F, at.y - radius - 1.5F, 2.0F * radius + 3.0F, 2.0F * radius + 3.0F},
         theme.card, 1.0F);
-    painter.fill({at.x - radius, at.y - radius, 2.0F * radius, 2.0F * radius}, look.color, 0.0F);
+    canvas.fill({at.x - radius, at.y - radius, 2.0F * radius, 2.0F * radius}, look.color, 0.0F);
   } else {
-    painter.disc(at, radius + 1.5F, theme.card);
-    painter.disc(at, radius, look.color);
-    if (is_looked_at) painter.disc(at, 3.0F, theme.card);
+    canvas.disc(at, radius + 1.5F, theme.card);
+    canvas.disc(at, radius, look.color);
+    if (is_looked_at) canvas.disc(at, 3.0F, theme.card);
   }
 }
 
-void draw_series(ChartPainter& painter, const Theme& theme, const Plot& plot, const Series& series,
+void draw_series(Canvas& canvas, const Theme& theme, const Plot& plot, const Series& series,
                  std::optional<std::size_t> looked_at) {
   const SeriesLook look = look_of(theme, series.role);
   if (series.has_line)
     for (const std::vector<Point>& run : line_runs(plot, series.points)) {
       if (look.is_dashed)
-        draw_dashed(painter, run, look, series.role == SeriesRole::Cohort);
+        draw_dashed(canvas, run, look, series.role == SeriesRole::Cohort);
       else
-        painter.polyline(run, look.color, look.thickness);
+        canvas.polyline(run, look.color, look.thickness);
     }
   if (!series.has_marks) return;
   for (std::size_t number = 0; number < series.points.size(); ++number)
     if (!std::isnan(series.points[number].y))
-      draw_mark(painter, theme, {plot.x(series.points[number].x), plot.y(series.points[number].y)},
+      draw_mark(canvas, theme, {plot.x(series.points[number].x), plot.y(series.points[number].y)},
                 look, looked_at == number);
 }
 
 // One entry of the legend, from its right end; returns its width.
-float draw_legend_entry(ChartPainter& painter, const Theme& theme, Point right,
-                        const std::string& name, const SeriesLook& look, const Series* series) {
-  const float words = painter.width_of(Type::Caption, name),
+float draw_legend_entry(Canvas& canvas, const Theme& theme, Point right, const std::string& name,
+                        const SeriesLook& look, const Series* series) {
+  const float words = canvas.width_of(Type::Caption, name),
               sample = series == nullptr || series->has_line ? 20.0F : 8.0F;
-  painter.text(right, Type::Caption, Align::Right, theme.text_secondary, name);
+  canvas.text(right, {Type::Caption, theme.text_secondary, Align::Right}, name);
   const float x = right.x - words - 6.0F - sample;
   if (look.is_dashed)
-    painter.dashes({x, right.y}, {x + sample, right.y}, look.color, 4.0F, 3.0F, 2.0F);
+    canvas.dashes({x, right.y}, {x + sample, right.y}, look.color, 4.0F, 3.0F, 2.0F);
   else if (series == nullptr)
-    painter.fill({x, right.y - 6.0F, sample, 12.0F}, look.color, 2.0F);
+    canvas.fill({x, right.y - 6.0F, sample, 12.0F}, look.color, 2.0F);
   else if (series->has_line)
-    painter.fill({x, right.y - 1.5F, sample, 3.0F}, look.color, 1.5F);
+    canvas.fill({x, right.y - 1.5F, sample, 3.0F}, look.color, 1.5F);
   if (series != nullptr && series->has_marks)
-    painter.disc({x + sample / 2.0F, right.y}, 4.0F, look.color);
+    canvas.disc({x + sample / 2.0F, right.y}, 4.0F, look.color);
   return words + 6.0F + sample;
 }
 
-void draw_legend(ChartPainter& painter, const Theme& theme, const Rect& rect,
-                 const LineChart& chart) {
+void draw_legend(Canvas& canvas, const Theme& theme, const Rect& rect, const LineChart& chart) {
   Point at{rect.right() - end_room, rect.y + 8.0F};
   const auto entry = [&](const std::string& name, const SeriesLook& look, const Series* series) {
-    if (!name.empty()) at.x -= draw_legend_entry(painter, theme, at, name, look, series) + 18.0F;
+    if (!name.empty()) at.x -= draw_legend_entry(canvas, theme, at, name, look, series) + 18.0F;
   };
   if (chart.pass_mark) entry(chart.pass_name, {theme.text_secondary, 1.5F, true}, nullptr);
   if (chart.noise)
@@ -155,24 +154,23 @@ Plot plot_of(const Rect& rect, const LineChart& chart) {
           chart.y_high};
 }
 
-void draw_line_chart(ChartPainter& painter, const Theme& theme, const Rect& rect,
-                     const LineChart& chart) {
+void draw_line_chart(Canvas& canvas, const Theme& theme, const Rect& rect, const LineChart& chart) {
   const Plot plot = plot_of(rect, chart);
-  draw_legend(painter, theme, rect, chart);
-  draw_axes(painter, theme, rect, plot, chart);
-  draw_noise(painter, theme, plot, chart);
+  draw_legend(canvas, theme, rect, chart);
+  draw_axes(canvas, theme, rect, plot, chart);
+  draw_noise(canvas, theme, plot, chart);
   if (chart.pass_mark)
-    painter.dashes({plot.rect.x, plot.y(*chart.pass_mark)},
-                   {plot.rect.right(), plot.y(*chart.pass_mark)}, theme.text_secondary, 5.0F, 4.0F,
-                   1.5F);
+    canvas.dashes({plot.rect.x, plot.y(*chart.pass_mark)},
+                  {plot.rect.right(), plot.y(*chart.pass_mark)}, theme.text_secondary, 5.0F, 4.0F,
+                  1.5F);
   if (chart.looked_at && !chart.series.empty() &&
       *chart.looked_at < chart.series.front().points.size()) {
     const ChartPoint& point = chart.series.front().points[*chart.looked_at];
     const float x = std::round(plot.x(point.x));
-    painter.dashes({x, plot.y(point.y)}, {x, plot.rect.bottom()}, theme.accent, 3.0F, 3.0F, 1.0F);
+    canvas.dashes({x, plot.y(point.y)}, {x, plot.rect.bottom()}, theme.accent, 3.0F, 3.0F, 1.0F);
   }
   for (auto series = chart.series.rbegin(); series != chart.series.rend(); ++series)
-    draw_series(painter, theme, plot, *series,
+    draw_series(canvas, theme, plot, *series,
                 &*series == &chart.series.front() ? chart.looked_at : std::nullopt);
 }
 

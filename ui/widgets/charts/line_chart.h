@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/widgets/canvas.h"
 #include "ui/widgets/charts/axis.h"
-#include "ui/widgets/charts/painter.h"
 #include "ui/widgets/look/theme.h"
 
 namespace hallux::ui {
@@ -34,8 +34,7 @@ struct LineChart {
 };
 
 /// Draws it into `rect`; its frame, legend and ticks take their room inside.
-void draw_line_chart(ChartPainter& painter, const Theme& theme, const Rect& rect,
-                     const LineChart& chart);
+void draw_line_chart(Canvas& canvas, const Theme& theme, const Rect& rect, const LineChart& chart);
 
 /// Where values lie when the chart is drawn into `rect`.
 Plot plot_of(const Rect& rect, const LineChart& chart);

@@ -20,96 +20,97 @@ Plot plot_of(const Rect& rect, const Timeline& timeline) {
   return plot;
 }
 
-void draw_steps(ChartPainter& painter, const Theme& theme, const Rect& rect, const Plot& plot,
+void draw_steps(Canvas& canvas, const Theme& theme, const Rect& rect, const Plot& plot,
                 const Timeline& timeline) {
   const float middle = plot.rect.y + steps_height / 2.0F;
-  painter.text({rect.x, middle}, Type::Caption, Align::Left, theme.text_secondary,
-               timeline.steps_name);
+  canvas.text({rect.x, middle}, {Type::Caption, theme.text_secondary, Align::Left},
+              timeline.steps_name);
   for (const TimelineStep& step : timeline.steps) {
     const bool is_now =
         timeline.now_s && step.begin_s <= *timeline.now_s && *timeline.now_s < step.end_s;
     const Rect band{plot.x(step.begin_s) + 1.0F, plot.rect.y,
                     plot.x(step.end_s) - plot.x(step.begin_s) - 2.0F, steps_height};
-    painter.fill(band, is_now ? theme.accent_soft : theme.raise, radius::step);
+    canvas.fill(band, is_now ? theme.accent_soft : theme.raise, radius::step);
     const Type type = is_now ? Type::CaptionMedium : Type::Caption;
-    if (painter.width_of(type, step.name) + 8.0F <= band.w)
-      painter.text({band.mid_x(), middle}, type, Align::Centre,
-                   is_now ? theme.accent : theme.text_secondary, step.name);
+    if (canvas.width_of(type, step.name) + 8.0F <= band.w)
+      canvas.text({band.mid_x(), middle},
+                  {type, is_now ? theme.accent : theme.text_secondary, Align::Centre}, step.name);
   }
 }
 
-void draw_event(ChartPainter& painter, const Theme& theme, Point at, Meaning meaning) {
+void draw_event(Canvas& canvas, const Theme& theme, Point at, Meaning meaning) {
   switch (meaning) {
     case Meaning::Neutral:
-      painter.fill({at.x - 1.0F, at.y - 6.0F, 2.0F, 12.0F}, theme.text_caption, 1.0F);
+      canvas.fill({at.x - 1.0F, at.y - 6.0F, 2.0F, 12.0F}, theme.text_caption, 1.0F);
       return;
     case Meaning::Warn: {
       const std::array<Point, 3> shape{
           {{at.x, at.y - 6.5F}, {at.x + 7.0F, at.y + 5.5F}, {at.x - 7.0F, at.y + 5.5F}}};
-      painter.polygon(shape, theme.warn);
-      painter.fill({at.x - 0.8F, at.y - 2.4F, 1.6F, 4.0F}, theme.on_warn, 0.0F);
-      painter.fill({at.x - 0.8F, at.y + 2.6F, 1.6F, 1.6F}, theme.on_warn, 0.0F);
+      canvas.polygon(shape, theme.warn);
+      canvas.fill({at.x - 0.8F, at.y - 2.4F, 1.6F, 4.0F}, theme.on_warn, 0.0F);
+      canvas.fill({at.x - 0.8F, at.y + 2.6F, 1.6F, 1.6F}, theme.on_warn, 0.0F);
       return;
     }
     case Meaning::Bad: {
       const std::array<Point, 4> shape{
           {{at.x, at.y - 7.0F}, {at.x + 7.0F, at.y}, {at.x, at.y + 7.0F}, {at.x - 7.0F, at.y}}};
-      painter.polygon(shape, theme.bad);
+      canvas.polygon(shape, theme.bad);
       const std::array<Point, 2> down{{{at.x - 2.0F, at.y - 2.0F}, {at.x + 2.0F, at.y + 2.0F}}};
       const std::array<Point, 2> up{{{at.x - 2.0F, at.y + 2.0F}, {at.x + 2.0F, at.y - 2.0F}}};
-      painter.polyline(down, theme.on_shape, 1.6F);
-      painter.polyline(up, theme.on_shape, 1.6F);
+      canvas.polyline(down, theme.on_shape, 1.6F);
+      canvas.polyline(up, theme.on_shape, 1.6F);
       return;
     }
     case Meaning::Good:
     case Meaning::Info: {
-      painter.disc(at, 6.0F, meaning == Meaning::Good ? theme.good : theme.accent);
+      canvas.disc(at, 6.0F, meaning == Meaning::Good ? theme.good : theme.accent);
       const std::array<Point, 3> tick{
           {{at.x - 2.9F, at.y + 0.1F}, {at.x - 0.7F, at.y + 2.3F}, {at.x + 3.0F, at.y - 2.2F}}};
-      painter.polyline(tick, theme.on_shape, 1.6F);
+      canvas.polyline(tick, theme.on_shape, 1.6F);
       return;
     }
   }
 }
 
-void draw_track(ChartPainter& painter, const Theme& theme, const Rect& rect, const Plot& whole,
+void draw_track(Canvas& canvas, const Theme& theme, const Rect& rect, const Plot& whole,
                 const TimelineTrack& track, float top) {
   Plot plot = whole;
   plot.rect.y = top;
   plot.rect.h = track_height;
   plot.y_low = track.low;
   plot.y_high = track.high;
-  painter.text({rect.x, top + 9.0F}, Type::Caption, Align::Left, theme.text_secondary, track.name);
-  painter.text({rect.x, top + 27.0F}, Type::Caption, Align::Left, theme.text_caption, track.unit);
+  canvas.text({rect.x, top + 9.0F}, {Type::Caption, theme.text_secondary, Align::Left}, track.name);
+  canvas.text({rect.x, top + 27.0F}, {Type::Caption, theme.text_caption, Align::Left}, track.unit);
   const double middle = 0.5 * (track.low + track.high);
   for (const double value : {track.low, middle, track.high}) {
-    painter.fill({plot.rect.x, std::round(plot.y(value)), plot.rect.w, 1.0F},
-                 value == track.low ? theme.axis : theme.line, 0.0F);
-    painter.text({plot.rect.x - 10.0F, plot.y(value)}, Type::Caption, Align::Right,
-                 theme.text_caption, tick_text(value, 0.5 * (track.high - track.low)));
+    canvas.fill({plot.rect.x, std::round(plot.y(value)), plot.rect.w, 1.0F},
+                value == track.low ? theme.axis : theme.line, 0.0F);
+    canvas.text({plot.rect.x - 10.0F, plot.y(value)},
+                {Type::Caption, theme.text_caption, Align::Right},
+                tick_text(value, 0.5 * (track.high - track.low)));
   }
   if (track.aim) {
     const float y = plot.y(std::min(*track.aim, track.high));
-    painter.fill({plot.rect.x, y, plot.rect.w, plot.rect.bottom() - y}, faded(theme.good, 0.10F),
-                 0.0F);
-    painter.dashes({plot.rect.x, y}, {plot.rect.right(), y}, theme.good_text, 4.0F, 4.0F, 1.0F);
+    canvas.fill({plot.rect.x, y, plot.rect.w, plot.rect.bottom() - y}, faded(theme.good, 0.10F),
+                0.0F);
+    canvas.dashes({plot.rect.x, y}, {plot.rect.right(), y}, theme.good_text, 4.0F, 4.0F, 1.0F);
   }
   for (const std::vector<Point>& run : line_runs(plot, track.reference))
     for (const std::vector<Point>& dash : dashes_along(run, 7.0F, 4.0F))
-      painter.polyline(dash, theme.reference, 1.5F);
+      canvas.polyline(dash, theme.reference, 1.5F);
   for (const std::vector<Point>& run : line_runs(plot, track.samples))
-    painter.polyline(run, theme.accent, 1.5F);
+    canvas.polyline(run, theme.accent, 1.5F);
 }
 
-void draw_playhead(ChartPainter& painter, const Theme& theme, const Plot& plot, double now_s,
+void draw_playhead(Canvas& canvas, const Theme& theme, const Plot& plot, double now_s,
                    float bottom) {
   const float now = std::round(plot.x(now_s));
-  painter.fill({now - 1.0F, plot.rect.y - 4.0F, 2.0F, bottom - plot.rect.y - 6.0F}, theme.text,
-               1.0F);
+  canvas.fill({now - 1.0F, plot.rect.y - 4.0F, 2.0F, bottom - plot.rect.y - 6.0F}, theme.text,
+              1.0F);
   const std::array<Point, 3> head{{{now - 7.0F, plot.rect.y - 11.0F},
                                    {now + 7.0F, plot.rect.y - 11.0F},
                                    {now, plot.rect.y - 2.0F}}};
-  painter.polygon(head, theme.text);
+  canvas.polygon(head, theme.text);
 }
 
 double axis_step_s(double duration_s, float width) {
@@ -140,30 +141,29 @@ std::string clock_text(double time_s) {
   return text;
 }
 
-void draw_timeline(ChartPainter& painter, const Theme& theme, const Rect& rect,
-                   const Timeline& timeline) {
+void draw_timeline(Canvas& canvas, const Theme& theme, const Rect& rect, const Timeline& timeline) {
   const Plot plot = plot_of(rect, timeline);
-  draw_steps(painter, theme, rect, plot, timeline);
+  draw_steps(canvas, theme, rect, plot, timeline);
   const float events = plot.rect.y + events_top;
-  painter.text({rect.x, events}, Type::Caption, Align::Left, theme.text_secondary,
-               timeline.events_name);
-  painter.fill({plot.rect.x, std::round(events), plot.rect.w, 1.0F}, theme.line, 0.0F);
+  canvas.text({rect.x, events}, {Type::Caption, theme.text_secondary, Align::Left},
+              timeline.events_name);
+  canvas.fill({plot.rect.x, std::round(events), plot.rect.w, 1.0F}, theme.line, 0.0F);
   for (const TimelineEvent& event : timeline.events)
-    draw_event(painter, theme, {plot.x(event.time_s), events}, event.meaning);
+    draw_event(canvas, theme, {plot.x(event.time_s), events}, event.meaning);
   float top = plot.rect.y + tracks_top;
   for (const TimelineTrack& track : timeline.tracks) {
-    draw_track(painter, theme, rect, plot, track, top);
+    draw_track(canvas, theme, rect, plot, track, top);
     top += track_step;
   }
   const double step = axis_step_s(timeline.duration_s, plot.rect.w);
   for (double time_s = 0.0; time_s <= timeline.duration_s; time_s += step)
-    painter.text({plot.x(time_s), top + 6.0F}, Type::Caption, Align::Centre, theme.text_caption,
-                 clock_text(time_s));
-  if (timeline.now_s) draw_playhead(painter, theme, plot, *timeline.now_s, top);
+    canvas.text({plot.x(time_s), top + 6.0F}, {Type::Caption, theme.text_caption, Align::Centre},
+                clock_text(time_s));
+  if (timeline.now_s) draw_playhead(canvas, theme, plot, *timeline.now_s, top);
   for (const TimelineNote& note : timeline.notes) {
-    painter.disc({plot.x(note.time_s), events}, 9.0F, theme.accent);
-    painter.text({plot.x(note.time_s), events}, Type::CaptionMedium, Align::Centre, theme.on_accent,
-                 note.number);
+    canvas.disc({plot.x(note.time_s), events}, 9.0F, theme.accent);
+    canvas.text({plot.x(note.time_s), events},
+                {Type::CaptionMedium, theme.on_accent, Align::Centre}, note.number);
   }
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/widgets/canvas.h"
 #include "ui/widgets/charts/axis.h"
-#include "ui/widgets/charts/painter.h"
 #include "ui/widgets/look/theme.h"
 
 namespace hallux::ui {
@@ -45,8 +45,7 @@ struct Timeline {
   std::vector<TimelineTrack> tracks = {};
 };
 
-void draw_timeline(ChartPainter& painter, const Theme& theme, const Rect& rect,
-                   const Timeline& timeline);
+void draw_timeline(Canvas& canvas, const Theme& theme, const Rect& rect, const Timeline& timeline);
 
 /// The height that steps, events, tracks and the axis take.
 float timeline_height(const Timeline& timeline) noexcept;

@@ -7,32 +7,6 @@
 
 namespace hallux::ui {
 
-void CanvasPainter::fill(const Rect& rect, Color color, float corner) {
-  canvas_.fill(rect, color, corner);
-}
-void CanvasPainter::polyline(std::span<const Point> points, Color color, float thickness) {
-  canvas_.polyline(points, color, thickness);
-}
-void CanvasPainter::dashes(Point from, Point to, Color color, float on, float off,
-                           float thickness) {
-  canvas_.dashes(from, to, color, on, off, thickness);
-}
-void CanvasPainter::band(std::span<const Point> upper, std::span<const Point> lower, Color color) {
-  canvas_.band(upper, lower, color);
-}
-void CanvasPainter::disc(Point centre, float radius, Color color) {
-  canvas_.disc(centre, radius, color);
-}
-void CanvasPainter::polygon(std::span<const Point> points, Color color) {
-  canvas_.polygon(points, color);
-}
-void CanvasPainter::text(Point at, Type type, Align align, Color color, std::string_view text) {
-  canvas_.text(at, {type, color, align}, text);
-}
-float CanvasPainter::width_of(Type type, std::string_view text) const {
-  return canvas_.width_of(type, text);
-}
-
 std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& rect,
                                       LineChart chart, const PointWords& words) {
   std::optional<std::size_t> pressed, focused;
@@ -56,8 +30,7 @@ std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& r
   }
   chart.looked_at = point_near(rect, chart, ui.pointer());
   if (focused) chart.looked_at = focused;
-  CanvasPainter painter(ui.canvas());
-  draw_line_chart(painter, ui.theme(), rect, chart);
+  draw_line_chart(ui.canvas(), ui.theme(), rect, chart);
   if (chart.looked_at) {
     const ChartPoint& point = chart.series.front().points[*chart.looked_at];
     const Point place{plot.x(point.x), plot.y(point.y)};
@@ -72,9 +45,8 @@ std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& r
 
 std::optional<double> timeline(Ui& ui, std::string_view id, const Rect& rect,
                                const Timeline& shown) {
-  CanvasPainter painter(ui.canvas());
   const AreaResponse area = ui.area(id, shown.steps_name, rect);
-  draw_timeline(painter, ui.theme(), rect, shown);
+  draw_timeline(ui.canvas(), ui.theme(), rect, shown);
   if (!area.is_down[0] && !area.was_clicked) return std::nullopt;
   return time_at(rect, shown, area.pointer.x);
 }

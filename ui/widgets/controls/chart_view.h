@@ -13,24 +13,6 @@
 
 namespace hallux::ui {
 
-/// Draws charts on a canvas.
-class CanvasPainter : public ChartPainter {
- public:
-  explicit CanvasPainter(Canvas& canvas) : canvas_(canvas) {}
-
-  void fill(const Rect& rect, Color color, float corner) override;
-  void polyline(std::span<const Point> points, Color color, float thickness) override;
-  void dashes(Point from, Point to, Color color, float on, float off, float thickness) override;
-  void band(std::span<const Point> upper, std::span<const Point> lower, Color color) override;
-  void disc(Point centre, float radius, Color color) override;
-  void polygon(std::span<const Point> points, Color color) override;
-  void text(Point at, Type type, Align align, Color color, std::string_view text) override;
-  float width_of(Type type, std::string_view text) const override;
-
- private:
-  Canvas& canvas_;
-};
-
 /// What a tooltip says about a point: the value, and attempt, date and the like below it.
 using PointWords = std::function<std::pair<std::string, std::string>(std::size_t point)>;
 

@@ -21,10 +21,10 @@ struct TableColumn {
   float width = 0.0F;  ///< logical pixels; 0: a share of what the others leave, by `share`
   float share = 1.0F;
   Align align = Align::Left;  ///< numbers right, words left
-  bool can_sort = false;
   /// Where the table is narrower the column is left out. The numbers of the others stay: in the sort, in `draw_cell` and in
   /// ids.
   float from_width = 0.0F;
+  bool can_sort = false;
 };
 
 struct TableSort {

@@ -8,14 +8,16 @@
 
 #include "simulator/base/random.h"
 #include "simulator/mesh/indexed_mesh.h"
+#include "tests/benchmarks/display_buffers/placed_buffer.h"
 #include "tests/ui/render/graphics.h"
 
 namespace hallux::tests {
 namespace {
 
+using benchmarks::PlacedBuffer;
+using benchmarks::RemovalPolicy;
 using simulator::Triangle;
 using ui::DisplayBuffer;
-using ui::RemovalPolicy;
 
 constexpr Triangle blank{0, 0, 0};
 
@@ -28,7 +30,8 @@ std::vector<Triangle> triangles(std::uint32_t count) {
 }
 
 /// What is really on the card.
-std::vector<Triangle> on_card(const DisplayBuffer<Triangle>& buffer) {
+template <typename Buffer>
+std::vector<Triangle> on_card(const Buffer& buffer) {
   std::vector<Triangle> read(buffer.size());
   glBindBuffer(GL_COPY_READ_BUFFER, buffer.name());
   glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
@@ -36,7 +39,8 @@ std::vector<Triangle> on_card(const DisplayBuffer<Triangle>& buffer) {
   return read;
 }
 
-std::vector<Triangle> in_memory(const DisplayBuffer<Triangle>& buffer) {
+template <typename Buffer>
+std::vector<Triangle> in_memory(const Buffer& buffer) {
   return {buffer.elements().begin(), buffer.elements().end()};
 }
 
@@ -109,20 +113,6 @@ TEST_F(DisplayBuffers, GrowByTheirFactor) {
   EXPECT_EQ(on_card(exact), on_card(roomy));
 }
 
-TEST_F(DisplayBuffers, CopyingOnTheCardSendsOnlyWhatIsNew) {
-  DisplayBuffer<Triangle> buffer(
-      blank, {.growth = {.factor = 1.0, .least = 1, .refill = ui::Refill::OnCard}});
-  buffer.append(triangles(400));
-  buffer.upload();
-  buffer.write(3, triangle(9));
-  buffer.append(triangles(50));
-  const auto before = buffer.counts();
-  buffer.upload();
-  EXPECT_EQ(buffer.counts().copied_bytes, 400 * sizeof(Triangle));
-  EXPECT_LE(buffer.counts().uploaded_bytes - before.uploaded_bytes, 51 * sizeof(Triangle));
-  EXPECT_EQ(on_card(buffer), in_memory(buffer));
-}
-
 TEST_F(DisplayBuffers, OverwrittenTrianglesAreBlankAndComeBack) {
   DisplayBuffer<Triangle> buffer(blank);
   buffer.append(triangles(100));
@@ -144,7 +134,7 @@ class Removal : public testing::TestWithParam<RemovalPolicy> {
 
 TEST_P(Removal, LeavesExactlyWhatWasNotRemoved) {
   Random random(7);
-  DisplayBuffer<Triangle> buffer(blank, {.removal = GetParam()});
+  PlacedBuffer<Triangle> buffer(blank, GetParam());
   std::vector<Triangle> expected;
   std::vector<std::uint32_t> standing;
   std::uint32_t next = 0;
@@ -177,7 +167,7 @@ TEST_P(Removal, LeavesExactlyWhatWasNotRemoved) {
 }
 
 TEST_P(Removal, WritesToWhereAnElementMoved) {
-  DisplayBuffer<Triangle> buffer(blank, {.removal = GetParam()});
+  PlacedBuffer<Triangle> buffer(blank, GetParam());
   buffer.append(triangles(10));
   const std::vector<std::uint32_t> removed{2, 7};
   buffer.remove(removed);

@@ -1,11 +1,13 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "tests/ui/widgets/driver.h"
 #include "ui/widgets/charts/line_chart.h"
-#include "ui/widgets/charts/svg_painter.h"
 #include "ui/widgets/charts/timeline.h"
 
 namespace hallux::ui {
@@ -99,19 +101,15 @@ TEST(LineCharts, FindThePointThatIsPointedAt) {
   EXPECT_EQ(point_near(rect, chart, {50, 300}), std::nullopt);
 }
 
-TEST(LineCharts, AreTheSameInAFile) {
-  SvgPainter painter(600, 400, rgb(0xFFFFFF));
-  draw_line_chart(painter, make_theme(ThemeName::Light), {0, 0, 600, 400}, small_chart());
-  const std::string svg = painter.document();
-  EXPECT_TRUE(svg.starts_with("<svg "));
-  EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  EXPECT_NE(svg.find("pass 70 &amp; more"), std::string::npos);
-  EXPECT_NE(svg.find(">Points</text>"), std::string::npos);
-  std::size_t marks = 0;
-  for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
-    ++marks;
-  EXPECT_EQ(marks, 5U) << "two points with their gap of card colour, and the legend's";
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
+TEST(LineCharts, NameTheirAxesAndTheMarkToPass) {
+  const Texts texts("");
+  Driver driver(texts, [](Ui& ui) {
+    draw_line_chart(ui.canvas(), ui.theme(), {40, 40, 600, 400}, small_chart());
+  });
+  for (const char* words : {"pass 70 & more", "Points", "Attempt"})
+    EXPECT_TRUE(driver.sees(words)) << words;
+  EXPECT_FALSE(driver.sees("nan"));
+  EXPECT_THAT(driver.faults(), testing::IsEmpty());
 }
 
 TEST(Timelines, TellTheMomentUnderThePointer) {
@@ -135,13 +133,13 @@ TEST(Timelines, ShowWhatWasHappeningAtThePlayhead) {
   timeline.steps_name = "Steps", timeline.events_name = "Events";
   timeline.steps = {{0, 40, "Mark"}, {40, 100, "Cut 1"}};
   timeline.tracks = {{"Force", "N", {{0, 1}, {50, gap}, {100, 3}}, {}, 30.0, 15.0}};
-  SvgPainter painter(1000, timeline_height(timeline), rgb(0xFFFFFF));
-  const Theme theme = make_theme(ThemeName::Light);
-  draw_timeline(painter, theme, {0, 0, 1000, timeline_height(timeline)}, timeline);
-  const std::string svg = painter.document();
-  EXPECT_NE(svg.find(">Cut 1</text>"), std::string::npos);
-  EXPECT_NE(svg.find(">00:50</text>"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  const Texts texts("");
+  Driver driver(texts, [&](Ui& ui) {
+    draw_timeline(ui.canvas(), ui.theme(), {40, 40, 1000, timeline_height(timeline)}, timeline);
+  });
+  EXPECT_TRUE(driver.sees("Cut 1"));
+  EXPECT_TRUE(driver.sees("00:50"));
+  EXPECT_FALSE(driver.sees("nan"));
 }
 
 TEST(Timelines, HaveNoPlayheadWhereNothingIsPlayedAndScalesThatNeedNotBeginAtNothing) {
@@ -149,18 +147,15 @@ TEST(Timelines, HaveNoPlayheadWhereNothingIsPlayedAndScalesThatNeedNotBeginAtNot
   timeline.duration_s = 10.0, timeline.now_s = std::nullopt;
   timeline.steps_name = "Steps", timeline.events_name = "Events";
   timeline.tracks = {{"Heat", "C", {{0, 37}, {10, 60}}, {}, 80.0, 47.0, 20.0}};
-  const auto drawn = [&] {
-    SvgPainter painter(1000, timeline_height(timeline), rgb(0xFFFFFF));
-    draw_timeline(painter, make_theme(ThemeName::Light), {0, 0, 1000, timeline_height(timeline)},
-                  timeline);
-    return painter.document();
-  };
-  const std::string svg = drawn();
-  for (const char* tick : {">20</text>", ">50</text>", ">80</text>"})
-    EXPECT_NE(svg.find(tick), std::string::npos) << tick;
-  EXPECT_EQ(svg.find("<polygon"), std::string::npos) << "the playhead's triangle";
+  const Texts texts("");
+  Driver driver(texts, [&](Ui& ui) {
+    draw_timeline(ui.canvas(), ui.theme(), {40, 40, 1000, timeline_height(timeline)}, timeline);
+  });
+  for (const char* tick : {"20", "50", "80"}) EXPECT_TRUE(driver.sees(tick)) << tick;
+  const int corners = driver.ui().draw_data().TotalVtxCount;
   timeline.now_s = 5.0;
-  EXPECT_NE(drawn().find("<polygon"), std::string::npos);
+  driver.frame();
+  EXPECT_GT(driver.ui().draw_data().TotalVtxCount, corners) << "the playhead";
 }
 
 }  // namespace

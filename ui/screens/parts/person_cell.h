@@ -1,0 +1,13 @@
+/// A person in a row of a table: initials in a circle, and the name.
+#pragma once
+
+#include <string>
+
+#include "database/records/ids.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+void draw_person_cell(Ui& ui, const Rect& cell, const std::string& name, database::PersonId id);
+
+}  // namespace hallux::ui
