@@ -49,7 +49,7 @@ double section_area_mm2(const KerfContact& contact) {
 
 }  // namespace
 
-OperationGeometry::OperationGeometry(const Bone& bone, const BladeSize& blade,
+OperationGeometry::OperationGeometry(const Bone& bone, const Blade& blade,
                                      std::optional<PlannedBridge> bridge)
     : kerfs_(blade, bone.world_from_bone), bridge_(bridge) {
   whole_.solid = uncut_solid(solid_of(bone));

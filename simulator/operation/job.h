@@ -59,8 +59,7 @@ struct JobResult {
 /// The operation as the jobs see it: the solid as cut so far and a copy of the kerfs.
 class OperationGeometry {
  public:
-  OperationGeometry(const Bone& bone, const BladeSize& blade,
-                    std::optional<PlannedBridge> bridge = {});
+  OperationGeometry(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
 
   /// Follows what the step gave out; events of a tick before its sample.
   void follow(const CutEvent& event);

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 from findings import finish
 
-EXACT_ROOMS = ("simulator/base", "simulator/record", "simulator/mesh", "simulator/cutting",
-               "simulator/contact", "simulator/operation", "simulator/step", "scenarios/foot")
+EXACT_ROOMS = ("simulator/base", "simulator/tool", "simulator/record", "simulator/mesh",
+               "simulator/cutting", "simulator/contact", "simulator/operation", "simulator/step", "scenarios/foot")
 BOUNDED_ROOMS = ("simulator/contact", "simulator/step")
 
 TRANSCENDENTAL = (r"sin|cos|tan|sincos|asin|acos|atan|atan2|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|cbrt|"

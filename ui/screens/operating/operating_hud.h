@@ -25,9 +25,7 @@ struct OperatingHud {
   std::string_view step_action;  ///< what its button says; "" for none
   bool is_step_busy = false;     ///< it was pressed, and its work is under way
   bool is_step_ready = true;
-  std::string_view saw;  ///< name of the blade
-  double blade_width_mm = 0.0, blade_thickness_mm = 0.0;
-  long cycles_per_minute = 0;
+  simulator::Saw saw;
   bool is_saw_on = false, is_irrigated = false, is_cutting = false;
   double force_newton = 0.0;
   std::optional<double> bone_celsius;  ///< of the hottest bone, where it is told while operating

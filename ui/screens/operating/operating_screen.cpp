@@ -305,14 +305,13 @@ void OperatingScreen::let_chips_fly(double step_s) {
   std::optional<SwarfSource> source;
   if (has(view.sample.status, ToolStatus::Cutting)) {
     const scenarios::Scenario& scenario = prepared_.value().table->scenario;
-    const auto& blade = scenario.blade;
     source.emplace();
     source->world_from_tool = transform_from(view.sample.world_from_tool);
-    source->width_mm = blade.size.width_mm;
-    const double rate_mm_s = simulator::feed_rate_mm_s(
-        view.engaged, simulator::force_size_newton(view.sample),
-        blade.cycles_per_minute * blade.sharpness, scenario.patient.bone_quality);
-    source->removed_mm3_s = rate_mm_s * view.engaged.width_mm() * blade.size.kerf_mm;
+    source->width_mm = scenario.saw.blade.width_mm;
+    const double rate_mm_s =
+        simulator::feed_rate_mm_s(view.engaged, simulator::force_size_newton(view.sample),
+                                  scenario.saw, scenario.patient.bone_quality);
+    source->removed_mm3_s = rate_mm_s * view.engaged.width_mm() * scenario.saw.blade.kerf_mm;
     source->is_irrigated = is_irrigated_;
   }
   swarf_.advance(step_s, source);
@@ -325,8 +324,7 @@ void OperatingScreen::sound_the_saw(Shell& shell) {
   if (is_heard && player_ == nullptr) player_ = std::make_unique<SawPlayer>();
   if (player_ == nullptr) return;
   const simulator::LoopView& view = begun_->live->view();
-  SawTone tone = saw_tone(view.sample, view.engaged,
-                          prepared_.value().table->scenario.blade.cycles_per_minute);
+  SawTone tone = saw_tone(view.sample, view.engaged, prepared_.value().table->scenario.saw);
   tone.runs = tone.runs && is_heard && !is_paused_;
   player_->play(tone);
 }
@@ -344,12 +342,11 @@ Scene OperatingScreen::scene(Ui& ui) {
     whole.world_from_bone = table.bone.world_from_bone;
     scene.bones.push_back(whole);
   }
-  const simulator::BladeSize& blade = table.scenario.blade.size;
+  const simulator::Blade& blade = table.scenario.saw.blade;
   SawInScene saw;
   saw.world_from_tool =
       has_sample_ ? transform_from(last_sample_.world_from_tool) : world_from_target_;
   saw.blade = blade;
-  saw.thickness_mm = table.scenario.blade.thickness_mm;
   saw.is_running = has(last_sample_.status, ToolStatus::SawOn) && !is_paused_;
   // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
   saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
@@ -375,7 +372,7 @@ std::optional<PlanReading> OperatingScreen::plan_reading() const {
   if (cut == nullptr || !is_plane_shown_) return std::nullopt;
   const OperatingTable& table = *prepared_.value().table;
   return read_against(
-      *cut, table.scenario.blade.size,
+      *cut, table.scenario.saw.blade,
       inverse(table.bone.world_from_bone) * transform_from(last_sample_.world_from_tool));
 }
 
@@ -424,10 +421,7 @@ OperatingHud OperatingScreen::hud(Ui& ui, Shell& shell) {
     hud.is_step_ready = !is_paused_ && waiting_ == Waiting::Nothing &&
                         (kind != StepKind::Remove || freed_ > removed_);
   }
-  hud.saw = table.scenario.blade.name;
-  hud.blade_width_mm = table.scenario.blade.size.width_mm;
-  hud.blade_thickness_mm = table.scenario.blade.thickness_mm;
-  hud.cycles_per_minute = std::lround(table.scenario.blade.cycles_per_minute);
+  hud.saw = table.scenario.saw;
   hud.is_saw_on = has(last_sample_.status, ToolStatus::SawOn);
   hud.is_irrigated = is_irrigated_;
   hud.is_cutting = has(last_sample_.status, ToolStatus::Cutting);
