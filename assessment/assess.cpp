@@ -16,7 +16,7 @@ Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& 
   // The plan comes first: a scenario that does not fit the bone is refused before the long work.
   scenarios::Plan plan = plan_on(scenario, bone);
   Examination examination{
-      std::move(plan), rebuild(bone, scenario.blade.size, recording, progress, opened), {}, {}, {}};
+      std::move(plan), rebuild(bone, scenario.saw.blade, recording, progress, opened), {}, {}, {}};
   for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut) {
     examination.faces.push_back(faces_of_cut(examination.rebuilt, examination.plan, cut));
     std::vector<Measurement> made = measure_cut(

@@ -15,14 +15,13 @@ constexpr std::size_t samples_per_report = 4096;
 
 }  // namespace
 
-EffectTrack track_effects(const simulator::Bone& bone, const SawOfRecord& saw,
+EffectTrack track_effects(const simulator::Bone& bone, const simulator::SawInHand& hand,
                           const simulator::Recording& recording, std::size_t stretch,
                           const Progress& progress) {
   CHECK(stretch > 0);
   const simulator::TissueMap tissue(bone);
-  simulator::KerfSet kerfs(saw.blade, bone.world_from_bone);
-  simulator::ToolEffects effects(bone.world_from_bone, saw.blade, saw.in_hand,
-                                 {{}, saw.thickness_mm});
+  simulator::KerfSet kerfs(hand.saw.blade, bone.world_from_bone);
+  simulator::ToolEffects effects(bone.world_from_bone, hand);
   EffectTrack track;
   const std::size_t count = recording.samples.size();
   open_kerfs(

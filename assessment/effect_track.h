@@ -19,19 +19,12 @@ struct EffectTrack {
   double greatest_deflection_mm = 0.0;  ///< of the blade along its normal, without sign
 };
 
-/// The saw that made a recording.
-struct SawOfRecord {
-  simulator::BladeSize blade;
-  double thickness_mm = 0.0;  ///< of the steel
-  simulator::SawInHand in_hand;
-};
-
 /// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still
 /// leads heat away here: a recording holds no bodies of pieces.
 /// needs   recording's samples and events are in the order of their ticks; stretch > 0
 /// errors  Cancelled
 /// thread  any
-EffectTrack track_effects(const simulator::Bone& bone, const SawOfRecord& saw,
+EffectTrack track_effects(const simulator::Bone& bone, const simulator::SawInHand& hand,
                           const simulator::Recording& recording, std::size_t stretch,
                           const Progress& progress = {});
 

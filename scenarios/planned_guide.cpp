@@ -14,7 +14,7 @@ simulator::GuidePlan planned_guide(const Scenario& scenario, const Plan& plan,
     // A face is finished bone: the middle of the blade lies half a kerf further into the waste.
     if (cut != nullptr) {
       guide.of_step[step] = {cut->face.normal,
-                             cut->face.offset_mm + 0.5 * scenario.blade.size.kerf_mm};
+                             cut->face.offset_mm + 0.5 * scenario.saw.blade.kerf_mm};
     }
   }
   return guide;

@@ -47,22 +47,22 @@ PatientRequest read_patient(const JsonNode& node) {
 
 /// The widest blades of the forefoot and hindfoot saws bound the ranges. Nobody would saw on with a blade that takes less
 /// than a fifth, and none is sharper than a new one.
-SawBlade read_blade(const JsonNode& node) {
+void read_blade(const JsonNode& node, Scenario& scenario) {
   node.expect_keys(
       {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"},
       {"sharpness"});
-  SawBlade blade{.name = node.at("name").text(1, title_bytes_max),
-                 .size = {.width_mm = node.at("width_mm").number(2.0, 30.0),
-                          .depth_mm = node.at("depth_mm").number(5.0, 90.0),
-                          .kerf_mm = node.at("kerf_mm").number(0.1, 2.0)},
-                 .cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0),
-                 .thickness_mm = node.at("thickness_mm").number(0.1, 2.0),
-                 .origin = read_origin(node)};
-  if (node.has("sharpness")) blade.sharpness = node.at("sharpness").number(0.2, 1.0);
-  if (blade.thickness_mm > blade.size.kerf_mm) {
+  scenario.blade_name = node.at("name").text(1, title_bytes_max);
+  simulator::Saw& saw = scenario.saw;
+  saw.blade.width_mm = node.at("width_mm").number(2.0, 30.0);
+  saw.blade.depth_mm = node.at("depth_mm").number(5.0, 90.0);
+  saw.blade.kerf_mm = node.at("kerf_mm").number(0.1, 2.0);
+  saw.cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0);
+  saw.blade.thickness_mm = node.at("thickness_mm").number(0.1, 2.0);
+  scenario.blade_origin = read_origin(node);
+  if (node.has("sharpness")) saw.sharpness = node.at("sharpness").number(0.2, 1.0);
+  if (saw.blade.thickness_mm > saw.blade.kerf_mm) {
     node.at("kerf_mm").refuse_value("give at least the blade's thickness_mm");
   }
-  return blade;
 }
 
 DangerZone read_danger_zone(const JsonNode& node) {
@@ -133,7 +133,7 @@ Scenario parse_scenario(std::string_view json, std::string_view name) {
   Scenario scenario;
   read_head(root, scenario);
   scenario.patient = read_patient(root.at("patient"));
-  scenario.blade = read_blade(root.at("blade"));
+  read_blade(root.at("blade"), scenario);
   read_lists(root, scenario);
   scenario.rubric = read_rubric(root.at("rubric"));
   scenario.text = json;

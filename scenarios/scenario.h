@@ -1,4 +1,5 @@
-/// An operation as data: what is cut, with which blade, towards which faces, and what each deviation costs.
+/// An operation as data: what is cut, with which blade, towards which faces, and what each
+/// deviation costs.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +11,10 @@
 
 #include "scenarios/scenario_error.h"
 #include "simulator/base/embedded.h"
-#include "simulator/cutting/field/kerf.h"
+#include "simulator/base/vector.h"
+#include "simulator/tool/saw.h"
 
 namespace hallux::scenarios {
-
-/// A blade with the numbers that its box prints. source  docs/references.md
-struct SawBlade {
-  std::string name;
-  simulator::BladeSize size;
-  double cycles_per_minute = 12000.0;
-  double thickness_mm = 0.4;  ///< of the steel; the set of the teeth widens it to the kerf
-  std::string origin;
-  double sharpness = 1.0;  ///< what it takes in a cycle, as a share of a new one's
-};
 
 /// Which patient is made for the operation.
 struct PatientRequest {
@@ -35,12 +27,13 @@ struct PatientRequest {
 };
 
 /// AlongAxis     parallel to an axis between two landmarks, tilted about it, offset from a third
-/// Transverse    across the bone: parallel to a line between two landmarks (a joint's) and to dorsal, tilted, offset along
-///               the bone from a third
+/// Transverse    across the bone: parallel to a line between two landmarks (a joint's) and to
+///               dorsal, tilted, offset along the bone from a third
 /// ThroughHinge  contains a hinge's line, turned about it from the face of the hinge's first cut
 enum class FaceKind { AlongAxis, Transverse, ThroughHinge };
 
-/// A finished bone face relative to landmarks. Works on any patient that has them. What a kind does not use stays empty.
+/// A finished bone face relative to landmarks. Works on any patient that has them. What a kind does
+/// not use stays empty.
 struct LandmarkPlane {
   std::string through;             ///< landmark from which the offset counts
   std::string axis_from, axis_to;  ///< without tilts the plane contains this direction
@@ -49,16 +42,19 @@ struct LandmarkPlane {
   /// AlongAxis: about the axis; positive: the plantar end lies further medial.
   double frontal_tilt_rad = 0.0;
   FaceKind kind = FaceKind::AlongAxis;
-  /// Transverse, from the joint's line and from dorsal. Positive: the medial, the plantar edge lies further distal.
+  /// Transverse, from the joint's line and from dorsal. Positive: the medial, the plantar edge lies
+  /// further distal.
   double transverse_tilt_rad = 0.0, sagittal_tilt_rad = 0.0;
-  /// ThroughHinge: from the face of the hinge's first cut. Positive: distal of it, open on the side away from the hinge.
+  /// ThroughHinge: from the face of the hinge's first cut. Positive: distal of it, open on the side
+  /// away from the hinge.
   double wedge_rad = 0.0;
 };
 
 struct ReferenceCut {
   std::string name, title;
   LandmarkPlane face;
-  /// Where the normal points; the other side is kept. AlongAxis: "medial" or "lateral"; else "proximal" or "distal".
+  /// Where the normal points; the other side is kept. AlongAxis: "medial" or "lateral"; else
+  /// "proximal" or "distal".
   std::string waste_side;
   /// The side from which the blade comes: "dorsal", "plantar", "medial" or "lateral".
   std::string approach;
@@ -67,9 +63,9 @@ struct ReferenceCut {
   std::string origin;
 };
 
-/// A bridge of bone that two cuts leave standing, and about which the wedge between them is closed. Its line lies in the
-/// face of the first cut, parallel to dorsal, `thickness_mm` inside the cortex on `side`; the second cut's face contains
-/// it.
+/// A bridge of bone that two cuts leave standing, and about which the wedge between them is closed.
+/// Its line lies in the face of the first cut, parallel to dorsal, `thickness_mm` inside the cortex
+/// on `side`; the second cut's face contains it.
 struct ReferenceHinge {
   std::string name, title;
   std::string first_cut, second_cut;
@@ -91,8 +87,8 @@ struct OperationStep {
   std::string hinge;  ///< Remove: the hinge whose wedge comes out; Close: the hinge that is closed
 };
 
-/// Points for one metric: all of the weight up to `full`, none from `zero` on, linear between (lower is better; of a
-/// metric with a sign, its size).
+/// Points for one metric: all of the weight up to `full`, none from `zero` on, linear between
+/// (lower is better; of a metric with a sign, its size).
 /// A band gives full points inside [full_low, full_high] and none outside (zero_low, zero_high).
 struct RubricItem {
   std::string id, title, group, metric, cut, unit;
@@ -135,8 +131,8 @@ struct Rubric {
   std::vector<Gate> gates;
 };
 
-/// A structure that must not be touched: a capsule between two points. Each is counted along the axes of the bone frame,
-/// from its landmark, or from the bone's origin where it names none.
+/// A structure that must not be touched: a capsule between two points. Each is counted along the
+/// axes of the bone frame, from its landmark, or from the bone's origin where it names none.
 struct DangerZone {
   std::string name, severity;  ///< severity: "critical", "major" or "minor"
   Vec3 from_in_bone_mm{0.0, 0.0, 0.0}, to_in_bone_mm{0.0, 0.0, 0.0};
@@ -160,7 +156,11 @@ struct Scenario {
   std::string reviewed_by;
   std::string indication, summary;
   PatientRequest patient;
-  SawBlade blade;
+  /// With the numbers that the blade's box prints. Further tools that an operation lays out come
+  /// beside it.
+  /// source  docs/references.md
+  simulator::Saw saw;
+  std::string blade_name, blade_origin;
   std::vector<ReferenceCut> cuts;
   std::vector<OperationStep> steps;
   std::vector<DangerZone> danger_zones;
@@ -171,8 +171,9 @@ struct Scenario {
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.
-/// errors  ScenarioError: syntax with line, unknown or missing key with its path, value out of range, weights that do
-///         not add up, a reference to a cut or landmark name that does not exist in the file
+/// errors  ScenarioError: syntax with line, unknown or missing key with its path, value out of
+///         range, weights that do not add up, a reference to a cut or landmark name that does not
+///         exist in the file
 Scenario parse_scenario(std::string_view json, std::string_view name);
 /// The scenario in a file of at most 256 KiB.
 /// errors  ScenarioError: as parse_scenario, and where the file cannot be read

@@ -22,7 +22,7 @@ bool is_same(const simulator::KerfPlane& a, const simulator::KerfPlane& b) noexc
 
 }  // namespace
 
-OpenedFields opened_fields(const simulator::BladeSize& blade, const RigidTransform& world_from_bone,
+OpenedFields opened_fields(const simulator::Blade& blade, const RigidTransform& world_from_bone,
                            const simulator::Recording& recording, const Progress& progress) {
   simulator::KerfSet kerfs(blade, world_from_bone);
   std::vector<simulator::OpeningNotes> notes;
@@ -45,7 +45,7 @@ OpenedFields opened_fields(const simulator::BladeSize& blade, const RigidTransfo
   return fields;
 }
 
-bool are_of(const OpenedFields& fields, const simulator::BladeSize& blade,
+bool are_of(const OpenedFields& fields, const simulator::Blade& blade,
             const RigidTransform& world_from_bone, const simulator::Recording& recording) {
   simulator::KerfSet kerfs(blade, world_from_bone);
   freeze_kerfs(

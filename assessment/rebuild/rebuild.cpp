@@ -116,7 +116,7 @@ double RebuiltKerf::done_fraction() const noexcept {
 
 bool RebuiltKerf::is_finished() const noexcept { return done_fraction() == 1.0; }
 
-RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& blade,
+RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
                     const simulator::Recording& recording, const Progress& progress,
                     const OpenedFields* opened) {
   RebuiltBone rebuilt{

@@ -49,7 +49,7 @@ struct RebuiltBone {
 /// needs   where `opened` is given, fields of this recording (see are_of)
 /// errors  Cancelled
 /// thread  any
-RebuiltBone rebuild(const simulator::Bone& bone, const simulator::BladeSize& blade,
+RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
                     const simulator::Recording& recording, const Progress& progress = {},
                     const OpenedFields* opened = nullptr);
 

@@ -61,7 +61,7 @@ void FeelingHand::wait(double time_s) {
 std::vector<Stroke> FeelingHand::strokes_of(const Scenario& scenario, std::size_t cut) const {
   const AimedCut& aimed = cuts_[cut];
   const std::vector<Stroke> strokes =
-      plan_strokes(aimed.region, {scenario.blade.size.width_mm, overlap_mm, skill_.edge_margin_mm});
+      plan_strokes(aimed.region, {scenario.saw.blade.width_mm, overlap_mm, skill_.edge_margin_mm});
   return aimed.stop_mm ? stopped(strokes, *aimed.stop_mm) : strokes;
 }
 

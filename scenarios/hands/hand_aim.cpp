@@ -212,8 +212,7 @@ Target target_of(const Scenario& scenario, const Plan& plan, std::size_t index,
   const Vec3 near =
       is_along ? find_landmark(known.bone, "eminence_apex").value_or(cut.depth_point_in_bone_mm)
                : cut.entry_point_in_bone_mm;
-  return {cut,  -side_direction(scenario.cuts.at(index).approach),
-          near, scenario.blade.size.kerf_mm,
+  return {cut,  -side_direction(scenario.cuts.at(index).approach), near, scenario.saw.blade.kerf_mm,
           seed, index == 0 ? std::string() : "." + cut.name};
 }
 

@@ -30,7 +30,7 @@ struct Ball {
   double radius_mm = 0.0;
 };
 
-Ball ball(std::size_t point, const BladeSize& blade) noexcept {
+Ball ball(std::size_t point, const Blade& blade) noexcept {
   if (point < contact_tooth_count) {
     const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
     const double along_mm =

@@ -15,9 +15,8 @@ Vec3 blade_point(const RigidTransform& bone_from_tool, double back_mm, double al
 
 }  // namespace
 
-std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
-                                           const BladeSize& blade, double ahead_mm,
-                                           double aside_mm) noexcept {
+std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool, const Blade& blade,
+                                           double ahead_mm, double aside_mm) noexcept {
   std::array<Vec3, tooth_count> points{};
   const double share_mm = blade.width_mm / static_cast<double>(tooth_count);
   for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
@@ -30,7 +29,7 @@ std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
 std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
                                                 const StandingBone& bone, double ahead_mm,
                                                 TeethMemory& teeth) noexcept {
-  const BladeSize& blade = bone.kerfs.blade();
+  const Blade& blade = bone.kerfs.blade();
   std::array<Tissue, tooth_count> hardest{};
   for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
     const double aside_mm = tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
@@ -56,7 +55,7 @@ Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& 
 
 bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& bone,
                      double side) noexcept {
-  const BladeSize& blade = bone.kerfs.blade();
+  const Blade& blade = bone.kerfs.blade();
   for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
     const Vec3 point = blade_point(bone_from_tool, back_mm, side * 0.5 * blade.width_mm);
     double step_mm = probe_step_mm;
@@ -71,7 +70,7 @@ bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& b
 }
 
 bool blade_is_in_bone(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
-  const BladeSize& blade = bone.kerfs.blade();
+  const Blade& blade = bone.kerfs.blade();
   for (const double side : {0.0, -0.5, 0.5}) {
     for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
       const double clearance_mm =

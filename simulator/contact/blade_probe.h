@@ -13,9 +13,8 @@ namespace hallux::simulator {
 inline constexpr double probe_ahead_mm = 0.02;
 
 /// The middle of each share of the tooth line, `ahead_mm` in front of it and `aside_mm` out of the blade's plane [mm, bone frame].
-std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
-                                           const BladeSize& blade, double ahead_mm,
-                                           double aside_mm = 0.0) noexcept;
+std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool, const Blade& blade,
+                                           double ahead_mm, double aside_mm = 0.0) noexcept;
 
 /// The hardest tissue over each tooth's thickness, asked `ahead_mm` in front of the tooth line; `teeth` remembers.
 /// thread  haptic; allocates nothing

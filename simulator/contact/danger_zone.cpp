@@ -68,7 +68,7 @@ double distance_mm(const Rectangle& blade, const Segment& segment) noexcept {
 
 }  // namespace
 
-double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const BladeSize& blade,
+double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const Blade& blade,
                               const DangerCapsule& capsule) noexcept {
   const RigidTransform tool_from_bone = inverse(bone_from_tool);
   const Segment line{transform_point(tool_from_bone, capsule.from_in_bone_mm),
@@ -77,7 +77,7 @@ double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const BladeS
          0.5 * blade.kerf_mm;
 }
 
-DangerWatch::DangerWatch(const RigidTransform& world_from_bone, const BladeSize& blade,
+DangerWatch::DangerWatch(const RigidTransform& world_from_bone, const Blade& blade,
                          std::span<const DangerCapsule> zones)
     : bone_from_world_(inverse(world_from_bone)),
       blade_(blade),

@@ -24,7 +24,7 @@ struct DangerCapsule {
 
 /// From the blade (tooth line, faces, edges; half a kerf thick to all sides) to the capsule; negative: how deep it is in,
 /// at most radius and half kerf [mm].
-double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const BladeSize& blade,
+double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const Blade& blade,
                               const DangerCapsule& capsule) noexcept;
 
 inline constexpr std::size_t danger_zone_limit = 64;
@@ -54,7 +54,7 @@ class DangerWatch {
  public:
   /// Takes all its memory here.
   /// needs   at most danger_zone_limit zones
-  DangerWatch(const RigidTransform& world_from_bone, const BladeSize& blade,
+  DangerWatch(const RigidTransform& world_from_bone, const Blade& blade,
               std::span<const DangerCapsule> zones);
 
   /// Follows the record by one sample.
@@ -77,7 +77,7 @@ class DangerWatch {
   void move_away(std::size_t zone, std::int64_t ticks) noexcept;
 
   RigidTransform bone_from_world_;
-  BladeSize blade_;
+  Blade blade_;
   FixedArray<DangerCapsule> zones_;
   FixedArray<DangerTrack> tracks_;
   FixedArray<Pending> pending_;

@@ -6,6 +6,8 @@
 /// source  docs/haptics.md; calibrated to published micro-saw feeds of 10 to 60 mm/min, not measured by us
 #pragma once
 
+#include "simulator/tool/saw.h"
+
 namespace hallux::simulator {
 
 /// How much of the tooth line stands in each tissue [mm].
@@ -28,5 +30,11 @@ inline constexpr double law_cycles_per_minute = 12000.0;
 /// needs   bone_quality > 0; 1 is bone as the constants have it
 double feed_rate_mm_s(const Engagement& engaged, double force_newton, double cycles_per_minute,
                       double bone_quality = 1.0) noexcept;
+
+/// The same for a saw with its drive and the sharpness of its blade.
+inline double feed_rate_mm_s(const Engagement& engaged, double force_newton, const Saw& saw,
+                             double bone_quality) noexcept {
+  return feed_rate_mm_s(engaged, force_newton, sharp_cycles_per_minute(saw), bone_quality);
+}
 
 }  // namespace hallux::simulator

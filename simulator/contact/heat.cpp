@@ -74,12 +74,11 @@ std::size_t cell_of(std::int32_t kerf, std::int32_t number) noexcept {
 
 }  // namespace
 
-HeatField::HeatField(const BladeSize& blade, const RigidTransform& world_from_bone,
-                     double cycles_per_minute, double sharpness)
-    : blade_(blade),
+HeatField::HeatField(const Saw& saw, const RigidTransform& world_from_bone)
+    : blade_(saw.blade),
       bone_from_world_(inverse(world_from_bone)),
-      tooth_speed_mm_s_(mean_tooth_speed_mm_s(blade.depth_mm, cycles_per_minute)),
-      friction_(saw_friction / sharpness),
+      tooth_speed_mm_s_(mean_tooth_speed_mm_s(saw.blade.depth_mm, saw.cycles_per_minute)),
+      friction_(saw_friction / saw.sharpness),
       cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
       patches_(static_cast<std::size_t>(2 * kerf_limit * patches_over * patches_over)) {
   hottest_celsius_.fill(body_celsius);

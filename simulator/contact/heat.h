@@ -48,9 +48,8 @@ struct HeatSummary {
 class HeatField {
  public:
   /// Takes all its memory here. A dull blade rubs as much more as it is less sharp than a new one.
-  /// needs   sharpness > 0
-  HeatField(const BladeSize& blade, const RigidTransform& world_from_bone, double cycles_per_minute,
-            double sharpness = 1.0);
+  /// needs   saw.sharpness > 0
+  HeatField(const Saw& saw, const RigidTransform& world_from_bone);
 
   /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the sample before. While
   /// the attempt does not run, time stands still here too.
@@ -110,7 +109,7 @@ class HeatField {
   std::int32_t cell_at(const Vec2& place_mm) const noexcept;
   Cell& cell(std::int32_t kerf, std::int32_t number) noexcept;
 
-  BladeSize blade_;
+  Blade blade_;
   RigidTransform bone_from_world_;
   double tooth_speed_mm_s_;
   double friction_;

@@ -68,8 +68,9 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
       const double left_mm = push.wanted_mm - done_mm;
       const double force_newton =
           std::min(settings.force_limit_newton, settings.coupling_newton_per_mm * left_mm);
-      const double rate_mm_s =
-          input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton, settings) : 0.0;
+      const double rate_mm_s = input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton,
+                                                               input.saw, settings.bone_quality)
+                                              : 0.0;
       step_mm = std::min({left_mm, push.room_mm - done_mm, rate_mm_s * input.duration_s});
       outcome.advance_mm = step_mm;
     }
@@ -235,7 +236,7 @@ void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
 /// where that is below `enough_mm`.
 double collar_room_mm(const RigidTransform& bone_from_tool, const StandingBone& bone,
                       double enough_mm, CollarMemory& memory) noexcept {
-  const BladeSize& blade = bone.kerfs.blade();
+  const Blade& blade = bone.kerfs.blade();
   double room_mm = std::numeric_limits<double>::infinity(), side = -0.5;
   for (SurfaceMemory& known : memory) {
     const Vec3 point_mm =

@@ -16,7 +16,7 @@ constexpr double reach_limit_mm = 1.5;
 
 /// How far the tool may go. A tool that bone holds, or held until now, comes after the hand at no more than the speed of
 /// giving way; one in air follows at once.
-double reach_mm(ToolState& tool, const ToolInput& input, const BladeSize& blade,
+double reach_mm(ToolState& tool, const ToolInput& input, const Blade& blade,
                 const ContactSettings& settings) noexcept {
   const ProxyMotion hand = motion_between(tool.bone_from_handle, input.bone_from_handle);
   const bool is_free = tool.stage == ToolStage::Free && !tool.is_held;

@@ -1,15 +1,18 @@
-/// How the tool follows the hand: freely in air, held by bone at a touch, along the plane in a kerf.
+/// How the tool follows the hand: freely in air, held by bone at a touch, along the plane in a
+/// kerf.
 ///
 ///     Free ------- teeth meet bone ------> Touching ------ 0.3 mm deep ------> InKerf
 ///      ^  <------- teeth clear again ---------'                                   |
 ///      |  ------- teeth drop into an open slot, nearly in its plane ------------> |
 ///      '----------------------- the blade has left the bone -----------------------'
 ///
-/// A spring pulls the tool towards the handle; where bone stops the tool, the stretched spring is the force on the hand.
-/// Outside a kerf the tool is a proxy (proxy.h): teeth, faces and edges stay out of the bone and slide on it with friction.
-/// Only the tooth line cuts. In a kerf the blade slides along its plane: forward by the feed law, backward freely,
-/// sideways and turned only where its edges meet no standing bone, and no deeper than its collar; out of the plane it bends
-/// a little. Bone that gives way lets the tool come after the hand gently. A saw started in bone, or laid on with a corner, kicks the hand (kick.h).
+/// A spring pulls the tool towards the handle; where bone stops the tool, the stretched spring is
+/// the force on the hand. Outside a kerf the tool is a proxy (proxy.h): teeth, faces and edges stay
+/// out of the bone and slide on it with friction. Only the tooth line cuts. In a kerf the blade
+/// slides along its plane: forward by the feed law, backward freely, sideways and turned only where
+/// its edges meet no standing bone, and no deeper than its collar; out of the plane it bends a
+/// little. Bone that gives way lets the tool come after the hand gently. A saw started in bone, or
+/// laid on with a corner, kicks the hand (kick.h).
 #pragma once
 
 #include <array>
@@ -21,13 +24,13 @@
 #include "simulator/contact/kick.h"
 #include "simulator/contact/proxy.h"
 #include "simulator/contact/tissue.h"
+#include "simulator/tool/saw.h"
 
 namespace hallux::simulator {
 
-/// Constants of the coupling and of the blade in its slot. source  docs/haptics.md
+/// Constants of the coupling and of a blade in its slot, the patient's bone, and the guide.
+/// source  docs/haptics.md
 struct ContactSettings {
-  double cycles_per_minute = 12000.0;
-  double sharpness = 1.0;     ///< of the blade: what it takes in a cycle, as a share of a new one's
   double bone_quality = 1.0;  ///< of the patient: the force that a rate needs, as a share of usual
   double coupling_newton_per_mm = 2.0;
   double force_limit_newton = 30.0;
@@ -51,17 +54,12 @@ struct ContactSettings {
   GuidePlan guide = {};
 };
 
-/// The feed law for this blade and this patient's bone [mm/s].
-inline double feed_rate_mm_s(const Engagement& engaged, double force_newton,
-                             const ContactSettings& settings) noexcept {
-  return feed_rate_mm_s(engaged, force_newton, settings.cycles_per_minute * settings.sharpness,
-                        settings.bone_quality);
-}
-
 inline constexpr std::size_t tooth_count = 21;
-/// A tooth takes its kerf's whole thickness: it is asked for bone in its middle and near both sides.
+/// A tooth takes its kerf's whole thickness: it is asked for bone in its middle and near both
+/// sides.
 inline constexpr std::size_t tooth_layers = 3;
-/// Where the outer layers lie, as a share of the kerf: a little inside, so that they do not feel the kerf's own walls.
+/// Where the outer layers lie, as a share of the kerf: a little inside, so that they do not feel
+/// the kerf's own walls.
 inline constexpr double tooth_layer_share = 0.45;
 using TeethMemory = std::array<TissueMemory, tooth_count * tooth_layers>;
 /// Of the collar's middle and its two ends.
@@ -91,6 +89,7 @@ struct ToolState {
 };
 
 struct ToolInput {
+  const Saw& saw;  ///< the tool in the hand
   RigidTransform bone_from_handle;
   bool saw_runs = false;
   double duration_s = 0.001;
@@ -117,8 +116,8 @@ struct ToolOutcome {
 ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBone& bone,
                       const ContactSettings& settings) noexcept;
 
-/// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or enough teeth over
-/// what was swept there within capture limits.
+/// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or
+/// enough teeth over what was swept there within capture limits.
 std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
                                const ContactSettings& settings) noexcept;
 

@@ -59,7 +59,7 @@ Walk walk(ToolState& tool, const ToolInput& input, const StandingBone& bone,
       std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
   const ProxyFriction friction{settings.friction, settings.friction_slide_share,
                                input.saw_runs ? settings.tooth_grip : settings.friction};
-  const BladeSize& blade = bone.kerfs.blade();
+  const Blade& blade = bone.kerfs.blade();
   Walk walked;
   double left_mm = reach_mm;
   for (int part = 0; part < part_limit; ++part) {
@@ -103,7 +103,8 @@ double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
   const double force_newton =
       std::min(settings.force_limit_newton,
                -settings.coupling_newton_per_mm * glm::dot(walked.proxy.tooth_mm, ahead));
-  const double rate_mm_s = feed_rate_mm_s(outcome.engaged, force_newton, settings);
+  const double rate_mm_s =
+      feed_rate_mm_s(outcome.engaged, force_newton, input.saw, settings.bone_quality);
   const double fed_mm = room_ahead_mm(walked.contacts, ahead, rate_mm_s * input.duration_s);
   tool.bone_from_tool.translation_mm += fed_mm * ahead;
   outcome.advance_mm = fed_mm;
@@ -139,7 +140,7 @@ void go_on_touching(ToolState& tool, const ToolInput& input, const Walk& walked,
 
 }  // namespace
 
-double reach_of(const ProxyMotion& motion, const BladeSize& blade) noexcept {
+double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept {
   return length_mm(motion.way_mm) + blade.depth_mm * length_mm(motion.turn_rad);
 }
 

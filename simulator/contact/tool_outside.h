@@ -8,7 +8,7 @@
 namespace hallux::simulator {
 
 /// The way of the blade's points in a motion, at most [mm].
-double reach_of(const ProxyMotion& motion, const BladeSize& blade) noexcept;
+double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept;
 
 /// Moves the tool by at most `reach_mm`. In Touching running teeth are fed into the bone.
 void move_outside(ToolState& tool, const ToolInput& input, const StandingBone& bone,

@@ -22,7 +22,7 @@ double section_area_mm2(const KerfContact& contact) {
 
 }  // namespace
 
-AttemptGeometry::AttemptGeometry(const Bone& bone, const BladeSize& blade,
+AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
                                  std::optional<PlannedBridge> bridge)
     : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(solid_of(bone)) {}
 

@@ -43,8 +43,7 @@ struct JobResult {
 /// The attempt as the jobs see it: a copy of the kerfs, and the bone that they leave.
 class AttemptGeometry {
  public:
-  AttemptGeometry(const Bone& bone, const BladeSize& blade,
-                  std::optional<PlannedBridge> bridge = {});
+  AttemptGeometry(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
 
   /// Follows what the step gave out; events of a tick before its sample.
   void follow(const CutEvent& event);

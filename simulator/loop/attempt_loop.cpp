@@ -60,26 +60,24 @@ class AttemptRun {
   AttemptRun(const AttemptSetup& setup, HapticDevice& device, AttemptChannels& channels,
              const Progress& progress)
       : setup_(setup),
-        device_(
-            device,
-            {setup.contact.coupling_newton_per_mm, setup.blade.kerf_mm,
-             setup.contact.cycles_per_minute, setup.contact.sharpness, setup.contact.bone_quality},
-            setup.force_law),
+        device_(device, setup.simulation, setup.force_law),
         channels_(channels),
         progress_(progress),
-        tissue_(setup.bone),
-        simulation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.effects),
+        tissue_(setup.simulation.bone),
+        simulation_(tissue_, setup.simulation),
         step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
         late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
     if (setup.job_runner != nullptr) {
       jobs_ = setup.job_runner;
       return;
     }
+    const SimulationSetup& simulated = setup.simulation;
     if (setup.pacing == Pacing::RealTime) {
-      own_jobs_ =
-          std::make_unique<ThreadedJobs>(setup.bone, setup.blade, setup.job_delay, setup.bridge);
+      own_jobs_ = std::make_unique<ThreadedJobs>(simulated.bone, simulated.saw.blade,
+                                                 setup.job_delay, simulated.bridge);
     } else {
-      own_jobs_ = std::make_unique<ImmediateJobs>(setup.bone, setup.blade, setup.bridge);
+      own_jobs_ =
+          std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
     }
     jobs_ = own_jobs_.get();
   }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/contact/tool_motion.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/scripted.h"
 #include "simulator/loop/attempt_operator.h"
@@ -15,7 +14,7 @@
 #include "simulator/loop/jobs.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/channels.h"
-#include "simulator/step/tool_effects.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
 
@@ -24,16 +23,12 @@ namespace hallux::simulator {
 enum class Pacing { RealTime, Virtual };
 
 struct AttemptSetup {
-  const Bone& bone;
-  BladeSize blade;
-  ContactSettings contact;
-  std::optional<PlannedBridge> bridge = std::nullopt;  ///< that the operation leaves and closes
+  SimulationSetup simulation;
   Pacing pacing = Pacing::Virtual;
   std::vector<HandCommand> commands = {};  ///< of the scripted operator, ascending
   std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
   JobDelay job_delay = {};                 ///< RealTime only
   AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
-  ToolEffectSettings effects = {};         ///< danger zones and the blade's steel
   ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
   AttemptOperator* attempt_operator =
       nullptr;  ///< who answers to what comes out; outlives the attempt

@@ -33,13 +33,14 @@ std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
 
 }  // namespace
 
-DeviceLink::DeviceLink(HapticDevice& device, const HandledSaw& saw, ForceLaw law)
+DeviceLink::DeviceLink(HapticDevice& device, const SimulationSetup& simulated, ForceLaw law)
     : device_(device),
-      saw_(saw),
+      saw_(simulated.saw),
+      bone_quality_(simulated.contact.bone_quality),
       law_(law),
       vibration_scale_(vibration_scale_on(device.description())),
       vibration_(vibration_seed),
-      settings_(settings_for(device.description(), saw.contact_newton_per_mm)),
+      settings_(settings_for(device.description(), simulated.contact.coupling_newton_per_mm)),
       watchdog_(device.description().pulse) {}
 
 DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcept {
@@ -82,9 +83,8 @@ Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, do
   input.duration_s = duration_s;
   if (has(sample.status, ToolStatus::Cutting)) {
     input.cutting_watt =
-        cutting_watt(output.engaged, saw_.kerf_mm,
-                     feed_rate_mm_s(output.engaged, push_newton,
-                                    saw_.cycles_per_minute * saw_.sharpness, saw_.bone_quality));
+        cutting_watt(output.engaged, saw_.blade.kerf_mm,
+                     feed_rate_mm_s(output.engaged, push_newton, saw_, bone_quality_));
   }
   const Vec3 along_teeth =
       transform_direction(transform_from(sample.world_from_tool), Vec3(0.0, 1.0, 0.0));

@@ -1,7 +1,9 @@
-/// The loop's end of a device: reads and judges what it says, and makes of the simulated force what it is given.
+/// The loop's end of a device: reads and judges what it says, and makes of the simulated force what
+/// it is given.
 ///
-///     device --state--> watchdog --> line of the tape --> step --> sample --> force output --force--> device
-///                                                                         (one tick later: the next exchange carries it)
+///     device --state--> watchdog --> line of the tape --> step --> sample --> force output
+///        ^                                                                         |
+///        '---------------- force, with the next exchange: one tick later ----------'
 ///
 /// A device without limits pushes nobody back: it is told the simulated force as it is.
 #pragma once
@@ -25,30 +27,24 @@ enum class ForceLaw {
   Historic    ///< the thesis's law where teeth touch bone: for the lesson
 };
 
-/// What the device's force follows besides the steps.
-struct HandledSaw {
-  double contact_newton_per_mm =
-      0.0;  ///< the contact's force is a spring of at most that, simulated
-  double kerf_mm = 0.0;
-  double cycles_per_minute = 0.0;
-  double sharpness = 1.0;
-  double bone_quality = 1.0;
-};
-
 class DeviceLink {
  public:
-  /// Borrows the device for its lifetime.
-  DeviceLink(HapticDevice& device, const HandledSaw& saw, ForceLaw law = ForceLaw::Simulated);
+  /// Borrows the device for its lifetime. The contact's force is a spring of at most the coupling's
+  /// stiffness.
+  DeviceLink(HapticDevice& device, const SimulationSetup& simulated,
+             ForceLaw law = ForceLaw::Simulated);
   ~DeviceLink() { let_go(); }
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
 
-  /// One exchange: the force made last goes out, the judged state at `last_tick` of a line of `ticks` comes in.
+  /// One exchange: the force made last goes out, the judged state at `last_tick` of a line of
+  /// `ticks` comes in.
   /// thread  haptic; allocates nothing
   DeviceState read(std::int64_t last_tick, std::int64_t ticks) noexcept;
   /// Makes the force for the next exchange of what the step has computed of that state.
   void give(const StepOutput& output, std::int64_t ticks) noexcept;
-  /// No force from now on, said to the device at once where it has motors; what is given later begins softly.
+  /// No force from now on, said to the device at once where it has motors; what is given later
+  /// begins softly.
   void let_go() noexcept;
 
   const Vec3& force_newton() const noexcept { return force_.force_in_world_newton; }
@@ -57,16 +53,18 @@ class DeviceLink {
   double scale() const noexcept { return settings_ ? settings_->scale : 1.0; }
 
  private:
-  /// What the thesis's law makes of the handle's motion at the surface that the simulated force comes from, in newtons of
-  /// the simulation: the output scales them.
+  /// What the thesis's law makes of the handle's motion at the surface that the simulated force
+  /// comes from, in newtons of the simulation: the output scales them.
   Vec3 historic_newton(const Vec3& simulated_newton, bool is_touching, std::int64_t ticks) noexcept;
 
-  /// How the running saw trembles along its teeth, for an arm that can render it; newtons of the device.
+  /// How the running saw trembles along its teeth, for an arm that can render it; newtons of the
+  /// device.
   Vec3 tremble_newton(const StepOutput& output, double push_newton, double duration_s,
                       bool is_live) noexcept;
 
   HapticDevice& device_;
-  HandledSaw saw_;
+  Saw saw_;
+  double bone_quality_;
   ForceLaw law_;
   double vibration_scale_;  ///< 0: the device renders none
   VibrationState vibration_;

@@ -32,7 +32,7 @@ const JobResult* ImmediateJobs::find(std::int32_t job) const noexcept {
   return nullptr;
 }
 
-ThreadedJobs::ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay,
+ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay,
                            std::optional<PlannedBridge> bridge)
     : geometry_(bone, blade, bridge),
       delay_(delay),

@@ -39,7 +39,7 @@ class JobRunner {
 /// Runs each job when it is asked for; ready at the next tick.
 class ImmediateJobs final : public JobRunner {
  public:
-  ImmediateJobs(const Bone& bone, const BladeSize& blade, std::optional<PlannedBridge> bridge = {})
+  ImmediateJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {})
       : geometry_(bone, blade, bridge) {}
 
   bool follow(const StepOutput& output) override;
@@ -64,7 +64,7 @@ struct JobDelay {
 /// Runs jobs on a thread of its own, in the order of their requests.
 class ThreadedJobs final : public JobRunner {
  public:
-  ThreadedJobs(const Bone& bone, const BladeSize& blade, JobDelay delay = {},
+  ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay = {},
                std::optional<PlannedBridge> bridge = {});
   ~ThreadedJobs() override;
 

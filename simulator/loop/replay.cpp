@@ -11,11 +11,11 @@ constexpr std::size_t lines_per_progress = 512;
 
 class ReplayRun {
  public:
-  ReplayRun(const Recording& recording, const ReplaySetup& setup)
+  ReplayRun(const Recording& recording, const SimulationSetup& setup)
       : recording_(recording),
         tissue_(setup.bone),
-        simulation_(tissue_, setup.bone.world_from_bone, setup.blade, setup.contact, setup.effects),
-        jobs_(setup.bone, setup.blade, setup.bridge) {
+        simulation_(tissue_, setup),
+        jobs_(setup.bone, setup.saw.blade, setup.bridge) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());
     outputs_.events.reserve(recording.events.size());
@@ -98,7 +98,7 @@ class ReplayRun {
 
 }  // namespace
 
-ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
+ReplayResult replay(const Recording& recording, const SimulationSetup& setup,
                     const Progress& progress) {
   return ReplayRun(recording, setup).run(progress);
 }

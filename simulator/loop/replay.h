@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include "simulator/base/progress.h"
-#include "simulator/contact/tool_motion.h"
 #include "simulator/jobs/geometry_job.h"
-#include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
-#include "simulator/step/tool_effects.h"
+#include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
 
@@ -23,18 +20,9 @@ struct ReplayResult {
   std::int64_t samples = 0;
 };
 
-/// What the recorded operation was done on and with.
-struct ReplaySetup {
-  const Bone& bone;
-  BladeSize blade;
-  ContactSettings contact;
-  std::optional<PlannedBridge> bridge = std::nullopt;
-  ToolEffectSettings effects = {};
-};
-
 /// Stops at the first difference. A tape that the step could not have been given is a difference, never a crash.
-/// needs   the recording was made by this engine version
-ReplayResult replay(const Recording& recording, const ReplaySetup& setup,
+/// needs   the recording was made by this engine version, of an attempt with that setup
+ReplayResult replay(const Recording& recording, const SimulationSetup& setup,
                     const Progress& progress = {});
 
 }  // namespace hallux::simulator

@@ -29,22 +29,17 @@ std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
 }
 
-SawInHand saw_of(const ContactSettings& settings) noexcept {
-  return {settings.cycles_per_minute, settings.sharpness,
-          settings.guide.guidance != Guidance::None};
-}
-
 }  // namespace
 
-Simulation::Simulation(const TissueMap& tissue, const RigidTransform& world_from_bone,
-                       const BladeSize& blade, const ContactSettings& settings,
-                       const ToolEffectSettings& effects)
+Simulation::Simulation(const TissueMap& tissue, const SimulationSetup& setup)
     : tissue_(tissue),
-      world_from_bone_(world_from_bone),
-      bone_from_world_(inverse(world_from_bone)),
-      settings_(settings),
-      kerfs_(blade, world_from_bone),
-      effects_(world_from_bone, blade, saw_of(settings), effects) {}
+      world_from_bone_(setup.bone.world_from_bone),
+      bone_from_world_(inverse(setup.bone.world_from_bone)),
+      saw_(setup.saw),
+      settings_(setup.contact),
+      kerfs_(setup.saw.blade, setup.bone.world_from_bone),
+      effects_(setup.bone.world_from_bone,
+               {setup.saw, setup.contact.guide.guidance != Guidance::None}, setup.danger_zones) {}
 
 StepOutput Simulation::step(const StepInput& input) noexcept {
   StepOutput output;
@@ -221,7 +216,7 @@ void Simulation::place_tool(const TapeLine& line) noexcept {
 void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
   // A bone whose hinge is closed is not sawn again: its halves no longer lie where its kerfs were
   // opened.
-  const ToolInput input{bone_from_handle(line),
+  const ToolInput input{saw_, bone_from_handle(line),
                         has(line.device.switches, Switch::SawRuns) && !hinge_.is_closed(),
                         static_cast<double>(line.ticks) * step_s, guide_.plane(settings_.guide)};
   const std::int32_t kerf_before = kerf_of_tool();

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "simulator/base/fixed_list.h"
 #include "simulator/contact/tissue.h"
@@ -19,6 +21,7 @@
 #include "simulator/step/piece_book.h"
 #include "simulator/step/piece_requests.h"
 #include "simulator/step/tool_effects.h"
+#include "simulator/tool/saw.h"
 
 namespace hallux::simulator {
 
@@ -46,12 +49,24 @@ struct StepOutput {
   Vec3 torque_in_world_newton_mm{0.0, 0.0, 0.0};
 };
 
+/// The matter of an attempt: the bone, the tool, and the rules between them. Who attempts, and how
+/// time goes on, is the loop's. An attempt and its replay have the same.
+struct SimulationSetup {
+  /// Borrowed for as long as the setup lives.
+  const Bone& bone;
+  Saw saw = {};
+  ContactSettings contact = {};
+  /// That the operation leaves and closes.
+  std::optional<PlannedBridge> bridge = std::nullopt;
+  /// At most danger_zone_limit; the rest is not watched.
+  std::vector<DangerCapsule> danger_zones = {};
+};
+
 /// The state of one attempt.
 class Simulation {
  public:
-  /// Takes all its memory here. Borrows `tissue` for its lifetime.
-  Simulation(const TissueMap& tissue, const RigidTransform& world_from_bone, const BladeSize& blade,
-             const ContactSettings& settings, const ToolEffectSettings& effects = {});
+  /// Takes all its memory here. Borrows `tissue`, of the setup's bone, for its lifetime.
+  Simulation(const TissueMap& tissue, const SimulationSetup& setup);
 
   const KerfSet& kerfs() const noexcept { return kerfs_; }
   const ToolEffects& effects() const noexcept { return effects_; }
@@ -98,6 +113,7 @@ class Simulation {
 
   const TissueMap& tissue_;
   RigidTransform world_from_bone_, bone_from_world_;
+  Saw saw_;
   ContactSettings settings_;
   KerfSet kerfs_;
   ToolEffects effects_;

@@ -12,20 +12,19 @@ namespace {
 /// The free length asks the bone's surface several times: for a display this is often enough.
 constexpr std::int64_t ticks_per_length = 32;
 
-std::span<const DangerCapsule> watched(const ToolEffectSettings& settings) noexcept {
-  return {settings.danger_zones.data(), std::min(settings.danger_zones.size(), danger_zone_limit)};
+std::span<const DangerCapsule> watched(std::span<const DangerCapsule> zones) noexcept {
+  return zones.first(std::min(zones.size(), danger_zone_limit));
 }
 
 }  // namespace
 
-ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const BladeSize& blade,
-                         const SawInHand& saw, const ToolEffectSettings& settings)
+ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const SawInHand& hand,
+                         std::span<const DangerCapsule> danger_zones)
     : bone_from_world_(inverse(world_from_bone)),
-      blade_(blade),
-      thickness_mm_(settings.blade_thickness_mm),
-      is_guided_(saw.is_guided),
-      heat_(blade, world_from_bone, saw.cycles_per_minute, saw.sharpness),
-      danger_(world_from_bone, blade, watched(settings)) {}
+      blade_(hand.saw.blade),
+      is_guided_(hand.is_guided),
+      heat_(hand.saw, world_from_bone),
+      danger_(world_from_bone, hand.saw.blade, watched(danger_zones)) {}
 
 void ToolEffects::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
   tick_ = sample.tick;
@@ -48,7 +47,7 @@ void ToolEffects::bend(const ToolSample& sample, const StandingBone& bone) noexc
   const Vec3 normal =
       transform_direction(transform_from(sample.world_from_tool), Vec3{0.0, 0.0, 1.0});
 
-  flex_.deflection_mm = deflection_mm({flex_.free_length_mm, blade_.width_mm, thickness_mm_},
+  flex_.deflection_mm = deflection_mm({flex_.free_length_mm, blade_.width_mm, blade_.thickness_mm},
                                       glm::dot(force_newton(sample), normal));
 }
 

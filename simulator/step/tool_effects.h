@@ -4,24 +4,18 @@
 /// one by one, so that they wait where a step has no room for them.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "simulator/contact/blade_flex.h"
 #include "simulator/contact/danger_zone.h"
 #include "simulator/contact/heat.h"
+#include "simulator/tool/saw.h"
 
 namespace hallux::simulator {
 
-struct ToolEffectSettings {
-  std::vector<DangerCapsule> danger_zones =
-      {};                           ///< at most danger_zone_limit; the rest is not watched
-  double blade_thickness_mm = 0.4;  ///< of the steel
-};
-
-/// How the saw runs and who leads it.
+/// A saw, and whether a guide leads the hand that holds it.
 struct SawInHand {
-  double cycles_per_minute = 0.0;
-  double sharpness = 1.0;
+  Saw saw = {};
   /// A guide pushes the hand, not the blade, and a record holds one force: outside a kerf that
   /// tells of no bend.
   bool is_guided = false;
@@ -36,8 +30,9 @@ struct BladeFlex {
 class ToolEffects {
  public:
   /// Takes all its memory here.
-  ToolEffects(const RigidTransform& world_from_bone, const BladeSize& blade, const SawInHand& saw,
-              const ToolEffectSettings& settings);
+  /// danger_zones  at most danger_zone_limit; the rest is not watched
+  ToolEffects(const RigidTransform& world_from_bone, const SawInHand& hand,
+              std::span<const DangerCapsule> danger_zones = {});
 
   /// needs   samples in their order; `bone` as it stands after the sample
   /// thread  haptic; allocates nothing
@@ -53,8 +48,7 @@ class ToolEffects {
   void bend(const ToolSample& sample, const StandingBone& bone) noexcept;
 
   RigidTransform bone_from_world_;
-  BladeSize blade_;
-  double thickness_mm_;
+  Blade blade_;
   bool is_guided_;
   HeatField heat_;
   DangerWatch danger_;

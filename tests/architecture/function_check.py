@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from findings import finish
 
-EXACT_ROOMS = ("simulator/base", "simulator/record", "simulator/mesh", "simulator/cutting", "simulator/bone",
+EXACT_ROOMS = ("simulator/base", "simulator/tool", "simulator/record", "simulator/mesh", "simulator/cutting", "simulator/bone",
                "simulator/contact", "simulator/jobs", "simulator/history", "simulator/step", "scenarios/foot")
 BOUNDED_ROOMS = ("simulator/contact", "simulator/step")
 

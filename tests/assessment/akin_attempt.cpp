@@ -169,7 +169,7 @@ scenarios::Scenario akin_scenario(double kerf_mm) {
   scenarios::Scenario scenario;
   scenario.name = "akin";
   scenario.title = "Akin";
-  scenario.blade.size = {20.0, 40.0, kerf_mm};
+  scenario.saw.blade = {20.0, 40.0, kerf_mm};
   scenario.cuts.resize(2);
   scenarios::ReferenceCut& first = scenario.cuts[0];
   first.name = "cut1";

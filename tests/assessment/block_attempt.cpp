@@ -83,7 +83,7 @@ scenarios::Scenario block_scenario() {
   scenarios::Scenario scenario;
   scenario.name = "block";
   scenario.title = "Block";
-  scenario.blade.size = {70.0, 40.0, kerf_mm};
+  scenario.saw.blade = {70.0, 40.0, kerf_mm};
   scenario.cuts.resize(1);
   scenarios::ReferenceCut& cut = scenario.cuts.front();
   cut.name = "eminence";

@@ -36,8 +36,7 @@ void saw_and_rest(SimulationRun& run) {
 
 EffectTrack track_of(const Bone& bone, const SimulationRun& run, const Progress& progress = {},
                      double sharpness = 1.0) {
-  return track_effects(bone, {{}, 0.4, {simulator::ContactSettings{}.cycles_per_minute, sharpness}},
-                       run.recording(), stretch, progress);
+  return track_effects(bone, {{.sharpness = sharpness}}, run.recording(), stretch, progress);
 }
 
 TEST(EffectTrack, ComesToTheBitToWhatTheStepFollowed) {
@@ -57,9 +56,7 @@ TEST(EffectTrack, ComesToTheBitToWhatTheStepFollowed) {
 
 TEST(EffectTrack, OfADullBladeRubsAsItDidInTheStep) {
   const Bone bone = block();
-  simulator::ContactSettings dull;
-  dull.sharpness = 0.5;
-  SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, dull);
+  SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {.sharpness = 0.5});
   run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 200);
   run.hold(5000);
   const HeatSummary& live = run.simulation().effects().heat().summary();
@@ -106,10 +103,8 @@ TEST(EffectTrack, OfAGuidedHandKnowsABendInAKerfOnly) {
   SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, guided);
   run.hold(600);
   run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 1500);
-  const double cycles_per_minute = simulator::ContactSettings{}.cycles_per_minute;
   const auto greatest_mm = [&](bool is_guided) {
-    const SawOfRecord saw{{}, 0.4, {cycles_per_minute, 1.0, is_guided}};
-    return track_effects(bone, saw, run.recording(), stretch).greatest_deflection_mm;
+    return track_effects(bone, {{}, is_guided}, run.recording(), stretch).greatest_deflection_mm;
   };
   EXPECT_LT(greatest_mm(true), 0.02);
   EXPECT_GT(greatest_mm(false), 0.5) << "the guide pushed the hand, as the blade stood on bone";

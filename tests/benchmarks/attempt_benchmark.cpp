@@ -7,7 +7,7 @@
 
 #include "database/course/begin_attempt.h"
 #include "database/recording/recorder.h"
-#include "scenarios/plan.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/loop/jobs.h"
 #include "simulator/loop/replay.h"
 #include "simulator/step/simulation.h"
@@ -41,6 +41,11 @@ double simulated_s(const simulator::Recording& recording) {
   return static_cast<double>(recording.samples.size()) / 1000.0;
 }
 
+simulator::SimulationSetup setup_of(const RecordedSilver& recorded) {
+  return simulation_setup(recorded.silver, recorded.bone, plan_on(recorded.silver, recorded.bone),
+                          simulator::Guidance::None);
+}
+
 struct Costs {
   std::vector<double> step_us;
   double contact_ms = 0.0, pieces_ms = 0.0;  ///< the longest of each kind
@@ -49,11 +54,9 @@ struct Costs {
 /// Steps through the tape again, with a clock around each step and each job.
 Costs retrace(const RecordedSilver& recorded) {
   const simulator::TissueMap tissue(recorded.bone);
-  simulator::Simulation simulation(
-      tissue, recorded.bone.world_from_bone, recorded.silver.blade.size,
-      contact_of(recorded.silver),
-      effects_of(recorded.silver, plan_on(recorded.silver, recorded.bone)));
-  simulator::ImmediateJobs jobs(recorded.bone, recorded.silver.blade.size);
+  const simulator::SimulationSetup setup = setup_of(recorded);
+  simulator::Simulation simulation(tissue, setup);
+  simulator::ImmediateJobs jobs(recorded.bone, recorded.silver.saw.blade);
   Costs costs;
   costs.step_us.reserve(recorded.recording.tape.size());
   for (const simulator::TapeLine& line : recorded.recording.tape) {
@@ -99,12 +102,7 @@ BENCHMARK(steps_and_jobs_of_an_attempt)->Iterations(1)->Unit(benchmark::kMillise
 void replay_of_an_attempt(benchmark::State& state) {
   const RecordedSilver recorded;
   for (auto _ : state) {
-    const simulator::ReplayResult result = replay(
-        recorded.recording, {recorded.bone,
-                             recorded.silver.blade.size,
-                             contact_of(recorded.silver),
-                             {},
-                             effects_of(recorded.silver, plan_on(recorded.silver, recorded.bone))});
+    const simulator::ReplayResult result = replay(recorded.recording, setup_of(recorded));
     if (!result.is_identical) state.SkipWithError("the replay differs");
   }
   state.counters["times_real_time"] = benchmark::Counter(

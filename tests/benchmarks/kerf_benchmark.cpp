@@ -19,7 +19,7 @@ namespace {
 using namespace simulator;
 using Clock = std::chrono::steady_clock;
 
-constexpr BladeSize blade{.width_mm = 12.0, .depth_mm = 30.0, .kerf_mm = 0.5};
+constexpr Blade blade{.width_mm = 12.0, .depth_mm = 30.0, .kerf_mm = 0.5};
 constexpr double tremor_mm = 0.005;
 constexpr double tremor_rad = 0.0005;
 

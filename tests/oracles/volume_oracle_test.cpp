@@ -50,7 +50,7 @@ KerfPlane plane_from(Random& random) {
 
 /// A blade of some size that goes some way in some direction, turning a little.
 RegionOutline region_from(Random& random) {
-  const BladeSize blade{
+  const Blade blade{
       .width_mm = random.uniform(3.0, 14.0), .depth_mm = random.uniform(5.0, 30.0), .kerf_mm = 0.5};
   const double angle_rad = random.uniform(-pi, pi), turn_rad = random.uniform(-0.4, 0.4);
   const auto pose_at = [&](double forward_mm, double share) {

@@ -22,7 +22,7 @@ Plan plan_of(const Scenario& scenario) {
 TEST(PlannedGuide, LeadsToTheCutOfTheStepAndWhileLookingToTheNext) {
   const Scenario akin = load_shipped_scenario("akin");
   const auto planes = planned_guide(akin, plan_of(akin), Guidance::Soft).of_step;
-  const double half_kerf_mm = 0.5 * akin.blade.size.kerf_mm;
+  const double half_kerf_mm = 0.5 * akin.saw.blade.kerf_mm;
   ASSERT_TRUE(planes[0] && planes[1] && planes[2]);
   EXPECT_EQ(planes[0]->offset_mm, 10.0 + half_kerf_mm) << "looking, before the first cut";
   EXPECT_EQ(planes[1]->offset_mm, 10.0 + half_kerf_mm);

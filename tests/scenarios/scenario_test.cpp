@@ -143,10 +143,10 @@ TEST(Scenario, WithAPlantedFaultIsRefusedWithFilePathAndMend) {
 TEST(Scenario, HasABladeAsSharpAsItSaysAndANewOneWhereItSaysNothing) {
   json silver = silver_json();
   EXPECT_FALSE(silver["blade"].contains("sharpness")) << "the shipped blades are new";
-  EXPECT_EQ(parse_scenario(silver.dump(), "silver.json").blade.sharpness, 1.0);
+  EXPECT_EQ(parse_scenario(silver.dump(), "silver.json").saw.sharpness, 1.0);
   for (const double sharpness : {0.2, 0.65, 1.0}) {
     silver["blade"]["sharpness"] = sharpness;
-    EXPECT_EQ(parse_scenario(silver.dump(), "silver.json").blade.sharpness, sharpness);
+    EXPECT_EQ(parse_scenario(silver.dump(), "silver.json").saw.sharpness, sharpness);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 const Vec2 straight(1.0, 0.0);
 
 /// Two strokes side by side up to the hinge's line.
-KerfField opened_to_hinge(const BladeSize& blade) {
+KerfField opened_to_hinge(const Blade& blade) {
   KerfField field(wide_grid());
   saw(field, blade, {{Vec2(-24.0, 5.0), straight}, {Vec2(0.0, 5.0), straight}});
   saw(field, blade, {{Vec2(-24.0, -5.0), straight}, {Vec2(0.0, -5.0), straight}});
@@ -80,7 +80,7 @@ void draw_canal(SvgPage& page, const PlannedBone& bone) {
 
 std::string draw_earlier_kerfs() {
   const PlannedBone bone = akin_phalanx(0.9);
-  const BladeSize& blade = bone.scenario.blade.size;
+  const Blade& blade = bone.scenario.saw.blade;
   const KerfPlane first = planned_kerf(bone, 0, blade.kerf_mm);
   const KerfPlane second = planned_kerf(bone, 1, blade.kerf_mm);
   const KerfField field = opened_to_hinge(blade);

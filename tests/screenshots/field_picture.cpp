@@ -9,7 +9,7 @@ using namespace simulator;
 
 namespace {
 
-const BladeSize blade{10.0, 20.0, 0.5};
+const Blade blade{10.0, 20.0, 0.5};
 
 struct StampedCorner {
   PlanarPose from{Vec2(0.0, 0.0), Vec2(1.0, 0.0)};

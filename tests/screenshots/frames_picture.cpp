@@ -37,7 +37,7 @@ std::string draw_frames() {
   const Vec2 size(420.0, 265.0);
   std::size_t shown = 0;
   for (const Shot& shot : shots()) {
-    saw(field, bone.scenario.blade.size, shot.poses);
+    saw(field, bone.scenario.saw.blade, shot.poses);
     const SawnFrame frame = frame_of(bone.solid, plane, field);
     const Vec2 low(shown % 2 == 0 ? 15.0 : 445.0, shown < 2 ? 15.0 : 321.0);
     camera.middle_px = low + Vec2(225.0, 140.0);

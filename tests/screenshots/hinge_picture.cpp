@@ -26,7 +26,7 @@ struct Osteotomy {
 };
 
 /// The two strokes end unevenly, as a hand leaves them.
-KerfField opened_by_hand(const BladeSize& blade) {
+KerfField opened_by_hand(const Blade& blade) {
   KerfField field(wide_grid());
   const Vec2 leaning(0.9992009587217894, 0.03996803834887158);
   saw(field, blade, {{Vec2(-24.0, 4.6), Vec2(1.0, 0.0)}, {Vec2(-0.2, 4.6), Vec2(1.0, 0.0)}});
@@ -36,7 +36,7 @@ KerfField opened_by_hand(const BladeSize& blade) {
 
 Osteotomy make_osteotomy() {
   const PlannedBone bone = akin_phalanx(1.0);
-  const BladeSize& blade = bone.scenario.blade.size;
+  const Blade& blade = bone.scenario.saw.blade;
   const Bvh bvh(bone.solid.mesh);
   Osteotomy made;
   made.request.line = planned_hinge_line(bone);

@@ -38,7 +38,7 @@ void add_prism(IndexedMesh& mesh, const KerfPlane& plane, const std::vector<Vec2
 }
 
 /// A blade with its tooth line at x = 0; its teeth are drawn much coarser than steel has them.
-IndexedMesh blade_mesh(const KerfPlane& plane, const BladeSize& blade) {
+IndexedMesh blade_mesh(const KerfPlane& plane, const Blade& blade) {
   constexpr int teeth = 10;
   constexpr double tooth_mm = 1.0;
   IndexedMesh mesh;
@@ -129,7 +129,7 @@ std::string draw_kerf_frame() {
   draw(undivided_scene(parts.below), camera, page, Lines::Triangles);
   glass(-1.0);
   Scene between = undivided_scene(parts.between);
-  const IndexedMesh blade = blade_mesh(plane, bone.scenario.blade.size);
+  const IndexedMesh blade = blade_mesh(plane, bone.scenario.saw.blade);
   between.add(blade, std::vector<Paint>(blade.triangles.size(), Paint::Blade));
   draw(between, camera, page);
   glass(1.0);

@@ -69,7 +69,7 @@ std::string section_path(const PlaneView& view, const KerfContact& contact, int 
   return d;
 }
 
-std::vector<Vec2> blade_corners_mm(const BladeSize& blade, const PlanarPose& pose) {
+std::vector<Vec2> blade_corners_mm(const Blade& blade, const PlanarPose& pose) {
   const Vec2 side(-pose.direction.y, pose.direction.x);
   const Vec2 half_mm = 0.5 * blade.width_mm * side, back_mm = -blade.depth_mm * pose.direction;
   const Vec2& tip = pose.tip_mm;

@@ -31,7 +31,7 @@ std::string contour_path(const PlaneView& view, const simulator::KerfContact& co
 std::string section_path(const PlaneView& view, const simulator::KerfContact& contact, int level);
 
 /// A blade's rectangle at a pose, counter-clockwise.
-std::vector<Vec2> blade_corners_mm(const simulator::BladeSize& blade,
+std::vector<Vec2> blade_corners_mm(const simulator::Blade& blade,
                                    const simulator::PlanarPose& pose);
 /// The convex hull, counter-clockwise.
 std::vector<Vec2> hull_of(std::vector<Vec2> places_mm);

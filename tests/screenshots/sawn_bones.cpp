@@ -61,7 +61,7 @@ KerfPlane moved_in_plane(const KerfPlane& plane, const Vec2& origin_mm) {
 
 FieldGrid wide_grid() { return {Vec2(-24.0, -24.0), 0.05, 961, 961}; }
 
-void saw(KerfField& field, const BladeSize& blade, const std::vector<PlanarPose>& poses) {
+void saw(KerfField& field, const Blade& blade, const std::vector<PlanarPose>& poses) {
   FieldWindow changed;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     field.stamp(blade, poses[i == 0 ? 0 : i - 1], poses[i], changed);

@@ -38,7 +38,7 @@ Vec3 point_in_bone_mm(const simulator::KerfPlane& plane, const Vec2& place_mm,
 /// 0.05 mm between nodes, 24 mm to each side of the frame's origin.
 simulator::FieldGrid wide_grid();
 /// What a blade opens on straight ways from pose to pose.
-void saw(simulator::KerfField& field, const simulator::BladeSize& blade,
+void saw(simulator::KerfField& field, const simulator::Blade& blade,
          const std::vector<simulator::PlanarPose>& poses);
 
 /// A frame of a kerf in a solid, with all that led to it.

@@ -22,7 +22,7 @@ struct SawnPhalanx {
 
   SawnPhalanx() {
     KerfField field(wide_grid());
-    saw(field, bone.scenario.blade.size,
+    saw(field, bone.scenario.saw.blade,
         {{Vec2(-30.0, 4.0), Vec2(1.0, 0.0)}, {Vec2(-6.0, 4.0), Vec2(1.0, 0.0)}});
     frame = frame_of(bone.solid, plane, field);
   }

@@ -6,8 +6,7 @@
 #include "database/store/assets.h"
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/hands/feeling_hand.h"
-#include "scenarios/planned_bridge.h"
-#include "scenarios/planned_guide.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/base/check.h"
 #include "simulator/base/progress.h"
 #include "simulator/device/modelled/modelled_arm.h"
@@ -74,39 +73,13 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
 
 }  // namespace
 
-simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
-                                            const scenarios::Plan& plan,
-                                            simulator::Guidance guidance) {
-  simulator::ContactSettings settings;
-  settings.cycles_per_minute = scenario.blade.cycles_per_minute;
-  settings.sharpness = scenario.blade.sharpness;
-  settings.bone_quality = scenario.patient.bone_quality;
-  settings.guide = planned_guide(scenario, plan, guidance);
-  return settings;
-}
-
-simulator::ToolEffectSettings tool_effect_settings(const scenarios::Scenario& scenario,
-                                                   const scenarios::Plan& plan) {
-  return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
-}
-
-simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
-                                      const simulator::Bone& bone, const scenarios::Plan& plan,
-                                      simulator::Guidance guidance) {
-  simulator::AttemptSetup setup{bone, scenario.blade.size,
-                                contact_settings(scenario, plan, guidance)};
-  setup.bridge = planned_bridge(plan);
-  setup.effects = tool_effect_settings(scenario, plan);
-  return setup;
-}
-
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress) {
   CHECK(!attempt.arm_law || attempt.motion);
   const simulator::Bone bone = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);
-  simulator::AttemptSetup setup = attempt_setup(attempt.scenario, bone, plan, attempt.guidance);
+  simulator::AttemptSetup setup{simulation_setup(attempt.scenario, bone, plan, attempt.guidance)};
   setup.pacing = attempt.pacing;
   const std::unique_ptr<simulator::HapticDevice> device = hand_for(attempt, bone, plan, setup);
 
@@ -151,15 +124,13 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   bool is_cancelled = false;
   const auto report = progress("Replaying");
   const scenarios::Plan plan = plan_on(material.scenario, material.bone);
-  const simulator::ReplayResult result =
-      replay(material.recording,
-             {material.bone, material.scenario.blade.size,
-              contact_settings(material.scenario, plan, material.header.begun.guidance),
-              planned_bridge(plan), tool_effect_settings(material.scenario, plan)},
-             [&](double fraction) {
-               is_cancelled = report && !report(fraction);
-               return !is_cancelled;
-             });
+  const simulator::ReplayResult result = replay(
+      material.recording,
+      simulation_setup(material.scenario, material.bone, plan, material.header.begun.guidance),
+      [&](double fraction) {
+        is_cancelled = report && !report(fraction);
+        return !is_cancelled;
+      });
   if (is_cancelled) throw Cancelled("stopped while replaying; nothing was changed");
   if (report) report(1.0);
   return result;

@@ -68,20 +68,6 @@ struct AttemptMaterial {
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
                              const database::AttemptId& id);
 
-/// The contact of a scenario's saw, with the guide of the attempt; the same for the attempt and its replay.
-simulator::ContactSettings contact_settings(const scenarios::Scenario& scenario,
-                                            const scenarios::Plan& plan,
-                                            simulator::Guidance guidance);
-
-/// What is watched beside the cut; the same for the attempt and its replay.
-simulator::ToolEffectSettings tool_effect_settings(const scenarios::Scenario& scenario,
-                                                   const scenarios::Plan& plan);
-
-/// How a scenario's operation runs; borrows the bone. What paces it and commands it is the caller's to add.
-simulator::AttemptSetup attempt_setup(const scenarios::Scenario& scenario,
-                                      const simulator::Bone& bone, const scenarios::Plan& plan,
-                                      simulator::Guidance guidance);
-
 /// Nothing where the attempt was made by another engine version: a replay would prove nothing.
 std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,
                                                       const StageProgress& progress);

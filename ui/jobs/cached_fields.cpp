@@ -55,8 +55,8 @@ Digest key_of(const AttemptMaterial& material) {
   digester.add_int(material.header.begun.engine);
   digester.add_digest(material.header.begun.bone);
   for (const double size :
-       {material.scenario.blade.size.width_mm, material.scenario.blade.size.depth_mm,
-        material.scenario.blade.size.kerf_mm}) {
+       {material.scenario.saw.blade.width_mm, material.scenario.saw.blade.depth_mm,
+        material.scenario.saw.blade.kerf_mm}) {
     digester.add_double(size);
   }
   digester.add_digest(digest_outputs(material.recording));
@@ -109,7 +109,7 @@ std::optional<OpenedFields> fields_from(std::span<const std::byte> bytes) {
 OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::path& data_directory,
                        const Progress& progress) {
   const Digest key = key_of(material);
-  const simulator::BladeSize& blade = material.scenario.blade.size;
+  const simulator::Blade& blade = material.scenario.saw.blade;
   const RigidTransform& world_from_bone = material.bone.world_from_bone;
   if (const auto kept =
           database::load_cached(data_directory, kept_fields_name(material.header.id), key)) {

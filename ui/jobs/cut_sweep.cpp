@@ -111,7 +111,7 @@ BladePath path_in_plane(const Sweep& sweep, const KerfPlane& asked, const KerfPl
   return path;
 }
 
-void stamp_motion(KerfField& field, const simulator::BladeSize& blade, const PlanarPose& from,
+void stamp_motion(KerfField& field, const simulator::Blade& blade, const PlanarPose& from,
                   const PlanarPose& to) {
   simulator::FieldWindow changed;
   const Vec2 turn = to.direction - from.direction;

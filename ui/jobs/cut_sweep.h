@@ -34,7 +34,7 @@ Sweep parse_sweep(std::string_view text, std::string_view name);
 
 /// A sweep as a kerf's field takes it.
 struct BladePath {
-  simulator::BladeSize blade;
+  simulator::Blade blade;
   std::vector<simulator::PlanarPose> poses;
 };
 
@@ -45,7 +45,7 @@ BladePath path_in_plane(const Sweep& sweep, const simulator::KerfPlane& asked,
                         const simulator::KerfPlane& kerf, std::string_view name);
 
 /// Opens what the blade covers on its way from pose to pose; a turn is followed in steps.
-void stamp_motion(simulator::KerfField& field, const simulator::BladeSize& blade,
+void stamp_motion(simulator::KerfField& field, const simulator::Blade& blade,
                   const simulator::PlanarPose& from, const simulator::PlanarPose& to);
 
 }  // namespace hallux::ui

@@ -85,7 +85,7 @@ std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& mat
   const simulator::Bone bone = simulator::decode_bone(material.bone);
   std::vector<database::DerivedFile> files{{"bone.ply", simulator::ply_bytes(solid_of(bone))}};
   const assessment::RebuiltBone rebuilt =
-      assessment::rebuild(bone, scenario.blade.size, material.recording);
+      assessment::rebuild(bone, scenario.saw.blade, material.recording);
   for (std::size_t i = 0; i < rebuilt.pieces.size() && i < pieces_max; ++i) {
     files.push_back(
         {"piece-" + std::to_string(i + 1) + ".ply", simulator::ply_bytes(rebuilt.pieces[i].mesh)});

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "database/store/log_size.h"
+#include "scenarios/simulation_setup.h"
 
 namespace hallux::ui {
 
@@ -34,9 +35,9 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
                                      const OperatingTable& table, simulator::Guidance guidance) {
   const simulator::DeviceDescription description = device.description();
   if (!description.limits) return std::nullopt;
-  return force_scale_on(
-      *description.limits,
-      contact_settings(table.scenario, table.plan, guidance).coupling_newton_per_mm);
+  return force_scale_on(*description.limits,
+                        simulation_setup(table.scenario, table.bone, table.plan, guidance)
+                            .contact.coupling_newton_per_mm);
 }
 
 }  // namespace
@@ -125,8 +126,8 @@ void LiveAttempt::fail(LiveFailure failure, const char* reason) noexcept {
 void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {
   database::Recorder recorder(database, std::move(lease), channels_,
                               database::FullDisk::IsWaitedFor);
-  simulator::AttemptSetup setup =
-      attempt_setup(table_->scenario, table_->bone, table_->plan, guidance_);
+  simulator::AttemptSetup setup{
+      simulation_setup(table_->scenario, table_->bone, table_->plan, guidance_)};
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch_;

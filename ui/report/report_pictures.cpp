@@ -170,8 +170,9 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
   if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
   add_pictures(material, scenario, bone, examination);
   material.zones = watched_zones(scenario, recording);
-  material.traces = traces_of(recording, bone, saw_of_record(scenario.blade, guidance),
-                              examination.rebuilt.fields);
+  material.traces =
+      traces_of(recording, bone, {scenario.saw, guidance != simulator::Guidance::None},
+                examination.rebuilt.fields);
   return material;
 }
 

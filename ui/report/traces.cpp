@@ -76,14 +76,7 @@ std::vector<ZoneContact> watched_zones(const scenarios::Scenario& scenario,
   return zone_contacts(scenario, recording);
 }
 
-assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
-                                      simulator::Guidance guidance) noexcept {
-  return {blade.size,
-          blade.thickness_mm,
-          {blade.cycles_per_minute, blade.sharpness, guidance != simulator::Guidance::None}};
-}
-
-Traces traces_of(const Recording& recording, const Bone& bone, const assessment::SawOfRecord& saw,
+Traces traces_of(const Recording& recording, const Bone& bone, const simulator::SawInHand& hand,
                  const simulator::KerfSet& kerfs, std::size_t points_max,
                  const Progress& progress) {
   Traces traces;
@@ -109,7 +102,7 @@ Traces traces_of(const Recording& recording, const Bone& bone, const assessment:
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
   const assessment::EffectTrack effects =
-      assessment::track_effects(bone, saw, recording, stretch, progress);
+      assessment::track_effects(bone, hand, recording, stretch, progress);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
     traces.points[point].hottest_celsius = effects.hottest_celsius[point];
   }

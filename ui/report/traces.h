@@ -44,15 +44,11 @@ struct ZoneContact {
   double first_s = 0.0;  ///< when it was first touched; 0 where it never was
 };
 
-/// The saw of an operation, in a hand that was guided so.
-assessment::SawOfRecord saw_of_record(const scenarios::SawBlade& blade,
-                                      simulator::Guidance guidance) noexcept;
-
 /// Force, feed, advance and heat in at most `points_max` stretches of equal time.
 /// needs   `kerfs` as the recording opened them
 /// errors  Cancelled
 Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
-                 const assessment::SawOfRecord& saw, const simulator::KerfSet& kerfs,
+                 const simulator::SawInHand& hand, const simulator::KerfSet& kerfs,
                  std::size_t points_max = 480, const Progress& progress = {});
 
 /// How often and how long the running saw was in each danger zone of the scenario, in its order.

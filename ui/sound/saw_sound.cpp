@@ -32,8 +32,8 @@ double approached(double value, double wanted, double time_constant_s) noexcept 
 }  // namespace
 
 SawTone saw_tone(const simulator::ToolSample& sample, const simulator::Engagement& engaged,
-                 double cycles_per_minute) noexcept {
-  SawTone tone{.cycles_per_minute = cycles_per_minute};
+                 const simulator::Saw& saw) noexcept {
+  SawTone tone{.saw = saw};
   tone.runs = has(sample.status, ToolStatus::Running) && has(sample.status, ToolStatus::SawOn);
   if (!(engaged.width_mm() > 0.0)) return tone;
   const double hardness =
@@ -44,7 +44,7 @@ SawTone saw_tone(const simulator::ToolSample& sample, const simulator::Engagemen
 }
 
 double saw_pitch_hz(const SawTone& tone) noexcept {
-  return tone.cycles_per_minute / 60.0 * (1.0 - pitch_drop * std::clamp(tone.load, 0.0, 1.0));
+  return tone.saw.cycles_per_minute / 60.0 * (1.0 - pitch_drop * std::clamp(tone.load, 0.0, 1.0));
 }
 
 double saw_loudness(const SawTone& tone) noexcept {

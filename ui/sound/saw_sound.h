@@ -11,6 +11,7 @@
 #include "simulator/base/random.h"
 #include "simulator/contact/feed.h"
 #include "simulator/record/record.h"
+#include "simulator/tool/saw.h"
 
 namespace hallux::ui {
 
@@ -18,13 +19,13 @@ inline constexpr int sound_rate_hz = 44100;
 
 struct SawTone {
   bool runs = false;
-  double cycles_per_minute = 12000.0;
+  simulator::Saw saw = {};
   double load = 0.0;  ///< 0 in air, 1 where it is pushed as hard as it takes
 };
 
 /// What the saw does at this moment of an attempt.
 SawTone saw_tone(const simulator::ToolSample& sample, const simulator::Engagement& engaged,
-                 double cycles_per_minute) noexcept;
+                 const simulator::Saw& saw) noexcept;
 
 /// The fundamental of a saw that has settled [Hz].
 double saw_pitch_hz(const SawTone& tone) noexcept;

@@ -110,7 +110,7 @@ bool KerfField::put_node(std::int32_t u, std::int32_t v, float wanted_mm) noexce
   return true;
 }
 
-void KerfField::stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
+void KerfField::stamp(const Blade& blade, const PlanarPose& from, const PlanarPose& to,
                       FieldWindow& changed) noexcept {
   changed = {};
   if (!is_finite(from) || !is_finite(to)) return;

@@ -16,14 +16,9 @@
 #include "simulator/base/transform.h"
 #include "simulator/cutting/field/line_cover.h"
 #include "simulator/cutting/field/node_bits.h"
+#include "simulator/tool/saw.h"
 
 namespace hallux::simulator {
-
-struct BladeSize {
-  double width_mm = 10.0;  ///< along the tooth line
-  double depth_mm = 20.0;  ///< from the tooth line back to the collar
-  double kerf_mm = 0.5;    ///< thickness of what is taken away
-};
 
 struct KerfPlane {
   RigidTransform bone_from_kerf;
@@ -80,7 +75,7 @@ class KerfField {
   ///         nothing
   /// thread  haptic (and, on its own copy, jobs)
   /// source  docs/cutting.md; thesis 4.4.2
-  void stamp(const BladeSize& blade, const PlanarPose& from, const PlanarPose& to,
+  void stamp(const Blade& blade, const PlanarPose& from, const PlanarPose& to,
              FieldWindow& changed) noexcept;
 
   /// Puts kept values at the nodes of a window, line by line, whatever stood there; limited to what a field holds, and

@@ -4,8 +4,7 @@
 
 namespace hallux::simulator {
 
-KerfSet::KerfSet(const BladeSize& blade, const RigidTransform& world_from_bone,
-                 const FieldGrid& grid)
+KerfSet::KerfSet(const Blade& blade, const RigidTransform& world_from_bone, const FieldGrid& grid)
     : blade_(blade),
       bone_from_world_(inverse(world_from_bone)),
       planes_(static_cast<std::size_t>(kerf_limit)),

@@ -20,13 +20,12 @@ inline constexpr std::int32_t kerf_limit = 4;
 class KerfSet {
  public:
   /// Takes all its memory here.
-  KerfSet(const BladeSize& blade, const RigidTransform& world_from_bone,
-          const FieldGrid& grid = {});
+  KerfSet(const Blade& blade, const RigidTransform& world_from_bone, const FieldGrid& grid = {});
 
   std::int32_t count() const noexcept { return count_; }
   const KerfPlane& plane(std::int32_t kerf) const noexcept { return planes_[index(kerf)]; }
   const KerfField& field(std::int32_t kerf) const noexcept { return fields_[index(kerf)]; }
-  const BladeSize& blade() const noexcept { return blade_; }
+  const Blade& blade() const noexcept { return blade_; }
   const RigidTransform& kerf_from_bone(std::int32_t kerf) const noexcept {
     return kerf_from_bone_[index(kerf)];
   }
@@ -50,7 +49,7 @@ class KerfSet {
  private:
   static std::size_t index(std::int32_t kerf) noexcept { return static_cast<std::size_t>(kerf); }
 
-  BladeSize blade_;
+  Blade blade_;
   RigidTransform bone_from_world_;
   std::vector<KerfPlane> planes_;
   std::vector<RigidTransform> kerf_from_bone_;

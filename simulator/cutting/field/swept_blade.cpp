@@ -26,7 +26,7 @@ double cross(const Vec2& a, const Vec2& b) noexcept { return a.x * b.y - a.y * b
 
 Vec2 side_of(const PlanarPose& pose) noexcept { return {-pose.direction.y, pose.direction.x}; }
 
-void add_rectangle(const BladeSize& blade, const PlanarPose& pose, bool is_at_end,
+void add_rectangle(const Blade& blade, const PlanarPose& pose, bool is_at_end,
                    Corner* corners) noexcept {
   const Vec2 side_mm = 0.5 * blade.width_mm * side_of(pose);
   const Vec2 back_mm = pose.tip_mm - blade.depth_mm * pose.direction;
@@ -62,7 +62,7 @@ std::int32_t clamped_node(double value, std::int32_t count) noexcept {
 
 }  // namespace
 
-SweptBlade::SweptBlade(const FieldGrid& grid, const BladeSize& blade, const PlanarPose& from,
+SweptBlade::SweptBlade(const FieldGrid& grid, const Blade& blade, const PlanarPose& from,
                        const PlanarPose& to, double limit_mm) noexcept
     : limit_mm_(limit_mm), v_count_(grid.v_count) {
   std::array<Corner, 8> corners;

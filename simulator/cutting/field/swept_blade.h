@@ -16,7 +16,7 @@ namespace hallux::simulator {
 class SweptBlade {
  public:
   /// needs   poses that are finite
-  SweptBlade(const FieldGrid& grid, const BladeSize& blade, const PlanarPose& from,
+  SweptBlade(const FieldGrid& grid, const Blade& blade, const PlanarPose& from,
              const PlanarPose& to, double limit_mm) noexcept;
 
   /// The lines that may hold values above -limit.

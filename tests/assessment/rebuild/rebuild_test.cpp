@@ -21,7 +21,7 @@ RebuiltBone rebuilt_from(const std::vector<Stroke>& strokes) {
   const Bone bone = testing::block_bone();
   Recording recording;
   for (const Stroke& stroke : strokes) add_stroke(recording, bone, stroke);
-  return rebuild(bone, testing::block_scenario().blade.size, recording);
+  return rebuild(bone, testing::block_scenario().saw.blade, recording);
 }
 
 TEST(Rebuild, ACutThroughTheBlockLeavesTwoPiecesAndTakesItsKerf) {
@@ -69,7 +69,7 @@ TEST(Rebuild, ProgressRisesAndCanStopIt) {
   Recording recording;
   testing::add_stroke(recording, bone, {});
   double last = -1.0;
-  const auto blade = testing::block_scenario().blade.size;
+  const auto blade = testing::block_scenario().saw.blade;
   rebuild(bone, blade, recording, [&](double fraction) {
     EXPECT_GT(fraction, last);
     last = fraction;

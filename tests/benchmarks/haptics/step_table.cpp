@@ -75,7 +75,7 @@ simulator::Recording laid(const Bone& bone) {
 /// Each call once more through a step of its own.
 Spread cost_us(const Bone& bone, const simulator::Recording& recording) {
   const simulator::TissueMap tissue(bone);
-  simulator::Simulation simulation(tissue, bone.world_from_bone, {}, {});
+  simulator::Simulation simulation(tissue, {bone});
   simulator::ImmediateJobs jobs(bone, {});
   std::vector<double> times_us;
   times_us.reserve(recording.tape.size());

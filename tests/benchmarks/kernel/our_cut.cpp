@@ -13,7 +13,7 @@ OurCut::OurCut(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane, Ke
       builder_(contact_),
       tracker_(field.grid()) {}
 
-bool OurCut::advance(const BladeSize& blade, const PlanarPose& to) {
+bool OurCut::advance(const Blade& blade, const PlanarPose& to) {
   const Stopwatch watch;
   FieldWindow changed;
   field_.stamp(blade, has_pose_ ? from_ : to, to, changed);

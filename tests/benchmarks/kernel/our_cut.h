@@ -33,7 +33,7 @@ class OurCut {
 
   /// A frame: stamps the blade's way from where it was, and brings outline, patch and buffers up to date.
   /// ensures true where this opened something and bone is taken away
-  bool advance(const simulator::BladeSize& blade, const simulator::PlanarPose& to);
+  bool advance(const simulator::Blade& blade, const simulator::PlanarPose& to);
 
   const simulator::KerfContact& contact() const noexcept { return contact_; }
   const simulator::SolidPatch& patch() const noexcept { return patch_; }

@@ -24,7 +24,7 @@ struct Step {
 };
 
 /// The blade's box at a pose.
-IndexedMesh blade_at(const KerfPlane& plane, const BladeSize& blade, const PlanarPose& pose) {
+IndexedMesh blade_at(const KerfPlane& plane, const Blade& blade, const PlanarPose& pose) {
   const Quat turn = rotation_from_axes(Vec3(pose.direction.x, pose.direction.y, 0.0),
                                        Vec3(-pose.direction.y, pose.direction.x, 0.0));
   const RigidTransform kerf_from_blade{turn, Vec3(pose.tip_mm.x, pose.tip_mm.y, 0.0)};

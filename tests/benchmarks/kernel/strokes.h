@@ -10,8 +10,7 @@ namespace hallux::benchmarks {
 
 /// A saw that is pushed through a shaft of oblique_kerf from outside, swaying 2 mm to each side and 0.05 rad.
 simulator::PlanarPose sway_through(double share);
-inline constexpr simulator::BladeSize swaying_blade{
-    .width_mm = 10.0, .depth_mm = 40.0, .kerf_mm = 0.5};
+inline constexpr simulator::Blade swaying_blade{.width_mm = 10.0, .depth_mm = 40.0, .kerf_mm = 0.5};
 
 /// `steps` + 1 poses from the stroke's begin to its end.
 template <typename Stroke>

@@ -24,7 +24,7 @@ using namespace simulator;
 
 constexpr int cut_count = 12;
 constexpr std::size_t frames_per_cut = 400;
-constexpr BladeSize saw{.width_mm = 12.0, .depth_mm = 60.0, .kerf_mm = 0.5};
+constexpr Blade saw{.width_mm = 12.0, .depth_mm = 60.0, .kerf_mm = 0.5};
 
 struct Model {
   std::string name;

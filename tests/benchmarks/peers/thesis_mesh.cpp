@@ -204,8 +204,7 @@ bool ThesisMesh::begin_cut(const simulator::KerfPlane& plane,
   return true;
 }
 
-std::size_t ThesisMesh::advance(const simulator::BladeSize& blade,
-                                const simulator::PlanarPose& pose) {
+std::size_t ThesisMesh::advance(const simulator::Blade& blade, const simulator::PlanarPose& pose) {
   std::size_t moved = 0;
   for (Pair& pair : pairs_) {
     if (pair.is_parted) continue;

@@ -28,7 +28,7 @@ class ThesisMesh {
   /// Slices along the ring of each touched triangle; false where the plane crosses none of them.
   bool begin_cut(const simulator::KerfPlane& plane, std::span<const std::uint32_t> touched);
   /// Parts the pairs that lie under the blade; how many they were.
-  std::size_t advance(const simulator::BladeSize& blade, const simulator::PlanarPose& pose);
+  std::size_t advance(const simulator::Blade& blade, const simulator::PlanarPose& pose);
   /// How many parts hang together, found by a walk over the whole mesh.
   std::size_t count_parts() const;
   /// Triangles of this cut that the parting has turned over: the folds of thesis 4.4.5.

@@ -27,7 +27,7 @@ struct Attempt {
     recording = tests::run_hand(scenario, bone, "expert", 1).recording;
   }
   OpenedFields followed() const {
-    return assessment::opened_fields(scenario.blade.size, bone.world_from_bone, recording);
+    return assessment::opened_fields(scenario.saw.blade, bone.world_from_bone, recording);
   }
   std::shared_ptr<const simulator::BoneHistory> history(OpenedFields opened) const {
     return simulator::build_history(
@@ -67,7 +67,7 @@ Table table_of(const std::string& name) {
   const std::vector<std::byte> bytes = ui::bytes_of(fields);
   const ui::BoneLook look = ui::look_of(1, attempt.bone);
   const auto nothing = [] { return 0; };
-  const auto& blade = attempt.scenario.blade.size;
+  const auto& blade = attempt.scenario.saw.blade;
   Table table{
       .name = "replay_" + name,
       .title = "Showing an expert's " + name + " of " +

@@ -55,7 +55,7 @@ struct Patient {
 };
 
 KerfSet kerfs_of(const Patient& patient, const Recording& recording) {
-  KerfSet kerfs(patient.akin.blade.size, patient.bone.world_from_bone);
+  KerfSet kerfs(patient.akin.saw.blade, patient.bone.world_from_bone);
   std::size_t next = 0;
   for (const simulator::ToolSample& sample : recording.samples) {
     for (; next < recording.events.size() && recording.events[next].tick <= sample.tick; ++next) {

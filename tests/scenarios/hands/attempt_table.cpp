@@ -13,7 +13,7 @@
 
 #include "assessment/assess.h"
 #include "scenarios/plan.h"
-#include "scenarios/planned_bridge.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/loop/replay.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
@@ -49,8 +49,7 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
   }
   const scenarios::Plan plan = plan_on(scenario, bone);
   const simulator::ReplayResult replayed =
-      replay(recording, {bone, scenario.blade.size, contact_of(scenario), planned_bridge(plan),
-                         effects_of(scenario, plan)});
+      replay(recording, simulation_setup(scenario, bone, plan, simulator::Guidance::None));
   row.is_identical = replayed.is_identical;
   row.difference_tick = replayed.first_difference_tick;
   row.duration_s = static_cast<double>(recording.samples.size()) / 1000.0;

@@ -52,7 +52,7 @@ double largest_distance_mm(const Patient& patient, const ReferenceFace& aimed) {
   const simulator::CutSolid solid = simulator::uncut_solid(solid_of(patient.bone));
   const simulator::Bvh bvh(solid.mesh);
   // Like the hand's: half a kerf outside the face.
-  const double kerf_mm = patient.silver.blade.size.kerf_mm;
+  const double kerf_mm = patient.silver.saw.blade.kerf_mm;
   const Vec3 apex = find_landmark(patient.bone, "eminence_apex").value();
   const Vec3 origin =
       apex +

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenarios/planned_bridge.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/base/units.h"
 #include "simulator/loop/jobs.h"
 #include "simulator/record/sample_force.h"
@@ -87,9 +87,10 @@ HandTrace trace_hand(const scenarios::Scenario& scenario, const simulator::Bone&
                      const scenarios::Plan& plan, scenarios::FeelingHand& hand) {
   const simulator::Recording recording = run_hand(scenario, bone, plan, hand).recording;
   const simulator::TissueMap tissue(bone);
-  Simulation simulation(tissue, bone.world_from_bone, scenario.blade.size, contact_of(scenario),
-                        effects_of(scenario, plan));
-  simulator::ImmediateJobs jobs(bone, scenario.blade.size, planned_bridge(plan));
+  const simulator::SimulationSetup setup =
+      simulation_setup(scenario, bone, plan, simulator::Guidance::None);
+  Simulation simulation(tissue, setup);
+  simulator::ImmediateJobs jobs(bone, setup.saw.blade, setup.bridge);
   const scenarios::AimedCut& aimed = hand.cuts().at(0);
   Tracer tracer(inverse(bone.world_from_bone * aimed.plane.bone_from_kerf), aimed.region);
   for (const simulator::TapeLine& line : recording.tape) {

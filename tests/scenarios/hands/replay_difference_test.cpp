@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scenarios/plan.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/loop/replay.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
@@ -23,11 +23,8 @@ class ReplayDifference : public testing::Test {
     recording_ = run_hand(silver_, bone_, "expert", 1).recording;
   }
 
-  simulator::ReplayResult replayed(const Recording& recording,
-                                   const simulator::ContactSettings& settings) const {
-    return replay(
-        recording,
-        {bone_, silver_.blade.size, settings, {}, effects_of(silver_, plan_on(silver_, bone_))});
+  simulator::SimulationSetup setup() const {
+    return simulation_setup(silver_, bone_, plan_on(silver_, bone_), simulator::Guidance::None);
   }
   /// The first tick of which the tool has this status.
   std::int64_t first_tick(ToolStatus status) const {
@@ -43,7 +40,7 @@ class ReplayDifference : public testing::Test {
 };
 
 TEST_F(ReplayDifference, IsNoneWhereNothingWasChanged) {
-  const simulator::ReplayResult result = replayed(recording_, contact_of(silver_));
+  const simulator::ReplayResult result = replay(recording_, setup());
   EXPECT_TRUE(result.is_identical) << result.difference;
   EXPECT_EQ(result.first_difference_tick, -1);
   EXPECT_EQ(result.samples, static_cast<std::int64_t>(recording_.samples.size()));
@@ -55,7 +52,7 @@ TEST_F(ReplayDifference, OfOneInputInAirIsFoundAtItsOwnTick) {
   const std::int64_t tick = first_tick(ToolStatus::Running) + 100;
   recording_.tape.at(static_cast<std::size_t>(tick)).device.world_from_handle.translation_um[0] +=
       100;
-  const simulator::ReplayResult result = replayed(recording_, contact_of(silver_));
+  const simulator::ReplayResult result = replay(recording_, setup());
   EXPECT_FALSE(result.is_identical);
   EXPECT_EQ(result.first_difference_tick, tick) << result.difference;
 }
@@ -67,32 +64,32 @@ TEST_F(ReplayDifference, OfTheSmallestInputWhileCuttingIsFound) {
        recording_.tape.at(static_cast<std::size_t>(tick)).device.world_from_handle.translation_um) {
     part += 1;
   }
-  const simulator::ReplayResult result = replayed(recording_, contact_of(silver_));
+  const simulator::ReplayResult result = replay(recording_, setup());
   EXPECT_FALSE(result.is_identical);
   EXPECT_GE(result.first_difference_tick, tick);
 }
 
 TEST_F(ReplayDifference, OfAnAlteredOutputIsFoundAtItsOwnTick) {
   recording_.samples.back().force_mn[1] += 1;
-  const simulator::ReplayResult result = replayed(recording_, contact_of(silver_));
+  const simulator::ReplayResult result = replay(recording_, setup());
   EXPECT_FALSE(result.is_identical);
   EXPECT_EQ(result.first_difference_tick, recording_.samples.back().tick);
 }
 
 TEST_F(ReplayDifference, OfOneConstantBeginsWhereItFirstMatters) {
   // The handle's spring does nothing until bone holds the tool back.
-  simulator::ContactSettings settings = contact_of(silver_);
-  settings.coupling_newton_per_mm *= 1.001;
-  const simulator::ReplayResult result = replayed(recording_, settings);
+  simulator::SimulationSetup altered = setup();
+  altered.contact.coupling_newton_per_mm *= 1.001;
+  const simulator::ReplayResult result = replay(recording_, altered);
   EXPECT_FALSE(result.is_identical);
   EXPECT_GE(result.first_difference_tick, first_tick(ToolStatus::InContact));
   EXPECT_LT(result.first_difference_tick, recording_.samples.back().tick);
 }
 
 TEST_F(ReplayDifference, OfTheSawsRateBeginsWithTheCut) {
-  simulator::ContactSettings settings = contact_of(silver_);
-  settings.cycles_per_minute += 1.0;
-  const simulator::ReplayResult result = replayed(recording_, settings);
+  simulator::SimulationSetup altered = setup();
+  altered.saw.cycles_per_minute += 1.0;
+  const simulator::ReplayResult result = replay(recording_, altered);
   EXPECT_FALSE(result.is_identical);
   EXPECT_GE(result.first_difference_tick, first_tick(ToolStatus::InContact));
 }

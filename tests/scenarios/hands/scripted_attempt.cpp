@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenarios/planned_bridge.h"
+#include "scenarios/simulation_setup.h"
 
 namespace hallux::tests {
 
@@ -24,25 +24,10 @@ void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recor
 
 }  // namespace
 
-simulator::ContactSettings contact_of(const scenarios::Scenario& scenario) {
-  simulator::ContactSettings settings;
-  settings.cycles_per_minute = scenario.blade.cycles_per_minute;
-  settings.sharpness = scenario.blade.sharpness;
-  settings.bone_quality = scenario.patient.bone_quality;
-  return settings;
-}
-
-simulator::ToolEffectSettings effects_of(const scenarios::Scenario& scenario,
-                                         const scenarios::Plan& plan) {
-  return {capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
-}
-
 ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                          const scenarios::Plan& plan, scenarios::FeelingHand& hand) {
-  simulator::AttemptSetup setup{bone, scenario.blade.size, contact_of(scenario),
-                                planned_bridge(plan)};
+  simulator::AttemptSetup setup{simulation_setup(scenario, bone, plan, simulator::Guidance::None)};
   setup.last_tick = scenarios::FeelingHand::last_tick;
-  setup.effects = effects_of(scenario, plan);
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels(ring_capacity);
   ScriptedAttempt attempt;

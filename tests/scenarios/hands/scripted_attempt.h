@@ -12,13 +12,6 @@
 
 namespace hallux::tests {
 
-/// The saw of the scenario, as the program sets it up.
-simulator::ContactSettings contact_of(const scenarios::Scenario& scenario);
-
-/// What is watched beside the cut, as the program sets it up.
-simulator::ToolEffectSettings effects_of(const scenarios::Scenario& scenario,
-                                         const scenarios::Plan& plan);
-
 struct ScriptedAttempt {
   simulator::Recording recording;
   simulator::LoopStatistics loop;

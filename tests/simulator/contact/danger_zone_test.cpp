@@ -14,7 +14,7 @@ namespace hallux::simulator {
 namespace {
 
 /// Teeth at x = 0, collar at x = -20, edges at y = -5 and 5, half a kerf of 0.25 to both sides of z = 0.
-constexpr BladeSize blade{.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 0.5};
+constexpr Blade blade{.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 0.5};
 constexpr double half_kerf_mm = 0.25;
 
 double distance_mm(const Vec3& from, const Vec3& to, double radius_mm = 1.0) {

@@ -21,13 +21,13 @@ struct Sawing {
   double feed_mm_s = 0.5;  ///< 30 mm/min
   bool is_irrigated = false;
 };
-constexpr BladeSize test_blade{.width_mm = 10.0, .depth_mm = 25.0, .kerf_mm = 0.5};
+constexpr Blade test_blade{.width_mm = 10.0, .depth_mm = 25.0, .kerf_mm = 0.5};
 
 /// A block of cortical bone with its top at y = 10, sawn from there towards -y in the plane x = 0.
 class SawnBlock {
  public:
   explicit SawnBlock(const Sawing& sawing)
-      : sawing_(sawing), field_(test_blade, bone_.world_from_bone, sawing.cycles_per_minute) {
+      : sawing_(sawing), field_({test_blade, sawing.cycles_per_minute}, bone_.world_from_bone) {
     kerfs_.freeze(quantise(pose()));
   }
 

@@ -30,15 +30,10 @@ struct Feed {
   double hottest_celsius = 0.0;
 };
 
-struct Saw {
-  BladeSize blade = {};
-  ContactSettings settings = {};
-};
-
 /// The rate over a while under the push, begun `first_mm` below the top.
 Feed feed_under(const Bone& bone, double force_newton, double first_mm, int ticks,
-                const Saw& saw = {}) {
-  SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}), saw.blade, saw.settings);
+                const Saw& saw = {}, const ContactSettings& settings = {}) {
+  SimulationRun run(bone, blade_down({0.0, top_mm + 0.5, 0.0}), saw, settings);
   while (run.bone_from_tool().translation_mm.y > top_mm - first_mm &&
          run.recording().tape.size() < 30000) {
     push_for(run, 20.0, 1);
@@ -90,7 +85,7 @@ TEST(FeedOnABlock, StandsStillBelowTheThreshold) {
 
 TEST(FeedOnABlock, ADullBladeIsSlowerAndHotterForTheSameWay) {
   const Feed sharp = feed_under(block(30.0), 10.0, 0.5, 2000);
-  const Feed dull = feed_under(block(30.0), 10.0, 0.5, 4000, {.settings = {.sharpness = 0.5}});
+  const Feed dull = feed_under(block(30.0), 10.0, 0.5, 4000, {.sharpness = 0.5});
   EXPECT_NEAR(dull.rate_mm_s, 0.5 * sharp.rate_mm_s, 0.02 * sharp.rate_mm_s);
   EXPECT_GT(dull.hottest_celsius, sharp.hottest_celsius + 10.0);
 }
@@ -98,8 +93,7 @@ TEST(FeedOnABlock, ADullBladeIsSlowerAndHotterForTheSameWay) {
 TEST(FeedOnABlock, OfSoftAndOfHardBoneIsTheLaws) {
   for (const double quality : {0.5, 1.5}) {
     const double law_mm_s = 0.35 / quality * (10.0 - quality * 1.5) / 10.0;
-    const Feed feed =
-        feed_under(block(30.0), 10.0, 0.5, 2000, {.settings = {.bone_quality = quality}});
+    const Feed feed = feed_under(block(30.0), 10.0, 0.5, 2000, {}, {.bone_quality = quality});
     EXPECT_NEAR(feed.rate_mm_s, law_mm_s, 0.02 * law_mm_s) << quality;
   }
 }

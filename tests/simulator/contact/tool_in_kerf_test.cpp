@@ -183,7 +183,7 @@ TEST(ToolInKerf, ACapturedBladeComesToItsSlotAtTwoTenthsOfAMetreASecond) {
   const auto handle_at = [&](std::size_t tick) {
     return bone_from_world * transform_from(run.recording().tape[tick].device.world_from_handle);
   };
-  const double depth_mm = BladeSize{}.depth_mm;
+  const double depth_mm = Blade{}.depth_mm;
   double most_mm = 0.0;
   for (std::size_t tick = first; tick < run.recording().samples.size(); ++tick) {
     const ProxyMotion hand = motion_between(handle_at(tick - 1), handle_at(tick));

@@ -24,16 +24,17 @@ class SoftBlock {
   ToolOutcome move(const RigidTransform& bone_from_handle, bool saw_runs, int ticks = 1) {
     ToolOutcome outcome;
     for (int i = 0; i < ticks; ++i) {
-      outcome = move_tool(tool, {bone_from_handle, saw_runs}, standing_, settings);
+      outcome = move_tool(tool, {saw, bone_from_handle, saw_runs}, standing_, settings);
     }
     return outcome;
   }
   ToolOutcome move_for(const RigidTransform& bone_from_handle, double duration_s) {
-    return move_tool(tool, {bone_from_handle, true, duration_s}, standing_, settings);
+    return move_tool(tool, {saw, bone_from_handle, true, duration_s}, standing_, settings);
   }
   double tip_y_mm() const { return tool.bone_from_tool.translation_mm.y; }
 
   ToolState tool;
+  Saw saw;
   ContactSettings settings;
 
  private:
@@ -100,7 +101,7 @@ TEST(TouchingTool, AdvancesByTheFeedLawOfTheForceOnIt) {
   const double stretch_mm = world.tip_y_mm() - (top_mm - 3.0);
   const ToolOutcome outcome = world.move(handle_at(top_mm - 3.0), true);
   const double rate_mm_s =
-      feed_rate_mm_s(outcome.engaged, 2.0 * stretch_mm, world.settings.cycles_per_minute);
+      feed_rate_mm_s(outcome.engaged, 2.0 * stretch_mm, world.saw.cycles_per_minute);
   EXPECT_GT(outcome.engaged.cancellous_mm, 6.0);
   EXPECT_NEAR(outcome.advance_mm, rate_mm_s * 0.001, 1e-9);
 }

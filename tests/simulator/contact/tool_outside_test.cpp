@@ -39,7 +39,7 @@ class World {
   ToolOutcome hold(const RigidTransform& bone_from_handle, int ticks, bool saw_runs = false) {
     ToolOutcome outcome;
     for (int i = 0; i < ticks; ++i) {
-      outcome = move_tool(tool, {bone_from_handle, saw_runs}, standing(), settings);
+      outcome = move_tool(tool, {saw, bone_from_handle, saw_runs}, standing(), settings);
     }
     return outcome;
   }
@@ -66,6 +66,7 @@ class World {
   }
 
   ToolState tool;
+  Saw saw;
   ContactSettings settings;
   std::vector<const Bvh*> gone;
 

@@ -239,7 +239,7 @@ struct LedArm {
   explicit LedArm(const ModelledArmSetup& held, ForceLaw law = ForceLaw::Simulated)
       : arm(motion, held), device(arm) {
     AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
-    setup.contact = contact;
+    setup.simulation.contact = contact;
     setup.force_law = law;
     watch_motors(device, arm, least_of_wall_millijoule);
     run = tests::record(setup, device);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/hands/feeling_hand.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/loop/replay.h"
 #include "tests/simulator/loop/golden.h"
 #include "tests/simulator/loop/recorded_run.h"
@@ -14,20 +15,15 @@ TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
   const Bone bone = scenarios::make_patient(scenario);
   const scenarios::Plan plan = plan_on(scenario, bone);
   scenarios::FeelingHand hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1);
-  const ToolEffectSettings effects{capsules_of(plan.danger_zones), scenario.blade.thickness_mm};
-  const ContactSettings contact{.cycles_per_minute = scenario.blade.cycles_per_minute,
-                                .sharpness = scenario.blade.sharpness};
-  const AttemptSetup setup{.bone = bone,
-                           .blade = scenario.blade.size,
-                           .contact = contact,
+  const SimulationSetup simulation = simulation_setup(scenario, bone, plan, Guidance::None);
+  const AttemptSetup setup{.simulation = simulation,
                            .commands = {},
                            .last_tick = scenarios::FeelingHand::last_tick,
                            .job_delay = {},
-                           .effects = effects,
                            .attempt_operator = &hand};
   const Recording recording = tests::record(setup, hand).recording;
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
-  const ReplayResult result = replay(recording, {bone, scenario.blade.size, contact, {}, effects});
+  const ReplayResult result = replay(recording, simulation);
   EXPECT_TRUE(result.is_identical) << result.difference;
 }
 

@@ -48,13 +48,10 @@ HandMotion wavering_motion(const Bone& bone) {
 TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
   const Bone bone = tube();
   const HandMotion motion = wavering_motion(bone);
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = {},
+  const AttemptSetup setup{.simulation = {.bone = bone, .danger_zones = {below_the_tube}},
                            .commands = motion.commands,
                            .last_tick = motion.last_tick(),
-                           .job_delay = {},
-                           .effects = {.danger_zones = {below_the_tube}}};
+                           .job_delay = {}};
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   const auto kinds = tests::kinds_of(recording);
@@ -86,11 +83,9 @@ HandMotion catching_motion(const Bone& bone) {
 TEST(Golden, AGuidedHandWithADullBladeThatKicksInSoftBoneGivesTheCommittedHashes) {
   const Bone bone = tube();
   const HandMotion motion = catching_motion(bone);
-  ContactSettings contact{.sharpness = 0.5, .bone_quality = 0.8};
+  ContactSettings contact{.bone_quality = 0.8};
   contact.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 3.0}}};
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = contact,
+  const AttemptSetup setup{.simulation = {bone, {.sharpness = 0.5}, contact},
                            .commands = motion.commands,
                            .last_tick = motion.last_tick()};
   ScriptedDevice device(motion);

@@ -105,9 +105,7 @@ class StallingDevice final : public HapticDevice {
 /// Up to 300 ticks of sawing with that hand and these commands.
 tests::RecordedRun record_with_a_stall(const Bone& bone, std::vector<HandCommand> commands,
                                        const Stall& stall = {}, std::int64_t last_tick = 300) {
-  const AttemptSetup setup{.bone = bone,
-                           .blade = {},
-                           .contact = {},
+  const AttemptSetup setup{.simulation = {bone},
                            .pacing = Pacing::RealTime,
                            .commands = std::move(commands),
                            .last_tick = last_tick,
@@ -192,9 +190,7 @@ TEST(RealTimeLoop, IsLockedInMemoryWhereItIsWatchedAndTheSystemAllowsIt) {
   AttemptWatch watch;
   for (AttemptWatch* watching : {&watch, static_cast<AttemptWatch*>(nullptr)}) {
     ScriptedDevice device(tests::sawing_motion(bone, 50));
-    const AttemptSetup setup{.bone = bone,
-                             .blade = {},
-                             .contact = {},
+    const AttemptSetup setup{.simulation = {bone},
                              .pacing = Pacing::RealTime,
                              .last_tick = 50,
                              .job_delay = {},

@@ -23,8 +23,8 @@ struct RecordedCut {
     ScriptedDevice device(motion);
     recording = tests::record(setup, device).recording;
   }
-  ReplayResult replayed(const ContactSettings& settings = {}) const {
-    return replay(recording, {bone, {}, settings, {}});
+  ReplayResult replayed(const ContactSettings& settings = {}, const Saw& saw = {}) const {
+    return replay(recording, {bone, saw, settings});
   }
   /// The first line that applies a job.
   TapeLine& job_line() {
@@ -62,7 +62,7 @@ TEST(Replay, OfAGuidedCutIsIdenticalWithItsGuideAndDiffersWithoutIt) {
   // The hand saws at x = 5: led away from there.
   guided.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 3.0}}};
   AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
-  setup.contact = guided;
+  setup.simulation.contact = guided;
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   const ReplayResult result = replay(recording, {bone, {}, guided, {}});
@@ -168,7 +168,7 @@ TEST(Replay, AChangedConstantOfTheStepDiffersFromTheFirstTouch) {
                                   });
   ASSERT_NE(touch, cut.recording.samples.end());
   expect_difference(cut.replayed({.coupling_newton_per_mm = 2.5}), touch->tick);
-  const ReplayResult slower = cut.replayed({.cycles_per_minute = 11000.0});
+  const ReplayResult slower = cut.replayed({}, {.cycles_per_minute = 11000.0});
   EXPECT_FALSE(slower.is_identical);
   EXPECT_GE(slower.first_difference_tick, touch->tick);
 }

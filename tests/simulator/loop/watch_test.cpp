@@ -17,8 +17,7 @@ struct WatchedAttempt {
   Bone bone = tests::loop_block();
   HandMotion motion = tests::sawing_motion(bone, last_tick);
   AttemptWatch watch;
-  AttemptSetup setup{
-      .bone = bone, .blade = {}, .contact = {}, .last_tick = last_tick, .watch = &watch};
+  AttemptSetup setup{.simulation = {bone}, .last_tick = last_tick, .watch = &watch};
   ScriptedDevice device{motion};
 };
 

@@ -7,13 +7,11 @@ using simulator::CutEventKind;
 using simulator::ToolSample;
 
 RecordedEffects::RecordedEffects(const simulator::Bone& bone, const simulator::Recording& recording,
-                                 const simulator::ToolEffectSettings& settings, bool is_guided)
+                                 const std::vector<simulator::DangerCapsule>& danger_zones,
+                                 bool is_guided)
     : tissue_(bone),
-      kerfs_(simulator::BladeSize{}, bone.world_from_bone),
-      effects_(bone.world_from_bone, {},
-               {.cycles_per_minute = simulator::ContactSettings{}.cycles_per_minute,
-                .is_guided = is_guided},
-               settings) {
+      kerfs_(simulator::Blade{}, bone.world_from_bone),
+      effects_(bone.world_from_bone, {.is_guided = is_guided}, danger_zones) {
   auto next = recording.events.begin();
   for (const ToolSample& sample : recording.samples) {
     for (; next != recording.events.end() && next->tick <= sample.tick; ++next) {

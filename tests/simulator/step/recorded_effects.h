@@ -12,7 +12,8 @@ class RecordedEffects {
  public:
   /// Follows the whole record: the planes that were frozen, and each sample. Borrows `bone`.
   RecordedEffects(const simulator::Bone& bone, const simulator::Recording& recording,
-                  const simulator::ToolEffectSettings& settings = {}, bool is_guided = false);
+                  const std::vector<simulator::DangerCapsule>& danger_zones = {},
+                  bool is_guided = false);
 
   const simulator::ToolEffects& effects() const noexcept { return effects_; }
   const std::vector<simulator::CutEvent>& events() const noexcept { return events_; }

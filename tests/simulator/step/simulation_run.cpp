@@ -38,13 +38,12 @@ RigidTransform blade_down(const Vec3& tip_in_bone_mm, double lean_rad) {
 }
 
 SimulationRun::SimulationRun(const Bone& bone, const RigidTransform& bone_from_handle,
-                             const simulator::BladeSize& blade,
-                             const simulator::ContactSettings& settings,
-                             const simulator::ToolEffectSettings& effects)
+                             const simulator::Saw& saw, const simulator::ContactSettings& settings,
+                             const std::vector<simulator::DangerCapsule>& danger_zones)
     : bone_(bone),
       tissue_(bone),
-      simulation_(tissue_, bone.world_from_bone, blade, settings, effects),
-      jobs_(bone, blade),
+      simulation_(tissue_, {bone, saw, settings, {}, danger_zones}),
+      jobs_(bone, saw.blade),
       bone_from_handle_(bone_from_handle) {
   step({{CommandKind::Start, 0, 0}});
 }

@@ -32,9 +32,8 @@ class SimulationRun {
  public:
   /// Starts with the blade at `bone_from_handle`. Borrows `bone`.
   SimulationRun(const simulator::Bone& bone, const RigidTransform& bone_from_handle,
-                const simulator::BladeSize& blade = {},
-                const simulator::ContactSettings& settings = {},
-                const simulator::ToolEffectSettings& effects = {});
+                const simulator::Saw& saw = {}, const simulator::ContactSettings& settings = {},
+                const std::vector<simulator::DangerCapsule>& danger_zones = {});
 
   /// One line of the tape with the handle where it was last.
   simulator::StepOutput step(std::initializer_list<simulator::Command> commands = {});

@@ -41,7 +41,7 @@ TEST(Step, StartPutsTheToolInTheHandAndRunsTheClock) {
 TEST(Step, NothingRunsBeforeTheStart) {
   const Bone bone = block();
   const TissueMap tissue{bone};
-  Simulation simulation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, {bone});
   TapeLine line;
   line.device.switches = tests::saw_runs;
   const StepOutput output = simulation.step({line, {}});
@@ -73,7 +73,7 @@ TEST(Step, AStartInAFaultPutsTheToolInTheHandOnceTheFaultIsOver) {
   Bone bone = tests::cancellous_bone(tests::solid_block({30.0, 8.0, 6.0}));
   bone.world_from_bone = {};
   const TissueMap tissue(bone);
-  Simulation simulation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, {bone});
   const QuantisedPose hand = quantise(blade_down({0.0, above_mm + 3.0, 0.0}));
   TapeLine line;
   line.commands[0] = command(CommandKind::Start);
@@ -98,7 +98,7 @@ TEST(Step, AStartInAFaultPutsTheToolInTheHandOnceTheFaultIsOver) {
 TEST(Step, AGapThatBeganBeforeTheStartIsNoPauseOfTheOperation) {
   const Bone bone = block();
   const TissueMap tissue(bone);
-  Simulation simulation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, {bone});
   TapeLine line;
   const auto kinds_after = [&](const Command& said) {
     line.commands[0] = said;
@@ -303,7 +303,7 @@ TEST(Step, PausesAndFaultsBreakTheSweepForTheStepAsForThoseWhoFollowTheRecord) {
 TEST(Step, ResumeBeforeTheStartStartsNothing) {
   const Bone bone = block();
   const TissueMap tissue{bone};
-  Simulation simulation(tissue, bone.world_from_bone, {}, {});
+  Simulation simulation(tissue, {bone});
   TapeLine line;
   line.command_count = 1;
   line.commands[0] = command(CommandKind::Resume);

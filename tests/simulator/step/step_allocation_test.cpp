@@ -14,9 +14,8 @@ namespace {
 using tests::blade_down;
 using tests::kinds_of;
 
-ToolEffectSettings zones_below() {
-  return {.danger_zones = std::vector<DangerCapsule>(danger_zone_limit,
-                                                     {{-9.0, -5.0, 0.0}, {9.0, -5.0, 0.0}, 1.0})};
+std::vector<DangerCapsule> zones_below() {
+  return std::vector<DangerCapsule>(danger_zone_limit, {{-9.0, -5.0, 0.0}, {9.0, -5.0, 0.0}, 1.0});
 }
 
 /// The hand is led to the first cut's plane, half a millimetre beside its way.
@@ -64,7 +63,7 @@ Recording eventful_attempt(const Bone& bone) {
 /// The tape once more through a step of its own; the heap calls of Simulation::step alone.
 std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording) {
   const TissueMap tissue{bone};
-  Simulation simulation(tissue, bone.world_from_bone, {}, guided(), zones_below());
+  Simulation simulation(tissue, {bone, {}, guided(), {}, zones_below()});
   ImmediateJobs jobs(bone, {});
   std::uint64_t allocations = 0;
   for (const TapeLine& line : recording.tape) {

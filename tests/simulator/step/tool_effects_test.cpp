@@ -83,14 +83,14 @@ TEST(ToolEffects, BoneCoolsWhileAnotherKerfIsSawn) {
 }
 
 /// Across the way of the blade, 3 mm below the block.
-ToolEffectSettings tendon_below() {
-  return {.danger_zones = {{{-20.0, -top_mm - 30.0, 0.0}, {20.0, -top_mm - 30.0, 0.0}, 2.0},
-                           {{-20.0, -top_mm - 4.0, 0.0}, {20.0, -top_mm - 4.0, 0.0}, 1.0}}};
+std::vector<DangerCapsule> tendon_below() {
+  return {{{-20.0, -top_mm - 30.0, 0.0}, {20.0, -top_mm - 30.0, 0.0}, 2.0},
+          {{-20.0, -top_mm - 4.0, 0.0}, {20.0, -top_mm - 4.0, 0.0}, 1.0}};
 }
 
 /// Beside the block, where the edge of the blade stands out of it.
-ToolEffectSettings tendon_beside() {
-  return {.danger_zones = {{{-20.0, top_mm, 5.0}, {20.0, top_mm, 5.0}, 1.0}}};
+std::vector<DangerCapsule> tendon_beside() {
+  return {{{-20.0, top_mm, 5.0}, {20.0, top_mm, 5.0}, 1.0}};
 }
 
 TEST(ToolEffects, ABladeThatPlungesBeyondTheBoneTouchesWhatLiesThere) {
@@ -136,8 +136,8 @@ TEST(ToolEffects, AHandThatLeansBendsTheBladeThatStandsOut) {
 TEST(ToolEffects, AThickerBladeBendsLess) {
   const Bone bone = hard_block();
   const auto bent_mm = [&](double thickness_mm) {
-    SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {}, {},
-                      {.blade_thickness_mm = thickness_mm});
+    SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}),
+                      {.blade = {.thickness_mm = thickness_mm}});
     push_down(run);
     return std::abs(run.glide(blade_down({1.0, top_mm - 7.5, 0.0}), 50).flex.deflection_mm);
   };
@@ -163,9 +163,8 @@ TEST(ToolEffects, OfTheStepIsWhatItsRecordTells) {
 }
 
 TEST(ToolEffects, MoreZonesThanTheLimitAreNotWatched) {
-  const ToolEffectSettings settings{.danger_zones =
-                                        std::vector<DangerCapsule>(danger_zone_limit + 3)};
-  const ToolEffects effects({}, {}, {12000.0}, settings);
+  const std::vector<DangerCapsule> zones(danger_zone_limit + 3);
+  const ToolEffects effects({}, {}, zones);
   EXPECT_EQ(effects.danger().tracks().size(), danger_zone_limit);
 }
 

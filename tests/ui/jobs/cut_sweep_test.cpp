@@ -102,7 +102,7 @@ TEST(Sweep, IsHeldAgainstItsOwnPlaneAndOpensTheOneThatIsThere) {
 
 /// A quarter turn about the tip: a sector, and beside each of its sides half the blade's width.
 TEST(Sweep, ATurnOfTheBladeOpensTheSectorThatItPasses) {
-  const simulator::BladeSize blade{1.0, 8.0, 0.5};
+  const simulator::Blade blade{1.0, 8.0, 0.5};
   const simulator::PlanarPose from{{0.0, 0.0}, {1.0, 0.0}}, to{{0.0, 0.0}, {0.0, 1.0}};
   simulator::KerfField field({.origin_mm = {-10.0, -10.0}, .u_count = 401, .v_count = 401});
   stamp_motion(field, blade, from, to);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace simulator;
 
-constexpr BladeSize blade{.width_mm = 12.0, .depth_mm = 25.0, .kerf_mm = 0.5};
+constexpr Blade blade{.width_mm = 12.0, .depth_mm = 25.0, .kerf_mm = 0.5};
 constexpr const char* first_cut = "proximal_face";
 constexpr const char* second_cut = "distal_face";
 

@@ -86,7 +86,7 @@ SomeOperation some_operation() {
                                        .sagittal2_deg = -1.0},
                                       operation.bone);
   const assessment::RebuiltBone rebuilt =
-      assessment::rebuild(operation.bone, operation.scenario.blade.size, recording);
+      assessment::rebuild(operation.bone, operation.scenario.saw.blade, recording);
   operation.wedge_mm3 = rebuilt.piece_volumes_mm3.back();
   operation.first_cut_done_tick = recording.events[1].tick - 50;
   const std::int64_t sawn_tick = recording.samples.back().tick;

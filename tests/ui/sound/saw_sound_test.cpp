@@ -59,7 +59,7 @@ double loudness(const Samples& samples) {
 
 TEST(SawSound, HasTheRateOfTheSawAsItsPitch) {
   for (const double cycles_per_minute : {6000.0, 12000.0, 18000.0}) {
-    const SawTone tone{.runs = true, .cycles_per_minute = cycles_per_minute};
+    const SawTone tone{.runs = true, .saw = {.cycles_per_minute = cycles_per_minute}};
     EXPECT_NEAR(strongest_hz(settled(tone)), cycles_per_minute / 60.0, 1.0);
   }
 }
@@ -118,8 +118,9 @@ TEST(SawSound, MakesNoStepWhereTheToneChanges) {
   SawSound sound(5);
   Samples all;
   for (int i = 0; i < 60; ++i) {
-    const SawTone tone{
-        .runs = i % 7 != 0, .cycles_per_minute = i % 2 == 0 ? 5000.0 : 20000.0, .load = 0.0};
+    const SawTone tone{.runs = i % 7 != 0,
+                       .saw = {.cycles_per_minute = i % 2 == 0 ? 5000.0 : 20000.0},
+                       .load = 0.0};
     const Samples part = sound_of(tone, 0.02, sound);
     all.insert(all.end(), part.begin(), part.end());
   }
@@ -137,7 +138,7 @@ RC_GTEST_PROP(SawSound, NeverClips, ()) {
   for (int i = 0; i < 20; ++i) {
     SawTone tone;
     tone.runs = *rc::gen::inRange(0, 4) > 0;
-    tone.cycles_per_minute = *rc::gen::inRange(1000, 30000);
+    tone.saw.cycles_per_minute = *rc::gen::inRange(1000, 30000);
     tone.load = *rc::gen::inRange(-100, 300) * 0.01;
     sound.fill(tone, samples);
     for (const std::int16_t sample : samples) RC_ASSERT(std::abs(sample) <= 26214);  // 0.8
@@ -153,22 +154,23 @@ simulator::ToolSample sawing(std::int32_t push_mn) {
 }
 
 TEST(SawTone, OfASawInAirHasNoLoad) {
-  const SawTone tone = saw_tone(sawing(9000), {}, 14000.0);
+  const SawTone tone = saw_tone(sawing(9000), {}, {.cycles_per_minute = 14000.0});
   EXPECT_TRUE(tone.runs);
   EXPECT_EQ(tone.load, 0.0);
-  EXPECT_EQ(tone.cycles_per_minute, 14000.0);
+  EXPECT_EQ(tone.saw.cycles_per_minute, 14000.0);
 }
 
 TEST(SawTone, IsFullAtTwentyNewtonInHardBoneAndHalfOfThatInSpongy) {
-  EXPECT_NEAR(saw_tone(sawing(10000), {8.0, 0.0}, 12000.0).load, 0.5, 1e-12);
-  EXPECT_NEAR(saw_tone(sawing(10000), {0.0, 8.0}, 12000.0).load, 0.25, 1e-12);
-  EXPECT_EQ(saw_tone(sawing(30000), {8.0, 0.0}, 12000.0).load, 1.0);
+  EXPECT_NEAR(saw_tone(sawing(10000), {8.0, 0.0}, {.cycles_per_minute = 12000.0}).load, 0.5, 1e-12);
+  EXPECT_NEAR(saw_tone(sawing(10000), {0.0, 8.0}, {.cycles_per_minute = 12000.0}).load, 0.25,
+              1e-12);
+  EXPECT_EQ(saw_tone(sawing(30000), {8.0, 0.0}, {.cycles_per_minute = 12000.0}).load, 1.0);
 }
 
 TEST(SawTone, OfAPausedAttemptIsNone) {
   simulator::ToolSample sample = sawing(10000);
   sample.status = static_cast<std::uint32_t>(simulator::ToolStatus::SawOn);
-  EXPECT_FALSE(saw_tone(sample, {8.0, 0.0}, 12000.0).runs);
+  EXPECT_FALSE(saw_tone(sample, {8.0, 0.0}, {.cycles_per_minute = 12000.0}).runs);
 }
 
 }  // namespace

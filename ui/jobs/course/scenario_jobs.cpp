@@ -62,14 +62,14 @@ void write_means(std::ostream& out, const Scenario& scenario) {
   if (patient.bone_quality != 1.0) out << ", bone quality " << number_text(patient.bone_quality);
   out << "\n";
   write_origin(out, patient.origin);
-  const SawBlade& blade = scenario.blade;
-  out << "\nBlade\n  " << blade.name << ": width " << number_text(blade.size.width_mm)
-      << " mm, depth " << number_text(blade.size.depth_mm) << " mm, thickness "
-      << number_text(blade.thickness_mm) << " mm, kerf " << number_text(blade.size.kerf_mm)
-      << " mm, " << number_text(blade.cycles_per_minute) << " cycles/min";
-  if (blade.sharpness < 1.0) out << ", sharpness " << number_text(blade.sharpness);
+  const simulator::Saw& saw = scenario.saw;
+  out << "\nBlade\n  " << scenario.blade_name << ": width " << number_text(saw.blade.width_mm)
+      << " mm, depth " << number_text(saw.blade.depth_mm) << " mm, thickness "
+      << number_text(saw.blade.thickness_mm) << " mm, kerf " << number_text(saw.blade.kerf_mm)
+      << " mm, " << number_text(saw.cycles_per_minute) << " cycles/min";
+  if (saw.sharpness < 1.0) out << ", sharpness " << number_text(saw.sharpness);
   out << "\n";
-  write_origin(out, blade.origin);
+  write_origin(out, scenario.blade_origin);
 }
 
 std::string degree_text(double angle_rad) {

@@ -6,6 +6,7 @@
 
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/scenario_error.h"
+#include "scenarios/simulation_setup.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 
@@ -51,8 +52,8 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
   OperatedAttempt operated;
   operated.planned = planned;
   scenarios::FeelingHand hand = aimed_hand(operation, operated.planned);
-  simulator::AttemptSetup setup =
-      attempt_setup(operation.scenario, operation.bone, operation.plan, simulator::Guidance::None);
+  simulator::AttemptSetup setup{simulation_setup(operation.scenario, operation.bone, operation.plan,
+                                                 simulator::Guidance::None)};
   setup.last_tick = scenarios::FeelingHand::last_tick;
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels{ring_capacity};

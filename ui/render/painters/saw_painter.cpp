@@ -21,6 +21,8 @@ RigidTransform swung(const SawInScene& saw, double share) {
 /// Within the first of the line from the eye to the teeth the handpiece is seen through, beyond the second it is whole.
 constexpr double clear_within_mm = 12.0, whole_beyond_mm = 19.0;
 constexpr double widest_handle_mm = 9.0;
+/// A ghost is as thick as its kerf usually is, whatever its steel.
+constexpr double ghost_thickness_mm = 0.5;
 
 /// Sets what the shader of a tool's part needs of the picture.
 void set_part(ShaderProgram& program, const Frame& frame, const RigidTransform& world_from_part) {
@@ -94,15 +96,12 @@ SawPainter::SawPainter(const NoiseTextures& noise)
       seen_through_("tool.vert", "tool.frag", "#define SEEN_THROUGH\n"),
       ghost_("ghost.vert", "ghost.frag") {}
 
-SawPainter::Model& SawPainter::model_of(const simulator::BladeSize& size, double thickness_mm) {
-  const bool is_same = model_ && model_->size.width_mm == size.width_mm &&
-                       model_->size.depth_mm == size.depth_mm &&
-                       model_->thickness_mm == thickness_mm;
-  if (!is_same) {
-    model_.emplace(Model{size, thickness_mm, ToolView(blade_mesh(size, thickness_mm)),
-                         ToolView(handpiece_mesh(size))});
+SawPainter::Model& SawPainter::model_of(std::optional<Model>& model,
+                                        const simulator::Blade& blade) {
+  if (!model || model->size != blade) {
+    model.emplace(Model{blade, ToolView(blade_mesh(blade)), ToolView(handpiece_mesh(blade))});
   }
-  return *model_;
+  return *model;
 }
 
 void SawPainter::draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
@@ -143,7 +142,7 @@ void SawPainter::draw_handpiece(const Frame& frame, const ToolView& part,
 void SawPainter::draw(const Frame& frame) {
   if (!frame.scene.saw) return;
   const SawInScene& saw = *frame.scene.saw;
-  const Model& model = model_of(saw.blade, saw.thickness_mm);
+  const Model& model = model_of(model_, saw.blade);
   noise_.bind();
   if (before_the_teeth(saw, frame.view.eye_in_world_mm).is_empty()) {
     draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
@@ -158,18 +157,15 @@ void SawPainter::draw_ghosts(const Frame& frame) {
   if (frame.scene.saw && frame.scene.saw->is_running) {
     // A blade that swings faster than pictures come is a blur between its ends.
     const SawInScene& saw = *frame.scene.saw;
-    const Model& model = model_of(saw.blade, saw.thickness_mm);
+    const Model& model = model_of(model_, saw.blade);
     for (const double end : {-1.0, 1.0}) {
       draw_ghost(frame, model.blade, swung(saw, end), Float4(0.74F, 0.77F, 0.80F, 0.34F));
     }
   }
   for (const BladeGhost& ghost : frame.scene.blade_ghosts) {
-    if (!ghost_model_ || ghost_model_->size.width_mm != ghost.blade.width_mm ||
-        ghost_model_->size.depth_mm != ghost.blade.depth_mm) {
-      ghost_model_.emplace(Model{ghost.blade, 0.5, ToolView(blade_mesh(ghost.blade, 0.5)),
-                                 ToolView(handpiece_mesh(ghost.blade))});
-    }
-    draw_ghost(frame, ghost_model_->blade, ghost.world_from_tool,
+    simulator::Blade blade = ghost.blade;
+    blade.thickness_mm = ghost_thickness_mm;
+    draw_ghost(frame, model_of(ghost_model_, blade).blade, ghost.world_from_tool,
                Float4(colour_of(frame.palette, ghost.ink), 0.80F));
   }
 }
@@ -181,7 +177,7 @@ void SawPainter::draw_seen_through(const Frame& frame) {
   if (part.is_empty()) return;
   noise_.bind();
   set_scissor(pixels_of(part, saw.world_from_tool, frame.view, frame.target.size));
-  draw_handpiece(frame, model_of(saw.blade, saw.thickness_mm).handpiece, true);
+  draw_handpiece(frame, model_of(model_, saw.blade).handpiece, true);
   set_scissor(all_of(frame.target.size));
 }
 

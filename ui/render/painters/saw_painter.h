@@ -38,12 +38,12 @@ class SawPainter {
 
  private:
   struct Model {
-    simulator::BladeSize size;
-    double thickness_mm = 0.0;
+    simulator::Blade size;
     ToolView blade, handpiece;
   };
 
-  Model& model_of(const simulator::BladeSize& size, double thickness_mm);
+  /// The model in that place, made anew where it is of another blade.
+  static Model& model_of(std::optional<Model>& model, const simulator::Blade& blade);
   void draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
                  const RigidTransform& world_from_part);
   void draw_handpiece(const Frame& frame, const ToolView& part, bool is_translucent_part);

@@ -51,8 +51,7 @@ struct BoneInScene {
 
 struct SawInScene {
   RigidTransform world_from_tool;
-  simulator::BladeSize blade;
-  double thickness_mm = 0.4;  ///< of the blade; the kerf is wider
+  simulator::Blade blade;
   bool is_running = false;
   double swing = 0.0;  ///< where in its swing the blade stands, [-1, 1]; counts only while it runs
 };
@@ -60,7 +59,7 @@ struct SawInScene {
 /// The blade alone, translucent: the expert's.
 struct BladeGhost {
   RigidTransform world_from_tool;
-  simulator::BladeSize blade;
+  simulator::Blade blade;
   Ink ink = Ink::Reference;
 };
 

@@ -11,7 +11,7 @@ namespace hallux::ui {
 
 namespace {
 
-using simulator::BladeSize;
+using simulator::Blade;
 
 /// A point of a turned part's outline: along the axis, away from it, and what the part up to the next point is made of.
 struct ProfilePoint {
@@ -87,7 +87,7 @@ void ToolBuilder::add_turned(std::span<const ProfilePoint> profile,
 }
 
 /// Half the plate's width at its stations from the gullets back to the hub.
-std::array<Vec2, 4> plate_stations(const BladeSize& blade, double gullet_mm) {
+std::array<Vec2, 4> plate_stations(const Blade& blade, double gullet_mm) {
   const double half = 0.5 * blade.width_mm, depth = blade.depth_mm;
   return {Vec2(-gullet_mm, half), Vec2(-0.70 * depth, half), Vec2(-0.88 * depth, 0.68 * half),
           Vec2(-depth - 3.0, 0.62 * half)};
@@ -95,11 +95,11 @@ std::array<Vec2, 4> plate_stations(const BladeSize& blade, double gullet_mm) {
 
 }  // namespace
 
-double pivot_x_mm(const BladeSize& blade) noexcept { return -blade.depth_mm - 4.0; }
+double pivot_x_mm(const Blade& blade) noexcept { return -blade.depth_mm - 4.0; }
 
-ToolMesh blade_mesh(const BladeSize& blade, double thickness_mm) {
+ToolMesh blade_mesh(const Blade& blade) {
   ToolBuilder builder;
-  const double gullet_mm = 0.9, half_mm = 0.5 * thickness_mm;
+  const double gullet_mm = 0.9, half_mm = 0.5 * blade.thickness_mm;
   const auto steel = ToolMaterial::Blade;
   const auto at = [&](double x, double y, double side) { return Vec3(x, y, side * half_mm); };
   const auto stations = plate_stations(blade, gullet_mm);
@@ -132,7 +132,7 @@ ToolMesh blade_mesh(const BladeSize& blade, double thickness_mm) {
   return builder.take();
 }
 
-ToolMesh handpiece_mesh(const BladeSize& blade) {
+ToolMesh handpiece_mesh(const Blade& blade) {
   constexpr auto steel = ToolMaterial::Steel;
   constexpr auto grip = ToolMaterial::Grip;
   constexpr auto band = ToolMaterial::Band;

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/indexed_mesh.h"
+#include "simulator/tool/saw.h"
 #include "ui/render/scene/float_vector.h"
 
 namespace hallux::ui {
@@ -31,12 +31,12 @@ struct ToolMesh {
 
 /// A toothed plate, narrower towards the hub, with marks etched every 5 mm (drawn by the shader).
 /// needs   sizes above zero, depth_mm at least width_mm / 2
-ToolMesh blade_mesh(const simulator::BladeSize& blade, double thickness_mm);
+ToolMesh blade_mesh(const simulator::Blade& blade);
 /// Hub, neck, grip and cable of a saw with that blade; they begin where the blade's depth ends.
-ToolMesh handpiece_mesh(const simulator::BladeSize& blade);
+ToolMesh handpiece_mesh(const simulator::Blade& blade);
 
 /// Where the blade turns while it runs, on the tool's x axis.
-double pivot_x_mm(const simulator::BladeSize& blade) noexcept;
+double pivot_x_mm(const simulator::Blade& blade) noexcept;
 /// From the pivot to where the cable ends.
 inline constexpr double cable_end_mm = 240.0;
 /// How far it turns to each side.

@@ -49,7 +49,7 @@ BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
       world_from_bone_(attempt.table().bone.world_from_bone),
       picture_(std::move(picture)),
       watch_(attempt.watch()),
-      geometry_(attempt.table().bone, attempt.table().scenario.blade.size,
+      geometry_(attempt.table().bone, attempt.table().scenario.saw.blade,
                 scenarios::planned_bridge(attempt.table().plan)) {
   newest_.bodies = {{picture_.mesh, world_from_bone_}};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

@@ -1,7 +1,5 @@
 #include "ui/screens/operating/hud_facts.h"
 
-#include <cmath>
-
 #include "simulator/record/sample_force.h"
 
 namespace hallux::ui {
@@ -36,13 +34,6 @@ void add_steps(OperatingHud& hud, const Texts& texts, const OperatingSession& se
   hud.is_step_ready = !session.pausing().is_paused() && steps.is_ready();
 }
 
-void add_blade(OperatingHud& hud, const scenarios::Scenario& scenario) {
-  hud.saw = scenario.blade.name;
-  hud.blade_width_mm = scenario.blade.size.width_mm;
-  hud.blade_thickness_mm = scenario.blade.thickness_mm;
-  hud.cycles_per_minute = std::lround(scenario.blade.cycles_per_minute);
-}
-
 }  // namespace
 
 OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
@@ -56,14 +47,14 @@ OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
   hud.tick = loop.sample.tick;
   for (const scenarios::OperationStep& step : scenario.steps) hud.steps.push_back(step.title);
   add_steps(hud, texts, session);
-  add_blade(hud, scenario);
+  hud.saw = scenario.saw;
   hud.is_saw_on = has(loop.sample.status, ToolStatus::SawOn);
   hud.is_irrigated = session.saw().is_irrigated();
   hud.is_cutting = has(loop.sample.status, ToolStatus::Cutting);
   hud.force_newton = simulator::force_size_newton(loop.sample);
   if (cut != nullptr) {
     hud.reading = read_against(
-        *cut, scenario.blade.size,
+        *cut, scenario.saw.blade,
         inverse(table.bone.world_from_bone) * transform_from(loop.sample.world_from_tool));
   }
   // Like the read-outs of the plan: help while one learns, none in an assessment.

@@ -197,8 +197,8 @@ void draw_tool(Hud& in, const Rect& rect) {
   canvas.text_in({inner.right() - chip - 70.0F, rect.y + 13.0F, 62.0F, 20.0F},
                  {Type::Small, in.theme().text_caption, Align::Right}, act);
   const std::string blade = in.ui.texts().say(
-      "operate.blade", {{"width", text_of("%.4g", in.hud.blade_width_mm)},
-                        {"thickness", text_of("%.2f", in.hud.blade_thickness_mm)}});
+      "operate.blade", {{"width", text_of("%.4g", in.hud.saw.blade.width_mm)},
+                        {"thickness", text_of("%.2f", in.hud.saw.blade.thickness_mm)}});
   const float heat_w = draw_heat(in, {inner.x, rect.y + 35.0F, inner.w, 20.0F});
   canvas.text_in({inner.x, rect.y + 35.0F, inner.w - heat_w, 20.0F},
                  {Type::Small, in.theme().text_secondary}, blade, true);
@@ -207,7 +207,8 @@ void draw_tool(Hud& in, const Rect& rect) {
               in.hud.is_saw_on ? in.theme().good : in.theme().text_caption);
   const std::string runs =
       in.hud.is_saw_on
-          ? in.ui.texts().say("operate.saw.runs", {{"rate", grouped(in.hud.cycles_per_minute)}})
+          ? in.ui.texts().say("operate.saw.runs",
+                              {{"rate", grouped(std::lround(in.hud.saw.cycles_per_minute))}})
           : std::string(in.ui.text("operate.saw.still"));
   canvas.text({inner.x + 18.0F, y}, {Type::Small, in.theme().text}, runs);
   const std::string_view water = in.ui.text("operate.irrigation");

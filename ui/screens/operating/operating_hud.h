@@ -29,10 +29,7 @@ struct OperatingHud {
   /// It was pressed, and its work is under way.
   bool is_step_busy = false;
   bool is_step_ready = true;
-  /// Name of the blade.
-  std::string_view saw;
-  double blade_width_mm = 0.0, blade_thickness_mm = 0.0;
-  long cycles_per_minute = 0;
+  simulator::Saw saw;
   bool is_saw_on = false, is_irrigated = false, is_cutting = false;
   double force_newton = 0.0;
   /// Of the hottest bone, where it is told while operating.

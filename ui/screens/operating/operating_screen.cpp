@@ -222,8 +222,7 @@ void OperatingScreen::sound_the_saw(Shell& shell) {
   const bool is_heard = shell.preferences().is_saw_heard && session_.phase() == Phase::Operating;
   if (is_heard && running_->player == nullptr) running_->player = std::make_unique<SawPlayer>();
   if (running_->player == nullptr) return;
-  SawTone tone = saw_tone(running_->loop.sample, running_->loop.engaged,
-                          table().scenario.blade.cycles_per_minute);
+  SawTone tone = saw_tone(running_->loop.sample, running_->loop.engaged, table().scenario.saw);
   tone.runs = tone.runs && is_heard && !session_.pausing().is_paused();
   running_->player->play(tone);
 }

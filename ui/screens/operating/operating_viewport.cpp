@@ -28,25 +28,22 @@ std::optional<SwarfSource> swarf_of(const OperationInSight& shown) {
   const simulator::LoopView& loop = *shown.loop;
   if (!has(loop.sample.status, ToolStatus::Cutting)) return std::nullopt;
   const scenarios::Scenario& scenario = shown.table.scenario;
-  const auto& blade = scenario.blade;
   SwarfSource source;
   source.world_from_tool = transform_from(loop.sample.world_from_tool);
-  source.width_mm = blade.size.width_mm;
-  const double rate_mm_s = simulator::feed_rate_mm_s(
-      loop.engaged, simulator::force_size_newton(loop.sample),
-      blade.cycles_per_minute * blade.sharpness, scenario.patient.bone_quality);
-  source.removed_mm3_s = rate_mm_s * loop.engaged.width_mm() * blade.size.kerf_mm;
+  source.width_mm = scenario.saw.blade.width_mm;
+  const double rate_mm_s =
+      simulator::feed_rate_mm_s(loop.engaged, simulator::force_size_newton(loop.sample),
+                                scenario.saw, scenario.patient.bone_quality);
+  source.removed_mm3_s = rate_mm_s * loop.engaged.width_mm() * scenario.saw.blade.kerf_mm;
   source.is_irrigated = shown.is_irrigated;
   return source;
 }
 
 SawInScene saw_of(const OperationInSight& shown) {
-  const auto& blade = shown.table.scenario.blade;
   SawInScene saw;
   saw.world_from_tool = shown.loop == nullptr ? shown.world_from_target
                                               : transform_from(shown.loop->sample.world_from_tool);
-  saw.blade = blade.size;
-  saw.thickness_mm = blade.thickness_mm;
+  saw.blade = shown.table.scenario.saw.blade;
   saw.is_running = shown.loop != nullptr && !shown.is_paused &&
                    has(shown.loop->sample.status, ToolStatus::SawOn);
   return saw;

@@ -4,7 +4,7 @@
 
 namespace hallux::ui {
 
-PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::BladeSize& blade,
+PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::Blade& blade,
                          const RigidTransform& bone_from_tool) noexcept {
   const auto in_bone = [&](const Vec3& axis) { return transform_direction(bone_from_tool, axis); };
   const Vec3& waste = cut.face.normal;

@@ -14,7 +14,7 @@ struct PlanReading {
   double distance_mm = 0.0;
 };
 
-PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::BladeSize& blade,
+PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::Blade& blade,
                          const RigidTransform& bone_from_tool) noexcept;
 
 /// The planned face as a plane in the bone: its middle, z towards the waste, x the way of the saw.

@@ -103,7 +103,6 @@ SawInScene saw_of(const PatientView& view) {
       face.world_from_plane *
       RigidTransform{Quat(1.0, 0.0, 0.0, 0.0), Vec3(face.entry_mm.x - saw_gap_mm, 0.0, 0.0)};
   saw.blade = view.blade;
-  saw.thickness_mm = view.blade_thickness_mm;
   return saw;
 }
 
@@ -126,8 +125,7 @@ PatientView make_patient_view(const scenarios::Scenario& scenario, const Progres
     const PlannedCut* cut = find_cut(plan, reference.name);
     view.faces.push_back(face_in_view(view.bone, bvh, *cut, reference));
   }
-  view.blade = scenario.blade.size;
-  view.blade_thickness_mm = scenario.blade.thickness_mm;
+  view.blade = scenario.saw.blade;
   return view;
 }
 

@@ -30,8 +30,7 @@ struct PatientView {
   std::string scenario_name;
   BoneInView bone, neighbour;
   std::vector<FaceInView> faces;  ///< by cut, as the scenario lists them
-  simulator::BladeSize blade;
-  double blade_thickness_mm = 0.4;
+  simulator::Blade blade;
 };
 
 /// What such a picture leaves out: bones of pictures are coarser than those that are cut.

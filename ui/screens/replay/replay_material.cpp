@@ -65,7 +65,7 @@ void thin_out(ReplayMaterial& material) {
     const double time_s = second_from_tick(sample.tick);
     const ToPlan plan =
         to_plan(material.plan, bone_from_world * transform_from(sample.world_from_tool),
-                material.scenario.blade.size.kerf_mm);
+                material.scenario.saw.blade.kerf_mm);
     material.force_newton.push_back({time_s, force});
     material.to_plan_mm.push_back({time_s, std::abs(plan.distance_mm)});
   }
@@ -157,7 +157,7 @@ HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept {
     hand.speed_mm_s = glm::length(way) / second_from_tick(sample.tick - before.tick);
   const ToPlan plan =
       to_plan(material.plan, inverse(material.world_from_bone) * hand.world_from_tool,
-              material.scenario.blade.size.kerf_mm);
+              material.scenario.saw.blade.kerf_mm);
   hand.to_plan_mm = plan.distance_mm;
   hand.tilt_rad = plan.tilt_rad;
   return hand;

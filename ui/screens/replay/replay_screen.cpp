@@ -132,10 +132,9 @@ Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
   scene.bones = bones_of(*material().bone, *bone_, material().world_from_bone);
-  const scenarios::SawBlade& blade = material().scenario.blade;
   const double swing = std::sin(2.0 * pi * swings_per_second * player_.now_s());
   scene.saw =
-      SawInScene{hand.world_from_tool, blade.size, blade.thickness_mm, hand.is_saw_on, swing};
+      SawInScene{hand.world_from_tool, material().scenario.saw.blade, hand.is_saw_on, swing};
   if (shows_plan_) {
     for (const scenarios::PlannedCut& cut : material().plan.cuts) {
       scene.planes.push_back({material().world_from_bone * bone_from_planned(cut),

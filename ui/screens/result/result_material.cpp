@@ -173,11 +173,12 @@ WoundFacts wound_of(const AttemptMaterial& material, const Examination& examinat
                     WorkReport& report) {
   WoundFacts wound;
   wound.traces = cancelled_as("stopped before the heat was followed", [&] {
-    return traces_of(material.recording, material.bone,
-                     saw_of_record(material.scenario.blade, material.header.begun.guidance),
-                     examination.rebuilt.fields, trace_points, [&](double fraction) {
-                       return report.reached(score_share + (wound_share - score_share) * fraction);
-                     });
+    return traces_of(
+        material.recording, material.bone,
+        {material.scenario.saw, material.header.begun.guidance != simulator::Guidance::None},
+        examination.rebuilt.fields, trace_points, [&](double fraction) {
+          return report.reached(score_share + (wound_share - score_share) * fraction);
+        });
   });
   wound.zones = watched_zones(material.scenario, material.recording);
   wound.events = events_of(material.recording);

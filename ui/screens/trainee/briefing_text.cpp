@@ -59,8 +59,8 @@ std::string means_text(const Texts& texts, const Scenario& scenario) {
   return texts.say("brief.means.sentence",
                    {{"bone", words_of(scenario.patient.bone)},
                     {"length", tick_text(scenario.patient.length_mm, 0.1)},
-                    {"blade", scenario.blade.name},
-                    {"rate", grouped(std::lround(scenario.blade.cycles_per_minute))}});
+                    {"blade", scenario.blade_name},
+                    {"rate", grouped(std::lround(scenario.saw.cycles_per_minute))}});
 }
 
 /// A line with its points at the right.

@@ -50,7 +50,7 @@ TEST(Kerf, HeldStillOpensNoMoreThanItsOwnFootprint) {
 TEST(Kerf, ChangedIsTheSmallestWindowOfWhatRose) {
   KerfField field(grid);
   FieldWindow changed;
-  const BladeSize blade{.width_mm = 4.0, .depth_mm = 6.0};
+  const Blade blade{.width_mm = 4.0, .depth_mm = 6.0};
   field.stamp(blade, {Vec2(0.0)}, {Vec2(0.0)}, changed);
   const std::vector<float> before = values_of(field);
   field.stamp(blade, {Vec2(0.0)}, {Vec2(0.35, 0.0)}, changed);
@@ -83,7 +83,7 @@ TEST(Kerf, OrderAndRepetitionDoNotMatterToTheLastBit) {
                         pose_at(u_mm + random.uniform(-1.0, 1.0), v_mm + random.uniform(-1.0, 1.0),
                                 random.uniform(-0.5, 0.5)));
   }
-  const BladeSize blade{.width_mm = 7.0, .depth_mm = 9.0};
+  const Blade blade{.width_mm = 7.0, .depth_mm = 9.0};
   FieldWindow changed;
   KerfField forward(grid), backward(grid);
   for (const auto& [from, to] : stamps) forward.stamp(blade, from, to, changed);
@@ -100,7 +100,7 @@ TEST(Kerf, OrderAndRepetitionDoNotMatterToTheLastBit) {
 // stamps alone, bit for bit. A trembling saw that feeds, turns, and comes again elsewhere on the same lines.
 TEST(Kerf, IsTheGreatestOfItsStampsAloneToTheLastBit) {
   Random random(11);
-  const BladeSize blade{.width_mm = 5.0, .depth_mm = 8.0};
+  const Blade blade{.width_mm = 5.0, .depth_mm = 8.0};
   FieldWindow changed;
   KerfField together(grid), alone(grid);
   std::vector<float> greatest_mm = values_of(together);
@@ -125,7 +125,7 @@ TEST(Kerf, IsTheGreatestOfItsStampsAloneToTheLastBit) {
 
 // In every direction to the blade: a corner leaves a trace that no single pose shows.
 TEST(Kerf, ASubdividedStraightMotionRaisesTheFieldAsTheWholeDoes) {
-  const BladeSize blade{.width_mm = 10.0, .depth_mm = 12.0};
+  const Blade blade{.width_mm = 10.0, .depth_mm = 12.0};
   FieldWindow changed;
   for (const Vec2 way_mm : {Vec2(9.0, 0.0), Vec2(0.0, 7.0), Vec2(6.0, 5.0), Vec2(-3.0, 8.0)}) {
     KerfField whole(grid), parts(grid);
@@ -145,7 +145,7 @@ TEST(Kerf, ASubdividedStraightMotionRaisesTheFieldAsTheWholeDoes) {
 }
 
 TEST(Kerf, AHullOfTwoTurnedBladesHoldsBoth) {
-  const BladeSize blade{.width_mm = 8.0, .depth_mm = 10.0};
+  const Blade blade{.width_mm = 8.0, .depth_mm = 10.0};
   FieldWindow changed;
   KerfField both(grid), one(grid);
   both.stamp(blade, pose_at(0.0, 0.0, 0.0), pose_at(3.0, 1.0, 0.3), changed);

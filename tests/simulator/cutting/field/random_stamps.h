@@ -7,7 +7,7 @@
 namespace hallux::tests {
 
 struct RandomStamp {
-  simulator::BladeSize blade;
+  simulator::Blade blade;
   simulator::PlanarPose from, to;
 };
 

@@ -138,7 +138,7 @@ TEST(RegionOutline, ClosesAtTheGridsBorder) {
 }
 
 TEST(RegionOutline, OfASubdividedStraightMotionHasTheSameArea) {
-  const BladeSize blade{.width_mm = 3.0, .depth_mm = 5.0};
+  const Blade blade{.width_mm = 3.0, .depth_mm = 5.0};
   for (const Vec2 way_mm : {Vec2(7.0, 0.0), Vec2(0.0, 6.0), Vec2(5.0, 4.0), Vec2(-4.0, 5.0)}) {
     KerfField whole(grid), parts(grid);
     FieldWindow changed;
@@ -158,7 +158,7 @@ TEST(RegionOutline, OfASubdividedStraightMotionHasTheSameArea) {
 TEST(RegionOutline, SamplesCurvesSparsely) {
   KerfField field(grid);
   FieldWindow changed;
-  const BladeSize blade{.width_mm = 4.0, .depth_mm = 8.0};
+  const Blade blade{.width_mm = 4.0, .depth_mm = 8.0};
   const auto at = [&](int step) {
     const double turn_rad = 0.002 * step;
     return pose_at(0.01 * step, 0.004 * step, turn_rad);
@@ -173,7 +173,7 @@ TEST(RegionOutline, IsFollowedWithoutAllocation) {
   KerfField field(grid);
   OutlineTracker tracker(grid);
   FieldWindow changed;
-  const BladeSize blade{.width_mm = 5.0, .depth_mm = 8.0};
+  const Blade blade{.width_mm = 5.0, .depth_mm = 8.0};
   const auto feed = [&](int step) {
     const PlanarPose from = pose_at(-8.0 + 0.01 * step, 0.0, 0.3);
     field.stamp(blade, from, pose_at(-8.0 + 0.01 * (step + 1), 0.0, 0.3), changed);

@@ -105,7 +105,7 @@ RC_GTEST_PROP(SweepProperty, AMirroredBoneLosesTheSameVolumeAndStaysOutward, (st
 }
 
 const FieldGrid grid{.origin_mm = Vec2(-20.0), .spacing_mm = 0.2, .u_count = 201, .v_count = 201};
-const BladeSize blade{.width_mm = 9.0, .depth_mm = 14.0};
+const Blade blade{.width_mm = 9.0, .depth_mm = 14.0};
 
 PlanarPose random_pose(Random& random) {
   const double turn = random.uniform(-0.5, 0.5), length = std::sqrt(1.0 + turn * turn);

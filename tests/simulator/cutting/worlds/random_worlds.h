@@ -45,7 +45,7 @@ class StrokedRegion final : public GrowingRegion {
 
   Random& random_;
   simulator::KerfField field_;
-  simulator::BladeSize blade_;
+  simulator::Blade blade_;
   Vec2 feed_, start_mm_;
   double way_mm_ = 0.0;
   std::int32_t frame_ = 0, frame_count_;

@@ -87,7 +87,7 @@ class AkinByMouse : public testing::Test {
     hand.toggle_saw();
     for (const Stroke& stroke : scenarios::stopped(
              scenarios::plan_strokes(aimed_[cut].region,
-                                     {table_.scenario.blade.size.width_mm, overlap_mm}),
+                                     {table_.scenario.saw.blade.width_mm, overlap_mm}),
              aimed_[cut].stop_mm.value())) {
       saw(hand, world_from_kerf(aimed_[cut]), stroke);
     }

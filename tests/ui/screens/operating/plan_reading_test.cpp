@@ -15,7 +15,7 @@ scenarios::PlannedCut flat_cut() {
   return cut;
 }
 
-constexpr simulator::BladeSize blade{.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 0.5};
+constexpr simulator::Blade blade{.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 0.5};
 
 /// Teeth along x, feed along -y, in the plane z = 2.25: half a kerf within the waste.
 RigidTransform on_plan() {

@@ -59,7 +59,7 @@ TEST(KeptFields, AnotherRecordingIsNotShownFromThem) {
   const assessment::OpenedFields half = fields_of(world.material, world.temporary.data());
   EXPECT_LT(half.front().inside_mm.size() + half.back().inside_mm.size(),
             made.front().inside_mm.size() + made.back().inside_mm.size());
-  expect_same(half, assessment::opened_fields(world.material.scenario.blade.size,
+  expect_same(half, assessment::opened_fields(world.material.scenario.saw.blade,
                                               world.material.bone.world_from_bone,
                                               world.material.recording));
 }

@@ -21,7 +21,7 @@ struct World {
   }
 
   assessment::OpenedFields opened() const {
-    return assessment::opened_fields(operation.scenario.blade.size, operation.bone.world_from_bone,
+    return assessment::opened_fields(operation.scenario.saw.blade, operation.bone.world_from_bone,
                                      operation.recording);
   }
 
@@ -67,7 +67,7 @@ double rebuilt_mm3(const World& world, std::int64_t tick) {
   std::erase_if(until.samples, [&](const auto& sample) { return sample.tick > tick; });
   std::erase_if(until.events, [&](const auto& event) { return event.tick > tick; });
   const assessment::RebuiltBone rebuilt =
-      assessment::rebuild(world.operation.bone, world.operation.scenario.blade.size, until);
+      assessment::rebuild(world.operation.bone, world.operation.scenario.saw.blade, until);
   return std::accumulate(rebuilt.piece_volumes_mm3.begin(), rebuilt.piece_volumes_mm3.end(),
                          rebuilt.debris_mm3);
 }
@@ -75,7 +75,7 @@ double rebuilt_mm3(const World& world, std::int64_t tick) {
 TEST(HistoryPicture, HoldsAtEachTickWhatScoringRebuildsButForHalfASpacingBeforeTheTeeth) {
   const World world;
   simulator::BoneMoment moment(*world.history);
-  const simulator::BladeSize& blade = world.operation.scenario.blade.size;
+  const simulator::Blade& blade = world.operation.scenario.saw.blade;
   const double before_teeth_mm3 =
       0.5 * simulator::FieldGrid{}.spacing_mm * blade.width_mm * blade.kerf_mm;
   ASSERT_EQ(world.history->stretches.size(), 2U) << "two cuts, one after the other";

@@ -355,10 +355,8 @@ TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
   WoundedCourse akin;
   const assessment::Examination examination =
       assessment::examine(akin.operation.scenario, akin.operation.bone, akin.operation.recording);
-  const Traces traces =
-      traces_of(akin.operation.recording, akin.operation.bone,
-                saw_of_record(akin.operation.scenario.blade, simulator::Guidance::None),
-                examination.rebuilt.fields);
+  const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
+                                  {akin.operation.scenario.saw}, examination.rebuilt.fields);
   ASSERT_TRUE(was_hot(traces.heat)) << traces.heat.hottest_celsius;
   Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();

@@ -1,0 +1,16 @@
+/// A scenario's operation on one patient as the simulator runs it.
+#pragma once
+
+#include "scenarios/plan.h"
+#include "simulator/step/simulation.h"
+
+namespace hallux::scenarios {
+
+/// The same for an attempt, for its replay, and for whoever computes heat and bend again.
+/// plan      of this scenario on this bone
+/// guidance  how firmly the planned planes lead the hand
+/// ensures borrows the bone
+simulator::SimulationSetup simulation_setup(const Scenario& scenario, const simulator::Bone& bone,
+                                            const Plan& plan, simulator::Guidance guidance);
+
+}  // namespace hallux::scenarios
