@@ -1,5 +1,7 @@
 #include "ui/screens/operating/hud_facts.h"
 
+#include <array>
+
 #include "simulator/record/sample_force.h"
 
 namespace hallux::ui {
@@ -11,18 +13,10 @@ using simulator::ToolStatus;
 
 /// Of the button of such a step, as the id of a text.
 std::string_view verb_of(StepKind kind) noexcept {
-  switch (kind) {
-    case StepKind::Remove:
-      return "operate.step.remove";
-    case StepKind::Close:
-      return "operate.step.close";
-    case StepKind::Finish:
-      return "operate.step.finish";
-    case StepKind::Verify:
-    case StepKind::Cut:
-      break;
-  }
-  return "operate.step.done";
+  return kind == StepKind::Remove   ? "operate.step.remove"
+         : kind == StepKind::Close  ? "operate.step.close"
+         : kind == StepKind::Finish ? "operate.step.finish"
+                                    : "operate.step.done";
 }
 
 void add_steps(OperatingHud& hud, const Texts& texts, const OperatingSession& session) {
@@ -63,21 +57,17 @@ OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
 }
 
 NoticeWords words_of(StepNotice notice) noexcept {
-  switch (notice) {
-    case StepNotice::NothingFree:
-      return {"operate.nothing_free", "operate.nothing_free.detail"};
-    case StepNotice::HingeBroken:
-      return {"operate.hinge_refused", "operate.hinge.broken"};
-    case StepNotice::HingeStiff:
-      return {"operate.hinge_refused", "operate.hinge.stiff"};
-    case StepNotice::HingeMissing:
-      return {"operate.hinge_refused", "operate.hinge.nothing"};
-    case StepNotice::HingeUnanswered:
-      return {"operate.hinge_refused", "operate.hinge.waiting"};
-    case StepNotice::KerfRefused:
-      break;
-  }
-  return {"operate.kerf_refused", "operate.kerf_refused.detail"};
+  constexpr const char* hinge = "operate.hinge_refused";
+  // In the order of StepNotice.
+  constexpr std::array<NoticeWords, 6> words{{
+      {"operate.nothing_free", "operate.nothing_free.detail"},
+      {hinge, "operate.hinge.broken"},
+      {hinge, "operate.hinge.stiff"},
+      {hinge, "operate.hinge.nothing"},
+      {hinge, "operate.hinge.waiting"},
+      {"operate.kerf_refused", "operate.kerf_refused.detail"},
+  }};
+  return words[static_cast<std::size_t>(notice)];
 }
 
 }  // namespace hallux::ui

@@ -28,15 +28,9 @@ constexpr double look_again_s = 0.2;
 std::string text_in(const Ui& ui, std::string_view id) { return std::string(ui.text(id)); }
 
 const char* name_of(StereoMode mode) {
-  switch (mode) {
-    case StereoMode::Mono:
-      return "mono";
-    case StereoMode::SideBySide:
-      return "side_by_side";
-    case StereoMode::Anaglyph:
-      break;
-  }
-  return "anaglyph";
+  return mode == StereoMode::Mono         ? "mono"
+         : mode == StereoMode::SideBySide ? "side_by_side"
+                                          : "anaglyph";
 }
 
 std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& steps) {
@@ -65,16 +59,9 @@ std::string_view OperatingScreen::why_not_leave() const {
 void OperatingScreen::draw(Ui& ui, const Rect& /*content*/, Shell& shell) {
   texts_ = &ui.texts();
   viewport_.set_display(ui.display());
-  switch (session_.phase()) {
-    case Phase::Preparing:
-      prepare(ui, shell);
-      break;
-    case Phase::Stopped:
-      draw_stopped(ui, shell);
-      break;
-    default:
-      draw_operation(ui, shell);
-  }
+  if (session_.phase() == Phase::Preparing) return prepare(ui, shell);
+  if (session_.phase() == Phase::Stopped) return draw_stopped(ui, shell);
+  draw_operation(ui, shell);
 }
 
 // -- before
@@ -251,17 +238,10 @@ void OperatingScreen::draw_cards(Ui& ui, Shell& shell) {
 }
 
 void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
-  switch (draw_ready_card(ui, table().scenario.title, session_.is_practice(),
-                          session_.phase() == Phase::Beginning)) {
-    case ReadyAnswer::Waiting:
-      break;
-    case ReadyAnswer::Begin:
-      begin(ui, shell);
-      break;
-    case ReadyAnswer::Back:
-      shell.pop();
-      break;
-  }
+  const ReadyAnswer answer = draw_ready_card(ui, table().scenario.title, session_.is_practice(),
+                                             session_.phase() == Phase::Beginning);
+  if (answer == ReadyAnswer::Begin) begin(ui, shell);
+  if (answer == ReadyAnswer::Back) shell.pop();
 }
 
 void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
@@ -343,17 +323,9 @@ void OperatingScreen::show_result(Shell& shell) {
 }
 
 void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
-  switch (draw_stopped_card(ui, session_.stop(), running_ != nullptr)) {
-    case StoppedAnswer::Waiting:
-      break;
-    case StoppedAnswer::SeeKept:
-      shell.pop();
-      places_.show_replay(running_->live->attempt(), 0.0);
-      break;
-    case StoppedAnswer::Back:
-      shell.pop();
-      break;
-  }
+  const StoppedAnswer answer = draw_stopped_card(ui, session_.stop(), running_ != nullptr);
+  if (answer != StoppedAnswer::Waiting) shell.pop();
+  if (answer == StoppedAnswer::SeeKept) places_.show_replay(running_->live->attempt(), 0.0);
 }
 
 }  // namespace hallux::ui
