@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "simulator/base/progress.h"
+#include "simulator/bone/close_wedge.h"
 #include "simulator/mesh/read_mesh.h"
-#include "ui/jobs/close_wedge.h"
+#include "ui/jobs/cut_sweep.h"
 #include "ui/jobs/write_pieces.h"
 
 namespace hallux::ui {
@@ -25,34 +26,31 @@ bool is_closed_solid(const IndexedMesh& mesh, const std::string& name) {
 
 /// The pieces that count, largest first; the debris goes into the report.
 std::vector<CutSolid> bodies_of(const CutSolid& solid, CutReport& report) {
-  std::vector<CutSolid> bodies;
-  for (CutSolid& piece : split_pieces(solid)) {
-    const double volume_mm3 = signed_volume_mm3(piece.mesh);
-    if (volume_mm3 < debris_limit_mm3) {
-      report.debris_mm3 += volume_mm3;
-      ++report.debris_pieces;
-    } else {
-      bodies.push_back(std::move(piece));
-    }
-  }
-  return bodies;
+  SortedBodies sorted = sort_bodies(split_pieces(solid));
+  report.debris_mm3 = sorted.debris_mm3;
+  report.debris_pieces = sorted.crumbs.size();
+  return std::move(sorted.bodies);
 }
 
 const OpenedKerf& kerf_of_group(const SawnBone& bone, const CutReport& report, std::size_t group) {
   const std::optional<std::size_t> number = report.cuts[group].kerf;
-  for (const OpenedKerf& kerf : bone.kerfs()) {
-    if (number == kerf.number) return kerf;
-  }
+  const OpenedKerf* const kerf = number ? bone.find_number(*number) : nullptr;
+  if (kerf != nullptr) return *kerf;
   throw CutInputError("--close: the plane of group " + std::to_string(group + 1) +
                       " misses the bone; give two groups that cut it");
 }
 
-std::optional<WedgeClosure> close_if_asked(const CutRequest& request, const SawnBone& bone,
+std::optional<WedgeClosure> close_if_asked(const CutRequest& request, SawnBone& bone,
                                            const CutReport& report, std::vector<CutSolid>& bodies) {
   if (!request.close) return std::nullopt;
   const OpenedKerf& first = kerf_of_group(bone, report, request.close->first);
   const OpenedKerf& second = kerf_of_group(bone, report, request.close->second);
-  return close_wedge(bone, first, second, bodies);
+  try {
+    return close_wedge(bone, first, second, bodies);
+  } catch (const MeshError& error) {
+    throw CutInputError("--close " + std::to_string(first.number + 1) + "," +
+                        std::to_string(second.number + 1) + ": " + error.what());
+  }
 }
 
 /// Places of the bodies, the largest first.
@@ -114,7 +112,7 @@ CutReport cut_mesh(const CutRequest& request, const Progress& progress) {
   for (const CutGroup& group : request.groups) {
     const double stage = static_cast<double>(report.cuts.size()) + 1.0;
     hallux::report(progress, stage / stages);
-    report.cuts.push_back(bone.saw(group, stage_of(progress, stage, stages)));
+    report.cuts.push_back(saw(bone, group, stage_of(progress, stage, stages)));
   }
   report.removed_mm3 = bone.removed_mm3();
   hallux::report(progress, (stages - 1.0) / stages);

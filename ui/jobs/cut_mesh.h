@@ -8,7 +8,7 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/cutting/hinge/hinge.h"
-#include "ui/jobs/sawn_bone.h"
+#include "ui/jobs/kerf_frames.h"
 
 namespace hallux::ui {
 

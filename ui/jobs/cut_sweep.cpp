@@ -13,9 +13,9 @@ namespace hallux::ui {
 namespace {
 
 using scenarios::JsonNode;
-using simulator::KerfField;
 using simulator::KerfPlane;
-using simulator::PlanarPose;
+using simulator::Sweep;
+using simulator::SweepPose;
 
 constexpr std::size_t mebibytes_limit = 16;
 constexpr std::size_t pose_limit = 100'000;
@@ -24,8 +24,6 @@ constexpr double direction_length_min = 1.0e-6;
 constexpr double blade_min_mm = 0.1, blade_max_mm = 1000.0;
 constexpr double off_plane_limit_mm = 0.01;
 constexpr double tilt_limit_degree = 0.1;
-/// A turning blade is followed in steps: the hull of two far turned blades is more than what lies between them.
-constexpr double turn_step = 0.02;
 
 SweepPose pose_from(const JsonNode& node) {
   node.expect_keys({"tip", "direction"});
@@ -63,19 +61,6 @@ void expect_in_plane(const RigidTransform& asked_from_mesh, const SweepPose& pos
   }
 }
 
-PlanarPose projected(const RigidTransform& kerf_from_mesh, const SweepPose& pose) {
-  const Vec3 tip_mm = transform_point(kerf_from_mesh, pose.tip_in_mesh_mm);
-  const Vec3 direction = transform_direction(kerf_from_mesh, pose.direction);
-  const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-  return {Vec2(tip_mm.x, tip_mm.y), Vec2(direction.x / length, direction.y / length)};
-}
-
-PlanarPose between(const PlanarPose& from, const PlanarPose& to, double part) {
-  const Vec2 direction = from.direction + part * (to.direction - from.direction);
-  return {from.tip_mm + part * (to.tip_mm - from.tip_mm),
-          direction / std::sqrt(glm::dot(direction, direction))};
-}
-
 }  // namespace
 
 Sweep parse_sweep(std::string_view text, std::string_view name) {
@@ -97,32 +82,11 @@ Sweep read_sweep(const std::filesystem::path& file) {
   }
 }
 
-BladePath path_in_plane(const Sweep& sweep, const KerfPlane& asked, const KerfPlane& kerf,
-                        std::string_view name) {
+void expect_in_plane(const Sweep& sweep, const KerfPlane& asked, std::string_view name) {
   const RigidTransform asked_from_mesh = inverse(asked.bone_from_kerf);
-  const RigidTransform kerf_from_mesh = inverse(kerf.bone_from_kerf);
-  BladePath path{{sweep.width_mm, sweep.depth_mm, kerf.thickness_mm}, {}};
   for (std::size_t i = 0; i < sweep.poses.size(); ++i) {
-    const SweepPose& pose = sweep.poses[i];
-    expect_in_plane(asked_from_mesh, pose,
+    expect_in_plane(asked_from_mesh, sweep.poses[i],
                     std::string(name) + ": poses[" + std::to_string(i) + "]");
-    path.poses.push_back(projected(kerf_from_mesh, pose));
-  }
-  return path;
-}
-
-void stamp_motion(KerfField& field, const simulator::Blade& blade, const PlanarPose& from,
-                  const PlanarPose& to) {
-  simulator::FieldWindow changed;
-  const Vec2 turn = to.direction - from.direction;
-  const bool turns_back = glm::dot(from.direction, to.direction) < -0.99;
-  const int steps =
-      turns_back ? 1 : 1 + static_cast<int>(std::sqrt(glm::dot(turn, turn)) / turn_step);
-  for (int i = 0; i < steps; ++i) {
-    const PlanarPose start = i == 0 ? from : between(from, to, static_cast<double>(i) / steps);
-    const PlanarPose end =
-        i + 1 == steps ? to : between(from, to, static_cast<double>(i + 1) / steps);
-    field.stamp(blade, start, end, changed);
   }
 }
 

@@ -1,10 +1,12 @@
 #include "ui/jobs/kerf_frames.h"
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/solid/opened_volume.h"
+#include "simulator/bone/growing_kerf.h"
+#include "ui/jobs/cut_sweep.h"
 
 namespace hallux::ui {
 
@@ -12,76 +14,97 @@ namespace {
 
 using namespace simulator;
 
-constexpr std::uint32_t nudges_at_most = 8;  // as cut_kerf promises
+using Clock = std::chrono::steady_clock;
 
-using Milliseconds = std::chrono::duration<double, std::milli>;
+double milliseconds_since(const Clock::time_point& start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
-RegionOutline outline_around(const FieldGrid& grid) {
-  const Vec2 size_mm = grid.spacing_mm * Vec2(grid.u_count - 1, grid.v_count - 1);
-  const Vec2& low = grid.origin_mm;
-  return {{low, low + Vec2(size_mm.x, 0.0), low + size_mm, low + Vec2(0.0, size_mm.y)}, {4}};
+/// The frames of the kerf that was begun.
+class KerfFrames {
+ public:
+  KerfFrames(SawnBone& bone, GroupOutcome& outcome)
+      : bone_(bone),
+        outcome_(outcome),
+        stands_(bone.stands()),
+        start_(Clock::now()),
+        growing_(stands_, bone.begun().plane, bone.begun().number, bone.begun().grid) {
+    outcome_.contact_ms = milliseconds_since(start_);
+  }
+
+  /// What the blade opened in the end.
+  RegionOutline follow(const BladePath& path, const Progress& progress) {
+    KerfField& field = bone_.field();
+    for (std::size_t i = 0; i < path.poses.size(); ++i) {
+      hallux::report(progress, static_cast<double>(i) / static_cast<double>(path.poses.size()));
+      const auto start = Clock::now();
+      stamp_motion(field, path.blade, path.poses[i == 0 ? 0 : i - 1], path.poses[i]);
+      note(growing_.follow(field, patch_));
+      outcome_.frame_ms.push_back(milliseconds_since(start));
+    }
+    return growing_.region();
+  }
+
+  RegionOutline open_all() {
+    RegionOutline region = bone_.open_all();
+    note(growing_.build(region, patch_));
+    return region;
+  }
+
+ private:
+  void note(bool is_built) {
+    if (!is_built) ++outcome_.refused_frames;
+    outcome_.triangles_max = std::max(outcome_.triangles_max, patch_.triangles.size());
+  }
+
+  SawnBone& bone_;
+  GroupOutcome& outcome_;
+  SolidWithTree stands_;
+  Clock::time_point start_;
+  GrowingKerf growing_;
+  SolidPatch patch_;
+};
+
+/// A frame that was refused is built again beside it (see cut_kerf); where that does not help, nothing is written.
+void commit(SawnBone& bone, RegionOutline region, GroupOutcome& outcome) {
+  outcome.nudges = bone.commit(std::move(region)).nudges;
+  const std::optional<std::size_t> refused = bone.refused_kerf();
+  if (!refused) return;
+  throw KernelRefusal("group " + std::to_string(*refused + 1) +
+                      ": no closed solid could be built for what its blade opened, and nothing was "
+                      "written; move its plane by 0.01 mm, and keep these files for a report");
+}
+
+/// Said with the name of the file that the sweep came from.
+BegunKerf begin(SawnBone& bone, const CutGroup& group, const KerfPlane& asked) {
+  if (!group.sweep_file) return bone.begin(asked, false);
+  try {
+    return bone.begin(asked, true);
+  } catch (const MeshError& error) {
+    throw CutInputError(group.sweep_file->filename().string() + ": " + error.what());
+  }
 }
 
 }  // namespace
 
-KerfFrames::KerfFrames(const CutSolid& solid, OpenedKerf& kerf, GroupOutcome& outcome)
-    : solid_(solid),
-      kerf_(kerf),
-      outcome_(outcome),
-      bvh_(solid.mesh),
-      start_(Clock::now()),
-      contact_(slice_contact(solid, bvh_, kerf.plane, static_cast<std::int32_t>(kerf.number),
-                             kerf.grid)),
-      builder_(contact_) {
-  outcome_.contact_ms = Milliseconds(Clock::now() - start_).count();
-}
-
-void KerfFrames::build(const RegionOutline& region) {
-  is_refused_ = !builder_.build(region, patch_);
-  if (is_refused_) ++outcome_.refused_frames;
-  outcome_.triangles_max = std::max(outcome_.triangles_max, patch_.triangles.size());
-}
-
-void KerfFrames::follow(const BladePath& path, const Progress& progress) {
-  OutlineTracker tracker(kerf_.grid);
-  tracker.update(*kerf_.field);
-  for (std::size_t i = 0; i < path.poses.size(); ++i) {
-    report(progress, static_cast<double>(i) / static_cast<double>(path.poses.size()));
-    const auto start = Clock::now();
-    stamp_motion(*kerf_.field, path.blade, path.poses[i == 0 ? 0 : i - 1], path.poses[i]);
-    tracker.update(*kerf_.field);
-    build(tracker.outline());
-    outcome_.frame_ms.push_back(Milliseconds(Clock::now() - start).count());
+GroupOutcome saw(SawnBone& bone, const CutGroup& group, const Progress& progress) {
+  const KerfPlane asked = bone.plane_of(group.normal, group.offset, group.kerf_mm);
+  std::optional<Sweep> sweep;
+  if (group.sweep_file) {
+    sweep = read_sweep(*group.sweep_file);
+    expect_in_plane(*sweep, asked, group.sweep_file->filename().string());
   }
-  kerf_.region = tracker.outline();
-}
-
-void KerfFrames::open_all() {
-  kerf_.field.reset();
-  kerf_.region = outline_around(kerf_.grid);
-  build(kerf_.region);
-}
-
-KerfCut KerfFrames::commit() {
-  if (is_refused_) {
-    KerfCut cut = cut_opened_kerf(solid_, bvh_, kerf_);
-    outcome_.nudges = cut.nudges;
-    return cut;
-  }
-  KerfCut cut;
-  cut.removed_mm3 = opened_volume_mm3(solid_, kerf_.plane, kerf_.region);
-  cut.takes_section = builder_.takes_section();
-  cut.solid = patch_.hidden.empty() ? solid_ : commit_patch(solid_, patch_);
-  return cut;
-}
-
-KerfCut cut_opened_kerf(const CutSolid& solid, const Bvh& bvh, const OpenedKerf& kerf) {
-  KerfCut cut = cut_kerf(solid, bvh, kerf.plane, static_cast<std::int32_t>(kerf.number), kerf.grid,
-                         kerf.region);
-  if (cut.nudges <= nudges_at_most) return cut;
-  throw KernelRefusal("group " + std::to_string(kerf.number + 1) +
-                      ": no closed solid could be built for what its blade opened, and nothing was "
-                      "written; move its plane by 0.01 mm, and keep these files for a report");
+  const double before_mm3 = bone.removed_mm3();
+  const BegunKerf begun = begin(bone, group, asked);
+  GroupOutcome outcome;
+  outcome.kerf = begun.number;
+  if (!begun.can_open) return outcome;
+  KerfFrames frames(bone, outcome);
+  RegionOutline region = sweep ? frames.follow(path_in_plane(*sweep, bone.begun().plane), progress)
+                               : frames.open_all();
+  commit(bone, std::move(region), outcome);
+  outcome.removed_mm3 = bone.removed_mm3() - before_mm3;
+  return outcome;
 }
 
 }  // namespace hallux::ui

@@ -1,25 +1,24 @@
-/// One kerf being sawn, frame by frame as a screen would show it, and then committed.
+/// A group of `hallux cut` sawn into a bone: each frame as a screen would show it, timed, and then the cut itself.
 #pragma once
 
-#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/cutting/solid/commit_patch.h"
-#include "ui/jobs/cut_sweep.h"
+#include "simulator/bone/sawn_bone.h"
 
 namespace hallux::ui {
 
-struct OpenedKerf {
-  std::size_t number = 0;  ///< of the group that began it; what FaceOrigin::kerf says
-  simulator::KerfPlane plane;
-  simulator::FieldGrid grid;                  ///< around the uncut bone's section
-  std::optional<simulator::KerfField> field;  ///< absent: all the way through
-  simulator::RegionOutline region;
-  double removed_mm3 = 0.0;  ///< of the solid that earlier kerfs had left
+/// One kerf: the plane normal . p = offset in the mesh's millimetres is its middle.
+struct CutGroup {
+  Vec3 normal{0.0, 0.0, 1.0};  ///< of any length above 0; the offset is in the same measure
+  double offset = 0.0;
+  double kerf_mm = 0.5;
+  std::optional<std::filesystem::path> sweep_file;  ///< absent: the cut goes all the way through
 };
 
 struct GroupOutcome {
@@ -39,43 +38,9 @@ class KernelRefusal : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-class KerfFrames {
- public:
-  /// Slices the contact. Borrows all three.
-  /// needs   solid has triangles
-  KerfFrames(const simulator::CutSolid& solid, OpenedKerf& kerf, GroupOutcome& outcome);
-  KerfFrames(const KerfFrames&) = delete;
-  KerfFrames& operator=(const KerfFrames&) = delete;
-
-  /// One frame a pose: stamp, outline, patch.
-  /// needs   kerf.field
-  /// errors  Cancelled
-  void follow(const BladePath& path, const Progress& progress);
-  /// One frame in which all of the section goes; the kerf is through from then on.
-  void open_all();
-  /// What is left. A last frame that was refused is built again beside it (see cut_kerf).
-  /// errors  KernelRefusal where that does not help
-  simulator::KerfCut commit();
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  void build(const simulator::RegionOutline& region);
-
-  const simulator::CutSolid& solid_;
-  OpenedKerf& kerf_;
-  GroupOutcome& outcome_;
-  simulator::Bvh bvh_;
-  Clock::time_point start_;
-  simulator::KerfContact contact_;
-  simulator::PatchBuilder builder_;
-  simulator::SolidPatch patch_;
-  bool is_refused_ = false;  ///< the last frame
-};
-
-/// The kerf's region taken out of a solid.
-/// errors  KernelRefusal
-simulator::KerfCut cut_opened_kerf(const simulator::CutSolid& solid, const simulator::Bvh& bvh,
-                                   const OpenedKerf& kerf);
+/// Saws the next group, one frame a pose; without a sweep all of its plane in one frame.
+/// needs   the bone was sawn by nothing else
+/// errors  CutInputError for the sweep; KernelRefusal; Cancelled
+GroupOutcome saw(simulator::SawnBone& bone, const CutGroup& group, const Progress& progress);
 
 }  // namespace hallux::ui

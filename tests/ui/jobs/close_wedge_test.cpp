@@ -1,4 +1,4 @@
-#include "ui/jobs/close_wedge.h"
+#include "simulator/bone/close_wedge.h"
 
 #include "simulator/base/units.h"
 #include "simulator/mesh/read_mesh.h"
@@ -30,24 +30,24 @@ class WedgedBlock : public SweepFiles {
       const Vec3 tip_mm = Vec3(0.0, 6.0, 0.0) + (*tip_y_mm - 6.0) / direction.y * direction;
       group.sweep_file = sweep({tip_mm, direction});
     }
-    bone_.saw(group, {});
+    ui::saw(bone_, group, {});
   }
-  ui::WedgeClosure close(std::optional<double> tip_y_mm) {
+  simulator::WedgeClosure close(std::optional<double> tip_y_mm) {
     saw(-1, tip_y_mm);
     saw(1, tip_y_mm);
     bodies_ = simulator::split_pieces(bone_.solid());
-    return ui::close_wedge(bone_, bone_.kerfs()[0], bone_.kerfs()[1], bodies_);
+    return simulator::close_wedge(bone_, bone_.kerf(0), bone_.kerf(1), bodies_);
   }
   double volume_mm3(std::size_t body) const { return signed_volume_mm3(bodies_[body].mesh); }
 
-  ui::SawnBone bone_{solid_block(Vec3(30.0, 14.0, 12.0))};
+  simulator::SawnBone bone_{solid_block(Vec3(30.0, 14.0, 12.0))};
   std::vector<simulator::CutSolid> bodies_;
 };
 
 /// Where the outer walls leave the block they stand 10 degrees and both half kerfs apart, seen from the joint: there they
 /// touch first.
 TEST_F(WedgedBlock, TurnsUntilTheOuterWallsTouch) {
-  const ui::WedgeClosure closure = close(6.0);
+  const simulator::WedgeClosure closure = close(6.0);
   ASSERT_EQ(closure.outcome, HingeOutcome::Closed);
   EXPECT_NEAR(closure.thickness_mm, 1.0, 2.0e-3);
   const double half_rad = radian_from_degree(half_degree);
@@ -58,7 +58,7 @@ TEST_F(WedgedBlock, TurnsUntilTheOuterWallsTouch) {
 
 TEST_F(WedgedBlock, IsDividedIntoTwoHalvesThatTouchAndLoseNothing) {
   const double uncut_mm3 = signed_volume_mm3(bone_.whole().mesh);
-  const ui::WedgeClosure closure = close(6.0);
+  const simulator::WedgeClosure closure = close(6.0);
   ASSERT_EQ(bodies_.size(), 3U);
   double sum_mm3 = bone_.removed_mm3();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -87,7 +87,7 @@ TEST_F(WedgedBlock, IsDividedIntoTwoHalvesThatTouchAndLoseNothing) {
 }
 
 TEST_F(WedgedBlock, DoesNotBendOverAThickBridge) {
-  const ui::WedgeClosure closure = close(4.2);
+  const simulator::WedgeClosure closure = close(4.2);
   EXPECT_EQ(closure.outcome, HingeOutcome::Stiff);
   EXPECT_NEAR(closure.thickness_mm, 2.8, 2.0e-3);
   EXPECT_EQ(bodies_.size(), 2U);
@@ -95,7 +95,7 @@ TEST_F(WedgedBlock, DoesNotBendOverAThickBridge) {
 }
 
 TEST_F(WedgedBlock, BreaksOverAThinBridgeIntoTwoBodiesThatStay) {
-  const ui::WedgeClosure closure = close(6.85);
+  const simulator::WedgeClosure closure = close(6.85);
   EXPECT_EQ(closure.outcome, HingeOutcome::Broken);
   EXPECT_NEAR(closure.thickness_mm, 0.15, 2.0e-3);
   EXPECT_NE(closure.fixed, closure.moved);
@@ -105,7 +105,7 @@ TEST_F(WedgedBlock, BreaksOverAThinBridgeIntoTwoBodiesThatStay) {
 }
 
 TEST_F(WedgedBlock, IsBrokenWhereTheCutsGoAllTheWayThrough) {
-  const ui::WedgeClosure closure = close(std::nullopt);
+  const simulator::WedgeClosure closure = close(std::nullopt);
   EXPECT_EQ(closure.outcome, HingeOutcome::Broken);
   EXPECT_EQ(closure.thickness_mm, 0.0);
   EXPECT_NE(closure.fixed, closure.moved);
@@ -117,20 +117,20 @@ TEST_F(WedgedBlock, HasNothingToCloseWhereTheKerfsDoNotMeet) {
   try {
     close(-2.0);
     FAIL() << "a wedge was found";
-  } catch (const ui::CutInputError& error) {
-    EXPECT_EQ(std::string(error.what()).find("--close 1,2: "), 0U) << error.what();
+  } catch (const simulator::MeshError& error) {
+    EXPECT_EQ(std::string(error.what()).find("the kerfs leave no wedge"), 0U) << error.what();
   }
 }
 
 TEST_F(WedgedBlock, HasNoHingeBetweenParallelPlanes) {
   ui::CutGroup group;
   group.normal = Vec3(1.0, 0.0, 0.0);
-  bone_.saw(group, {});
+  ui::saw(bone_, group, {});
   group.offset = 3.0;
-  bone_.saw(group, {});
+  ui::saw(bone_, group, {});
   bodies_ = simulator::split_pieces(bone_.solid());
-  EXPECT_THROW(ui::close_wedge(bone_, bone_.kerfs()[0], bone_.kerfs()[1], bodies_),
-               ui::CutInputError);
+  EXPECT_THROW(simulator::close_wedge(bone_, bone_.kerf(0), bone_.kerf(1), bodies_),
+               simulator::MeshError);
 }
 
 }  // namespace

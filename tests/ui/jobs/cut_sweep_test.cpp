@@ -4,10 +4,7 @@
 
 #include <string>
 
-#include "simulator/base/units.h"
-#include "simulator/cutting/field/region_outline.h"
 #include "tests/support/outline_area.h"
-
 namespace hallux::ui {
 namespace {
 
@@ -32,7 +29,7 @@ std::string refusal_of(const std::string& text) {
 }
 
 TEST(Sweep, IsReadAsItStandsWithDirectionsOfUnitLength) {
-  const Sweep sweep = parse_sweep(good_sweep, "sweep.json");
+  const simulator::Sweep sweep = parse_sweep(good_sweep, "sweep.json");
   EXPECT_EQ(sweep.width_mm, 13.0);
   EXPECT_EQ(sweep.depth_mm, 30.0);
   ASSERT_EQ(sweep.poses.size(), 2U);
@@ -71,7 +68,7 @@ TEST(Sweep, OutOfItsPlaneIsRefusedWithThePose) {
       {rotation_from_axes(Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)), Vec3(1.0, 0.0, 0.0)}, 0.5};
   const auto refusal = [&](const std::string& text) -> std::string {
     try {
-      path_in_plane(parse_sweep(text, "sweep.json"), plane, plane, "sweep.json");
+      expect_in_plane(parse_sweep(text, "sweep.json"), plane, "sweep.json");
     } catch (const CutInputError& error) {
       return error.what();
     }
@@ -83,34 +80,6 @@ TEST(Sweep, OutOfItsPlaneIsRefusedWithThePose) {
             "0.01 mm");
   EXPECT_NE(refusal(changed("[0, 2, 0]", "[0.1, 2, 0]")).find("poses[1].direction: "),
             std::string::npos);
-}
-
-TEST(Sweep, IsHeldAgainstItsOwnPlaneAndOpensTheOneThatIsThere) {
-  const Quat rotation = rotation_from_axes(Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0));
-  const simulator::KerfPlane asked{{rotation, Vec3(1.0, 0.0, 0.0)}, 0.5};
-  const simulator::KerfPlane kerf{{rotation, Vec3(1.08, 2.0, 0.0)}, 0.5};
-  const BladePath path =
-      path_in_plane(parse_sweep(good_sweep, "sweep.json"), asked, kerf, "sweep.json");
-  EXPECT_EQ(path.blade.width_mm, 13.0);
-  EXPECT_EQ(path.blade.depth_mm, 30.0);
-  EXPECT_EQ(path.blade.kerf_mm, 0.5);
-  ASSERT_EQ(path.poses.size(), 2U);
-  EXPECT_NEAR(path.poses[1].tip_mm.x, 5.5, 1e-12);
-  EXPECT_NEAR(path.poses[1].tip_mm.y, 0.0, 1e-12);
-  EXPECT_NEAR(path.poses[1].direction.x, 1.0, 1e-12);
-}
-
-/// A quarter turn about the tip: a sector, and beside each of its sides half the blade's width.
-TEST(Sweep, ATurnOfTheBladeOpensTheSectorThatItPasses) {
-  const simulator::Blade blade{1.0, 8.0, 0.5};
-  const simulator::PlanarPose from{{0.0, 0.0}, {1.0, 0.0}}, to{{0.0, 0.0}, {0.0, 1.0}};
-  simulator::KerfField field({.origin_mm = {-10.0, -10.0}, .u_count = 401, .v_count = 401});
-  stamp_motion(field, blade, from, to);
-  const double sides_mm2 = 2.0 * 0.5 * 8.0;
-  const double corner_mm2 = 8.0 * 8.0 + 0.5 * 0.5;  // the blade's far corners run a little outside
-  const double opened_mm2 = tests::area_mm2(outline_of(field));
-  EXPECT_GT(opened_mm2, 0.25 * pi * 8.0 * 8.0 + sides_mm2 - 0.05);
-  EXPECT_LT(opened_mm2, 0.25 * pi * corner_mm2 + sides_mm2 + 0.5);
 }
 
 }  // namespace

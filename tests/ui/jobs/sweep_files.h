@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "ui/jobs/sawn_bone.h"
+#include "ui/jobs/kerf_frames.h"
 
 namespace hallux::tests {
 

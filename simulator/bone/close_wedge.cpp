@@ -1,4 +1,4 @@
-#include "ui/jobs/close_wedge.h"
+#include "simulator/bone/close_wedge.h"
 
 #include <algorithm>
 #include <array>
@@ -10,19 +10,14 @@
 #include "simulator/base/units.h"
 #include "simulator/cutting/hinge/hinge_gap.h"
 #include "simulator/cutting/slice/plane_slice.h"
+#include "simulator/mesh/mesh_error.h"
 
-namespace hallux::ui {
+namespace hallux::simulator {
 
 namespace {
 
-using namespace simulator;
-
 /// Planes nearer to parallel than half a degree meet nowhere near the bone.
 constexpr double least_sine = 0.0087;
-
-std::string groups_of(const OpenedKerf& first, const OpenedKerf& second) {
-  return "--close " + std::to_string(first.number + 1) + "," + std::to_string(second.number + 1);
-}
 
 Vec3 unit(const Vec3& direction) noexcept {
   return direction / std::sqrt(glm::dot(direction, direction));
@@ -39,7 +34,7 @@ struct Walls {
 Walls walls_of(const CutSolid& body, const OpenedKerf& kerf) noexcept {
   Walls walls;
   for (const FaceOrigin& origin : body.origins) {
-    if (origin.kerf != static_cast<std::int32_t>(kerf.number)) continue;
+    if (origin.kerf != kerf.number) continue;
     walls.above = walls.above || origin.side > 0;
     walls.below = walls.below || origin.side < 0;
   }
@@ -95,39 +90,37 @@ HingeLine hinge_line(const OpenedKerf& first, const OpenedKerf& second, const We
   return line;
 }
 
-HingeGap gap_of(const SawnBone& bone, const OpenedKerf& kerf, const HingeLine& line,
-                const std::string& name) {
+HingeGap gap_of(SawnBone& bone, const OpenedKerf& kerf, const HingeLine& line) {
   const std::optional<HingeGap> gap =
       measure_hinge_gap(bone.section_of_whole(kerf.plane), kerf.region, line);
   if (gap) return *gap;
-  throw CutInputError(name + ": the kerfs meet too steeply for a hinge; choose planes of a wedge");
+  throw MeshError("the kerfs meet too steeply for a hinge; choose planes of a wedge");
 }
 
-HingeRequest request_of(const SawnBone& bone, const OpenedKerf& first, const OpenedKerf& second,
+HingeRequest request_of(SawnBone& bone, const OpenedKerf& first, const OpenedKerf& second,
                         const Wedge& wedge) {
-  const std::string name = groups_of(first, second);
   HingeRequest request;
   request.first = first.plane;
   request.second = second.plane;
   request.line = hinge_line(first, second, wedge);
   // The line is planned where the planes meet: that is as far from the far cortex as it happens to be.
-  const Vec3 far_mm = gap_of(bone, first, request.line, name).far_in_bone_mm;
+  const Vec3 far_mm = gap_of(bone, first, request.line).far_in_bone_mm;
   request.line.thickness_mm = std::max(
       hinge_row_step_mm, glm::dot(request.line.outward, far_mm - request.line.point_in_bone_mm));
-  request.first_gap = gap_of(bone, first, request.line, name);
-  request.second_gap = gap_of(bone, second, request.line, name);
+  request.first_gap = gap_of(bone, first, request.line);
+  request.second_gap = gap_of(bone, second, request.line);
   request.toward_moved = unit(wedge.from_first - wedge.from_second);
   return request;
 }
 
 /// The largest body but the wedge with this wall; bodies come largest first.
 std::size_t body_with_wall(const std::vector<CutSolid>& bodies, const OpenedKerf& kerf, int side,
-                           std::size_t wedge, const std::string& name) {
+                           std::size_t wedge) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (i != wedge && walls_of(bodies[i], kerf).has(side)) return i;
   }
-  throw CutInputError(name + ": no bone is left beyond group " + std::to_string(kerf.number + 1) +
-                      "; there is nothing to close the wedge with");
+  throw MeshError("no bone is left beyond group " + std::to_string(kerf.number + 1) +
+                  "; there is nothing to close the wedge with");
 }
 
 CutSolid turned(CutSolid solid, const RigidTransform& bone_from_moved) {
@@ -165,25 +158,24 @@ void close_body(const HingeRequest& request, WedgeClosure& closure, std::vector<
 
 }  // namespace
 
-WedgeClosure close_wedge(const SawnBone& bone, const OpenedKerf& first, const OpenedKerf& second,
+WedgeClosure close_wedge(SawnBone& bone, const OpenedKerf& first, const OpenedKerf& second,
                          std::vector<CutSolid>& bodies) {
-  const std::string name = groups_of(first, second);
   const Vec3 meeting = glm::cross(axes_of(first.plane).z, axes_of(second.plane).z);
   if (glm::dot(meeting, meeting) < least_sine * least_sine) {
-    throw CutInputError(name + ": the two planes are parallel; a wedge needs planes that meet");
+    throw MeshError("the two planes are parallel; a wedge needs planes that meet");
   }
   const std::optional<Wedge> wedge = find_wedge(first, second, bodies);
   if (!wedge) {
-    throw CutInputError(name +
-                        ": the kerfs leave no wedge of its own; lead both blades until "
-                        "the kerfs meet, and stop before the far side");
+    throw MeshError(
+        "the kerfs leave no wedge of its own; lead both blades until "
+        "the kerfs meet, and stop before the far side");
   }
   const HingeRequest request = request_of(bone, first, second, *wedge);
   WedgeClosure closure;
   closure.wedge = wedge->body;
   closure.thickness_mm = std::min(request.first_gap.thickness_mm, request.second_gap.thickness_mm);
-  closure.fixed = body_with_wall(bodies, first, -wedge->first_side, closure.wedge, name);
-  closure.moved = body_with_wall(bodies, second, -wedge->second_side, closure.wedge, name);
+  closure.fixed = body_with_wall(bodies, first, -wedge->first_side, closure.wedge);
+  closure.moved = body_with_wall(bodies, second, -wedge->second_side, closure.wedge);
   if (closure.fixed != closure.moved) {
     closure.outcome = HingeOutcome::Broken;
     return closure;
@@ -192,4 +184,4 @@ WedgeClosure close_wedge(const SawnBone& bone, const OpenedKerf& first, const Op
   return closure;
 }
 
-}  // namespace hallux::ui
+}  // namespace hallux::simulator

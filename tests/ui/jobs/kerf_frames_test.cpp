@@ -1,10 +1,11 @@
-#include "ui/jobs/sawn_bone.h"
+#include "ui/jobs/kerf_frames.h"
 
 #include "simulator/base/progress.h"
 #include "simulator/cutting/field/outline_tile.h"
 #include "simulator/mesh/read_mesh.h"
 #include "tests/support/worlds.h"
 #include "tests/ui/jobs/sweep_files.h"
+#include "ui/jobs/cut_sweep.h"
 
 namespace hallux::tests {
 namespace {
@@ -40,15 +41,15 @@ class SawnBlock : public SweepFiles {
     return group;
   }
   GroupOutcome saw(const CutGroup& group) {
-    GroupOutcome outcome = bone_.saw(group, {});
+    GroupOutcome outcome = ui::saw(bone_, group, {});
     EXPECT_EQ(outcome.refused_frames, 0U);
     EXPECT_NO_THROW(simulator::check_closed_solid(bone_.solid().mesh, "what is left"));
     EXPECT_NEAR(signed_volume_mm3(bone_.solid().mesh) + bone_.removed_mm3(), 5040.0, balance_mm3);
     return outcome;
   }
-  std::size_t piece_count() const { return simulator::split_pieces(bone_.solid()).size(); }
+  std::size_t piece_count() { return simulator::split_pieces(bone_.solid()).size(); }
 
-  ui::SawnBone bone_{solid_block(Vec3(30.0, 14.0, 12.0))};
+  simulator::SawnBone bone_{solid_block(Vec3(30.0, 14.0, 12.0))};
 };
 
 TEST_F(SawnBlock, LosesWhatTheBladeCoveredWhereASweepStopsInside) {
@@ -60,7 +61,7 @@ TEST_F(SawnBlock, LosesWhatTheBladeCoveredWhereASweepStopsInside) {
 
 TEST_F(SawnBlock, ShowsOneFrameAPoseAndItsPatchStaysSmall) {
   const GroupOutcome few = saw(thrust_across_x(5.0, 2.0, 0.0, 30));
-  bone_ = ui::SawnBone(solid_block(Vec3(30.0, 14.0, 12.0)));
+  bone_ = simulator::SawnBone(solid_block(Vec3(30.0, 14.0, 12.0)));
   const GroupOutcome many = saw(thrust_across_x(5.0, 2.0, 0.0, 300));
   EXPECT_EQ(few.frame_ms.size(), 30U);
   EXPECT_EQ(many.frame_ms.size(), 300U);
@@ -82,12 +83,12 @@ TEST_F(SawnBlock, OpensTheKerfThatIsThereWhereThePlaneComesAgain) {
   saw(thrust_across_x(1.0, 0.0));
   const GroupOutcome again = saw(thrust_across_x(1.05, 7.5, 0.3));
   EXPECT_EQ(again.kerf, 0U);
-  EXPECT_EQ(bone_.kerfs().size(), 1U);
+  EXPECT_EQ(bone_.kerf_count(), 1U);
   EXPECT_EQ(piece_count(), 2U);
   EXPECT_NEAR(bone_.removed_mm3(), 84.0, 1.0e-9);
   // As if it had been one kerf from the beginning: no sliver, no face more.
-  ui::SawnBone at_once(solid_block(Vec3(30.0, 14.0, 12.0)));
-  at_once.saw(across_x(1.0), {});
+  simulator::SawnBone at_once(solid_block(Vec3(30.0, 14.0, 12.0)));
+  ui::saw(at_once, across_x(1.0), {});
   EXPECT_EQ(bone_.solid().mesh.triangles.size(), at_once.solid().mesh.triangles.size());
 }
 
@@ -140,9 +141,9 @@ TEST_F(SawnBlock, IsWholeWhereThePlaneOrTheBladeMisses) {
 TEST_F(SawnBlock, MayVanishWholly) {
   CutGroup all = across_x(0.0);
   all.kerf_mm = 50.0;
-  EXPECT_NEAR(bone_.saw(all, {}).removed_mm3, 5040.0, 1.0e-6);
+  EXPECT_NEAR(ui::saw(bone_, all, {}).removed_mm3, 5040.0, 1.0e-6);
   EXPECT_TRUE(bone_.solid().mesh.triangles.empty());
-  EXPECT_EQ(bone_.saw(thrust_across_x(1.0, 2.0), {}).removed_mm3, 0.0);
+  EXPECT_EQ(ui::saw(bone_, thrust_across_x(1.0, 2.0), {}).removed_mm3, 0.0);
 }
 
 TEST_F(SawnBlock, StopsBetweenFramesWhenItIsToldTo) {
@@ -152,15 +153,15 @@ TEST_F(SawnBlock, StopsBetweenFramesWhenItIsToldTo) {
     reached = fraction;
     return fraction < 0.5;
   };
-  EXPECT_THROW(bone_.saw(group, progress), Cancelled);
+  EXPECT_THROW(ui::saw(bone_, group, progress), Cancelled);
   EXPECT_DOUBLE_EQ(reached, 0.5);
   EXPECT_EQ(bone_.solid().mesh, bone_.whole().mesh);
 }
 
 TEST_F(SawnBlock, ASectionTooWideForASweepIsRefusedAndCutWithoutOne) {
-  ui::SawnBone wide(solid_block(Vec3(30.0, 250.0, 12.0)));
-  EXPECT_THROW(wide.saw(thrust_across_x(1.0, 7.5), {}), ui::CutInputError);
-  EXPECT_NEAR(wide.saw(across_x(1.0), {}).removed_mm3, 0.5 * 250.0 * 12.0, 1.0e-6);
+  simulator::SawnBone wide(solid_block(Vec3(30.0, 250.0, 12.0)));
+  EXPECT_THROW(ui::saw(wide, thrust_across_x(1.0, 7.5), {}), ui::CutInputError);
+  EXPECT_NEAR(ui::saw(wide, across_x(1.0), {}).removed_mm3, 0.5 * 250.0 * 12.0, 1.0e-6);
 }
 
 }  // namespace

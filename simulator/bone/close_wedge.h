@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "simulator/bone/sawn_bone.h"
 #include "simulator/cutting/hinge/hinge.h"
-#include "ui/jobs/sawn_bone.h"
 
-namespace hallux::ui {
+namespace hallux::simulator {
 
 struct WedgeClosure {
-  simulator::HingeOutcome outcome = simulator::HingeOutcome::Stiff;
+  HingeOutcome outcome = HingeOutcome::Stiff;
   double thickness_mm = 0.0;
   double angle_rad = 0.0;  ///< where it closed
   /// Places in the bodies: the wedge, the half beyond the first kerf, the half beyond the second. The halves are one body
@@ -22,9 +22,9 @@ struct WedgeClosure {
 /// planes meet, its outward direction leads from the wedge to the far cortex, and the half beyond the second kerf turns.
 /// ensures where it closed, the body that held both halves is the fixed half and the moved one, in its new place, stands
 ///         behind all others; where it broke, the same without a turn; else the bodies stay as they are
-/// errors  CutInputError where the planes are parallel or no body is the wedge
+/// errors  MeshError where the planes are parallel or no body is the wedge
 /// thread  any; a job
-WedgeClosure close_wedge(const SawnBone& bone, const OpenedKerf& first, const OpenedKerf& second,
-                         std::vector<simulator::CutSolid>& bodies);
+WedgeClosure close_wedge(SawnBone& bone, const OpenedKerf& first, const OpenedKerf& second,
+                         std::vector<CutSolid>& bodies);
 
-}  // namespace hallux::ui
+}  // namespace hallux::simulator
