@@ -17,9 +17,9 @@ class ArrowTable:
         return max(held, key=len, default=None)
 
     def units_of(self, folder):
-        """The unit that holds `folder`, or else the units below it: a library may be made of several."""
+        """The unit that holds `folder` and the units below it: a library may be made of several."""
         held = self.unit_of(folder)
-        return [held] if held else [unit for unit in self.arrows if lies_in(unit, folder)]
+        return [unit for unit in self.arrows if unit == held or lies_in(unit, folder)]
 
     def may_include(self, unit, other):
         if unit == other:
