@@ -17,7 +17,7 @@ namespace hallux::scenarios {
 namespace {
 
 /// Raised whenever the same request may give another bone.
-constexpr int generator_version = 2;
+constexpr int generator_version = 3;
 /// The canal is smoother than the outer surface.
 constexpr double canal_edge_share = 1.5;
 

@@ -178,7 +178,7 @@ TEST_F(FirstProximalPhalanx, StandsInTheFootBeforeTheHeadOfTheFirstMetatarsal) {
 TEST_F(FirstProximalPhalanx, SaysWhatMadeIt) {
   EXPECT_EQ(bone().name, "first_proximal_phalanx");
   EXPECT_EQ(bone().generator,
-            "first_proximal_phalanx PP1 generator 2 length_mm 33 edge_mm 1 without canal");
+            "first_proximal_phalanx PP1 generator 3 length_mm 33 edge_mm 1 without canal");
   EXPECT_NE(bone().credit.find("BodyParts3D"), std::string::npos);
 }
 

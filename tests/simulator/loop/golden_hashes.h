@@ -27,6 +27,12 @@ inline constexpr GoldenHashes golden_guided{
     .outputs = "b62ea0e134a7c1cb74234c96612dc3a37284e38aa470e204f5b5864e802f3c94"};
 
 inline constexpr GoldenHashes golden_silver_expert_1{
+    .bone = "d35c5032000580aac70591f2e74fac57096b4e1734e17e4d56f20175978380d8",
+    .tape = "07fb2a6c7e8869f5bef9220faf975c10a5b6de587540090c07237ca4c58b2426",
+    .outputs = "f1dda26ad138fa49f85c49013ad8fea0661e54178e7b1eea89079683630d8623"};
+
+/// On the bone that generator 2 made of the same patient, kept in old/.
+inline constexpr GoldenHashes golden_silver_expert_1_generator_2{
     .bone = "8875a39afe43c63726079111fe9504ea0804358329d1d3df6a4594bf10fd622a",
     .tape = "fb7a115297d39294a58e7f579456360552ecffaa66d5e634fe76b0d605806823",
     .outputs = "56e5d2465a9c9ab2d8a23523bd7daba01713873d97a62f0947da9dfaad949ca0"};

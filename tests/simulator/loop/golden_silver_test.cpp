@@ -1,5 +1,12 @@
-/// The shipped Silver operation by the scripted expert, seed 1: patient, plan, hand, step and jobs together.
+/// The shipped Silver operation by the scripted expert, seed 1: patient, plan, hand, step and jobs
+/// together; and the same on the patient that generator 2 made, which shows that the engine still
+/// answers as before.
 #include <gtest/gtest.h>
+#include <zstd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/simulation_setup.h"
@@ -10,21 +17,58 @@
 namespace hallux::simulator {
 namespace {
 
+/// The expert's first attempt at Silver on one bone.
+class SilverRun {
+ public:
+  explicit SilverRun(const Bone& bone)
+      : bone_(bone),
+        scenario_(scenarios::load_shipped_scenario("silver")),
+        plan_(plan_on(scenario_, bone_)),
+        simulation_(simulation_setup(scenario_, bone_, plan_, Guidance::None)) {}
+
+  Recording record() const {
+    scenarios::FeelingHand hand(scenario_, bone_, plan_, scenarios::hand_skill("expert"), 1);
+    const AttemptSetup setup{.simulation = simulation_,
+                             .commands = {},
+                             .last_tick = scenarios::FeelingHand::last_tick,
+                             .job_delay = {},
+                             .attempt_operator = &hand};
+    return tests::record(setup, hand).recording;
+  }
+  ReplayResult replayed(const Recording& recording) const { return replay(recording, simulation_); }
+
+ private:
+  const Bone& bone_;
+  scenarios::Scenario scenario_;
+  scenarios::Plan plan_;
+  SimulationSetup simulation_;
+};
+
+/// A bone in its bytes, packed by zstd.
+Bone read_packed_bone(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string packed(std::istreambuf_iterator<char>(stream), {});
+  constexpr std::size_t most_bytes = 8'000'000;
+  std::vector<std::byte> bytes(most_bytes);
+  const std::size_t size =
+      ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+  if (ZSTD_isError(size) != 0U) throw std::runtime_error(file.string() + " cannot be unpacked");
+  bytes.resize(size);
+  return decode_bone(bytes);
+}
+
 TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
-  const scenarios::Scenario scenario = scenarios::load_shipped_scenario("silver");
-  const Bone bone = scenarios::make_patient(scenario);
-  const scenarios::Plan plan = plan_on(scenario, bone);
-  scenarios::FeelingHand hand(scenario, bone, plan, scenarios::hand_skill("expert"), 1);
-  const SimulationSetup simulation = simulation_setup(scenario, bone, plan, Guidance::None);
-  const AttemptSetup setup{.simulation = simulation,
-                           .commands = {},
-                           .last_tick = scenarios::FeelingHand::last_tick,
-                           .job_delay = {},
-                           .attempt_operator = &hand};
-  const Recording recording = tests::record(setup, hand).recording;
+  const Bone bone = scenarios::make_patient(scenarios::load_shipped_scenario("silver"));
+  const SilverRun run(bone);
+  const Recording recording = run.record();
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);
-  const ReplayResult result = replay(recording, simulation);
+  const ReplayResult result = run.replayed(recording);
   EXPECT_TRUE(result.is_identical) << result.difference;
+}
+
+TEST(Golden, TheExpertsFirstSilverOnTheBoneOfGenerator2GivesItsHashesAsBefore) {
+  const Bone bone = read_packed_bone(HALLUX_OLD_BONES "/silver_generator_2.bone.zst");
+  tests::expect_golden(bone, SilverRun(bone).record(), tests::golden_silver_expert_1_generator_2);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "scenarios/foot/triangle_graph.h"
+#include "scenarios/foot/half_edge_surface.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -42,24 +42,37 @@ TEST(MarchTetrahedra, StaysClosedOnNoise) {
   EXPECT_EQ(topology_of(march_tetrahedra(noise)).unpaired_edges, 0);
 }
 
-TEST(TriangleGraph, RefusesAnOpenMesh) {
+TEST(HalfEdgeSurface, RefusesAnOpenMesh) {
   simulator::IndexedMesh mesh = ball(1.0);
   mesh.triangles.pop_back();
-  EXPECT_THROW(TriangleGraph{mesh}, ScenarioError);
+  EXPECT_THROW(half_edges_from(mesh), ScenarioError);
 }
 
-RC_GTEST_PROP(TriangleGraph, StaysASphereUnderAnySplitsCollapsesAndFlips, ()) {
-  TriangleGraph graph(ball(1.5));
+TEST(HalfEdgeSurface, ComesBackAsItWas) {
+  const simulator::IndexedMesh mesh = ball(1.0);
+  const simulator::IndexedMesh back = indexed_from(half_edges_from(mesh));
+  EXPECT_EQ(back.points_mm, mesh.points_mm);
+  ASSERT_EQ(back.triangles.size(), mesh.triangles.size());
+  EXPECT_EQ(simulator::signed_volume_mm3(back), simulator::signed_volume_mm3(mesh));
+}
+
+RC_GTEST_PROP(HalfEdgeSurface, StaysASphereUnderAnySplitsCollapsesAndFlips, ()) {
+  HalfEdgeSurface surface = half_edges_from(ball(1.5));
+  OpenMesh::TriConnectivity& mesh = surface.connections;
   const auto moves = *rc::gen::container<std::vector<std::pair<int, unsigned>>>(
       rc::gen::pair(rc::gen::inRange(0, 3), rc::gen::arbitrary<unsigned>()));
   for (const auto& [kind, where] : moves) {
-    const Side h = where % graph.side_count();
-    if (!graph.is_side(h)) continue;
-    if (kind == 0) graph.split(h, 0.5 * (graph.at(graph.start(h)) + graph.at(graph.end(h))));
-    if (kind == 1 && graph.can_collapse(h)) graph.collapse(h, graph.at(graph.start(h)));
-    if (kind == 2 && graph.can_flip(h)) graph.flip(h);
+    const OpenMesh::EdgeHandle e(static_cast<int>(where % mesh.n_edges()));
+    const OpenMesh::HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    if (mesh.status(e).deleted()) continue;
+    if (kind == 0) {
+      surface.points_mm.push_back(surface.at(mesh.to_vertex_handle(h)));
+      mesh.split(e, mesh.add_vertex());
+    }
+    if (kind == 1 && mesh.is_collapse_ok(h)) mesh.collapse(h);
+    if (kind == 2 && mesh.is_flip_ok(e)) mesh.flip(e);
   }
-  const Topology topology = topology_of(graph.indexed());
+  const Topology topology = topology_of(indexed_from(surface));
   RC_ASSERT(topology.unpaired_edges == 0);
   RC_ASSERT(topology.components == 1);
   RC_ASSERT(topology.euler_number == 2);
