@@ -19,14 +19,15 @@ namespace hallux::assessment {
 struct Examination {
   scenarios::Plan plan;
   RebuiltBone rebuilt;
-  std::vector<std::vector<CutFace>>
-      faces;  ///< per planned cut, the one that counts first; may be empty
+  /// Per planned cut, the one that counts first; may be empty.
+  std::vector<std::vector<CutFace>> faces;
   std::vector<Measurement> measurements;
   database::ScoreCard card;
 };
 
-/// `opened`, where it is given, are kept fields of the recording that save stamping them: for showing, never for a score that
-/// is stored, since nothing seals what was kept beside the recording.
+/// `opened`, where it is given, are kept fields of the recording that save stamping them: for
+/// showing, never for a score that is stored, since nothing seals what was kept beside the
+/// recording.
 /// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
 /// thread  any; the same arguments give the same card
 Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& bone,

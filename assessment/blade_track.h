@@ -1,4 +1,4 @@
-/// Where the blade's teeth were while the saw ran in one kerf.
+/// Where the blade's teeth were while the saw ran in one kerf. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,19 @@ std::vector<ToothPoint> cutting_tooth_points(const simulator::Recording& recordi
 
 /// Points p with outward . p = limit, beyond which the teeth are not to go.
 struct ReachLimit {
-  Vec3 outward{0.0, 0.0, 1.0};  ///< unit
+  /// Unit.
+  Vec3 outward{0.0, 0.0, 1.0};
   double limit_mm = 0.0;
 };
 
 /// How far the teeth went while the saw ran in this kerf, in cut bone or in the air beyond.
 struct Reach {
-  std::int64_t deepest_tick = 0;  ///< the first at which they were furthest outward
-  std::optional<std::int64_t>
-      passed_tick;  ///< the first beyond the limit; nothing where they stayed within
-  double passing_force_newton = 0.0;  ///< size of the force on the hand at that tick
+  /// The first at which they were furthest outward.
+  std::int64_t deepest_tick = 0;
+  /// The first beyond the limit; nothing where they stayed within.
+  std::optional<std::int64_t> passed_tick;
+  /// Size of the force on the hand at that tick.
+  double passing_force_newton = 0.0;
 };
 
 /// errors  nothing where the saw never ran in this kerf

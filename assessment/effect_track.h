@@ -15,8 +15,10 @@ namespace hallux::assessment {
 struct EffectTrack {
   /// Of the hottest bone at the end of each stretch [degrees Celsius].
   std::vector<double> hottest_celsius;
-  simulator::HeatSummary heat;          ///< of the whole recording
-  double greatest_deflection_mm = 0.0;  ///< of the blade along its normal, without sign
+  /// Of the whole recording.
+  simulator::HeatSummary heat;
+  /// Of the blade along its normal, without sign.
+  double greatest_deflection_mm = 0.0;
 };
 
 /// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still

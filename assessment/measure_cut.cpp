@@ -120,7 +120,8 @@ void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& plan
   measurements.back().is_measured = flatness.has_value();
 }
 
-/// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the words of the bone.
+/// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the
+/// words of the bone.
 std::string edge_words(const CutFace& face, const FacePlane& planned) {
   const Vec3 deepest = deepest_direction(face.plane, planned);
   const auto [shallow, deep] = std::minmax_element(

@@ -1,4 +1,4 @@
-/// The metrics of one planned cut, with their moments and places.
+/// The metrics of one planned cut, with their moments and places. Inside this corner only.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,10 @@
 
 namespace hallux::assessment {
 
-/// angle_deg, location_mm, depth_mm, step_mm, flatness_mm, past_landmark_mm and notch_mm, in this order; of a cut across
-/// the bone only angle_deg, location_mm and flatness_mm. The first face is measured; past_landmark_mm and notch_mm are
-/// the worst of all faces, because bone that was cut stays cut.
+/// angle_deg, location_mm, depth_mm, step_mm, flatness_mm, past_landmark_mm and notch_mm, in this
+/// order; of a cut across the bone only angle_deg, location_mm and flatness_mm. The first face is
+/// measured; past_landmark_mm and notch_mm are the worst of all faces, because bone that was cut
+/// stays cut.
 /// ensures every metric is there; without a face that has samples none of them is measured
 std::vector<Measurement> measure_cut(const scenarios::PlannedCut& planned,
                                      const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,

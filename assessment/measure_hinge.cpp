@@ -175,7 +175,8 @@ Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge
   return bridge;
 }
 
-/// over_cut_mm of the kerf that went furthest: from the first tick beyond the cortex to the deepest.
+/// over_cut_mm of the kerf that went furthest: from the first tick beyond the cortex to the
+/// deepest.
 Measurement over_cut_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
                                  const std::vector<KerfGap>& gaps) {
   Measurement over_cut = named(hinge, Metric::OverCutMm);

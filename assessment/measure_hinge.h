@@ -1,4 +1,5 @@
-/// The metrics of a hinge and of the wedge that its two cuts take out, with their moments and places.
+/// The metrics of a hinge and of the wedge that its two cuts take out, with their moments and
+/// places. Inside this corner only.
 #pragma once
 
 #include <span>
@@ -14,16 +15,19 @@ namespace hallux::assessment {
 struct HingeEvidence {
   const scenarios::Plan& plan;
   const RebuiltBone& rebuilt;
-  const std::vector<std::vector<CutFace>>& faces;  ///< per planned cut (see faces_of_cut)
+  /// Per planned cut (see faces_of_cut).
+  const std::vector<std::vector<CutFace>>& faces;
   const simulator::Bone& bone;
   const simulator::Recording& recording;
 };
 
-/// wedge_error_deg, wedge_sagittal_deg, hinge_mm, flatness_mm, over_cut_mm and hinge_lost, in this order. The bridge is
-/// the least that any kerf of the two cuts left, and the over-cut the most, because bone that was cut stays cut.
+/// wedge_error_deg, wedge_sagittal_deg, hinge_mm, flatness_mm, over_cut_mm and hinge_lost, in this
+/// order. The bridge is the least that any kerf of the two cuts left, and the over-cut the most,
+/// because bone that was cut stays cut.
 /// needs   measured holds the measurements of both cuts (see measure_cut)
-/// ensures every metric is there; the wedge, the bridge and the flatness are measured where both cuts have faces, the
-///         over-cut and the loss where one has; an attempt that left a cut undone has a done_fraction of 0
+/// ensures every metric is there; the wedge, the bridge and the flatness are measured where both
+///         cuts have faces, the over-cut and the loss where one has; an attempt that left a cut
+///         undone has a done_fraction of 0
 std::vector<Measurement> measure_hinge(const scenarios::PlannedHinge& hinge,
                                        const HingeEvidence& evidence,
                                        std::span<const Measurement> measured);

@@ -7,7 +7,8 @@
 
 namespace hallux::assessment {
 
-/// Rounded to a millionth of its unit, never minus zero: the form in which metrics are compared and stored.
+/// Rounded to a millionth of its unit, never minus zero: the form in which metrics are compared and
+/// stored.
 double rounded_to_micro(double value) noexcept;
 
 /// Fixed decimals with a point: "4.20"; "not a number" and infinities are said so.

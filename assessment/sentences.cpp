@@ -40,7 +40,8 @@ std::string metric_clause(const RubricItem& item, const Measurement& measurement
   const MetricWording& wording = metric->wording;
   const bool is_zero = measurement.value == 0.0 && wording.at_zero[0] != '\0';
   std::string text = is_zero ? wording.at_zero : wording.subject + value + wording.tail;
-  // A direction and more numbers help to mend a loss; where nothing was lost they would only sound like one.
+  // A direction and more numbers help to mend a loss; where nothing was lost they would only sound
+  // like one.
   if (!is_loss) return text;
   const std::string detail = measurement.detail.empty() ? "" : ": " + measurement.detail;
   return text + direction_clause(wording, measurement) + detail;

@@ -1,5 +1,5 @@
-/// One plain sentence with numbers for each line of a ledger, and the three that matter most. Their points are those that
-/// are shown, of 100 (see shown_points.h).
+/// One plain sentence with numbers for each line of a ledger, and the three that matter most. Their
+/// points are those that are shown, of 100 (see shown_points.h). Inside this corner only.
 #pragma once
 
 #include <span>
@@ -10,7 +10,8 @@
 
 namespace hallux::assessment {
 
-/// Fills the texts of ledger lines and gates, and the sentences: the greatest losses first, three at most.
+/// Fills the texts of ledger lines and gates, and the sentences: the greatest losses first, three
+/// at most.
 /// needs   the card was balanced from this scenario's rubric and these measurements
 void explain(database::ScoreCard& card, const scenarios::Scenario& scenario,
              std::span<const Measurement> measurements);

@@ -61,7 +61,8 @@ std::size_t owner_of(const ScoreCard& card, const LedgerLine& line) noexcept {
   return line.kind == LedgerKind::Gate ? card.groups.size() : group_index(card, line.group);
 }
 
-/// The losses of the lines, first among their owners, so that a group's lines add up to what the group lost.
+/// The losses of the lines, first among their owners, so that a group's lines add up to what the
+/// group lost.
 Tenths losses_of(const ScoreCard& card, std::int64_t total) {
   const std::size_t owners = card.groups.size() + 1;
   std::vector<Tenths> of_owner(owners, Tenths(card.ledger.size(), 0));
@@ -97,8 +98,8 @@ void spread(Tenths& possible, const Tenths& lost, const std::vector<bool>& is_fi
   }
 }
 
-/// A group that earned nothing must not show a tenth that rounding left, nor one less than none: what is possible there is
-/// what was lost, and the tenth goes to another group.
+/// A group that earned nothing must not show a tenth that rounding left, nor one less than none:
+/// what is possible there is what was lost, and the tenth goes to another group.
 void keep_noughts(const ScoreCard& card, Tenths& possible, const Tenths& lost) {
   std::vector<bool> is_fixed(possible.size(), false);
   std::int64_t spare = 0;

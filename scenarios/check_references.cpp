@@ -173,7 +173,8 @@ void check_hinge_cuts(const Scenario& scenario, std::size_t index, std::string_v
   }
 }
 
-/// The two faces keep the bone on their outer sides, and the blade comes from where the gap is open.
+/// The two faces keep the bone on their outer sides, and the blade comes from where the gap is
+/// open.
 void check_hinge_sides(const Scenario& scenario, std::size_t index, std::string_view file) {
   const ReferenceHinge& hinge = scenario.hinges[index];
   for (std::size_t i = 0; i < scenario.cuts.size(); ++i) {

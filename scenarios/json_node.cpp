@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The value as ASCII without control characters, cut short: what a file holds may not reach a terminal as it is.
+/// The value as ASCII without control characters, cut short: what a file holds may not reach a
+/// terminal as it is.
 std::string shown(const json& value) {
   constexpr std::size_t length_max = 60;
   std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);

@@ -1,4 +1,5 @@
-/// A strict view of one JSON value that knows its file and path, so that each refusal says where and what to mend.
+/// A strict view of one JSON value that knows its file and path, so that each refusal says where
+/// and what to mend.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,8 @@ nlohmann::json parse_bounded_json(std::string_view text, std::string_view file,
 /// The shortest decimal text that reads back as the same number.
 std::string text_of_number(double value);
 
-/// Borrows the JSON value and the file's name: both must outlive it. All members throw ScenarioError naming the path.
+/// Borrows the JSON value and the file's name: both must outlive it. All members throw
+/// ScenarioError naming the path.
 class JsonNode {
  public:
   JsonNode(const nlohmann::json& value, std::string_view file) noexcept

@@ -1,4 +1,4 @@
-/// Landmarks by name, for what a scenario lays on one patient.
+/// Landmarks by name, for what a scenario lays on one patient. Inside this corner only.
 #pragma once
 
 #include <string>

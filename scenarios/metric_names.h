@@ -1,4 +1,5 @@
-/// The scoring metrics: one row each with its id, unit, subject and wording. Rubrics, scoring and sentences read this table.
+/// The scoring metrics: one row each with its id, unit, subject and wording. Rubrics, scoring and
+/// sentences read this table.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,9 @@ enum class MetricSubject {
   CutOrHinge
 };
 
-/// How a metric is said: `subject`, the value, `tail`, and where a direction helps `lean`, the direction and `lean_end`.
-/// Where the value is 0 and `at_zero` is not empty, that is said in place of all of it.
+/// How a metric is said: `subject`, the value, `tail`, and where a direction helps `lean`, the
+/// direction and `lean_end`. Where the value is 0 and `at_zero` is not empty, that is said in place
+/// of all of it.
 struct MetricWording {
   const char* subject = "";
   const char* tail = "";
@@ -57,7 +59,8 @@ struct MetricName {
 
 /// source  docs/metrics.md
 std::span<const MetricName> known_metrics() noexcept;
-/// Nothing (null) where there is no metric of that name; what is returned lives as long as the program.
+/// Nothing (null) where there is no metric of that name; what is returned lives as long as the
+/// program.
 const MetricName* find_metric(std::string_view name) noexcept;
 std::string_view name_of(Metric metric) noexcept;
 

@@ -34,7 +34,8 @@ Vec3 direction_of(std::string_view side) {
   return {0.0, 0.0, side == "lateral" ? 1.0 : -1.0};
 }
 
-/// One cut on its way to a plan: what the scenario asks, the bone, and the words that a refusal begins with.
+/// One cut on its way to a plan: what the scenario asks, the bone, and the words that a refusal
+/// begins with.
 struct Asked {
   const Scenario& scenario;
   const ReferenceCut& cut;
@@ -42,8 +43,9 @@ struct Asked {
   std::string path;
 };
 
-/// Towards the waste, square to the axis, then turned about the axis. For an axis that points distally (+x) the turn
-/// raises the dorsal component of a medial normal, so the plane runs further medial as it goes plantar.
+/// Towards the waste, square to the axis, then turned about the axis. For an axis that points
+/// distally (+x) the turn raises the dorsal component of a medial normal, so the plane runs further
+/// medial as it goes plantar.
 Vec3 normal_along(const Asked& asked, const Vec3& axis) {
   const Vec3 side = direction_of(asked.cut.waste_side);
   const Vec3 square = unit_or_refuse(side - glm::dot(side, axis) * axis, asked.path,
@@ -102,7 +104,8 @@ void plan_through_hinge(const Asked& asked, const Plan& plan, PlannedCut& planne
   planned.axis = hinge.axis;
 }
 
-/// The point of the bone's section by the face that lies furthest in the direction; nothing where the face misses.
+/// The point of the bone's section by the face that lies furthest in the direction; nothing where
+/// the face misses.
 std::optional<Vec3> furthest_in_face(const ReferenceFace& face, const simulator::IndexedMesh& mesh,
                                      const Vec3& direction) {
   std::optional<Vec3> furthest;

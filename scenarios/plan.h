@@ -12,7 +12,8 @@
 
 namespace hallux::scenarios {
 
-/// A finished bone face: points p with normal . p = offset; the bone on the side of the normal is waste.
+/// A finished bone face: points p with normal . p = offset; the bone on the side of the normal is
+/// waste.
 struct ReferenceFace {
   Vec3 normal{0.0, 0.0, -1.0};
   double offset_mm = 0.0;
@@ -21,33 +22,37 @@ struct ReferenceFace {
 struct PlannedCut {
   std::string name;
   ReferenceFace face;
-  Vec3 axis{1.0, 0.0,
-            0.0};  ///< unit direction in the face: distal, or dorsal in a face across the bone
+  /// Unit direction in the face: distal, or dorsal in a face across the bone.
+  Vec3 axis{1.0, 0.0, 0.0};
   /// Where depth is measured; the entry in a face across the bone.
   Vec3 depth_point_in_bone_mm{0.0, 0.0, 0.0};
   /// Where the face runs out of the bone; in a face that stops at a hinge, the hinge's point.
   Vec3 exit_point_in_bone_mm{0.0, 0.0, 0.0};
-  double depth_mm =
-      0.0;  ///< planned signed distance of the face from the depth point, towards the waste
+  /// Planned signed distance of the face from the depth point, towards the waste.
+  double depth_mm = 0.0;
   FaceKind kind = FaceKind::AlongAxis;
   /// The bone's point of this face that lies furthest on the side of the approach.
   Vec3 entry_point_in_bone_mm{0.0, 0.0, 0.0};
-  std::string hinge;  ///< where the blade is to stop; empty where the cut runs through the bone
+  /// Where the blade is to stop; empty where the cut runs through the bone.
+  std::string hinge;
 };
 
-/// The bridge on this bone. Its line runs through `point` along `axis`; bone beyond it, towards `outward`, is to stay.
-/// The faces that it joins are cut only where outward . (p - point) <= 0. A line is straight and a cortex is not, so the
-/// planned thickness holds in the row of the line in which the bone reaches furthest outward: the row of `point`.
+/// The bridge on this bone. Its line runs through `point` along `axis`; bone beyond it, towards
+/// `outward`, is to stay. The faces that it joins are cut only where outward . (p - point) <= 0. A
+/// line is straight and a cortex is not, so the planned thickness holds in the row of the line in
+/// which the bone reaches furthest outward: the row of `point`.
 struct PlannedHinge {
   std::string name;
   std::string first_cut, second_cut;
   Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
-  Vec3 axis{0.0, 1.0, 0.0};  ///< unit, in both faces, dorsal
-  Vec3 outward{
-      0.0, 0.0,
-      1.0};  ///< unit, in the first face, square to the axis, towards the cortex that stays
-  double thickness_mm = 1.0;  ///< from the line to the far cortex in the row of the point
-  double wedge_rad = 0.0;     ///< between the two faces
+  /// Unit, in both faces, dorsal.
+  Vec3 axis{0.0, 1.0, 0.0};
+  /// Unit, in the first face, square to the axis, towards the cortex that stays.
+  Vec3 outward{0.0, 0.0, 1.0};
+  /// From the line to the far cortex in the row of the point.
+  double thickness_mm = 1.0;
+  /// Between the two faces.
+  double wedge_rad = 0.0;
   double target_low_mm = 0.8, target_high_mm = 2.0;
   double breaks_below_mm = 0.3, bends_up_to_mm = 2.5;
 };
@@ -63,11 +68,12 @@ const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept;
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept;
 
 /// The face of the plane on this bone.
-/// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the bone, the hinge that
-///         has no room in it, or the danger zone that lies nowhere near it
+/// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the
+///         bone, the hinge that has no room in it, or the danger zone that lies nowhere near it
 Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
 
-/// The patient that the scenario asks for; `progress` is told the fraction done and may return false to cancel.
+/// The patient that the scenario asks for; `progress` is told the fraction done and may return
+/// false to cancel.
 /// errors  ScenarioError (see make_first_metatarsal)
 simulator::Bone make_patient(const Scenario& scenario, const Progress& progress = {});
 

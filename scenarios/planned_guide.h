@@ -6,14 +6,14 @@
 
 namespace hallux::scenarios {
 
-/// For each step the middle of the blade in the cut that is made in it, or next after it while there is only to be looked;
-/// nothing for the others.
+/// For each step the middle of the blade in the cut that is made in it, or next after it while
+/// there is only to be looked; nothing for the others.
 /// needs   a plan of this scenario
 simulator::GuidePlan planned_guide(const Scenario& scenario, const Plan& plan,
                                    simulator::Guidance guidance);
 
-/// The cut of that step, or the next after it while there is only to be looked; null where the step has another purpose. It
-/// lives as long as the plan.
+/// The cut of that step, or the next after it while there is only to be looked; null where the step
+/// has another purpose. It lives as long as the plan.
 const PlannedCut* cut_at_step(const Scenario& scenario, const Plan& plan,
                               std::size_t step) noexcept;
 

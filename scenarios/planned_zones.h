@@ -1,4 +1,4 @@
-/// The danger zones of a scenario on one patient.
+/// The danger zones of a scenario on one patient. Inside this corner only.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct PlannedZone {
 };
 
 /// In the order of the scenario.
-/// errors  ScenarioError naming the landmark that this bone lacks, or the zone that lies so far from the bone that no
-///         blade comes there
+/// errors  ScenarioError naming the landmark that this bone lacks, or the zone that lies so far
+///         from the bone that no blade comes there
 std::vector<PlannedZone> plan_zones(const Scenario& scenario, const simulator::Bone& bone);
 
 /// The capsules alone, as the simulator watches them.

@@ -68,7 +68,8 @@ StepKind read_step_kind(const JsonNode& node) {
   return StepKind::Finish;
 }
 
-/// The thickness that is planned is one that scores in full, and one that bends when the wedge is closed.
+/// The thickness that is planned is one that scores in full, and one that bends when the wedge is
+/// closed.
 void check_thickness(const JsonNode& node, const ReferenceHinge& hinge) {
   if (!(hinge.breaks_below_mm < hinge.target_low_mm && hinge.target_low_mm < hinge.target_high_mm &&
         hinge.target_high_mm < hinge.bends_up_to_mm)) {

@@ -1,4 +1,4 @@
-/// The cuts, hinges and steps of a scenario's JSON.
+/// The cuts, hinges and steps of a scenario's JSON. Inside this corner only.
 #pragma once
 
 #include "scenarios/json_node.h"
@@ -6,7 +6,8 @@
 
 namespace hallux::scenarios {
 
-/// errors  ScenarioError, all three: shape and range of each value; what the parts say of each other is check_references
+/// errors  ScenarioError, all three: shape and range of each value; what the parts say of each
+///         other is check_references
 ReferenceCut read_cut(const JsonNode& node);
 ReferenceHinge read_hinge(const JsonNode& node);
 OperationStep read_step(const JsonNode& node);

@@ -25,8 +25,8 @@ SourceNote read_source(const JsonNode& node) {
   return {.key = node.at("key").text(1, 64), .text = node.at("text").text(1, origin_bytes_max)};
 }
 
-/// Adult bones with room for the smallest and the largest foot. Nothing was found on how much harder or softer living bone is
-/// to saw: half and half as much again are ours.
+/// Adult bones with room for the smallest and the largest foot. Nothing was found on how much
+/// harder or softer living bone is to saw: half and half as much again are ours.
 PatientRequest read_patient(const JsonNode& node) {
   PatientRequest patient;
   node.expect_keys({"bone", "length_mm", "edge_mm", "origin"}, {"eminence_mm", "bone_quality"});
@@ -45,8 +45,8 @@ PatientRequest read_patient(const JsonNode& node) {
   return patient;
 }
 
-/// The widest blades of the forefoot and hindfoot saws bound the ranges. Nobody would saw on with a blade that takes less
-/// than a fifth, and none is sharper than a new one.
+/// The widest blades of the forefoot and hindfoot saws bound the ranges. Nobody would saw on with a
+/// blade that takes less than a fifth, and none is sharper than a new one.
 void read_blade(const JsonNode& node, Scenario& scenario) {
   node.expect_keys(
       {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"},

@@ -18,12 +18,15 @@ namespace hallux::scenarios {
 
 /// Which patient is made for the operation.
 struct PatientRequest {
-  std::string bone;  ///< "first_metatarsal" or "first_proximal_phalanx"
+  /// "first_metatarsal" or "first_proximal_phalanx".
+  std::string bone;
   double length_mm = 63.2;
-  double eminence_mm = 0.0;  ///< of a first metatarsal
+  /// Of a first metatarsal.
+  double eminence_mm = 0.0;
   double edge_mm = 0.3;
   std::string origin;
-  double bone_quality = 1.0;  ///< the force that sawing needs, as a share of usual bone's
+  /// The force that sawing needs, as a share of usual bone's.
+  double bone_quality = 1.0;
 };
 
 /// AlongAxis     parallel to an axis between two landmarks, tilted about it, offset from a third
@@ -35,8 +38,10 @@ enum class FaceKind { AlongAxis, Transverse, ThroughHinge };
 /// A finished bone face relative to landmarks. Works on any patient that has them. What a kind does
 /// not use stays empty.
 struct LandmarkPlane {
-  std::string through;             ///< landmark from which the offset counts
-  std::string axis_from, axis_to;  ///< without tilts the plane contains this direction
+  /// Landmark from which the offset counts.
+  std::string through;
+  /// Without tilts the plane contains this direction.
+  std::string axis_from, axis_to;
   /// AlongAxis: along the normal, towards the waste. Transverse: along the bone's x.
   double offset_mm = 0.0;
   /// AlongAxis: about the axis; positive: the plantar end lies further medial.
@@ -58,8 +63,10 @@ struct ReferenceCut {
   std::string waste_side;
   /// The side from which the blade comes: "dorsal", "plantar", "medial" or "lateral".
   std::string approach;
-  std::string depth_landmark;  ///< AlongAxis: where depth is measured
-  std::string exit_landmark;   ///< AlongAxis: where the face must run flush into the shaft
+  /// AlongAxis: where depth is measured.
+  std::string depth_landmark;
+  /// AlongAxis: where the face must run flush into the shaft.
+  std::string exit_landmark;
   std::string origin;
 };
 
@@ -69,11 +76,15 @@ struct ReferenceCut {
 struct ReferenceHinge {
   std::string name, title;
   std::string first_cut, second_cut;
-  std::string side;           ///< "lateral" or "medial": the cortex that is kept
-  double thickness_mm = 1.0;  ///< planned, where the bone reaches furthest to that side
+  /// "lateral" or "medial": the cortex that is kept.
+  std::string side;
+  /// Planned, where the bone reaches furthest to that side.
+  double thickness_mm = 1.0;
   double target_low_mm = 0.8, target_high_mm = 2.0;
-  double breaks_below_mm = 0.3;  ///< a thinner bridge breaks when it is closed
-  double bends_up_to_mm = 2.5;   ///< a thicker one does not bend
+  /// A thinner bridge breaks when it is closed.
+  double breaks_below_mm = 0.3;
+  /// A thicker one does not bend.
+  double bends_up_to_mm = 2.5;
   std::string origin;
   bool is_provisional = true;
 };
@@ -83,8 +94,10 @@ enum class StepKind { Verify, Cut, Remove, Close, Finish };
 struct OperationStep {
   StepKind kind = StepKind::Verify;
   std::string title, text;
-  std::string cut;    ///< Cut: which; Remove: the cut whose piece comes out, unless it is a wedge
-  std::string hinge;  ///< Remove: the hinge whose wedge comes out; Close: the hinge that is closed
+  /// Cut: which; Remove: the cut whose piece comes out, unless it is a wedge.
+  std::string cut;
+  /// Remove: the hinge whose wedge comes out; Close: the hinge that is closed.
+  std::string hinge;
 };
 
 /// Points for one metric: all of the weight up to `full`, none from `zero` on, linear between
@@ -92,23 +105,29 @@ struct OperationStep {
 /// A band gives full points inside [full_low, full_high] and none outside (zero_low, zero_high).
 struct RubricItem {
   std::string id, title, group, metric, cut, unit;
-  std::int64_t weight_milli = 0;  ///< rubric points x 1000
+  /// Rubric points x 1000.
+  std::int64_t weight_milli = 0;
   bool is_band = false;
   double full = 0.0, zero = 0.0;
   double zero_low = 0.0, full_low = 0.0, full_high = 0.0, zero_high = 0.0;
-  std::string origin;          ///< where the numbers come from
-  bool is_provisional = true;  ///< no surgeon and no measured expert stands behind them yet
-  std::string hinge;           ///< what it is about, in place of `cut`
+  /// Where the numbers come from.
+  std::string origin;
+  /// No surgeon and no measured expert stands behind them yet.
+  bool is_provisional = true;
+  /// What it is about, in place of `cut`.
+  std::string hinge;
 };
 
 /// Caps the score where a metric exceeds its limit.
 struct Gate {
   std::string name, title, metric, cut, unit;
   double limit = 0.0;
-  std::int64_t cap_milli = 0;  ///< of 100 000
+  /// Of 100 000.
+  std::int64_t cap_milli = 0;
   std::string origin;
   bool is_provisional = true;
-  std::string hinge;  ///< what it is about, in place of `cut`
+  /// What it is about, in place of `cut`.
+  std::string hinge;
 };
 
 /// The cut or the hinge that an item or a gate is about.
@@ -121,24 +140,29 @@ struct RubricGroup {
   std::string name, title;
   std::int64_t weight_milli = 0;
   std::string origin;
-  std::int64_t not_measured_milli = 0;  ///< of the weight, where only some of it has items
+  /// Of the weight, where only some of it has items.
+  std::int64_t not_measured_milli = 0;
 };
 
 struct Rubric {
   std::int32_t version = 1;
-  std::vector<RubricGroup> groups;  ///< weights add up to 100 000
-  std::vector<RubricItem> items;    ///< groups without items are not measured yet
+  /// Weights add up to 100 000.
+  std::vector<RubricGroup> groups;
+  /// Groups without items are not measured yet.
+  std::vector<RubricItem> items;
   std::vector<Gate> gates;
 };
 
 /// A structure that must not be touched: a capsule between two points. Each is counted along the
 /// axes of the bone frame, from its landmark, or from the bone's origin where it names none.
 struct DangerZone {
-  std::string name, severity;  ///< severity: "critical", "major" or "minor"
+  /// Severity: "critical", "major" or "minor".
+  std::string name, severity;
   Vec3 from_in_bone_mm{0.0, 0.0, 0.0}, to_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 0.0;
   std::string title;
-  bool is_checked = false;  ///< true once an anatomist or surgeon has confirmed where it lies
+  /// True once an anatomist or surgeon has confirmed where it lies.
+  bool is_checked = false;
   std::string origin;
   std::string from_landmark = {}, to_landmark = {};
 };
@@ -152,7 +176,8 @@ struct Scenario {
   std::int32_t format = 1;
   std::string name, title;
   std::int32_t version = 1;
-  bool is_reviewed = false;  ///< false is shown everywhere as "not surgeon-reviewed"
+  /// False is shown everywhere as "not surgeon-reviewed".
+  bool is_reviewed = false;
   std::string reviewed_by;
   std::string indication, summary;
   PatientRequest patient;
@@ -165,7 +190,8 @@ struct Scenario {
   std::vector<OperationStep> steps;
   std::vector<DangerZone> danger_zones;
   Rubric rubric;
-  std::string text;  ///< the JSON it was read from, byte for byte
+  /// The JSON it was read from, byte for byte.
+  std::string text;
   std::vector<SourceNote> sources;
   std::vector<ReferenceHinge> hinges;
 };

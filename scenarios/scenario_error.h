@@ -1,4 +1,5 @@
-/// A scenario, table or patient that cannot be used, said in one sentence: the file, the place and the mend.
+/// A scenario, table or patient that cannot be used, said in one sentence: the file, the place and
+/// the mend.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
-/// The accuracy of an Akin osteotomy: two faces, the wedge between them and the hinge that is left (items A1 to A7).
+/// The accuracy of an Akin osteotomy: two faces, the wedge between them and the hinge that is left
+/// (items A1 to A7). Inside this room only.
 #pragma once
 
 #include <span>
@@ -15,24 +16,33 @@ struct AkinFace {
 
 struct AkinPlan {
   FacePlane cut1, cut2;
-  OffsetPoints offsets;  ///< entry at the medial cortex, exit at the planned apex, counted distally
+  /// Entry at the medial cortex, exit at the planned apex, counted distally.
+  OffsetPoints offsets;
 };
 
 struct AkinCuts {
   AkinFace cut1, cut2;
-  double hinge_mm = 0.0;     ///< intact bone at the lateral cortex; 0 where it is cut through
-  double flatness_mm = 0.0;  ///< see measure_flatness
+  /// Intact bone at the lateral cortex; 0 where it is cut through.
+  double hinge_mm = 0.0;
+  /// See measure_flatness.
+  double flatness_mm = 0.0;
 };
 
 struct AkinMetrics {
-  FaceMetrics cut1, cut2;        ///< A1 cut1.angle_deg, A2 cut1.location_mm, A3 cut2.angle_deg
-  double wedge_deg = 0.0;        ///< difference of the faces' transverse tilts
-  double wedge_error_deg = 0.0;  ///< A4: actual minus planned
-  double wedge_sagittal_deg =
-      0.0;                ///< A5: difference of the faces' sagittal tilts; positive: plantar base
-  double base_mm = 0.0;   ///< gap at the entry
-  double hinge_mm = 0.0;  ///< A6, as given
-  double flatness_mm = 0.0;  ///< A7, as given
+  /// A1 cut1.angle_deg, A2 cut1.location_mm, A3 cut2.angle_deg.
+  FaceMetrics cut1, cut2;
+  /// Difference of the faces' transverse tilts.
+  double wedge_deg = 0.0;
+  /// A4: actual minus planned.
+  double wedge_error_deg = 0.0;
+  /// A5: difference of the faces' sagittal tilts; positive: plantar base.
+  double wedge_sagittal_deg = 0.0;
+  /// Gap at the entry.
+  double base_mm = 0.0;
+  /// A6, as given.
+  double hinge_mm = 0.0;
+  /// A7, as given.
+  double flatness_mm = 0.0;
 };
 
 /// source  docs/metrics.md, "Akin"

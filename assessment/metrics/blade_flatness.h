@@ -1,4 +1,4 @@
-/// How straight the blade was led, from its poses while it cut.
+/// How straight the blade was led, from its poses while it cut. Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,16 @@ struct ToothPoint {
 };
 
 struct Flatness {
-  double flatness_mm =
-      0.0;                ///< 97.5th minus 2.5th percentile of the distances from their own plane
-  std::int64_t tick = 0;  ///< of the point furthest from that plane
+  /// 97.5th minus 2.5th percentile of the distances from their own plane.
+  double flatness_mm = 0.0;
+  /// Of the point furthest from that plane.
+  std::int64_t tick = 0;
   Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
 };
 
 /// errors  nothing where the points lie on a line or are fewer than three
-/// source  docs/metrics.md: the walls of a planar kerf are flat by construction, so the wall cannot tell
+/// source  docs/metrics.md: the walls of a planar kerf are flat by construction, so the wall cannot
+///         tell
 std::optional<Flatness> measure_flatness(std::span<const ToothPoint> points);
 
 }  // namespace hallux::assessment

@@ -23,7 +23,8 @@ struct Eigen3 {
   Vec3 least{0.0, 0.0, 0.0};       ///< unit vector of the smallest
 };
 
-/// One Jacobi rotation in the plane of axes p and q, which makes matrix[p][q] zero; `vectors` turns with it.
+/// One Jacobi rotation in the plane of axes p and q, which makes matrix[p][q] zero; `vectors` turns
+/// with it.
 void rotate_away(Symmetric& matrix, std::array<Vec3, 3>& vectors, std::size_t p, std::size_t q) {
   if (matrix[p][q] == 0.0) return;
   const double theta = (matrix[q][q] - matrix[p][p]) / (2.0 * matrix[p][q]);

@@ -1,4 +1,5 @@
-/// How deep a resection is and how it leaves the bone: the metrics of a Silver exostectomy beside angle and location.
+/// How deep a resection is and how it leaves the bone: the metrics of a Silver exostectomy beside
+/// angle and location. Inside this room only.
 #pragma once
 
 #include "assessment/metrics/face_plane.h"
@@ -7,19 +8,22 @@ namespace hallux::assessment {
 
 /// What the plan asks of the face at its two landmarks.
 struct ResectionPlan {
-  FacePlane face;  ///< normal to the waste
+  /// Normal to the waste.
+  FacePlane face;
   Vec3 depth_point_in_bone_mm{0.0, 0.0, 0.0};
   Vec3 exit_point_in_bone_mm{0.0, 0.0, 0.0};
 };
 
 /// Signed numbers count along the planned normal: positive towards the waste (too little taken).
 struct ResectionMetrics {
-  double depth_error_mm = 0.0;  ///< face at the depth landmark, actual minus planned
-  double past_landmark_mm =
-      0.0;  ///< how far the face passes the depth landmark to the kept side; 0 if it does not
-  double step_error_mm =
-      0.0;  ///< face at the exit landmark, actual minus planned: a ledge above 0, a notch below
-  double notch_mm = 0.0;  ///< the part of the step that goes into the kept bone
+  /// Face at the depth landmark, actual minus planned.
+  double depth_error_mm = 0.0;
+  /// How far the face passes the depth landmark to the kept side; 0 if it does not.
+  double past_landmark_mm = 0.0;
+  /// Face at the exit landmark, actual minus planned: a ledge above 0, a notch below.
+  double step_error_mm = 0.0;
+  /// The part of the step that goes into the kept bone.
+  double notch_mm = 0.0;
 };
 
 /// needs   the faces are not at right angles to each other

@@ -1,4 +1,4 @@
-/// The finished face that each planned cut left on the bone that is kept.
+/// The finished face that each planned cut left on the bone that is kept. Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,21 @@ namespace hallux::assessment {
 /// One face of one kerf, on the side that the plan keeps.
 struct CutFace {
   std::int32_t kerf = -1;
-  FacePlane plane;  ///< fitted to the samples; normal to the waste, like the plan's
+  /// Fitted to the samples; normal to the waste, like the plan's.
+  FacePlane plane;
   std::vector<Vec3> samples_in_bone_mm;
   double area_mm2 = 0.0;
   bool is_finished = false;
-  double done_fraction =
-      0.0;  ///< of what was to be sawn, 1 where it is finished (see done_fraction_of)
-  /// That has the face: 0 is the largest. A face on no piece is sampled where the blade opened bone.
+  /// Of what was to be sawn, 1 where it is finished (see done_fraction_of).
+  double done_fraction = 0.0;
+  /// That has the face: 0 is the largest. A face on no piece is sampled where the blade opened
+  /// bone.
   std::size_t piece = 0;
 };
 
-/// The faces of all kerfs that belong to the planned cut `cut` (see cuts_of_kerfs), the one that counts first: finished
-/// before unfinished, on a larger piece before a smaller one (a shaving may carry the face of an earlier kerf), then the
-/// greater area.
+/// The faces of all kerfs that belong to the planned cut `cut` (see cuts_of_kerfs), the one that
+/// counts first: finished before unfinished, on a larger piece before a smaller one (a shaving may
+/// carry the face of an earlier kerf), then the greater area.
 std::vector<CutFace> faces_of_cut(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
                                   std::size_t cut);
 

@@ -23,7 +23,8 @@ constexpr double almost_done = 0.999;
 /// Less than this of a cut is a false start.
 constexpr double least_cut = 0.5;
 
-/// A tilt of one degree counts as much as a millimetre: over a section of 20 mm they move the face by as much.
+/// A tilt of one degree counts as much as a millimetre: over a section of 20 mm they move the face
+/// by as much.
 double misfit(const KerfPlane& plane, const PlannedCut& cut) noexcept {
   const FacePlane planned{cut.face.normal, cut.face.offset_mm};
   const Vec3 normal = transform_direction(plane.bone_from_kerf, Vec3{0.0, 0.0, 1.0});

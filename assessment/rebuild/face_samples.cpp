@@ -121,7 +121,8 @@ struct WindowCount {
   std::int64_t wanted = 0, open = 0;
 };
 
-/// Where contours cross the row at v, ascending: bone lies between the first and the second, and so on.
+/// Where contours cross the row at v, ascending: bone lies between the first and the second, and so
+/// on.
 std::vector<double> bone_borders_mm(const SectionRegion& region, double v_mm) {
   std::vector<double> borders_mm;
   for (const Contour& contour : region.contours) {
@@ -135,7 +136,8 @@ std::vector<double> bone_borders_mm(const SectionRegion& region, double v_mm) {
   return borders_mm;
 }
 
-/// The grid points of one row from border to border of the region, in the order in which they lie outward.
+/// The grid points of one row from border to border of the region, in the order in which they lie
+/// outward.
 std::vector<Vec2> outward_row(const std::vector<double>& borders_mm, double v_mm,
                               bool is_reversed) {
   std::vector<Vec2> row;

@@ -1,4 +1,5 @@
 /// Points on a finished face, spread evenly so that each stands for the same area.
+/// Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +9,15 @@
 
 namespace hallux::assessment {
 
-/// Samples lie on a grid in the kerf's plane, made finer until there are enough or the grid is as fine as the field's.
+/// Samples lie on a grid in the kerf's plane, made finer until there are enough or the grid is as
+/// fine as the field's.
 inline constexpr double sample_step_mm = 0.25;
 inline constexpr std::size_t samples_wanted = 200;
 
 struct FaceSamples {
   std::vector<Vec3> points_in_bone_mm;
-  double area_mm2 = 0.0;  ///< of the face, as far as samples tell
+  /// Of the face, as far as samples tell.
+  double area_mm2 = 0.0;
 };
 
 /// Samples of one wall of a kerf on a piece; empty where the piece has nothing of that wall.
@@ -25,14 +28,16 @@ FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceO
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side);
 
-/// The part of a section that a cut is to open: bone with outward . p <= limit. `outward` is a unit vector.
+/// The part of a section that a cut is to open: bone with outward . p <= limit. `outward` is a unit
+/// vector.
 struct PlannedWindow {
   Vec3 outward{0.0, 0.0, 1.0};
   double limit_mm = 0.0;
 };
 
-/// How much of the window, of the regions that the blade touched, kerf `index` opened [0, 1]. Bone that this blade would
-/// reach only through another kerf counts as done: there the waste is free already.
+/// How much of the window, of the regions that the blade touched, kerf `index` opened [0, 1]. Bone
+/// that this blade would reach only through another kerf counts as done: there the waste is free
+/// already.
 double opened_share(const RebuiltBone& rebuilt, std::int32_t index, const PlannedWindow& window);
 
 }  // namespace hallux::assessment

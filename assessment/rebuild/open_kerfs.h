@@ -1,4 +1,5 @@
 /// A recording's kerfs, opened again in the order in which the step opened them.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 
 namespace hallux::assessment {
 
-/// Freezes the planes alone. Calls `frozen(tick)` after each that begins a kerf, and `sampled(index)` for each sample when
-/// its turn comes. A plane that was refused begins none.
+/// Freezes the planes alone. Calls `frozen(tick)` after each that begins a kerf, and
+/// `sampled(index)` for each sample when its turn comes. A plane that was refused begins none.
 /// needs   samples and events are in the order of their ticks
 template <typename Frozen, typename Sampled>
 void freeze_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
@@ -25,8 +26,8 @@ void freeze_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recordi
   }
 }
 
-/// The same, and opens them: `swept(index, changed)` is called after each sample, with `kerfs` as they stood then and the
-/// window of nodes that the sample raised.
+/// The same, and opens them: `swept(index, changed)` is called after each sample, with `kerfs` as
+/// they stood then and the window of nodes that the sample raised.
 template <typename Frozen, typename Swept>
 void open_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
                 Swept&& swept) {

@@ -1,5 +1,5 @@
-/// A recording's kerfs as fields with the tick at which each node opened: what a replay is shown from, and what the bone
-/// is rebuilt from without stamping once more.
+/// A recording's kerfs as fields with the tick at which each node opened: what a replay is shown
+/// from, and what the bone is rebuilt from without stamping once more.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,8 @@ using OpenedFields = std::vector<simulator::OpenedField>;
 OpenedFields opened_fields(const simulator::Blade& blade, const RigidTransform& world_from_bone,
                            const simulator::Recording& recording, const Progress& progress = {});
 
-/// Whether `fields` are of this recording's planes and kerfs: what was kept of another one is not used.
+/// Whether `fields` are of this recording's planes and kerfs: what was kept of another one is not
+/// used.
 bool are_of(const OpenedFields& fields, const simulator::Blade& blade,
             const RigidTransform& world_from_bone, const simulator::Recording& recording);
 

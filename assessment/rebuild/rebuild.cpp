@@ -65,7 +65,8 @@ void put_kerfs(RebuiltBone& rebuilt, const Recording& recording, const OpenedFie
   }
 }
 
-/// How much of each region the outline takes. What rounding leaves of a region that was taken wholly is nothing.
+/// How much of each region the outline takes. What rounding leaves of a region that was taken
+/// wholly is nothing.
 void measure_regions(RebuiltKerf& kerf, const CutSolid& solid) {
   const std::size_t count = kerf.section.regions.size();
   for (std::size_t region = 0; region < count; ++region) {

@@ -1,4 +1,5 @@
-/// From a recording to the bone as it was left: the kerfs from the recorded poses, the solids from the kerfs.
+/// From a recording to the bone as it was left: the kerfs from the recorded poses, the solids from
+/// the kerfs.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,23 @@
 
 namespace hallux::assessment {
 
-/// One kerf of the attempt. `is_touched`, `is_removed` and `opened_fraction` have one entry per region of the section.
+/// One kerf of the attempt. `is_touched`, `is_removed` and `opened_fraction` have one entry per
+/// region of the section.
 struct RebuiltKerf {
-  simulator::Section section;            ///< of the solid as it was when this kerf's turn came
-  simulator::RegionOutline outline;      ///< of what the blade opened
-  std::vector<std::uint8_t> is_touched;  ///< the blade opened something of the region
-  std::vector<std::uint8_t> is_removed;  ///< nothing of the region within the slab is left
-  std::vector<double> opened_fraction;   ///< [0, 1], of the region's volume within the slab
+  /// Of the solid as it was when this kerf's turn came.
+  simulator::Section section;
+  /// Of what the blade opened.
+  simulator::RegionOutline outline;
+  /// The blade opened something of the region.
+  std::vector<std::uint8_t> is_touched;
+  /// Nothing of the region within the slab is left.
+  std::vector<std::uint8_t> is_removed;
+  /// [0, 1], of the region's volume within the slab.
+  std::vector<double> opened_fraction;
   double removed_mm3 = 0.0;
   std::int64_t frozen_tick = 0;
-  std::int64_t first_cutting_tick = 0, last_cutting_tick = 0;  ///< frozen_tick where it never cut
+  /// frozen_tick where it never cut.
+  std::int64_t first_cutting_tick = 0, last_cutting_tick = 0;
   std::int64_t cutting_samples = 0;
 
   /// The blade was taken through all that it began: the largest region that it touched is covered.
@@ -33,19 +41,22 @@ struct RebuiltKerf {
 
 /// ensures input = sum of pieces + debris + removed, as far as sections integrate exactly
 struct RebuiltBone {
-  simulator::KerfSet fields;  ///< planes and fields, one per entry of `kerfs`
+  /// Planes and fields, one per entry of `kerfs`.
+  simulator::KerfSet fields;
   std::vector<RebuiltKerf> kerfs;
-  std::vector<simulator::CutSolid> pieces;  ///< largest first, debris left out
+  /// Largest first, debris left out.
+  std::vector<simulator::CutSolid> pieces;
   std::vector<double> piece_volumes_mm3;
   double input_mm3 = 0.0;
-  double removed_mm3 = 0.0;  ///< by the blade, integrated from sections
+  /// By the blade, integrated from sections.
+  double removed_mm3 = 0.0;
   double debris_mm3 = 0.0;
   std::int32_t debris_count = 0;
 };
 
 /// needs   recording's samples and events are in the order of their ticks
-/// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order they were frozen
-///         `opened` saves the stamping and changes no bit
+/// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order
+///         they were frozen `opened` saves the stamping and changes no bit
 /// needs   where `opened` is given, fields of this recording (see are_of)
 /// errors  Cancelled
 /// thread  any

@@ -1,5 +1,5 @@
 /// The audit: what was done by whom to what, only ever added to, each row chained to the one
-/// before.
+/// before. Inside this room only.
 ///
 /// A row holds numbers, uuids and digests. Names and free text stand in audit_text with a salt, can
 /// be erased there, and are bound to the chain by their salted digest. What it can show: that a row

@@ -1,4 +1,4 @@
-/// Pages of the audit as an administrator reads them, with names.
+/// Pages of the audit as an administrator reads them, with names. Inside this room only.
 #pragma once
 
 #include "database/records/audit_line.h"

@@ -1,4 +1,5 @@
 /// The beginning of an attempt: who may begin it, its row, its lease and its line of the audit.
+/// Inside this room only.
 #pragma once
 
 #include "database/records/attempt.h"

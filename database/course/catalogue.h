@@ -1,5 +1,5 @@
 /// The catalogue of scenario versions: draft, published, retired; and the operations that are
-/// published.
+/// published. Inside this room only.
 ///
 ///   import -> draft -> published -> retired -> published ...
 ///

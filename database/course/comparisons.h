@@ -1,4 +1,5 @@
 /// Comparisons with a cohort, told to its trainees: snapshots from which nobody can be made out.
+/// Inside this room only.
 ///
 ///     results now [ 61  70  72 ... ]   differ for 5 people or more   snapshot [ 58  70  72 ... ]
 ///     of 10 or more people  - - - - - - - - - - - - - - - - - - - - -> counted, median, quartiles

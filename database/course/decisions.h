@@ -1,4 +1,5 @@
 /// Decisions of instructors about results: confirmed, overridden or voided, each with a reason.
+/// Inside this room only.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 /// Questions of trainees about a moment of their attempts: an inbox for the instructors of their
-/// cohorts.
+/// cohorts. Inside this room only.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 /// Limits of assessments: set for a cohort and an operation, asked where an attempt begins. The
-/// desks decide who may call what.
+/// desks decide who may call what. Inside this room only.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 /// Columns of a moment of an attempt: its time, and four that are null where it has no place.
+/// Inside this corner only.
 #pragma once
 
 #include "database/records/note.h"

@@ -1,5 +1,5 @@
 /// Notes on a moment of an attempt, and the replies to them. The desks decide who may read and
-/// write which.
+/// write which. Inside this room only.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 /// Scores: a cache with versions. A new one supersedes the one in force; none is overwritten or
-/// deleted.
+/// deleted. Inside this room only.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 /// Standings: one row for each person, operation and device class, kept as the attempts, scores and
 /// decisions say by triggers of the schema, so that a cohort of a thousand is read at a glance.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

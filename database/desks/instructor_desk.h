@@ -1,4 +1,5 @@
 /// The instructor's desk for one cohort: see, replay, note, answer, decide.
+/// Inside this corner only.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// The policy table: role x action x relation.
+/// The policy table: role x action x relation. Inside this corner only.
 ///
 /// A role is what a desk stands for, a relation what the person at the desk is to the row. What the
 /// table does not allow is refused; each action has exactly one line with an entry for each role,

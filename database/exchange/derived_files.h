@@ -1,4 +1,5 @@
 /// Files beside an exported record that are made from it: meshes and the like, by another room.
+/// Inside this room only.
 #pragma once
 
 #include <cstddef>

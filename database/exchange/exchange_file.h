@@ -1,4 +1,5 @@
 /// Files of an export: private, digested while they are written, bounded while they are read.
+/// Inside this corner only.
 #pragma once
 
 #include <cstddef>

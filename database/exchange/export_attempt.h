@@ -1,4 +1,5 @@
 /// Export of an attempt: a folder of files that other programs read and another directory imports.
+/// Inside this room only.
 ///
 ///   UUID/manifest.json  facts, scenario, score cards, decisions, digests of what lies beside it
 ///   UUID/tape.csv, samples.csv, events.csv   the record as integers; chain and seal follow from

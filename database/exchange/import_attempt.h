@@ -1,4 +1,5 @@
 /// Import of an exported attempt that was read: stored as a whole or not at all.
+/// Inside this room only.
 ///
 /// What was said of it where it was made (score cards, decisions) is believed of an origin that an
 /// administrator accepted, and of no other: nothing proves it.

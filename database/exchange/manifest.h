@@ -1,5 +1,5 @@
 /// Manifest of an exported attempt: facts, scenario, scores, and the digests of the files beside
-/// it.
+/// it. Inside this corner only.
 ///
 /// Names of people and what they wrote are never in it: a person is a number of the directory it
 /// was made in. The schema is docs/schemas/attempt_manifest.schema.json.

@@ -1,4 +1,5 @@
 /// Origins of imported attempts, and whether what comes from there counts here.
+/// Inside this room only.
 #pragma once
 
 #include <optional>

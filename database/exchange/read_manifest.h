@@ -1,4 +1,5 @@
 /// Reader of the manifest of an exported attempt, from JSON text that nobody vouches for.
+/// Inside this corner only.
 #pragma once
 
 #include <string_view>

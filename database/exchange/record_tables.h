@@ -1,4 +1,5 @@
 /// Tables of a recording: three of integers in CSV (RFC 4180, CR LF), written and read.
+/// Inside this corner only.
 ///
 ///   window,tick_ms,...    the window says which chunk a row lies in: chunks, links and seal follow
 ///                         from the tables alone

@@ -1,4 +1,4 @@
-/// Table of a score card in CSV: one line for each entry of its ledger.
+/// Table of a score card in CSV: one line for each entry of its ledger. Inside this corner only.
 #pragma once
 
 #include <filesystem>

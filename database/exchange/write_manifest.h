@@ -1,4 +1,4 @@
-/// Writer of the manifest of an exported attempt, as JSON text.
+/// Writer of the manifest of an exported attempt, as JSON text. Inside this corner only.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 /// Manifest of a backup: its files with their digests. A backup that has one is complete.
+/// Inside this corner only.
 #pragma once
 
 #include <cstdint>

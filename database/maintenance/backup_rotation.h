@@ -1,4 +1,5 @@
 /// Rotation of backups: a new one is made and audited, and old ones are removed.
+/// Inside this room only.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 /// The journal of erasures: a file beside the backups, so that a backup from before an erasure does
-/// not bring anybody back.
+/// not bring anybody back. Inside this corner only.
 ///
 /// `backups/erasures.jsonl` of the data directory, and a copy in every folder that backups are
 /// written to. A line is one erasure: numbers and times, no name. It is written before the rows are

@@ -1,6 +1,6 @@
 /// Erasure of a person: all that names them and all free text of and by them goes; their number,
 /// attempts and scores stay as a statistic about nobody
-/// (docs/decisions/0008-what-an-erasure-takes.md).
+/// (docs/decisions/0008-what-an-erasure-takes.md). Inside this room only.
 #pragma once
 
 #include <optional>

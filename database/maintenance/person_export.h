@@ -1,4 +1,5 @@
 /// Export of one person's data for that person: tables as CSV and JSON, in plain words.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 /// Recording file of a backup: the stored chunks of one closed attempt, written once.
+/// Inside this corner only.
 ///
 ///     "HALLUXR1"  uuid (36 characters)  number of chunks
 ///     for each chunk, in the order of the chain: seq, stream, first_tick, row_count, length,

@@ -1,4 +1,4 @@
-/// Retention rules and the clean-up they cause.
+/// Retention rules and the clean-up they cause. Inside this room only.
 ///
 /// Nothing goes unless an administrator set a time. A recording's time runs from its start, of an
 /// assessment from the last decision about it where that is later; one with an open question stays.

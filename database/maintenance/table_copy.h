@@ -1,5 +1,5 @@
 /// Copy of all tables at one moment, without the chunks that lie beside them as recordings: the
-/// part of a backup that is written anew each time.
+/// part of a backup that is written anew each time. Inside this corner only.
 #pragma once
 
 #include <filesystem>

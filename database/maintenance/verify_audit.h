@@ -1,4 +1,5 @@
 /// Verification of the audit: its chain, and what it names against what is stored.
+/// Inside this corner only.
 #pragma once
 
 #include "database/maintenance/verify_progress.h"

@@ -1,4 +1,5 @@
 /// Verification of the pages: SQLite's own checks, and the indices that reading goes by.
+/// Inside this corner only.
 #pragma once
 
 #include "database/maintenance/verify_progress.h"

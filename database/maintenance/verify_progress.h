@@ -1,4 +1,5 @@
 /// Progress of a verification, told by its parts, and the error of a row that was altered.
+/// Inside this corner only.
 #pragma once
 
 #include <string>

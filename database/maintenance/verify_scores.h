@@ -1,4 +1,4 @@
-/// Verification of the scores: their cards, and which of them is in force.
+/// Verification of the scores: their cards, and which of them is in force. Inside this corner only.
 #pragma once
 
 #include "database/maintenance/verify_progress.h"

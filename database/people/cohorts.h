@@ -1,4 +1,5 @@
 /// Cohorts: who is trainee and instructor in which. The desks decide who may call what.
+/// Inside this room only.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 /// Notices: sentences shown to a person at sign-in until they are acknowledged.
+/// Inside this room only.
 ///
 /// A notice holds numbers only, so that nothing of it need be erased with a person. One for all
 /// administrators is told to each of them, and each acknowledges it for themself.

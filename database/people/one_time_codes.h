@@ -1,4 +1,5 @@
 /// One-time codes, with which new and reset people choose a password; only a hash is stored.
+/// Inside this room only.
 ///
 /// A code has 60 random bits in three groups of four letters and digits that cannot be taken for
 /// each other ("7QK2-M9XD-3VTA"); case, spaces and dashes do not matter, and O, I, L read as 0, 1,

@@ -1,4 +1,4 @@
-/// Proof to a desk that its holder has just given their password again.
+/// Proof to a desk that its holder has just given their password again. Inside this room only.
 #pragma once
 
 #include "database/records/ids.h"

@@ -1,5 +1,6 @@
 /// Attempts: listed, found, sealed. They begin in database/course/begin_attempt.h; their recordings
 /// are written by database/recording/recorder.h and read by database/recording/recordings.h.
+/// Inside this room only.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// Hash chain of an attempt's chunks and the seal that closes it.
+/// Hash chain of an attempt's chunks and the seal that closes it. Inside this room only.
 #pragma once
 
 #include <cstddef>

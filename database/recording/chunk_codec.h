@@ -1,4 +1,4 @@
-/// Codec of chunks: rows of the record as bytes and back, without loss.
+/// Codec of chunks: rows of the record as bytes and back, without loss. Inside this corner only.
 ///
 ///   bytes = format (1 byte), one zstd frame with content size and checksum whose content is
 ///           format 1: the payload itself (database/recording/columns.h)

@@ -1,4 +1,4 @@
-/// A run of stored chunks decoded to rows, on two threads.
+/// A run of stored chunks decoded to rows, on two threads. Inside this corner only.
 #pragma once
 
 #include <span>

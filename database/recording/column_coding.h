@@ -1,4 +1,4 @@
-/// Columns as residuals of a predictor, Rice-coded.
+/// Columns as residuals of a predictor, Rice-coded. Inside this corner only.
 ///
 ///   coded  = for each column a head, then one stream of bits that holds the columns from the
 ///            last to the first

@@ -1,4 +1,5 @@
 /// Columns of a chunk, which are its rows transposed, and their canonical payload.
+/// Inside this corner only.
 ///
 ///   payload  = column 0 of all rows, column 1 of all rows, ... (the columns of
 ///              simulator/record/record.h)

@@ -1,4 +1,5 @@
 /// Erased recordings: the chunks are gone; the facts, the seal and the score of the attempt stay.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

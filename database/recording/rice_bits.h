@@ -1,4 +1,4 @@
-/// Rice code of order `k`: small numbers as few bits.
+/// Rice code of order `k`: small numbers as few bits. Inside this corner only.
 ///
 ///   a number u = (u >> k) zeros, a one, the low k bits of u, lowest first
 ///   u >> k is 32 or more: 32 zeros, a one, all 64 bits of u

@@ -1,4 +1,5 @@
 /// Stored chunks of an attempt: loaded, decoded, checked against their links.
+/// Inside this room only.
 ///
 /// The link of a chunk binds it to the one before, and every link is stored: so each chunk can be
 /// checked by itself, in any order and on any thread, and all of them together are the chain.

@@ -1,4 +1,5 @@
 /// Writer of the chunks of one window, each linked to the one before, in one transaction.
+/// Inside this corner only.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
 /// Comparison with a cohort in an operation, from which nobody can be made out.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

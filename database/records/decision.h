@@ -1,4 +1,5 @@
 /// Decision of an instructor about the result of an attempt. The computed score stays beside it.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 /// Enumerators and the words they are stored as, in the order of the enumeration.
+/// Inside this corner only.
 #pragma once
 
 #include <array>

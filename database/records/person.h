@@ -1,4 +1,4 @@
-/// People as they are listed; never a password.
+/// People as they are listed; never a password. Inside this room only.
 #pragma once
 
 #include <string>

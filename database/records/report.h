@@ -1,4 +1,4 @@
-/// The answer to a report: a table of plain values.
+/// The answer to a report: a table of plain values. Inside this room only.
 #pragma once
 
 #include <cstddef>

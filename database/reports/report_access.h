@@ -1,5 +1,5 @@
 /// Access of reports: a decision about each table of the schema, and what a report's statement may
-/// do.
+/// do. Inside this corner only.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 /// Virtual tables of SQL over chunks: pose_samples(attempt), tape_lines(attempt),
-/// cut_events(attempt).
+/// cut_events(attempt). Inside this corner only.
 ///
 ///   SELECT tick, tool_x_in_world_um FROM pose_samples('3f...') WHERE tick BETWEEN 60000 AND 60009
 ///

@@ -1,4 +1,5 @@
 /// Folder of backups: its names, its lock, its room, and clearing what a stopped backup left.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

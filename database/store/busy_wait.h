@@ -1,4 +1,4 @@
-/// Waiting of a connection while another one writes.
+/// Waiting of a connection while another one writes. Inside this corner only.
 #pragma once
 
 namespace SQLite {

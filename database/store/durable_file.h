@@ -1,4 +1,5 @@
 /// Durable files, whole on the disk before the next step relies on them; untrusted files.
+/// Inside this room only.
 #pragma once
 
 #include <cstddef>

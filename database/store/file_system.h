@@ -1,4 +1,5 @@
 /// File system of a directory: local, or a share that several machines may write to.
+/// Inside this corner only.
 #pragma once
 
 #include <filesystem>

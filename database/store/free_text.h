@@ -1,4 +1,4 @@
-/// Rules of free text in notes, questions, answers and reasons.
+/// Rules of free text in notes, questions, answers and reasons. Inside this room only.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 /// Fields of untrusted JSON, read within bounds and never converted in silence.
+/// Inside this room only.
 #pragma once
 
 #include <cstddef>

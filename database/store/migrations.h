@@ -1,4 +1,5 @@
 /// Migrations to the newest schema, one numbered file of database/schema at a time.
+/// Inside this corner only.
 #pragma once
 
 #include "database/store/connection.h"

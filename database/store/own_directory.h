@@ -1,5 +1,5 @@
 /// The identity of a data directory: made with its database, copied with its backups, named by its
-/// exports.
+/// exports. Inside this room only.
 #pragma once
 
 #include "database/records/ids.h"

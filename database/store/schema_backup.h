@@ -1,4 +1,5 @@
 /// Backup before a migration: the whole database of the older schema in one file.
+/// Inside this corner only.
 #pragma once
 
 #include "database/store/connection.h"

@@ -1,4 +1,4 @@
-/// SQL statements: errors translated once, transactions, digests as blobs.
+/// SQL statements: errors translated once, transactions, digests as blobs. Inside this room only.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,4 +1,4 @@
-/// Lease that shows other processes that an attempt's writer is alive.
+/// Lease that shows other processes that an attempt's writer is alive. Inside this room only.
 ///
 /// An advisory lock (flock) on writers/UUID.lock: the kernel gives it back the moment the process
 /// ends, however it ends, so no clock, process number or boot id has to be trusted.

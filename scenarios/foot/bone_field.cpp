@@ -1,5 +1,6 @@
-// Order: loft, bumps and grooves in the table's order, the grown eminence and the sulcus beside it, relief.
-// Everything works in the table's millimetres; at() stretches x around it. Source: docs/foot.md.
+// Order: loft, bumps and grooves in the table's order, the grown eminence and the sulcus beside it,
+// relief. Everything works in the table's millimetres; at() stretches x around it. Source:
+// docs/foot.md.
 #include "scenarios/foot/bone_field.h"
 
 #include <algorithm>

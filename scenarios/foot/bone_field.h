@@ -1,4 +1,5 @@
-/// The signed field of one patient's bone: the table's loft with its features, eminence and relief, sized.
+/// The signed field of one patient's bone: the table's loft with its features, eminence and relief,
+/// sized. Inside this corner only.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,8 @@ class BoneField {
   /// needs   the table has an eminence, or eminence_mm is 0
   BoneField(const BoneTable& table, double length_mm, double eminence_mm);
 
-  /// Below zero inside; near the surface a distance within about a factor 1.5, its gradient within about a third.
+  /// Below zero inside; near the surface a distance within about a factor 1.5, its gradient within
+  /// about a third.
   /// thread  any; allocates nothing
   Dual at(const Vec3& point_in_bone_mm) const noexcept;
   bool is_head_cartilage(const Vec3& point_in_bone_mm) const noexcept;
@@ -22,7 +24,8 @@ class BoneField {
   Vec3 onto_surface(const Vec3& point_in_bone_mm) const noexcept;
   /// A point of the table, stretched as the bone is.
   Vec3 stretched(const Vec3& point_in_table_mm) const noexcept;
-  /// The bottom of the groove beside a grown eminence, in the table's millimetres; empty where none has grown.
+  /// The bottom of the groove beside a grown eminence, in the table's millimetres; empty where none
+  /// has grown.
   const std::vector<Vec3>& sulcus_bottom_mm() const noexcept { return sulcus_bottom_mm_; }
   /// A box that holds the surface with room around it.
   Vec3 low_mm() const noexcept { return low_mm_; }
@@ -37,7 +40,8 @@ class BoneField {
 
   BoneTable table_;
   BoneLoft loft_;
-  double stretch_;  ///< bone millimetres per table millimetre along x
+  /// Bone millimetres per table millimetre along x.
+  double stretch_;
   double eminence_mm_;
   std::vector<Vec3> sulcus_line_mm_;
   std::vector<Vec3> sulcus_bottom_mm_;

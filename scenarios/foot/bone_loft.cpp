@@ -1,8 +1,8 @@
 // Section, polar about its centre, angle phi from z towards y less the twist:
 //   rho(phi) = (|cos phi / (a (1 + e sin phi))|^n + |sin phi / b|^n)^(-1/n) (1 + c3 cos 3 phi + s3 sin 3 phi)
-// Side A = (u - 1) / |grad u| with u = r / rho. Cap B = the quadric's height, x never past either end.
-// Join: ((A+R)^p + (B+R)^p)^(1/p) - R where both terms are positive, the greater of A and B elsewhere.
-// Source: docs/foot.md, sections "The field" and "Why planes across the chord".
+// Side A = (u - 1) / |grad u| with u = r / rho. Cap B = the quadric's height, x never past either
+// end. Join: ((A+R)^p + (B+R)^p)^(1/p) - R where both terms are positive, the greater of A and B
+// elsewhere. Source: docs/foot.md, sections "The field" and "Why planes across the chord".
 #include "scenarios/foot/bone_loft.h"
 
 namespace hallux::scenarios {
@@ -30,8 +30,8 @@ Dual cap_height(const EndCap& cap, const Vec3& point_mm) {
            cap.tilt_z + 2.0 * cap.curve_zz_per_mm * z + cap.curve_yz_per_mm * y}};
 }
 
-/// Distance beyond the cap along +x or -x, not past `end_x_mm`. The steepness is the quadric's own, also where the end
-/// limits it: so the rim stays round where the cap runs off to the side.
+/// Distance beyond the cap along +x or -x, not past `end_x_mm`. The steepness is the quadric's own,
+/// also where the end limits it: so the rim stays round where the cap runs off to the side.
 Dual beyond(const EndCap& cap, double end_x_mm, double direction, const Vec3& point_mm) {
   const Dual quadric = cap_height(cap, point_mm);
   const Dual limited = smooth_min(quadric * direction, Dual{end_x_mm * direction}, end_blend_mm);
@@ -102,8 +102,8 @@ void BoneLoft::set_slopes(std::size_t channel) {
 
 std::array<Dual, BoneLoft::channel_count> BoneLoft::section_past(const Knot& end,
                                                                  double x_mm) const noexcept {
-  // The slope fades as (1 - t)^2. Cut off at once, it would leave a step in the rim, because the side's distance is
-  // divided by its gradient.
+  // The slope fades as (1 - t)^2. Cut off at once, it would leave a step in the rim, because the
+  // side's distance is divided by its gradient.
   const double t = std::min(std::abs(x_mm - end.x_mm) / fade_out_mm, 1.0);
   const double left = (1.0 - t) * (1.0 - t);
   const double run_mm =

@@ -1,4 +1,5 @@
 /// The smooth body of a bone: sections along x, closed by two quadric caps with rounded rims.
+/// Inside this corner only.
 #pragma once
 
 #include <array>
@@ -20,7 +21,8 @@ class BoneLoft {
  public:
   explicit BoneLoft(const BoneTable& table);
 
-  /// The parts near a point in the table's own millimetres; sizes are true distances only near each part's surface.
+  /// The parts near a point in the table's own millimetres; sizes are true distances only near each
+  /// part's surface.
   LoftDistances parts_at(const Vec3& point_mm) const noexcept;
   /// The parts joined into one field.
   Dual joined(const LoftDistances& parts) const noexcept;

@@ -1,4 +1,5 @@
-/// The table a bone is made from: sections along its length, two end caps, features, cartilage, and its place.
+/// The table a bone is made from: sections along its length, two end caps, features, cartilage, and
+/// its place. Inside this corner only.
 #pragma once
 
 #include <optional>
@@ -11,17 +12,25 @@
 
 namespace hallux::scenarios {
 
-/// A section perpendicular to x at `position` x length: a twisted superellipse with a third harmonic.
+/// A section perpendicular to x at `position` x length: a twisted superellipse with a third
+/// harmonic.
 struct Station {
-  double position = 0.0;  ///< 0 at the base, 1 at the head
+  /// 0 at the base, 1 at the head.
+  double position = 0.0;
   double centre_y_mm = 0.0;
   double centre_z_mm = 0.0;
-  double half_width_mm = 0.0;   ///< along z
-  double half_height_mm = 0.0;  ///< along y
-  double exponent = 2.0;        ///< 2 is an ellipse, higher is boxier
-  double twist_rad = 0.0;       ///< from z towards y
-  double cos3 = 0.0;            ///< third harmonic, relative to the radius
-  double sin3 = 0.0;            ///< above 0: apex plantar, flat dorsal
+  /// Along z.
+  double half_width_mm = 0.0;
+  /// Along y.
+  double half_height_mm = 0.0;
+  /// 2 is an ellipse, higher is boxier.
+  double exponent = 2.0;
+  /// From z towards y.
+  double twist_rad = 0.0;
+  /// Third harmonic, relative to the radius.
+  double cos3 = 0.0;
+  /// Above 0: apex plantar, flat dorsal.
+  double sin3 = 0.0;
   double dorsal_widening = 0.0;
 };
 
@@ -29,7 +38,8 @@ struct Station {
 struct EndCap {
   double x_mm = 0.0;
   double rim_radius_mm = 1.0;
-  double rim_exponent = 2.0;  ///< 2 is round, higher is sharper
+  /// 2 is round, higher is sharper.
+  double rim_exponent = 2.0;
   double y_mm = 0.0;
   double z_mm = 0.0;
   double tilt_y = 0.0;
@@ -44,15 +54,22 @@ enum class FeatureKind { Bump, Groove };
 struct Feature {
   std::string name;
   FeatureKind kind = FeatureKind::Bump;
-  Vec3 centre_mm{0.0, 0.0, 0.0};  ///< of a bump; first end of a groove
-  Vec3 extent_mm{1.0, 1.0, 1.0};  ///< a bump's standard deviations
-  double height_mm = 0.0;         ///< a bump's; below 0 is a hollow
-  Vec3 end_mm{0.0, 0.0, 0.0};     ///< second end of a groove
-  double radius_mm = 1.0;         ///< of a groove
-  double blend_mm = 1.0;          ///< of a groove's rim
+  /// Of a bump; first end of a groove.
+  Vec3 centre_mm{0.0, 0.0, 0.0};
+  /// A bump's standard deviations.
+  Vec3 extent_mm{1.0, 1.0, 1.0};
+  /// A bump's; below 0 is a hollow.
+  double height_mm = 0.0;
+  /// Second end of a groove.
+  Vec3 end_mm{0.0, 0.0, 0.0};
+  /// Of a groove.
+  double radius_mm = 1.0;
+  /// Of a groove's rim.
+  double blend_mm = 1.0;
 };
 
-/// Where the head is covered with cartilage: a patch of a sphere, by the angles it reaches from the x axis.
+/// Where the head is covered with cartilage: a patch of a sphere, by the angles it reaches from the
+/// x axis.
 struct HeadCartilage {
   Vec3 centre_mm{0.0, 0.0, 0.0};
   double radius_mm = 1.0;
@@ -64,10 +81,12 @@ struct HeadCartilage {
 
 /// How a medial eminence grows; its apex lies at centre z - radius z - eminence_mm.
 struct EminenceShape {
-  Vec3 centre_mm{0.0, 0.0, 0.0};  ///< at eminence 0
+  /// At eminence 0.
+  Vec3 centre_mm{0.0, 0.0, 0.0};
   Vec3 radii_mm{1.0, 1.0, 1.0};
   double blend_mm = 1.0;
-  std::vector<Vec3> sulcus_mm;  ///< line of the groove beside it; moved along x and y onto the head
+  /// Line of the groove beside it; moved along x and y onto the head.
+  std::vector<Vec3> sulcus_mm;
   double sulcus_radius_mm = 1.0;
   double sulcus_depth_mm = 0.5;
   double sulcus_blend_mm = 1.0;
@@ -85,17 +104,22 @@ struct BonePlace {
 };
 
 struct BoneTable {
-  std::string bone;   ///< "first_metatarsal"
-  std::string shape;  ///< "MT1A"
+  /// "first_metatarsal".
+  std::string bone;
+  /// "MT1A".
+  std::string shape;
   std::string credit;
   double length_mm = 0.0;
-  double relief_mm = 0.0;  ///< amplitude of the surface's roughness
+  /// Amplitude of the surface's roughness.
+  double relief_mm = 0.0;
   std::vector<Station> stations;
   EndCap base;
   EndCap head;
-  std::vector<Feature> features;  ///< in the order in which they act
+  /// In the order in which they act.
+  std::vector<Feature> features;
   HeadCartilage cartilage;
-  std::optional<EminenceShape> eminence;  ///< absent where none grows on this bone
+  /// Absent where none grows on this bone.
+  std::optional<EminenceShape> eminence;
   CortexShape cortex;
   BonePlace place;
 };

@@ -1,4 +1,5 @@
-/// A number that carries its gradient in space, so that a field and its slope come from one formula.
+/// A number that carries its gradient in space, so that a field and its slope come from one
+/// formula. Inside this corner only.
 #pragma once
 
 #include <cmath>

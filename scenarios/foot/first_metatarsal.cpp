@@ -25,8 +25,9 @@ std::array<double, 4> solve(std::array<std::array<double, 5>, 4> m) {
   return {m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2], m[3][4] / m[3][3]};
 }
 
-/// Centre of the sphere nearest to the head's cartilage: |p|^2 = 2 p . c + k in least squares. The points tagged as
-/// cartilage are laid on the head as it is without a grown eminence, which would draw the centre after it.
+/// Centre of the sphere nearest to the head's cartilage: |p|^2 = 2 p . c + k in least squares. The
+/// points tagged as cartilage are laid on the head as it is without a grown eminence, which would
+/// draw the centre after it.
 Vec3 head_centre(const LandmarkSources& sources) {
   const BoneField plain(sources.table, sources.length_mm, 0.0);
   const Vec3 about = sources.field.stretched(sources.table.cartilage.centre_mm);
@@ -51,7 +52,8 @@ const Feature& feature_named(const BoneTable& table, std::string_view name) {
                       "', after which a landmark is named; add it");
 }
 
-/// The bottom of a groove: its line lies outside the bone, one radius from it, away from the head's centre.
+/// The bottom of a groove: its line lies outside the bone, one radius from it, away from the head's
+/// centre.
 Vec3 groove_bottom(const LandmarkSources& sources, const Vec3& on_line_mm, double radius_mm) {
   const Vec3 inward = sources.table.cartilage.centre_mm - on_line_mm;
   const double share = radius_mm / std::sqrt(glm::dot(inward, inward));

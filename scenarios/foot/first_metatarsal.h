@@ -1,4 +1,5 @@
-/// The parametric first metatarsal: a bone from a table of stations, closed and the same bytes each time.
+/// The parametric first metatarsal: a bone from a table of stations, closed and the same bytes each
+/// time.
 #pragma once
 
 #include "scenarios/foot/make_bone.h"

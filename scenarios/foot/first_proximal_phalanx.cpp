@@ -13,7 +13,8 @@ const Vec3 dorsal{0.0, 1.0, 0.0};
 const Vec3 plantar{0.0, -1.0, 0.0};
 const Vec3 distal{1.0, 0.0, 0.0};
 
-/// The facet's rim in the sagittal plane through its centre: where the surface turns from proximal to `side`.
+/// The facet's rim in the sagittal plane through its centre: where the surface turns from proximal
+/// to `side`.
 Vec3 base_rim(const LandmarkSources& sources, const Vec3& side) {
   return slice_extreme(sources.outer, 2, sources.table.base.z_mm, side - distal);
 }

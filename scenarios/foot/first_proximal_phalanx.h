@@ -1,4 +1,5 @@
-/// The parametric first proximal phalanx: as the first metatarsal, with a base facet that is square to the shaft.
+/// The parametric first proximal phalanx: as the first metatarsal, with a base facet that is square
+/// to the shaft.
 #pragma once
 
 #include "scenarios/foot/make_bone.h"

@@ -1,4 +1,5 @@
 /// A closed triangle surface on OpenMesh's half-edges, with its points beside it.
+/// Inside this corner only.
 ///
 /// OpenMesh alone changes the connections: its split, collapse and flip, after its own checks.
 /// A collapse only marks what it deletes: handles stay valid until `indexed_from` numbers the rest.

@@ -9,8 +9,8 @@ namespace {
 /// Each turn of a straight edge lays it on a steeper corner; more are never needed.
 constexpr int most_turns = 100;
 
-/// Calls `visit(from, to)` for each segment in which the plane across `axis` (0 is x) cuts a triangle; the bone lies on
-/// the same side of all.
+/// Calls `visit(from, to)` for each segment in which the plane across `axis` (0 is x) cuts a
+/// triangle; the bone lies on the same side of all.
 template <typename Visit>
 void for_each_slice_segment(const simulator::IndexedMesh& mesh, glm::length_t axis, double at_mm,
                             const Visit& visit) {

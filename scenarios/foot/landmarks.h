@@ -1,4 +1,4 @@
-/// Finding named points on a finished bone.
+/// Finding named points on a finished bone. Inside this corner only.
 #pragma once
 
 #include "scenarios/foot/bone_field.h"
@@ -16,7 +16,8 @@ struct LandmarkSources {
 /// Centroid of the area in which the plane x = x_mm cuts the surface; exact for the mesh.
 /// needs   the plane cuts the mesh
 Vec3 slice_centroid(const simulator::IndexedMesh& mesh, double x_mm);
-/// The corner with the greatest `along . p` of the slice across `axis` (0 is x, 1 y, 2 z) at `at_mm`.
+/// The corner with the greatest `along . p` of the slice across `axis` (0 is x, 1 y, 2 z) at
+/// `at_mm`.
 /// needs   the plane cuts the mesh
 Vec3 slice_extreme(const simulator::IndexedMesh& mesh, glm::length_t axis, double at_mm,
                    const Vec3& along);
@@ -29,8 +30,9 @@ struct RestingPoints {
   Vec3 lateral{0.0, 0.0, 0.0};
 };
 
-/// Where, seen from dorsal, a straight edge rests that is laid across one end of the bone: facing -1 the base, +1 the
-/// head. On a hollow end these are the two sides of its rim, and the edge is the joint's line as a radiograph shows it.
+/// Where, seen from dorsal, a straight edge rests that is laid across one end of the bone: facing
+/// -1 the base, +1 the head. On a hollow end these are the two sides of its rim, and the edge is
+/// the joint's line as a radiograph shows it.
 /// needs   the mesh has points on both sides of middle_z_mm
 RestingPoints straight_edge(const simulator::IndexedMesh& mesh, double facing, double middle_z_mm);
 

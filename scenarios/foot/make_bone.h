@@ -1,4 +1,5 @@
 /// One bone from its table: what the bones of the parametric foot have in common.
+/// Inside this corner only.
 #pragma once
 
 #include <string_view>
@@ -12,23 +13,28 @@
 namespace hallux::scenarios {
 
 struct BoneRequest {
-  double length_mm = 0.0;  ///< base facet to head along x; 0 keeps the table's own length
-  double eminence_mm =
-      0.0;  ///< medial prominence beyond the table's datum; 0 keeps the table's own bump
-  double edge_mm = 0.3;  ///< edge length of the outer surface after remeshing
+  /// Base facet to head along x; 0 keeps the table's own length.
+  double length_mm = 0.0;
+  /// Medial prominence beyond the table's datum; 0 keeps the table's own bump.
+  double eminence_mm = 0.0;
+  /// Edge length of the outer surface after remeshing.
+  double edge_mm = 0.3;
   bool with_canal = true;
 };
 
 /// What tells one bone from another beside its table.
 struct BoneKind {
-  std::string_view name;  ///< as in the table's line `bone`
+  /// As in the table's line `bone`.
+  std::string_view name;
   std::vector<simulator::Landmark> (*find_landmarks)(const LandmarkSources&);
 };
 
-/// Builds the bone: field, marching tetrahedra, isotropic remesh with projection, canal, landmarks, placement.
-/// ensures outer and canal are closed, genus 0, one component each; the same request gives the same bytes
-/// errors  ScenarioError where the table is another bone's, the request is out of range, or the surface came out with
-///         another topology (says which); Cancelled where progress said so
+/// Builds the bone: field, marching tetrahedra, isotropic remesh with projection, canal, landmarks,
+/// placement.
+/// ensures outer and canal are closed, genus 0, one component each; the same request gives the same
+///         bytes
+/// errors  ScenarioError where the table is another bone's, the request is out of range, or the
+///         surface came out with another topology (says which); Cancelled where progress said so
 /// source  docs/foot.md
 simulator::Bone make_bone(const BoneTable& table, const BoneRequest& request, const BoneKind& kind,
                           const Progress& progress);

@@ -12,7 +12,8 @@ constexpr std::int32_t block_nodes = 4;
 using Corner = std::uint8_t;  ///< bits 1, 2, 4: one step along x, y, z
 using Tetrahedron = std::array<Corner, 4>;
 
-/// Each goes from corner 0 to corner 7 along the axes in another order; all are oriented positively.
+/// Each goes from corner 0 to corner 7 along the axes in another order; all are oriented
+/// positively.
 constexpr std::array<Tetrahedron, 6> tetrahedra{
     {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}, {0, 3, 2, 7}, {0, 6, 4, 7}}};
 
@@ -89,7 +90,8 @@ class Marcher {
     mesh_.triangles.push_back({ac, bd, bc});
   }
 
-  /// The point where the field crosses zero between two corners; one of them lies in the other's bits.
+  /// The point where the field crosses zero between two corners; one of them lies in the other's
+  /// bits.
   std::uint32_t crossing(Corner p, Corner q) {
     const Corner low = std::min(p, q);
     const Corner high = std::max(p, q);
@@ -134,7 +136,8 @@ void sample_block(const Field& field, const Block& block, double steepest, Sampl
   const Vec3 last = samples.point_mm(block.i_end - 1, block.j_end - 1, block.k_end - 1);
   const Vec3 half = (last - first) * 0.5;
   const double centre = field(first + half).value;
-  // One spacing more than the block itself: the cubes between two blocks must not be skipped by both.
+  // One spacing more than the block itself: the cubes between two blocks must not be skipped by
+  // both.
   const double reach = std::sqrt(glm::dot(half, half)) + samples.spacing_mm;
   const bool is_far = std::abs(centre) > steepest * reach;
   for (std::int32_t k = block.k; k < block.k_end; ++k) {

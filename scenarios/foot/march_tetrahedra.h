@@ -1,4 +1,5 @@
-/// The zero surface of a field sampled on a grid, by marching tetrahedra: closed whatever the samples are.
+/// The zero surface of a field sampled on a grid, by marching tetrahedra: closed whatever the
+/// samples are. Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +19,8 @@ struct SampleBox {
   Vec3 low_mm{0.0, 0.0, 0.0};
   Vec3 high_mm{1.0, 1.0, 1.0};
   double spacing_mm = 1.0;
-  double steepest =
-      1.6;  ///< greatest slope of the field [mm per mm], by which far blocks are skipped
+  /// Greatest slope of the field [mm per mm], by which far blocks are skipped.
+  double steepest = 1.6;
 };
 
 /// Node (i, j, k) lies at low + spacing (i, j, k); x runs fastest.
@@ -33,7 +34,8 @@ struct SampledField {
   Vec3 point_mm(std::int32_t i, std::int32_t j, std::int32_t k) const noexcept;
 };
 
-/// Samples in blocks; a block whose centre is far from the surface takes the centre's value everywhere.
+/// Samples in blocks; a block whose centre is far from the surface takes the centre's value
+/// everywhere.
 /// ensures every node on the outside of the box is above zero, so that the surface closes within it
 SampledField sample_field(const Field& field, const SampleBox& box);
 

@@ -1,4 +1,4 @@
-/// The fine roughness of a bone's surface: two octaves of value noise.
+/// The fine roughness of a bone's surface: two octaves of value noise. Inside this corner only.
 #pragma once
 
 #include "scenarios/foot/dual.h"

@@ -1,4 +1,4 @@
-/// Makes even triangles of a raw surface and lays its points on the field.
+/// Makes even triangles of a raw surface and lays its points on the field. Inside this corner only.
 #pragma once
 
 #include "scenarios/foot/march_tetrahedra.h"

@@ -18,7 +18,8 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t point) {
   return point;
 }
 
-/// Directed edges as {lower point, higher point, direction}, sorted so that the two of an edge are neighbours.
+/// Directed edges as {lower point, higher point, direction}, sorted so that the two of an edge are
+/// neighbours.
 std::vector<std::uint64_t> sorted_edges(const simulator::IndexedMesh& mesh) {
   std::vector<std::uint64_t> edges;
   edges.reserve(mesh.triangles.size() * 3);

@@ -65,7 +65,8 @@ std::vector<Stroke> FeelingHand::strokes_of(const Scenario& scenario, std::size_
   return aimed.stop_mm ? stopped(strokes, *aimed.stop_mm) : strokes;
 }
 
-/// Where the blade is brought to a cut: in front of its first stroke, or of the bone where the hand means to stop before it.
+/// Where the blade is brought to a cut: in front of its first stroke, or of the bone where the hand
+/// means to stop before it.
 Stroke FeelingHand::first_stroke(const Scenario& scenario, std::size_t cut) const {
   const std::vector<Stroke> strokes = strokes_of(scenario, cut);
   return strokes.empty() ? Stroke{.first_mm = cuts_[cut].region.min_mm.x} : strokes.front();
@@ -174,7 +175,8 @@ void FeelingHand::queue(const simulator::Command& command) noexcept {
   if (queued_ < queue_.size()) queue_[queued_++] = command;
 }
 
-/// The senses in the blade's plane: the push from the force on the hand, the rest from where the blade is seen.
+/// The senses in the blade's plane: the push from the force on the hand, the rest from where the
+/// blade is seen.
 void FeelingHand::feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept {
   const RigidTransform blade_from_world = inverse(world_from_blade_);
   const Vec3 on_hand_newton = transform_direction(blade_from_world, force_in_world_newton);
@@ -185,7 +187,8 @@ void FeelingHand::feel(const Vec3& force_in_world_newton, std::int64_t ticks) no
                   ticks);
 }
 
-/// In bone a hand wanders and undoes what it sees of the blade and feels of the slot; in air it looks where it holds it.
+/// In bone a hand wanders and undoes what it sees of the blade and feels of the slot; in air it
+/// looks where it holds it.
 void FeelingHand::hold_blade(double span_s) noexcept {
   const double time_s = second_from_tick(tick_);
   if (work_.is_free()) {

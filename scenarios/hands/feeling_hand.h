@@ -1,12 +1,14 @@
-/// Scripted hands that feel: a plan carried out by an expert or a novice, as well as what they feel and see lets them.
+/// Scripted hands that feel: a plan carried out by an expert or a novice, as well as what they feel
+/// and see lets them.
 ///
 ///     force, pose of the blade --> senses --a reaction time later--> stroke work --> handle --> device state
 ///                                                                 \-> held axes --/
 ///
-/// A hand aims its blade at faces that are tilted and shifted against the plan, saws in overlapping strokes from the
-/// approach side with a force it means to keep, stops at a hinge as well as it sees, wanders out of the plane and undoes
-/// what it notices of that, and declares each step done. All of its errors come from a seed; their sizes are the working
-/// expectation for freehand cuts in small bones, not measured on people.
+/// A hand aims its blade at faces that are tilted and shifted against the plan, saws in overlapping
+/// strokes from the approach side with a force it means to keep, stops at a hinge as well as it
+/// sees, wanders out of the plane and undoes what it notices of that, and declares each step done.
+/// All of its errors come from a seed; their sizes are the working expectation for freehand cuts in
+/// small bones, not measured on people.
 #pragma once
 
 #include <array>
@@ -48,9 +50,12 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   struct Act {
     enum class Kind { TurnTo, Saw, Wait, Say };
     Kind kind = Kind::Wait;
-    std::size_t cut = 0;  ///< TurnTo: the one in whose plane the blade is to lie
-    Stroke stroke = {};   ///< Saw; TurnTo: the first there
-    double jitter_mm = 0.0, jitter_rad = 0.0;  ///< Saw: how well it comes back to the slot
+    /// TurnTo: the one in whose plane the blade is to lie.
+    std::size_t cut = 0;
+    /// Saw; TurnTo: the first there.
+    Stroke stroke = {};
+    /// Saw: how well it comes back to the slot.
+    double jitter_mm = 0.0, jitter_rad = 0.0;
     double wait_s = 0.0;
     simulator::Command command = {};
   };
@@ -70,7 +75,8 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   void hold_blade(double span_s) noexcept;
   void follow_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
   void queue(const simulator::Command& command) noexcept;
-  RigidTransform held_pose() const noexcept;  ///< once it has turned
+  /// Once it has turned.
+  RigidTransform held_pose() const noexcept;
   RigidTransform pose() const noexcept;
 
   HandSkill skill_;
@@ -79,17 +85,22 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   std::vector<AimedCut> cuts_;
   std::vector<Act> acts_;
   std::size_t next_act_ = 0, cut_at_hand_ = 0;
-  bool is_begun_ = false;  ///< the act at hand
+  /// The act at hand.
+  bool is_begun_ = false;
 
-  RigidTransform world_from_blade_;  ///< the plane that the hand keeps to
-  RigidTransform world_from_tool_;   ///< as it was seen last
-  RigidTransform turned_from_;       ///< TurnTo: the pose in which it began
+  /// The plane that the hand keeps to.
+  RigidTransform world_from_blade_;
+  /// As it was seen last.
+  RigidTransform world_from_tool_;
+  /// TurnTo: the pose in which it began.
+  RigidTransform turned_from_;
   Handle handle_;
   HandSenses senses_;
   StrokeWork work_;
   HeldAxis out_, tilt_x_, tilt_y_;
   double felt_newton_ = 0.0;
-  double engaged_mm_ = 0.0;  ///< as it was seen last
+  /// As it was seen last.
+  double engaged_mm_ = 0.0;
   double act_s_ = 0.0, turn_s_ = 0.0;
   std::int64_t tick_ = -1;
   std::array<simulator::Command, simulator::commands_per_tick> queue_{};

@@ -39,8 +39,9 @@ struct Target {
   std::string stream;  ///< name of its random numbers
 };
 
-/// The blade's frame for a face: x along the feed, half a kerf off the finished face. z points towards the waste; across
-/// the bone it points distal in every cut, so that nobody turns the saw over between two of them.
+/// The blade's frame for a face: x along the feed, half a kerf off the finished face. z points
+/// towards the waste; across the bone it points distal in every cut, so that nobody turns the saw
+/// over between two of them.
 RigidTransform blade_frame(const ReferenceFace& face, const Target& target) {
   const Vec3& normal = face.normal;
   const bool is_turned = target.cut.kind != FaceKind::AlongAxis && normal.x < 0.0;
@@ -99,7 +100,8 @@ AimErrors draw_errors(const Target& target, const HandSkill& skill) {
   const double location_mm =
       std::max(smallest_location_mm,
                random.truncated_normal(skill.location_mean_mm, skill.location_deviation_mm, 2.0));
-  // Along a bone a hand sees the direction better than its blade's tilt about it; across it sees neither.
+  // Along a bone a hand sees the direction better than its blade's tilt about it; across it sees
+  // neither.
   const double spread_rad = target.cut.kind == FaceKind::AlongAxis ? tilt_spread_rad : 0.5 * pi;
   const double turn_rad =
       0.5 * pi + random.uniform(-1.0, 1.0) * spread_rad + (random.uniform() < 0.5 ? 0.0 : pi);
@@ -115,8 +117,8 @@ Vec3 tilted(const Vec3& normal, const KerfPlane& plane, const AimErrors& errors)
   return transform_direction({rotation_about(axis, errors.angle_rad), {}}, normal);
 }
 
-/// Tilts the planned face about the middle of its section, then shifts it until the largest distance over the
-/// section is the drawn location error, or the tilt alone reaches farther.
+/// Tilts the planned face about the middle of its section, then shifts it until the largest
+/// distance over the section is the drawn location error, or the tilt alone reaches farther.
 void aim_at_plan(const Target& target, const Sight& planned, const AimErrors& errors,
                  AimedCut& aimed) {
   const PlannedCut& cut = target.cut;
@@ -160,7 +162,8 @@ Vec3 line_point(const AimedCut& first, double thickness_mm) {
          0.5 * first.plane.thickness_mm * first.face.normal;
 }
 
-/// The first cut as it was planned and as it was aimed, and a point of the line at which it is to stop.
+/// The first cut as it was planned and as it was aimed, and a point of the line at which it is to
+/// stop.
 struct FirstCut {
   const PlannedCut& planned;
   const AimedCut& aimed;
@@ -176,8 +179,9 @@ Vec3 turned_like(const FirstCut& first, const Vec3& direction) {
   return transform_direction({rotation_about(axis / sine, angle_rad), {}}, direction);
 }
 
-/// A second cut is measured off from the first, which can be seen: the planned wedge is laid to the face that the hand
-/// aimed at, tilted, and led to the first cut's line as well as the hand meets it.
+/// A second cut is measured off from the first, which can be seen: the planned wedge is laid to the
+/// face that the hand aimed at, tilted, and led to the first cut's line as well as the hand meets
+/// it.
 void aim_at_line(const Target& target, const Sight& planned, const FirstCut& first,
                  const AimErrors& errors, const HandSkill& skill, AimedCut& aimed) {
   const PlannedCut& cut = target.cut;

@@ -1,4 +1,5 @@
-/// Where a hand aims: each planned face with the errors of the hand, and the section that its blade will meet.
+/// Where a hand aims: each planned face with the errors of the hand, and the section that its blade
+/// will meet. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +22,27 @@ struct KnownBone {
 };
 
 struct AimedCut {
-  ReferenceFace face;  ///< the face it aims at
-  /// From the plan; of a second cut to a hinge, from where the planned wedge lies against the first face aimed at.
+  /// The face it aims at.
+  ReferenceFace face;
+  /// From the plan; of a second cut to a hinge, from where the planned wedge lies against the first
+  /// face aimed at.
   double angle_error_rad = 0.0;
-  double location_error_mm = 0.0;   ///< largest distance from the plan over the planned section
-  simulator::KerfPlane plane;       ///< of the blade: x feed, y tooth line
-  simulator::SectionRegion region;  ///< the bone in that plane
-  std::optional<double> stop_mm;    ///< feed at which it means to stop; none: through the bone
-  bool loses_hinge = false;         ///< it means to stop where no bone is left of the hinge
+  /// Largest distance from the plan over the planned section.
+  double location_error_mm = 0.0;
+  /// Of the blade: x feed, y tooth line.
+  simulator::KerfPlane plane;
+  /// The bone in that plane.
+  simulator::SectionRegion region;
+  /// Feed at which it means to stop; none: through the bone.
+  std::optional<double> stop_mm;
+  /// It means to stop where no bone is left of the hinge.
+  bool loses_hinge = false;
 };
 
-/// One for each cut of the plan. A face through a hinge is measured off from the first face that the hand aimed at.
-/// errors  ScenarioError where an aimed plane misses the bone, or the approach is from no side there is
+/// One for each cut of the plan. A face through a hinge is measured off from the first face that
+/// the hand aimed at.
+/// errors  ScenarioError where an aimed plane misses the bone, or the approach is from no side
+///         there is
 std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
                           const HandSkill& skill, std::uint64_t seed);
 

@@ -7,7 +7,8 @@
 
 namespace hallux::scenarios {
 
-/// A motion from a JSON text: {"keys": [{"time_s", "tip_mm", "direction", "normal", "saw"}...]}, in the world frame.
+/// A motion from a JSON text: {"keys": [{"time_s", "tip_mm", "direction", "normal", "saw"}...]}, in
+/// the world frame.
 /// errors  ScenarioError with `name`, the path and the mend
 simulator::HandMotion parse_hand_motion(std::string_view json, std::string_view name);
 

@@ -8,7 +8,8 @@ namespace hallux::scenarios {
 
 namespace {
 
-/// The eye's error is renewed by a part at each glance, so that it stays about a second: 0.98^2 + 0.2^2 = 1.
+/// The eye's error is renewed by a part at each glance, so that it stays about a second: 0.98^2 +
+/// 0.2^2 = 1.
 constexpr std::int64_t ticks_per_glance = 20;
 constexpr double kept_share = 0.98, renewed_share = 0.2;
 constexpr double follow_s = 0.2;

@@ -1,4 +1,5 @@
-/// What a hand feels and sees of the blade, and when it notices it: a reaction time later, the depth as well as its eye is.
+/// What a hand feels and sees of the blade, and when it notices it: a reaction time later, the
+/// depth as well as its eye is. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -12,12 +13,18 @@ namespace hallux::scenarios {
 
 /// In the blade's plane: feed along x, out of it along z.
 struct Sensed {
-  double push_newton = 0.0;   ///< that the hand gives along the feed
-  double aside_newton = 0.0;  ///< on the hand, out of the plane
-  double engaged_mm = 0.0;    ///< of the tooth line in bone
-  double feed_mm = 0.0;       ///< of the teeth, as they are or as the eye has it
-  double out_mm = 0.0;        ///< of the blade out of the plane that the hand keeps to
-  double tilt_x_rad = 0.0, tilt_y_rad = 0.0;  ///< of the handle out of that plane
+  /// That the hand gives along the feed.
+  double push_newton = 0.0;
+  /// On the hand, out of the plane.
+  double aside_newton = 0.0;
+  /// Of the tooth line in bone.
+  double engaged_mm = 0.0;
+  /// Of the teeth, as they are or as the eye has it.
+  double feed_mm = 0.0;
+  /// Of the blade out of the plane that the hand keeps to.
+  double out_mm = 0.0;
+  /// Of the handle out of that plane.
+  double tilt_x_rad = 0.0, tilt_y_rad = 0.0;
 };
 
 class HandSenses {

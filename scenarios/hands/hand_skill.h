@@ -1,4 +1,5 @@
-/// How well a scripted hand does what it means to do: the sizes of its errors, how it pushes, and what it notices when.
+/// How well a scripted hand does what it means to do: the sizes of its errors, how it pushes, and
+/// what it notices when.
 #pragma once
 
 #include <string_view>
@@ -8,50 +9,70 @@ namespace hallux::scenarios {
 /// The force that a hand means to keep along the feed.
 struct Push {
   double steady_newton = 15.0;
-  double exit_newton = 8.0;  ///< in the last millimetres before the far surface
+  /// In the last millimetres before the far surface.
+  double exit_newton = 8.0;
   double exit_mm = 1.5;
-  double most_newton_per_mm = 1.3;       ///< of teeth that it sees in bone: a corner is not forced
-  double unevenness = 0.05;              ///< deviation of the push from what it means, as a share
-  double impatience_newton_per_s = 0.0;  ///< by which it pushes harder where it sees no progress
-  /// How the arm gives where nothing holds against the push: speed = missing newtons / brace, at most the lean.
+  /// Of teeth that it sees in bone: a corner is not forced.
+  double most_newton_per_mm = 1.3;
+  /// Deviation of the push from what it means, as a share.
+  double unevenness = 0.05;
+  /// By which it pushes harder where it sees no progress.
+  double impatience_newton_per_s = 0.0;
+  /// How the arm gives where nothing holds against the push: speed = missing newtons / brace, at
+  /// most the lean.
   double brace_newton_s_per_mm = 0.3;
   double lean_mm_s = 10.0;
 };
 
 /// What a hand notices, and when.
 struct Perception {
-  double reaction_s = 0.18;      ///< from what is felt or seen to what the hand does about it
-  double eye_mm = 0.1;           ///< deviation of the depth that it sees
-  double doubt_mm_per_s = 0.02;  ///< by which it knows its depth less the longer it has not looked
-  double look_s = 0.4;           ///< how long it hesitates to look, the saw running
-  double steadying_per_s = 1.5;  ///< how fast it undoes what it notices of its wander
+  /// From what is felt or seen to what the hand does about it.
+  double reaction_s = 0.18;
+  /// Deviation of the depth that it sees.
+  double eye_mm = 0.1;
+  /// By which it knows its depth less the longer it has not looked.
+  double doubt_mm_per_s = 0.02;
+  /// How long it hesitates to look, the saw running.
+  double look_s = 0.4;
+  /// How fast it undoes what it notices of its wander.
+  double steadying_per_s = 1.5;
 };
 
 /// How a hand keeps bone cool.
 struct Cooling {
-  double forgets_water = 0.0;  ///< how often it saws without, 0 to 1
-  double notices_dry_s = 2.0;  ///< mean time until it notices that
-  double burst_s = 5.0;        ///< it saws so long, then draws the blade back to clear the kerf
-  double clear_mm = 3.0;       ///< by so much
+  /// How often it saws without, 0 to 1.
+  double forgets_water = 0.0;
+  /// Mean time until it notices that.
+  double notices_dry_s = 2.0;
+  /// It saws so long, then draws the blade back to clear the kerf.
+  double burst_s = 5.0;
+  /// By so much.
+  double clear_mm = 3.0;
 };
 
 /// Means and deviations of normal numbers; the defaults are the expert's. source  docs/hands.md
 struct HandSkill {
-  double angle_mean_deg = 2.5, angle_deviation_deg = 1.5;  ///< between the aimed face and the plan
+  /// Between the aimed face and the plan.
+  double angle_mean_deg = 2.5, angle_deviation_deg = 1.5;
   double location_mean_mm = 0.8,
-         location_deviation_mm = 0.5;  ///< largest distance between them over the section
-  double wander_mm = 0.3;              ///< out of the plane while sawing, before it is noticed
+         /// Largest distance between them over the section.
+      location_deviation_mm = 0.5;
+  /// Out of the plane while sawing, before it is noticed.
+  double wander_mm = 0.3;
   double wander_rad = 0.01;
-  double stroke_jitter_mm = 0.1;  ///< out of the plane from stroke to stroke
+  /// Out of the plane from stroke to stroke.
+  double stroke_jitter_mm = 0.1;
   double stroke_jitter_rad = 0.005;
-  double edge_margin_mm = 0.15;  ///< how far the outermost strokes reach beyond the bone's sides
+  /// How far the outermost strokes reach beyond the bone's sides.
+  double edge_margin_mm = 0.15;
   double approach_mm_s = 30.0;
   Push push;
   Perception perception;
   Cooling cooling;
   /// Where a cut is to stop inside the bone: how far beyond the planned line it stops.
   double stop_mean_mm = -0.4, stop_deviation_mm = 0.3;
-  double meet_deviation_mm = 0.2;  ///< how well a second cut comes to the end of the first
+  /// How well a second cut comes to the end of the first.
+  double meet_deviation_mm = 0.2;
 };
 
 /// errors  ScenarioError naming the hands there are

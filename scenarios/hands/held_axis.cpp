@@ -9,7 +9,8 @@ namespace hallux::scenarios {
 
 namespace {
 
-/// How fast a hand whose blade is held by bone lets itself go, and how fast it takes care again [1/s].
+/// How fast a hand whose blade is held by bone lets itself go, and how fast it takes care again
+/// [1/s].
 constexpr double carelessness_per_s = 0.4, care_per_s = 2.0;
 /// With its eyes on the blade it wanders by this share, and comes to what it means in such a time.
 constexpr double careful_share = 0.05, bring_s = 0.1;

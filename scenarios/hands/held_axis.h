@@ -1,4 +1,5 @@
-/// One way in which a hand is to hold the blade still, and does not quite: it wanders, notices, and undoes it.
+/// One way in which a hand is to hold the blade still, and does not quite: it wanders, notices, and
+/// undoes it. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -7,7 +8,8 @@
 
 namespace hallux::scenarios {
 
-/// The wander of a hand that nobody corrects: three slow waves with phases of their own, within +-1.
+/// The wander of a hand that nobody corrects: three slow waves with phases of their own, within
+/// +-1.
 class Wander {
  public:
   explicit Wander(Random random) noexcept;
@@ -40,10 +42,14 @@ class HeldAxis {
  private:
   Wander wander_;
   double size_, steadying_per_s_;
-  double share_ = 0.0;       ///< of its size by which it wanders now
-  double wave_ = 0.0;        ///< of the wander, within +-1
-  double correction_ = 0.0;  ///< by which it was undone so far
-  double meant_ = 0.0;       ///< the value that it means to keep
+  /// Of its size by which it wanders now.
+  double share_ = 0.0;
+  /// Of the wander, within +-1.
+  double wave_ = 0.0;
+  /// By which it was undone so far.
+  double correction_ = 0.0;
+  /// The value that it means to keep.
+  double meant_ = 0.0;
 };
 
 }  // namespace hallux::scenarios

@@ -10,7 +10,8 @@ namespace {
 constexpr double followed_mm_s = 5.0;
 /// How fast a push is taken back [mm/s].
 constexpr double release_mm_s = 40.0;
-/// Unevenness is renewed by a part each so often, so that it stays about half a second: 0.9^2 + 0.436^2 = 1.
+/// Unevenness is renewed by a part each so often, so that it stays about half a second: 0.9^2 +
+/// 0.436^2 = 1.
 constexpr double renewal_s = 0.05;
 constexpr double kept_share = 0.9, renewed_share = 0.436;
 /// Slower than this looks like no progress.

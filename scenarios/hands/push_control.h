@@ -1,9 +1,11 @@
 /// How a hand pushes: it leads the handle so that it feels the force it means to keep.
+/// Inside this corner only.
 ///
 ///     handle's speed = what it sees of the feed + (wanted - felt) / brace      within lean and release
 ///
-/// The arm gives way at once, like a damper; what the hand wants it changes a reaction time after it has noticed why.
-/// So bone that gives way lets the handle run on until the hand notices: the plunge.
+/// The arm gives way at once, like a damper; what the hand wants it changes a reaction time after
+/// it has noticed why. So bone that gives way lets the handle run on until the hand notices: the
+/// plunge.
 #pragma once
 
 #include "scenarios/hands/hand_skill.h"
@@ -15,7 +17,8 @@ namespace hallux::scenarios {
 double handle_speed_mm_s(const Push& push, double wanted_newton, double felt_newton,
                          double seen_feed_mm_s) noexcept;
 
-/// The push that a hand gives where it means to keep one: uneven, and harder the longer it sees no progress.
+/// The push that a hand gives where it means to keep one: uneven, and harder the longer it sees no
+/// progress.
 class WantedPush {
  public:
   WantedPush(const Push& push, Random random) noexcept : push_(push), random_(random) {}

@@ -12,8 +12,8 @@ constexpr double beyond_mm = 1.5;
 /// Bone so near beside the tooth line counts as under it.
 constexpr double beside_mm = 1.0;
 
-/// Widens the stroke by the part of the edge that lies under the tooth line: on a coarse outline the bone may reach
-/// furthest between two corners that are both beside it.
+/// Widens the stroke by the part of the edge that lies under the tooth line: on a coarse outline
+/// the bone may reach furthest between two corners that are both beside it.
 void widen(Stroke& stroke, const Vec2& from, const Vec2& to, double low_mm, double high_mm) {
   if (std::max(from.y, to.y) < low_mm || std::min(from.y, to.y) > high_mm) return;
   const auto feed_at = [&](double along_mm) {
@@ -28,7 +28,8 @@ void widen(Stroke& stroke, const Vec2& from, const Vec2& to, double low_mm, doub
   }
 }
 
-/// Feed range of the region under a tooth line in the middle of `along_mm`; the whole range where no contour says more.
+/// Feed range of the region under a tooth line in the middle of `along_mm`; the whole range where
+/// no contour says more.
 Stroke stroke_at(const simulator::SectionRegion& region, double along_mm, double width_mm) {
   Stroke stroke{along_mm, region.max_mm.x, region.min_mm.x};
   const double half_mm = 0.5 * width_mm + beside_mm;

@@ -1,5 +1,5 @@
-/// Which strokes a blade needs to cover a section: side by side with an overlap, from the middle outwards, through the
-/// bone or down to a line in it.
+/// Which strokes a blade needs to cover a section: side by side with an overlap, from the middle
+/// outwards, through the bone or down to a line in it. Inside this corner only.
 #pragma once
 
 #include <vector>
@@ -10,24 +10,30 @@ namespace hallux::scenarios {
 
 /// In the blade's plane: x along the feed, y along the tooth line [mm].
 struct Stroke {
-  double along_mm = 0.0;  ///< middle of the tooth line
-  double first_mm = 0.0;  ///< feed at which bone begins under the tooth line
-  double last_mm = 0.0;   ///< feed at which it ends, or where the stroke is to stop in it
-  double end_mm = 0.0;  ///< feed to which the hand goes: beyond the last bone where it saws through
+  /// Middle of the tooth line.
+  double along_mm = 0.0;
+  /// Feed at which bone begins under the tooth line.
+  double first_mm = 0.0;
+  /// Feed at which it ends, or where the stroke is to stop in it.
+  double last_mm = 0.0;
+  /// Feed to which the hand goes: beyond the last bone where it saws through.
+  double end_mm = 0.0;
   bool stops_in_bone = false;
 };
 
 struct StrokeLayout {
   double blade_width_mm = 12.0;
   double overlap_mm = 3.0;
-  double margin_mm = 1.5;  ///< by which the outermost strokes reach beyond the sides of the section
+  /// By which the outermost strokes reach beyond the sides of the section.
+  double margin_mm = 1.5;
 };
 
 /// needs   0 < overlap < blade width
 std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region,
                                  const StrokeLayout& layout);
 
-/// The strokes, ended at a line across the feed. A stroke whose bone begins beyond the line is left out.
+/// The strokes, ended at a line across the feed. A stroke whose bone begins beyond the line is left
+/// out.
 std::vector<Stroke> stopped(const std::vector<Stroke>& strokes, double stop_mm);
 
 }  // namespace hallux::scenarios

@@ -24,7 +24,8 @@ constexpr double rest_s = 0.3;
 constexpr double least_in_bone_mm = 0.5, before_teeth_mm = 0.4;
 /// A stroke that does not go on is tried anew, and given up.
 constexpr double still_mm_s = 0.02, still_limit_s = 4.0, patience_s = 60.0;
-/// Doubt matters where it is this many times what the eye leaves, and twice it reaches as far as the bone that is left.
+/// Doubt matters where it is this many times what the eye leaves, and twice it reaches as far as
+/// the bone that is left.
 constexpr double doubt_times_eye = 1.5, doubt_deviations = 2.0;
 
 }  // namespace

@@ -1,4 +1,5 @@
 /// One stroke of a saw as a hand carries it out: by what it feels and sees, tick by tick.
+/// Inside this corner only.
 ///
 ///     Reach -> Lower -> Seek --bone felt--> Push --the line or the far side seen--> LetGo -> Withdraw -> Done
 ///                        ^                   |
@@ -71,14 +72,22 @@ class StrokeWork {
   WantedPush wanted_;
   Stroke stroke_;
   Phase phase_ = Phase::Done;
-  double phase_s_ = 0.0;       ///< since it began
-  double stroke_s_ = 0.0;      ///< likewise, of the stroke
-  double burst_s_ = 0.0;       ///< sawed since the blade was drawn back
-  double still_s_ = 0.0;       ///< pushed without seeing progress
-  double unseen_s_ = 0.0;      ///< since it looked how deep it is
-  double dry_s_ = 0.0;         ///< until it notices that no water runs
-  double level_newton_ = 0.0;  ///< the push that it is used to
-  double turned_at_mm_ = 0.0;  ///< where it saw the teeth when it drew the blade back
+  /// Since it began.
+  double phase_s_ = 0.0;
+  /// Likewise, of the stroke.
+  double stroke_s_ = 0.0;
+  /// Sawed since the blade was drawn back.
+  double burst_s_ = 0.0;
+  /// Pushed without seeing progress.
+  double still_s_ = 0.0;
+  /// Since it looked how deep it is.
+  double unseen_s_ = 0.0;
+  /// Until it notices that no water runs.
+  double dry_s_ = 0.0;
+  /// The push that it is used to.
+  double level_newton_ = 0.0;
+  /// Where it saw the teeth when it drew the blade back.
+  double turned_at_mm_ = 0.0;
 };
 
 }  // namespace hallux::scenarios

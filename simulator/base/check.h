@@ -3,7 +3,8 @@
 
 namespace hallux {
 
-/// Called first when a CHECK fails, to bring a device's force to zero. Empty by default; must not throw or allocate.
+/// Called first when a CHECK fails, to bring a device's force to zero. Empty by default; must not
+/// throw or allocate.
 using FailureAction = void (*)() noexcept;
 
 /// Sets what a failing CHECK does before it prints and aborts; returns what was set before.

@@ -22,10 +22,11 @@ class Digester {
  public:
   Digester() noexcept;
   void add_bytes(std::span<const std::byte> bytes) noexcept;
-  void add_text(std::string_view
-                    text) noexcept;  ///< its length first, so that "a","bc" differs from "ab","c"
+  /// Its length first, so that "a","bc" differs from "ab","c".
+  void add_text(std::string_view text) noexcept;
   void add_int(std::int64_t value) noexcept;
-  void add_double(double value) noexcept;  ///< the bits of IEEE 754
+  /// The bits of IEEE 754.
+  void add_double(double value) noexcept;
   void add_digest(const Digest& digest) noexcept;
   /// The digest of all that was added; the digester must not be used afterwards.
   Digest finish() noexcept;

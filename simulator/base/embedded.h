@@ -1,4 +1,5 @@
-/// A data file compiled into the program (see cmake/embed.cmake), so that one binary carries all it needs.
+/// A data file compiled into the program (see cmake/embed.cmake), so that one binary carries all it
+/// needs.
 #pragma once
 
 #include <span>
@@ -7,7 +8,8 @@
 namespace hallux {
 
 struct EmbeddedText {
-  std::string_view name;  ///< file name without folder
+  /// File name without folder.
+  std::string_view name;
   std::string_view text;
 };
 

@@ -1,7 +1,9 @@
-/// A fixed number of plain values on the heap, taken once: for state that is too large to lie inside its owner.
+/// A fixed number of plain values on the heap, taken once: for state that is too large to lie
+/// inside its owner. Inside this room only.
 ///
-/// The memory is taken in simulator/base, so that the rooms which must never take any during a step can be checked by their
-/// symbols: what is constructed there before the first step comes from here.
+/// The memory is taken in simulator/base, so that the rooms which must never take any during a step
+/// can be checked by their symbols: what is constructed there before the first step comes from
+/// here.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// A short list with room inside itself.
+/// A short list with room inside itself. Inside this room only.
 #pragma once
 
 #include <array>

@@ -23,7 +23,8 @@ inline void report(const Progress& progress, double fraction) {
   if (progress && !progress(fraction)) throw Cancelled();
 }
 
-/// Progress of one stage of a larger work: its fractions become those from `from` to `to` of the whole, each in [0, 1].
+/// Progress of one stage of a larger work: its fractions become those from `from` to `to` of the
+/// whole, each in [0, 1].
 inline Progress part_of(Progress whole, double from, double to) {
   if (!whole) return {};
   return [whole = std::move(whole), from, to](double fraction) {
@@ -31,7 +32,8 @@ inline Progress part_of(Progress whole, double from, double to) {
   };
 }
 
-/// Carries out `work`; a cancellation inside it comes out with `sentence`, said in the words of the caller.
+/// Carries out `work`; a cancellation inside it comes out with `sentence`, said in the words of the
+/// caller.
 /// errors  Cancelled; whatever else `work` throws
 template <typename Work>
 decltype(auto) cancelled_as(const std::string& sentence, Work&& work) {

@@ -1,4 +1,5 @@
-/// Random numbers that are the same everywhere: a generator passed in with its seed, and named sub-streams.
+/// Random numbers that are the same everywhere: a generator passed in with its seed, and named
+/// sub-streams.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,8 @@
 
 namespace hallux {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): small, copyable, good enough for hands and patients; not for secrets.
+/// SplitMix64 (Steele, Lea, Flood 2014): small, copyable, good enough for hands and patients; not
+/// for secrets.
 class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept : state_(seed) {}
@@ -14,9 +16,12 @@ class Random {
   Random(std::uint64_t seed, std::string_view name) noexcept;
 
   std::uint64_t bits() noexcept;
-  double uniform() noexcept;                         ///< [0, 1)
-  double uniform(double low, double high) noexcept;  ///< [low, high)
-  double normal() noexcept;                          ///< mean 0, standard deviation 1 (Box-Muller)
+  /// [0, 1).
+  double uniform() noexcept;
+  /// [low, high).
+  double uniform(double low, double high) noexcept;
+  /// Mean 0, standard deviation 1 (Box-Muller).
+  double normal() noexcept;
   /// A normal number drawn again until it lies within `limit` standard deviations.
   double truncated_normal(double mean, double deviation, double limit = 2.5) noexcept;
 

@@ -1,4 +1,5 @@
-/// Rigid transforms between frames, named `to_from_from`: bone_from_tool = bone_from_world * world_from_tool.
+/// Rigid transforms between frames, named `to_from_from`: bone_from_tool = bone_from_world *
+/// world_from_tool.
 #pragma once
 
 #include "simulator/base/vector.h"
@@ -6,7 +7,8 @@
 namespace hallux {
 
 struct RigidTransform {
-  Quat rotation{1.0, 0.0, 0.0, 0.0};  ///< unit length
+  /// Unit length.
+  Quat rotation{1.0, 0.0, 0.0, 0.0};
   Vec3 translation_mm{0.0, 0.0, 0.0};
 
   friend bool operator==(const RigidTransform&, const RigidTransform&) = default;
@@ -18,14 +20,16 @@ Vec3 transform_point(const RigidTransform& to_from_from, const Vec3& point_mm) n
 Vec3 transform_direction(const RigidTransform& to_from_from, const Vec3& direction) noexcept;
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c) noexcept;
 RigidTransform inverse(const RigidTransform& a_from_b) noexcept;
-/// The pose a share of the way from one to the other: translations linear, rotations by their normalised sum.
+/// The pose a share of the way from one to the other: translations linear, rotations by their
+/// normalised sum.
 RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to,
                            double share) noexcept;
 
 /// The rotation that takes x to `x_axis` and keeps y as near to `y_hint` as it can.
 /// needs   x_axis and y_hint are not parallel and not zero
 Quat rotation_from_axes(const Vec3& x_axis, const Vec3& y_hint) noexcept;
-/// The rotation about the unit vector `axis`; uses elementary.h, so it is the same on every machine.
+/// The rotation about the unit vector `axis`; uses elementary.h, so it is the same on every
+/// machine.
 Quat rotation_about(const Vec3& axis, double angle_rad) noexcept;
 /// A quaternion of length 1 along `rotation`; the identity where the length is 0 or not finite.
 Quat normalised(const Quat& rotation) noexcept;

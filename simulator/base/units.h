@@ -1,4 +1,5 @@
-/// Named conversions between the units used inside (millimetre, newton, second, radian) and those at the doors.
+/// Named conversions between the units used inside (millimetre, newton, second, radian) and those
+/// at the doors.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@ constexpr double second_from_tick(std::int64_t tick) noexcept {
   return static_cast<double>(tick) * step_s;
 }
 
-/// Rounds to the nearest integer, halves away from zero; saturates at the ends of 32 bits. NaN becomes 0.
+/// Rounds to the nearest integer, halves away from zero; saturates at the ends of 32 bits. NaN
+/// becomes 0.
 constexpr std::int32_t round_to_int32(double value) noexcept {
   if (!(value == value)) return 0;
   if (value >= 2147483647.0) return 2147483647;

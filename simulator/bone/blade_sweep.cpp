@@ -6,7 +6,8 @@ namespace hallux::simulator {
 
 namespace {
 
-/// A turning blade is followed in steps: the hull of two far turned blades is more than what lies between them.
+/// A turning blade is followed in steps: the hull of two far turned blades is more than what lies
+/// between them.
 constexpr double turn_step = 0.02;
 
 PlanarPose projected(const RigidTransform& kerf_from_mesh, const SweepPose& pose) {

@@ -103,7 +103,8 @@ HingeRequest request_of(SawnBone& bone, const OpenedKerf& first, const OpenedKer
   request.first = first.plane;
   request.second = second.plane;
   request.line = hinge_line(first, second, wedge);
-  // The line is planned where the planes meet: that is as far from the far cortex as it happens to be.
+  // The line is planned where the planes meet: that is as far from the far cortex as it happens to
+  // be.
   const Vec3 far_mm = gap_of(bone, first, request.line).far_in_bone_mm;
   request.line.thickness_mm = std::max(
       hinge_row_step_mm, glm::dot(request.line.outward, far_mm - request.line.point_in_bone_mm));

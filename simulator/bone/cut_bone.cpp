@@ -14,7 +14,8 @@ const Bvh& tree_over(const CutSolid& solid, std::unique_ptr<const Bvh>& bvh) {
   return *bvh;
 }
 
-/// A kerf that opened nothing leaves the solid as it is, and so does one that comes when no bone is left.
+/// A kerf that opened nothing leaves the solid as it is, and so does one that comes when no bone is
+/// left.
 bool takes_nothing(const CutSolid& solid, const OpenedKerf& kerf) noexcept {
   return kerf.region.corners_mm.empty() || solid.mesh.triangles.empty();
 }

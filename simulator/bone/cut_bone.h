@@ -2,9 +2,9 @@
 ///
 ///     bone --kerf 0--> cut(0) --kerf 1--> cut(1) ... --split--> pieces 0, 1, 2 ... and debris
 ///
-/// One rule for whoever asks: the jobs of an attempt, its scoring, its replay, the live picture and `hallux cut`. Who
-/// asks says how far each kerf is open at the moment that is meant; what earlier kerfs left is kept, so that a kerf that
-/// grows costs the cuts from it on.
+/// One rule for whoever asks: the jobs of an attempt, its scoring, its replay, the live picture and
+/// `hallux cut`. Who asks says how far each kerf is open at the moment that is meant; what earlier
+/// kerfs left is kept, so that a kerf that grows costs the cuts from it on.
 #pragma once
 
 #include <cstdint>

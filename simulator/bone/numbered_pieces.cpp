@@ -68,7 +68,8 @@ std::size_t NumberedPieces::body_of(const CutSolid& solid) const {
   return static_cast<std::size_t>(body - taken_out_.begin());
 }
 
-/// The number of the piece that this one was cut from, if no larger part of that has taken it; else -1.
+/// The number of the piece that this one was cut from, if no larger part of that has taken it; else
+/// -1.
 std::int32_t NumberedPieces::inherited_id(const CutSolid& solid, std::vector<std::int32_t>& taken) {
   for (PieceBody& piece : pieces_) {
     if (std::find(taken.begin(), taken.end(), piece.id) != taken.end()) continue;

@@ -1,7 +1,8 @@
 /// The pieces of a bone under their numbers, and those that were taken out of it.
+/// Inside this corner only.
 ///
-/// A piece is known by where it lies: what was cut from a piece has that piece's number (of several parts the largest),
-/// and what lies in a body that was taken out is gone, however its kerfs go on.
+/// A piece is known by where it lies: what was cut from a piece has that piece's number (of several
+/// parts the largest), and what lies in a body that was taken out is gone, however its kerfs go on.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,8 @@ struct PieceBody {
 
 PieceBody copy_of(const PieceBody& piece);
 
-/// Whether most of a piece lies in a body: of points just inside its skin, spread over its triangles.
+/// Whether most of a piece lies in a body: of points just inside its skin, spread over its
+/// triangles.
 bool lies_in(const CutSolid& piece, const Bvh& body);
 
 /// Bodies that count and crumbs that do not: a crumb is smaller than debris_limit_mm3.
@@ -58,7 +60,8 @@ class NumberedPieces {
   bool has_taken_out() const noexcept { return !taken_out_.empty(); }
   /// Pieces and debris as one solid.
   CutSolid gathered() const;
-  /// What is left of a solid of the same bone. Nothing where a piece that was taken out would hang on the rest again.
+  /// What is left of a solid of the same bone. Nothing where a piece that was taken out would hang
+  /// on the rest again.
   std::optional<CutSolid> without_taken_out(const CutSolid& solid) const;
 
  private:

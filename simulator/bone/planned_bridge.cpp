@@ -11,7 +11,8 @@ struct KerfGap {
   std::int32_t place = 0;
 };
 
-/// The gaps that opened kerfs leave at the bridge, each in the bone as if it were the only kerf; thinnest first.
+/// The gaps that opened kerfs leave at the bridge, each in the bone as if it were the only kerf;
+/// thinnest first.
 std::vector<KerfGap> gaps_of_kerfs(CutBone& bone, const HingeLine& line) {
   std::vector<KerfGap> gaps;
   const SolidWithTree whole = bone.before(0);

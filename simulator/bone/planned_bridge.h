@@ -16,7 +16,8 @@ struct PlannedBridge {
 
 /// Closes the bone about its bridge, between the two kerfs that leave least there.
 /// bone    its pieces as they were numbered last, without those that were taken out
-/// ensures the bone does not change; FacesMissing where fewer than two kerfs took bone at the bridge
+/// ensures the bone does not change; FacesMissing where fewer than two kerfs took bone at the
+///         bridge
 ClosedHinge close_bridge(CutBone& bone, const PlannedBridge& bridge);
 
 }  // namespace hallux::simulator

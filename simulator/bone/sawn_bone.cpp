@@ -13,7 +13,8 @@ namespace hallux::simulator {
 namespace {
 
 constexpr double field_spacing_mm = 0.05;
-/// How far the grid reaches beyond the section: an outline through its outer nodes goes around all of it.
+/// How far the grid reaches beyond the section: an outline through its outer nodes goes around all
+/// of it.
 constexpr int margin_nodes = 4;
 constexpr double section_limit_mm = 200.0;
 /// The same plane again (docs/decisions/0002-a-blade-finds-its-slot.md).

@@ -1,7 +1,8 @@
 /// A bone on the bench: kerfs are sawn into it one after another, without force, feed or record.
 ///
-/// What is left is the bone less the union of all kerfs, so their order is free. A plane that comes again opens the kerf
-/// that is there, which then is the last to be cut: cutting beside its own walls would leave slivers.
+/// What is left is the bone less the union of all kerfs, so their order is free. A plane that comes
+/// again opens the kerf that is there, which then is the last to be cut: cutting beside its own
+/// walls would leave slivers.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,8 @@
 namespace hallux::simulator {
 
 struct BegunKerf {
-  /// The call of SawnBone::begin, from 0, that began it first: this one, or an earlier one in the same plane. Nothing
-  /// where the plane misses the bone.
+  /// The call of SawnBone::begin, from 0, that began it first: this one, or an earlier one in the
+  /// same plane. Nothing where the plane misses the bone.
   std::optional<std::size_t> number;
   /// It is not through yet, and bone is left.
   bool can_open = false;
@@ -30,10 +31,12 @@ class SawnBone {
   /// The plane normal . p = offset as that of a kerf, its frame's origin near the bone's middle.
   /// normal  of any length above 0; the offset is in the same measure
   KerfPlane plane_of(const Vec3& normal, double offset, double kerf_mm) const;
-  /// The kerf that this plane opens again, by its place; nothing where it is another plane than all before.
+  /// The kerf that this plane opens again, by its place; nothing where it is another plane than all
+  /// before.
   std::optional<std::size_t> find_kerf(const KerfPlane& asked) const;
 
-  /// Begins a kerf, or takes up the one that is there; what can be opened becomes the last to be cut.
+  /// Begins a kerf, or takes up the one that is there; what can be opened becomes the last to be
+  /// cut.
   /// is_swept  a blade will open it; else the cut goes all the way through
   /// errors    MeshError where a blade's field would be too wide; nothing changed then
   BegunKerf begin(const KerfPlane& asked, bool is_swept);

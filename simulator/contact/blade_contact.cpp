@@ -12,7 +12,8 @@ namespace {
 
 /// Behind the teeth the faces begin: a touch of 0.3 mm must not bring them into the bone.
 constexpr double first_row_mm = 1.0;
-/// Radius of a tooth's ball. It has one so that a tooth on the surface still knows which way is out.
+/// Radius of a tooth's ball. It has one so that a tooth on the surface still knows which way is
+/// out.
 constexpr double tooth_radius_mm = 0.1;
 /// Nearer than this the way to the surface is no direction.
 constexpr double direction_mm = 1.0e-5;
@@ -22,7 +23,8 @@ constexpr double way_out_mm = 1.0;
 constexpr double behind_mm = 1.0e-3;
 /// Above the rounding of a distance.
 constexpr double rounding_mm = 1.0e-6;
-/// Dear answers (walls, rims, missing pieces) in one search; points beyond that are taken to be free.
+/// Dear answers (walls, rims, missing pieces) in one search; points beyond that are taken to be
+/// free.
 constexpr int dear_limit = 12;
 
 struct Ball {
@@ -62,7 +64,8 @@ class ContactSearch {
  public:
   explicit ContactSearch(const StandingBone& bone) noexcept : bone_(bone) {}
 
-  /// The surface within the distance, or around a point less than a millimetre inside; the memory learns what was asked.
+  /// The surface within the distance, or around a point less than a millimetre inside; the memory
+  /// learns what was asked.
   std::optional<NearSurface> near_surface(const Vec3& point_mm, double within_mm,
                                           SurfaceMemory& memory) noexcept {
     const double moved_mm = length_mm(point_mm - memory.asked_mm);
@@ -109,7 +112,8 @@ class ContactSearch {
     return false;
   }
 
-  /// A point within the original outer surface. Beside a piece that is missing a single wall may hold a face.
+  /// A point within the original outer surface. Beside a piece that is missing a single wall may
+  /// hold a face.
   std::optional<NearSurface> near_inside(const Vec3& point_mm, double within_mm,
                                          const std::optional<NearSurface>& skin) noexcept {
     if (is_gone(point_mm)) {

@@ -1,4 +1,5 @@
-/// Where a blade touches bone: points along its teeth, on its faces and on its edges, and the surface that each is near to.
+/// Where a blade touches bone: points along its teeth, on its faces and on its edges, and the
+/// surface that each is near to. Inside this corner only.
 ///
 ///     collar                          teeth
 ///       o    o    o    o    o    o    o :
@@ -23,8 +24,8 @@ inline constexpr std::size_t contact_columns = 5;
 inline constexpr std::size_t contact_point_count =
     contact_tooth_count + contact_rows * contact_columns;
 
-/// The original surface's distance where it was asked for last: most points need no search. The answers are the same
-/// without it.
+/// The original surface's distance where it was asked for last: most points need no search. The
+/// answers are the same without it.
 struct SurfaceMemory {
   Vec3 asked_mm{0.0, 0.0, 0.0};
   double clearance_mm = 0.0;
@@ -34,10 +35,14 @@ using BladeMemory = std::array<SurfaceMemory, contact_point_count>;
 
 /// A point of the blade near standing bone.
 struct BladeContact {
-  std::size_t point = 0;       ///< below contact_tooth_count: a tooth
-  Vec3 arm_mm{0.0, 0.0, 0.0};  ///< from the tool's origin, bone frame
-  Vec3 normal{0.0, 0.0, 0.0};  ///< out of the bone, unit length
-  double gap_mm = 0.0;         ///< between the point's ball and the bone, negative where it is in
+  /// Below contact_tooth_count: a tooth.
+  std::size_t point = 0;
+  /// From the tool's origin, bone frame.
+  Vec3 arm_mm{0.0, 0.0, 0.0};
+  /// Out of the bone, unit length.
+  Vec3 normal{0.0, 0.0, 0.0};
+  /// Between the point's ball and the bone, negative where it is in.
+  double gap_mm = 0.0;
 };
 
 /// The contacts of one pose; the first `count` of the list.
@@ -52,8 +57,9 @@ constexpr bool is_tooth(const BladeContact& contact) noexcept {
   return contact.point < contact_tooth_count;
 }
 
-/// All points whose ball is within `reach_mm` of standing bone. Left out are points in an open kerf while no piece is
-/// missing (its walls are the teeth's), and points more than a millimetre inside bone, which have no way out.
+/// All points whose ball is within `reach_mm` of standing bone. Left out are points in an open kerf
+/// while no piece is missing (its walls are the teeth's), and points more than a millimetre inside
+/// bone, which have no way out.
 /// errors  none: total, allocates nothing
 /// thread  haptic
 BladeContacts find_contacts(const RigidTransform& bone_from_tool, const StandingBone& bone,

@@ -1,4 +1,5 @@
-/// Questions a blade asks of the bone around it: which teeth stand in what, and whether an edge is free.
+/// Questions a blade asks of the bone around it: which teeth stand in what, and whether an edge is
+/// free. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -12,22 +13,26 @@ namespace hallux::simulator {
 /// How far in front of the teeth bone is asked for: they stand on bone, not in it.
 inline constexpr double probe_ahead_mm = 0.02;
 
-/// The middle of each share of the tooth line, `ahead_mm` in front of it and `aside_mm` out of the blade's plane [mm, bone frame].
+/// The middle of each share of the tooth line, `ahead_mm` in front of it and `aside_mm` out of the
+/// blade's plane [mm, bone frame].
 std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool, const Blade& blade,
                                            double ahead_mm, double aside_mm = 0.0) noexcept;
 
-/// The hardest tissue over each tooth's thickness, asked `ahead_mm` in front of the tooth line; `teeth` remembers.
+/// The hardest tissue over each tooth's thickness, asked `ahead_mm` in front of the tooth line;
+/// `teeth` remembers.
 /// thread  haptic; allocates nothing
 std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
                                                 const StandingBone& bone, double ahead_mm,
                                                 TeethMemory& teeth) noexcept;
 
-/// The engaged width per tissue over the tooth line (the hardest over a tooth's thickness), asked `ahead_mm` in front of it; `teeth` remembers.
+/// The engaged width per tissue over the tooth line (the hardest over a tooth's thickness), asked
+/// `ahead_mm` in front of it; `teeth` remembers.
 /// thread  haptic; allocates nothing
 Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
                       double ahead_mm, TeethMemory& teeth) noexcept;
 
-/// Whether standing bone lies on the blade's edge on the side `side` (+1 or -1 along the tooth line).
+/// Whether standing bone lies on the blade's edge on the side `side` (+1 or -1 along the tooth
+/// line).
 bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& bone,
                      double side) noexcept;
 

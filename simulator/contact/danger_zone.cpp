@@ -51,7 +51,8 @@ struct Rectangle {
   }
 };
 
-/// The nearest pair lies at an end of the segment or on an edge of the rectangle, unless they cross.
+/// The nearest pair lies at an end of the segment or on an edge of the rectangle, unless they
+/// cross.
 double distance_mm(const Rectangle& blade, const Segment& segment) noexcept {
   if (blade.is_crossed_by(segment)) return 0.0;
   double least_mm2 = std::min(square(segment.from - blade.nearest(segment.from)),

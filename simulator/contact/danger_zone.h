@@ -2,8 +2,8 @@
 ///
 ///     Far <--- 3 mm, 3.5 mm back ---> Near <--- 0 mm, 0.5 mm back for 0.2 s ---> Contact
 ///
-/// A blade at rest touches nothing: without the saw running each zone is Far. Margins and the wait keep a trembling hand
-/// from telling the same contact many times.
+/// A blade at rest touches nothing: without the saw running each zone is Far. Margins and the wait
+/// keep a trembling hand from telling the same contact many times.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct DangerCapsule {
   double radius_mm = 1.0;
 };
 
-/// From the blade (tooth line, faces, edges; half a kerf thick to all sides) to the capsule; negative: how deep it is in,
-/// at most radius and half kerf [mm].
+/// From the blade (tooth line, faces, edges; half a kerf thick to all sides) to the capsule;
+/// negative: how deep it is in, at most radius and half kerf [mm].
 double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const Blade& blade,
                               const DangerCapsule& capsule) noexcept;
 
@@ -38,8 +38,10 @@ enum class DangerState : std::uint8_t { Far, Near, Contact };
 struct DangerTrack {
   DangerState state = DangerState::Far;
   double least_mm = std::numeric_limits<double>::infinity();
-  double contact_least_mm = 0.0;  ///< of the contact now, or the last one
-  double contact_s = 0.0;         ///< time at or below 0 mm
+  /// Of the contact now, or the last one.
+  double contact_least_mm = 0.0;
+  /// Time at or below 0 mm.
+  double contact_s = 0.0;
   std::int32_t contacts = 0;
 };
 

@@ -1,9 +1,11 @@
 /// The feed law: how fast a running saw advances through mixed tissue under a force.
 ///
-/// Per tissue the rate is K (F - F0) (cycles / 12000) / width. Over a tooth line in several tissues the forces add up:
-/// each engaged width carries its own share, so F = F0 + rate * sum(width_i / K_i) * (12000 / cycles). Bone of another
-/// quality needs so many times that force, at each rate and to begin.
-/// source  docs/haptics.md; calibrated to published micro-saw feeds of 10 to 60 mm/min, not measured by us
+/// Per tissue the rate is K (F - F0) (cycles / 12000) / width. Over a tooth line in several tissues
+/// the forces add up: each engaged width carries its own share, so F = F0 + rate * sum(width_i /
+/// K_i) * (12000 / cycles). Bone of another quality needs so many times that force, at each rate
+/// and to begin.
+/// source  docs/haptics.md; calibrated to published micro-saw feeds of 10 to 60 mm/min, not
+///         measured by us
 #pragma once
 
 #include "simulator/tool/saw.h"
@@ -26,7 +28,8 @@ inline constexpr double cancellous_threshold_newton = 0.3;
 inline constexpr double feed_rate_limit_mm_s = 5.0;
 inline constexpr double law_cycles_per_minute = 12000.0;
 
-/// Advance along the feed direction; the ceiling where no bone is engaged, 0 below the threshold force [mm/s].
+/// Advance along the feed direction; the ceiling where no bone is engaged, 0 below the threshold
+/// force [mm/s].
 /// needs   bone_quality > 0; 1 is bone as the constants have it
 double feed_rate_mm_s(const Engagement& engaged, double force_newton, double cycles_per_minute,
                       double bone_quality = 1.0) noexcept;

@@ -38,8 +38,8 @@ GuidePush guide_push(const RigidTransform& bone_from_tool, const GuidePlane& pla
   const double off_mm = glm::dot(normal, bone_from_tool.translation_mm) - plane.offset_mm;
   push.force_newton = off.pull(off_mm) * normal;
 
-  // The blade has two faces; it turns the shorter way. A sine serves as its angle: where they differ, the torque is at its
-  // limit.
+  // The blade has two faces; it turns the shorter way. A sine serves as its angle: where they
+  // differ, the torque is at its limit.
   const Vec3 blade_normal = transform_direction(bone_from_tool, Vec3{0.0, 0.0, 1.0});
   const double side = glm::dot(blade_normal, normal) < 0.0 ? -1.0 : 1.0;
   const Vec3 way_back = side * glm::cross(blade_normal, normal);

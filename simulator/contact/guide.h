@@ -3,8 +3,9 @@
 ///     within 0.5 mm and 1 degree of the plane: nothing
 ///         --beyond--> back to it, by a share of the coupling's stiffness, at most 35 % of the greatest force and torque
 ///
-/// It leads the hand, and the tool follows: the blade is asked where it is, the hand is pushed. It comes in softly, belongs
-/// to the step at hand, and ends once the teeth are in a kerf of their own.
+/// It leads the hand, and the tool follows: the blade is asked where it is, the hand is pushed. It
+/// comes in softly, belongs to the step at hand, and ends once the teeth are in a kerf of their
+/// own.
 /// source  docs/haptics.md, Where the tool is
 #pragma once
 
@@ -24,16 +25,19 @@ inline constexpr double guide_share_when_soft = 1.0 / 3.0;
 inline constexpr double guide_share_of_limit = 0.35;
 inline constexpr double guide_comes_in_s = 0.5;
 
-/// Where the middle of the blade is to lie: points with normal . p = offset. Which way the normal looks does not matter.
+/// Where the middle of the blade is to lie: points with normal . p = offset. Which way the normal
+/// looks does not matter.
 struct GuidePlane {
-  Vec3 normal_in_bone{0.0, 0.0, 1.0};  ///< unit
+  /// Unit.
+  Vec3 normal_in_bone{0.0, 0.0, 1.0};
   double offset_mm = 0.0;
 };
 
 /// As many as an operation has at most.
 inline constexpr std::size_t guided_steps_at_most = 64;
 
-/// For an attempt: how firmly, and the plane of each of the operation's steps, nothing where a step has none.
+/// For an attempt: how firmly, and the plane of each of the operation's steps, nothing where a step
+/// has none.
 struct GuidePlan {
   Guidance guidance = Guidance::None;
   std::array<std::optional<GuidePlane>, guided_steps_at_most> of_step{};

@@ -160,8 +160,8 @@ void HeatField::rub(const Stroke& stroke, const StandingBone& bone) noexcept {
   }
 }
 
-/// Along the tooth line the heat is shared by the two nearest cells, else teeth that stand closer than cells would warm
-/// some of them twice as much as others. What rubs in air warms nothing.
+/// Along the tooth line the heat is shared by the two nearest cells, else teeth that stand closer
+/// than cells would warm some of them twice as much as others. What rubs in air warms nothing.
 void HeatField::add_heat(std::int32_t kerf, const StandingBone& bone, const Vec2& place_mm,
                          double joule) noexcept {
   const double v_cells = (place_mm.y + reach_mm) / heat_cell_mm - 0.5;

@@ -1,11 +1,13 @@
-/// Heat in the walls of the kerfs: a temperature and a thermal dose for each square millimetre, followed by what is recorded.
+/// Heat in the walls of the kerfs: a temperature and a thermal dose for each square millimetre,
+/// followed by what is recorded.
 ///
 ///     sample: pose, push, saw on, irrigated --> teeth in bone --> heat into the cells behind them
 ///                                                                         |
 ///     each cell every 16th step: exact cooling over the time since <------'
 ///
-/// A cell is a square millimetre of a kerf's plane with both its walls, `wall_depth_mm` deep. All memory is taken at the
-/// beginning; a step costs the engaged teeth and a sixteenth of the cells that were ever warmed.
+/// A cell is a square millimetre of a kerf's plane with both its walls, `wall_depth_mm` deep. All
+/// memory is taken at the beginning; a step costs the engaged teeth and a sixteenth of the cells
+/// that were ever warmed.
 #pragma once
 
 #include <array>
@@ -18,11 +20,13 @@
 
 namespace hallux::simulator {
 
-/// The cells of one kerf reach as far as its field: 40 mm to all sides of where the tool was frozen.
+/// The cells of one kerf reach as far as its field: 40 mm to all sides of where the tool was
+/// frozen.
 inline constexpr std::int32_t heat_cells = 80;
 inline constexpr double heat_cell_mm = 1.0;
 inline constexpr double heat_cell_volume_mm3 = 2.0 * wall_depth_mm * heat_cell_mm * heat_cell_mm;
-/// Marks are set once a patch of so many cells on a side, and taken at most one in `ticks_per_heat_mark`.
+/// Marks are set once a patch of so many cells on a side, and taken at most one in
+/// `ticks_per_heat_mark`.
 inline constexpr std::int32_t heat_patch_cells = 5;
 inline constexpr std::int64_t ticks_per_heat_mark = 100;
 
@@ -32,15 +36,18 @@ enum class HeatMarkKind : std::int32_t { Hot, Necrosis };
 struct HeatMark {
   HeatMarkKind kind = HeatMarkKind::Hot;
   std::int32_t kerf = 0;
-  Vec2 place_mm{0.0, 0.0};  ///< the first cell of the patch, in the kerf's plane
+  /// The first cell of the patch, in the kerf's plane.
+  Vec2 place_mm{0.0, 0.0};
 };
 
 /// All of an attempt so far.
 struct HeatSummary {
   double hottest_celsius = body_celsius;
-  std::int32_t hottest_kerf = -1;  ///< -1: no bone above body temperature
+  /// -1: no bone above body temperature.
+  std::int32_t hottest_kerf = -1;
   Vec2 hottest_place_mm{0.0, 0.0};
-  double hot_s = 0.0;  ///< time in which any bone was above 47 degrees
+  /// Time in which any bone was above 47 degrees.
+  double hot_s = 0.0;
   double greatest_dose_min = 0.0;
   double necrotic_mm3 = 0.0;
 };
@@ -51,8 +58,8 @@ class HeatField {
   /// needs   saw.sharpness > 0
   HeatField(const Saw& saw, const RigidTransform& world_from_bone);
 
-  /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the sample before. While
-  /// the attempt does not run, time stands still here too.
+  /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the
+  /// sample before. While the attempt does not run, time stands still here too.
   /// needs   samples in their order; `bone` as it stands after the sample
   /// errors  none: total, allocates nothing
   /// thread  haptic (and, on its own copy, assessment)
@@ -75,7 +82,8 @@ class HeatField {
   struct Cell {
     double celsius = body_celsius;
     double dose_min = 0.0;
-    double heat_joule = 0.0;  ///< since the cell was followed last
+    /// Since the cell was followed last.
+    double heat_joule = 0.0;
     Place place = Place::Unknown;
   };
   /// The cells of one kerf that were ever warmed: all that need to be followed.
@@ -88,7 +96,8 @@ class HeatField {
     std::int32_t cell = 0;
   };
 
-  /// What the saw gives in one sample: the blade in the kerf's plane, friction of all teeth, way cut.
+  /// What the saw gives in one sample: the blade in the kerf's plane, friction of all teeth, way
+  /// cut.
   struct Stroke {
     std::int32_t kerf = -1;
     PlanarPose pose;
@@ -113,11 +122,15 @@ class HeatField {
   RigidTransform bone_from_world_;
   double tooth_speed_mm_s_;
   double friction_;
-  FixedArray<Cell> cells_;     ///< kerf by kerf, v running fastest
-  FixedArray<Patch> patches_;  ///< kind by kind, kerf by kerf
+  /// Kerf by kerf, v running fastest.
+  FixedArray<Cell> cells_;
+  /// Kind by kind, kerf by kerf.
+  FixedArray<Patch> patches_;
   std::array<Warmed, static_cast<std::size_t>(kerf_limit)> warmed_{};
-  std::array<double, group_count> since_s_{};        ///< per group of rows: time to be followed
-  std::array<double, group_count> hottest_celsius_;  ///< per group, when it was followed last
+  /// Per group of rows: time to be followed.
+  std::array<double, group_count> since_s_{};
+  /// Per group, when it was followed last.
+  std::array<double, group_count> hottest_celsius_;
   std::array<TissueMemory, tooth_count> teeth_{};
   HeatSummary summary_;
   std::size_t next_group_ = 0;

@@ -7,7 +7,8 @@ namespace hallux::simulator {
 
 namespace {
 
-/// The share of the impulse that is over at a share of the duration: the integral of the parabola 6 s (1 - s).
+/// The share of the impulse that is over at a share of the duration: the integral of the parabola 6
+/// s (1 - s).
 double share_over(double age_s) noexcept {
   const double share = std::clamp(age_s / kick_duration_s, 0.0, 1.0);
   return share * share * (3.0 - 2.0 * share);

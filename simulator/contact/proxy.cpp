@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-/// Projected Gauss-Seidel: contact by contact, the push that its gap asks for and the hold that stops it, until nothing
-/// changes any more. Begun with the loads of the tick before, a blade at rest needs a sweep or two.
+/// Projected Gauss-Seidel: contact by contact, the push that its gap asks for and the hold that
+/// stops it, until nothing changes any more. Begun with the loads of the tick before, a blade at
+/// rest needs a sweep or two.
 namespace hallux::simulator {
 
 namespace {
@@ -14,7 +15,8 @@ constexpr int sweep_limit = 30;
 constexpr double settled_mm = 1.0e-7;
 /// A face may be in bone by this before it is led out: curved bone is met by its planes.
 constexpr double slack_mm = 0.002;
-/// Sliding begins where the holds together are this share of what they could be, and is over below the second.
+/// Sliding begins where the holds together are this share of what they could be, and is over below
+/// the second.
 constexpr double slip_share = 0.999, rest_share = 0.95;
 
 double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }

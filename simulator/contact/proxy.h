@@ -1,9 +1,11 @@
 /// The proxy: the pose nearest to the hand's that bone allows, and the friction on the way there.
+/// Inside this corner only.
 ///
-/// A god-object (Zilles and Salisbury 1995) with six degrees of freedom (Ortega, Redon and Coquillart 2007) and several
-/// contacts. What is least is the work stored between hand and tool: |way|^2 + grip^2 |turn|^2. Each contact gives a push
-/// along its normal and a hold across it of at most friction times the push; both are said as millimetres of the
-/// coupling's stretch, so that coupling x push is a force.
+/// A god-object (Zilles and Salisbury 1995) with six degrees of freedom (Ortega, Redon and
+/// Coquillart 2007) and several contacts. What is least is the work stored between hand and tool:
+/// |way|^2 + grip^2 |turn|^2. Each contact gives a push along its normal and a hold across it of at
+/// most friction times the push; both are said as millimetres of the coupling's stretch, so that
+/// coupling x push is a force.
 /// source  docs/haptics.md, Where the tool is
 #pragma once
 
@@ -25,13 +27,16 @@ ProxyMotion motion_between(const RigidTransform& from, const RigidTransform& to)
 RigidTransform moved_by(const RigidTransform& pose, const ProxyMotion& motion) noexcept;
 
 struct ProxyFriction {
-  double hold =
-      0.3;  ///< a contact at rest slides where it is pulled by more than this share of the push
-  double slide_share = 0.6;  ///< of it, once it slides
-  double tooth_hold = 0.3;   ///< as hold, of the teeth
+  /// A contact at rest slides where it is pulled by more than this share of the push.
+  double hold = 0.3;
+  /// Of it, once it slides.
+  double slide_share = 0.6;
+  /// As hold, of the teeth.
+  double tooth_hold = 0.3;
 };
 
-/// What each point of the blade bears [mm of stretch], kept from tick to tick: the search goes on from there.
+/// What each point of the blade bears [mm of stretch], kept from tick to tick: the search goes on
+/// from there.
 struct ProxyLoad {
   std::array<double, contact_point_count> push_mm{};
   std::array<Vec3, contact_point_count> hold_mm{};
@@ -40,12 +45,14 @@ struct ProxyLoad {
 
 struct ProxyResult {
   ProxyMotion motion;
-  Vec3 tooth_mm{0.0, 0.0, 0.0};  ///< what the teeth bear of the stretch, on the tool
-  double push_mm = 0.0;          ///< of all contacts together
+  /// What the teeth bear of the stretch, on the tool.
+  Vec3 tooth_mm{0.0, 0.0, 0.0};
+  /// Of all contacts together.
+  double push_mm = 0.0;
 };
 
-/// The motion towards `wanted` that brings no contact's gap below zero; a face that is in by more than a rounding is led
-/// out, a tooth is led no deeper.
+/// The motion towards `wanted` that brings no contact's gap below zero; a face that is in by more
+/// than a rounding is led out, a tooth is led no deeper.
 /// needs   normals of unit length; grip_mm > 0
 /// errors  none: total, allocates nothing, a bounded number of sweeps
 /// thread  haptic

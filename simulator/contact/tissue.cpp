@@ -31,7 +31,8 @@ Tissue TissueMap::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const n
   const auto is_settled = [&](double threshold_mm) {
     return std::abs(memory.clearance_mm - threshold_mm) > moved_mm;
   };
-  // Outside, in the cortex or below it: only a threshold within the way since the last search calls for another.
+  // Outside, in the cortex or below it: only a threshold within the way since the last search calls
+  // for another.
   if (!memory.knows_outer || !is_settled(0.0) || !is_settled(-cortex_mm)) {
     memory.clearance_mm = clearance_mm(point_in_bone_mm);
     memory.outer_asked_mm = point_in_bone_mm;
@@ -46,7 +47,8 @@ bool TissueMap::is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) co
   if (!canal_) return false;
   const double moved_mm = distance_mm(point_in_bone_mm, memory.canal_asked_mm);
   if (!memory.knows_canal || std::abs(memory.canal_mm) <= moved_mm) {
-    // The canal's shell faces inward: outside of it, seen as a solid, is the bone around the marrow.
+    // The canal's shell faces inward: outside of it, seen as a solid, is the bone around the
+    // marrow.
     memory.canal_mm = canal_->signed_distance_mm(point_in_bone_mm);
     memory.canal_asked_mm = point_in_bone_mm;
     memory.knows_canal = true;

@@ -1,4 +1,5 @@
 /// Which tissue is where: in the bone as it was, and in what of it still stands.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +15,19 @@ namespace hallux::simulator {
 
 enum class Tissue : std::uint8_t { None, Marrow, Cancellous, Cortical };
 
-/// What was asked near a point before: distances change by no more than the way since, so most answers need no search.
-/// Part of the state of whoever asks; the answers are the same without it.
+/// What was asked near a point before: distances change by no more than the way since, so most
+/// answers need no search. Part of the state of whoever asks; the answers are the same without it.
 struct TissueMemory {
   Vec3 outer_asked_mm{0.0, 0.0, 0.0}, canal_asked_mm{0.0, 0.0, 0.0};
-  double clearance_mm = 0.0;  ///< to the outer surface, at outer_asked_mm
-  double canal_mm = 0.0;      ///< to the canal's wall, above 0 in the marrow, at canal_asked_mm
+  /// To the outer surface, at outer_asked_mm.
+  double clearance_mm = 0.0;
+  /// To the canal's wall, above 0 in the marrow, at canal_asked_mm.
+  double canal_mm = 0.0;
   bool knows_outer = false, knows_canal = false;
 };
 
-/// The tissues of the original bone. Always asked of the original surface: a cut face is not cortex.
+/// The tissues of the original bone. Always asked of the original surface: a cut face is not
+/// cortex.
 class TissueMap {
  public:
   explicit TissueMap(const Bone& bone);
@@ -47,7 +51,8 @@ class TissueMap {
   std::optional<CortexLaw> cortex_;
 };
 
-/// What still stands: the original bone outside every open kerf and every piece taken out. Borrows all it names.
+/// What still stands: the original bone outside every open kerf and every piece taken out. Borrows
+/// all it names.
 struct StandingBone {
   const TissueMap& original;
   const KerfSet& kerfs;

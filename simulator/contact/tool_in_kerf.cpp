@@ -19,11 +19,14 @@ constexpr double turn_worth_asking = 0.0005;
 constexpr double shift_worth_asking_mm = 0.001;
 /// Sliding along the walls is over where the pull is this share of the friction.
 constexpr double rest_share = 0.95;
-/// A handle whose direction is this much or less of it in the plane, 3 degrees from its normal, says none there.
+/// A handle whose direction is this much or less of it in the plane, 3 degrees from its normal,
+/// says none there.
 constexpr double across_plane = 0.05;
-/// A blade drawn back by more than this since its teeth were in bone is on its way out, not through.
+/// A blade drawn back by more than this since its teeth were in bone is on its way out, not
+/// through.
 constexpr double drawn_back_limit_mm = 1.0;
-/// So far behind teeth that have just come out at the far side there is bone, also where they came out aslant.
+/// So far behind teeth that have just come out at the far side there is bone, also where they came
+/// out aslant.
 constexpr double behind_far_side_mm = 1.0;
 
 Vec3 axis_x(const RigidTransform& to_from_tool) noexcept {
@@ -45,15 +48,16 @@ double comply(double deviation, double play, double share) noexcept {
   return (deviation < 0.0 ? -1.0 : 1.0) * (play + share * beyond);
 }
 
-/// Where the hand wants the teeth, ahead of where they are, how far they may go where no bone is in their way, and how far
-/// until the collar stands on the bone.
+/// Where the hand wants the teeth, ahead of where they are, how far they may go where no bone is in
+/// their way, and how far until the collar stands on the bone.
 struct Push {
   double wanted_mm = 0.0;
   double reach_mm = 0.0;
   double room_mm = 0.0;
 };
 
-/// Advances along the tool's x: freely until the teeth stand on bone, then by the feed law of the whole push.
+/// Advances along the tool's x: freely until the teeth stand on bone, then by the feed law of the
+/// whole push.
 double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& input,
             const StandingBone& bone, const ContactSettings& settings, TeethMemory& teeth,
             ToolOutcome& outcome) noexcept {
@@ -81,7 +85,8 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
   return done_mm;
 }
 
-/// What the walls' friction leaves of a pull along the plane, of a blade pushed against them; both as stretch of the spring.
+/// What the walls' friction leaves of a pull along the plane, of a blade pushed against them; both
+/// as stretch of the spring.
 Vec2 after_friction(const Vec2& pull_mm, double push_mm, const ContactSettings& settings,
                     bool& slides) noexcept {
   const double length_mm = std::sqrt(glm::dot(pull_mm, pull_mm));
@@ -161,13 +166,15 @@ Bend bent_towards(const Bend& from, const Bend& to, double reach_mm, double dept
 /// The pose in the kerf's frame from its planar part and its bend.
 RigidTransform bent_pose(const PlanarPose& planar, const Bend& bend) noexcept {
   const double half_x = 0.5 * bend.tilt_x_rad, half_y = 0.5 * bend.tilt_y_rad;
-  // The last part keeps the blade's direction in the plane: two small tilts together would turn it a little each tick.
+  // The last part keeps the blade's direction in the plane: two small tilts together would turn it
+  // a little each tick.
   const Quat tilt{1.0, half_x, half_y, -half_x * half_y};
   return {normalised(rotation_to(planar.direction) * tilt),
           Vec3{planar.tip_mm.x, planar.tip_mm.y, bend.out_mm}};
 }
 
-/// Where the hand wants the blade in the plane; a handle that stands across it leaves the blade its direction.
+/// Where the hand wants the blade in the plane; a handle that stands across it leaves the blade its
+/// direction.
 PlanarPose wanted_in_plane(const KerfPlane& plane, const RigidTransform& bone_from_handle,
                            const PlanarPose& now) noexcept {
   PlanarPose wanted = planar_pose(plane, bone_from_handle);
@@ -193,7 +200,8 @@ Steps steps_of(double way, double step, double reach) noexcept {
   return {count, std::min({1.0, reach / way, count * step / way}) / count};
 }
 
-/// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would meet bone.
+/// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would
+/// meet bone.
 void turn_aside(PlanarPose& planar, const Vec2& wanted, double reach_mm, const KerfPlane& plane,
                 const StandingBone& bone, TeethMemory& teeth) noexcept {
   const double turn = planar.direction.x * wanted.y - planar.direction.y * wanted.x;
@@ -232,8 +240,8 @@ void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
   }
 }
 
-/// A way that the blade may go at least before its collar, thicker than a kerf, stands on the original surface; asked anew
-/// where that is below `enough_mm`.
+/// A way that the blade may go at least before its collar, thicker than a kerf, stands on the
+/// original surface; asked anew where that is below `enough_mm`.
 double collar_room_mm(const RigidTransform& bone_from_tool, const StandingBone& bone,
                       double enough_mm, CollarMemory& memory) noexcept {
   const Blade& blade = bone.kerfs.blade();
@@ -260,8 +268,9 @@ bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone&
   return true;
 }
 
-/// Whether the blade comes out at the far side by going `ahead_mm` further (negative: back). The last tooth in bone need not
-/// be the last within the bone: beside an earlier stroke the others still stand in its kerf, deeper where the bone is.
+/// Whether the blade comes out at the far side by going `ahead_mm` further (negative: back). The
+/// last tooth in bone need not be the last within the bone: beside an earlier stroke the others
+/// still stand in its kerf, deeper where the bone is.
 bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
                     const RigidTransform& bone_from_flat, const StandingBone& bone) noexcept {
   if (is_engaged) {
@@ -279,8 +288,8 @@ bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
   return !teeth_are_outside(moved(bone_from_flat, -behind_mm * axis_x(bone_from_flat)), bone);
 }
 
-/// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before it: a hand lays the
-/// blade back into the line of its cut, also where the bone begins deeper.
+/// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before
+/// it: a hand lays the blade back into the line of its cut, also where the bone begins deeper.
 std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const StandingBone& bone,
                              std::int32_t kerf) noexcept {
   const KerfPlane& plane = bone.kerfs.plane(kerf);

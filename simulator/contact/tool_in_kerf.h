@@ -1,4 +1,4 @@
-/// One tick of a blade in its kerf, and how it comes into one.
+/// One tick of a blade in its kerf, and how it comes into one. Inside this corner only.
 ///
 /// Part of tool_motion.h, and called by it alone.
 #pragma once

@@ -14,8 +14,8 @@ namespace {
 /// No tool goes further in one tick: that of a faster hand comes after it.
 constexpr double reach_limit_mm = 1.5;
 
-/// How far the tool may go. A tool that bone holds, or held until now, comes after the hand at no more than the speed of
-/// giving way; one in air follows at once.
+/// How far the tool may go. A tool that bone holds, or held until now, comes after the hand at no
+/// more than the speed of giving way; one in air follows at once.
 double reach_mm(ToolState& tool, const ToolInput& input, const Blade& blade,
                 const ContactSettings& settings) noexcept {
   const ProxyMotion hand = motion_between(tool.bone_from_handle, input.bone_from_handle);
@@ -58,7 +58,8 @@ void push_hand(const Vec3& force_newton, const ContactSettings& settings,
 /// The guide leads the hand where no kerf does.
 void guide_hand(ToolState& tool, const ToolInput& input, const ContactSettings& settings,
                 ToolOutcome& outcome) noexcept {
-  // Not in the tick of a freeze either: its sample lies in the kerf, and there the record's force is the blade's alone.
+  // Not in the tick of a freeze either: its sample lies in the kerf, and there the record's force
+  // is the blade's alone.
   if (input.guide == nullptr || tool.stage == ToolStage::InKerf || outcome.wants_freeze) {
     tool.guided_s = 0.0;
     return;

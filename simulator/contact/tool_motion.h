@@ -1,5 +1,5 @@
 /// How the tool follows the hand: freely in air, held by bone at a touch, along the plane in a
-/// kerf.
+/// kerf. Inside this room only.
 ///
 ///     Free ------- teeth meet bone ------> Touching ------ 0.3 mm deep ------> InKerf
 ///      ^  <------- teeth clear again ---------'                                   |
@@ -31,26 +31,37 @@ namespace hallux::simulator {
 /// Constants of the coupling and of a blade in its slot, the patient's bone, and the guide.
 /// source  docs/haptics.md
 struct ContactSettings {
-  double bone_quality = 1.0;  ///< of the patient: the force that a rate needs, as a share of usual
+  /// Of the patient: the force that a rate needs, as a share of usual.
+  double bone_quality = 1.0;
   double coupling_newton_per_mm = 2.0;
   double force_limit_newton = 30.0;
-  double torsion_newton_mm_per_rad = 4000.0;  ///< between hand and tool, as the coupling
+  /// Between hand and tool, as the coupling.
+  double torsion_newton_mm_per_rad = 4000.0;
   double torque_limit_newton_mm = 500.0;
-  double friction = 0.3;              ///< blade on bone, from rest
-  double friction_slide_share = 0.6;  ///< of it while the blade slides
-  double tooth_grip = 2.0;            ///< as friction, of running teeth that are not in a kerf yet
-  double give_mm_s = 200.0;  ///< faster than the hand, the tool comes after it where bone gives way
-  double freeze_depth_mm = 0.3;  ///< a shallower touch is a scratch
-  double slot_play_mm = 0.1;     ///< out of the plane, before the slot holds the blade
+  /// Blade on bone, from rest.
+  double friction = 0.3;
+  /// Of it while the blade slides.
+  double friction_slide_share = 0.6;
+  /// As friction, of running teeth that are not in a kerf yet.
+  double tooth_grip = 2.0;
+  /// Faster than the hand, the tool comes after it where bone gives way.
+  double give_mm_s = 200.0;
+  /// A shallower touch is a scratch.
+  double freeze_depth_mm = 0.3;
+  /// Out of the plane, before the slot holds the blade.
+  double slot_play_mm = 0.1;
   double slot_stiffness_newton_per_mm = 10.0;
   double slot_play_rad = 0.0087;
-  double slot_compliance = 0.1;      ///< share of a tilt beyond the play that bends the blade
-  double rejoin_angle_rad = 0.0087;  ///< half a degree and 0.1 mm: the same plane again
+  /// Share of a tilt beyond the play that bends the blade.
+  double slot_compliance = 0.1;
+  /// Half a degree and 0.1 mm: the same plane again.
+  double rejoin_angle_rad = 0.0087;
   double rejoin_offset_mm = 0.1;
-  double capture_angle_rad =
-      0.0873;  ///< a thin blade bends into an open slot within 5 degrees and 0.5 mm
+  /// A thin blade bends into an open slot within 5 degrees and 0.5 mm.
+  double capture_angle_rad = 0.0873;
   double capture_offset_mm = 0.5;
-  std::int32_t capture_teeth = 2;  ///< teeth over the slot that it takes
+  /// Teeth over the slot that it takes.
+  std::int32_t capture_teeth = 2;
   GuidePlan guide = {};
 };
 
@@ -70,43 +81,63 @@ enum class ToolStage : std::int32_t { Free, Touching, InKerf };
 struct ToolState {
   ToolStage stage = ToolStage::Free;
   RigidTransform bone_from_tool;
-  std::int32_t kerf = -1;          ///< in InKerf
-  double touch_depth_mm = 0.0;     ///< in Touching: how far the teeth went in
-  double scratch_mm = 0.0;         ///< in Touching: the deepest so far
-  bool may_break_through = false;  ///< in InKerf: teeth stood in bone, and the blade went on since
-  double drawn_back_mm = 0.0;      ///< in InKerf: since teeth stood in bone last
-  bool is_refused = false;  ///< in Touching: there is no kerf left, the teeth stay where they are
-  bool is_held = false;     ///< in Free: bone stretched the spring, and it is not slack again
-  bool slides = false;      ///< in InKerf: along the walls
-  RigidTransform bone_from_handle;  ///< of the last tick
+  /// In InKerf.
+  std::int32_t kerf = -1;
+  /// In Touching: how far the teeth went in.
+  double touch_depth_mm = 0.0;
+  /// In Touching: the deepest so far.
+  double scratch_mm = 0.0;
+  /// In InKerf: teeth stood in bone, and the blade went on since.
+  bool may_break_through = false;
+  /// In InKerf: since teeth stood in bone last.
+  double drawn_back_mm = 0.0;
+  /// In Touching: there is no kerf left, the teeth stay where they are.
+  bool is_refused = false;
+  /// In Free: bone stretched the spring, and it is not slack again.
+  bool is_held = false;
+  /// In InKerf: along the walls.
+  bool slides = false;
+  /// Of the last tick.
+  RigidTransform bone_from_handle;
   bool knows_handle = false;
   TeethMemory teeth{};
   BladeMemory points{};
   CollarMemory collar{};
   ProxyLoad load;
   KickState kick;
-  double guided_s = 0.0;  ///< how long the guide at hand has led it
+  /// How long the guide at hand has led it.
+  double guided_s = 0.0;
 };
 
 struct ToolInput {
-  const Saw& saw;  ///< the tool in the hand
+  /// The tool in the hand.
+  const Saw& saw;
   RigidTransform bone_from_handle;
   bool saw_runs = false;
   double duration_s = 0.001;
-  const GuidePlane* guide = nullptr;  ///< of the step at hand; nothing where none leads
+  /// Of the step at hand; nothing where none leads.
+  const GuidePlane* guide = nullptr;
 };
 
 struct ToolOutcome {
-  Engagement engaged;                            ///< before the advance
-  Vec3 force_in_bone_newton{0.0, 0.0, 0.0};      ///< on the hand
-  Vec3 torque_in_bone_newton_mm{0.0, 0.0, 0.0};  ///< on the hand, about the tool's origin
-  double advance_mm = 0.0;                       ///< through bone, along the feed direction
-  double scratch_mm = 0.0;                       ///< above 0: a touch ended without a kerf
+  /// Before the advance.
+  Engagement engaged;
+  /// On the hand.
+  Vec3 force_in_bone_newton{0.0, 0.0, 0.0};
+  /// On the hand, about the tool's origin.
+  Vec3 torque_in_bone_newton_mm{0.0, 0.0, 0.0};
+  /// Through bone, along the feed direction.
+  double advance_mm = 0.0;
+  /// Above 0: a touch ended without a kerf.
+  double scratch_mm = 0.0;
   bool began_contact = false;
-  bool wants_freeze = false;   ///< the touch is deep enough for a kerf in the tool's plane
-  bool broke_through = false;  ///< the teeth left bone at the far side
+  /// The touch is deep enough for a kerf in the tool's plane.
+  bool wants_freeze = false;
+  /// The teeth left bone at the far side.
+  bool broke_through = false;
   bool is_force_limited = false;
-  KickCause kicked = KickCause::None;  ///< a kick began
+  /// A kick began.
+  KickCause kicked = KickCause::None;
 };
 
 /// Moves the tool for one tick towards the handle.

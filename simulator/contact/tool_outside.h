@@ -1,4 +1,5 @@
-/// One tick of a tool that is in no kerf: free in air, or held out of the bone by its teeth, faces and edges.
+/// One tick of a tool that is in no kerf: free in air, or held out of the bone by its teeth, faces
+/// and edges. Inside this corner only.
 ///
 /// Part of tool_motion.h, and called by it alone.
 #pragma once

@@ -1,9 +1,10 @@
-/// The tremble of a running saw, for the device alone: open loop, added after everything that is recorded or judged.
+/// The tremble of a running saw, for the device alone: open loop, added after everything that is
+/// recorded or judged. Inside this room only.
 ///
-/// A saw runs at 10,000 to 20,000 cycles a minute, 167 to 333 Hz: three to six samples a cycle at 1 kHz, which no device
-/// renders. So the hand gets half the true rate, within 90 to 150 Hz; sound has the true one (ui/sound). It is part neither
-/// of the recorded force, nor of the step's output, nor of any account of energy: it cannot hold a wall up and must not
-/// be taken for one.
+/// A saw runs at 10,000 to 20,000 cycles a minute, 167 to 333 Hz: three to six samples a cycle at 1
+/// kHz, which no device renders. So the hand gets half the true rate, within 90 to 150 Hz; sound
+/// has the true one (ui/sound). It is part neither of the recorded force, nor of the step's output,
+/// nor of any account of energy: it cannot hold a wall up and must not be taken for one.
 /// source  docs/haptics.md, Vibration
 #pragma once
 
@@ -28,7 +29,8 @@ inline constexpr double vibration_settle_s = 0.02;
 struct VibrationState {
   explicit VibrationState(std::uint64_t seed) noexcept : noise(seed, "vibration") {}
 
-  double turns = 0.0;  ///< phase, [0, 1)
+  /// Phase, [0, 1).
+  double turns = 0.0;
   double amplitude_newton = 0.0;
   double cycle_strength = 1.0;
   Random noise;

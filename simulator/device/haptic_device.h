@@ -10,18 +10,20 @@
 
 namespace hallux::simulator {
 
-/// How a living device is told from one that only repeats itself; what it cannot say is not asked for.
+/// How a living device is told from one that only repeats itself; what it cannot say is not asked
+/// for.
 struct DevicePulse {
-  /// Its state never stays the same to the last bit for more ticks, because a converter or an encoder flickers; 0: it may,
-  /// as of an arm that lies at rest.
+  /// Its state never stays the same to the last bit for more ticks, because a converter or an
+  /// encoder flickers; 0: it may, as of an arm that lies at rest.
   std::int64_t flicker_ticks = 0;
-  bool numbers_packets = false;  ///< RawDeviceState::packet grows with each packet that came
+  /// RawDeviceState::packet grows with each packet that came.
+  bool numbers_packets = false;
 };
 
 struct DeviceDescription {
   std::string name;
-  std::string
-      device_class;  ///< "scripted", "mouse", "arm": comparisons of scores stay within a class
+  /// "scripted", "mouse", "arm": comparisons of scores stay within a class.
+  std::string device_class;
   /// Of what pushes a hand; none where nothing does: it is told the simulated force as it is.
   std::optional<DeviceLimits> limits = std::nullopt;
   DevicePulse pulse = {};
@@ -30,8 +32,10 @@ struct DeviceDescription {
 /// What the device said; not yet rounded, not yet trusted.
 struct RawDeviceState {
   RigidTransform world_from_handle;
-  std::uint32_t switches = 0;  ///< bits of Switch
-  std::uint64_t packet = 0;    ///< of the packet that said it, where the device numbers them
+  /// Bits of Switch.
+  std::uint32_t switches = 0;
+  /// Of the packet that said it, where the device numbers them.
+  std::uint64_t packet = 0;
 };
 
 class HapticDevice {
@@ -39,8 +43,9 @@ class HapticDevice {
   virtual ~HapticDevice() = default;
 
   virtual DeviceDescription description() const = 0;
-  /// Sends the force [N, world frame; the device's own newtons where it has limits] and takes the newest state for simulated
-  /// tick `tick`. False where the device is gone. Never waits longer than one period.
+  /// Sends the force [N, world frame; the device's own newtons where it has limits] and takes the
+  /// newest state for simulated tick `tick`. False where the device is gone. Never waits longer
+  /// than one period.
   /// thread  haptic; allocates nothing
   virtual bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                         RawDeviceState& state) noexcept = 0;

@@ -1,11 +1,12 @@
-/// The mouse as a device: a pointer leads a hand through a virtual coupling, so that steps of the pointer become motion.
+/// The mouse as a device: a pointer leads a hand through a virtual coupling, so that steps of the
+/// pointer become motion.
 ///
 ///     window: pointer, wheel, right drag -> target --latest value--> haptic: target --spring, damper--> hand of 0.15 kg
 ///                                                                                        ^ force of the simulation
 ///
-/// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the pointer runs ahead:
-/// how far it is ahead is how hard one pushes. Where no target comes any more, because the window hangs or is minimised,
-/// nobody holds the saw: it stops.
+/// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the
+/// pointer runs ahead: how far it is ahead is how hard one pushes. Where no target comes any more,
+/// because the window hangs or is minimised, nobody holds the saw: it stops.
 #pragma once
 
 #include "simulator/device/steered_device.h"
@@ -17,23 +18,30 @@ namespace hallux::simulator {
 struct MouseCoupling {
   double stiffness_newton_per_mm = 1.0;
   double mass_kg = 0.15;
-  double damping_newton_s_per_mm = 0.0245;  ///< critical: 2 sqrt(stiffness x mass)
+  /// Critical: 2 sqrt(stiffness x mass).
+  double damping_newton_s_per_mm = 0.0245;
   double speed_limit_mm_s = 800.0;
-  double turn_s = 0.03;  ///< in which a turn of the target is followed to 63 %
+  /// In which a turn of the target is followed to 63 %.
+  double turn_s = 0.03;
 };
 
 /// What the person did with the pointer since the frame before.
 struct PointerMotion {
-  Vec2 across_mm{0.0, 0.0};   ///< to the right and up in the view plane, in the world's millimetres
-  double deeper_mm = 0.0;     ///< away from the person
-  Vec2 turned_rad{0.0, 0.0};  ///< of a right drag: to the right about the view's y, up about its x
-  double rolled_rad = 0.0;    ///< about the view's z, counter-clockwise as it is seen
-  bool is_fine = false;       ///< Shift: a fifth of all of it
+  /// To the right and up in the view plane, in the world's millimetres.
+  Vec2 across_mm{0.0, 0.0};
+  /// Away from the person.
+  double deeper_mm = 0.0;
+  /// Of a right drag: to the right about the view's y, up about its x.
+  Vec2 turned_rad{0.0, 0.0};
+  /// About the view's z, counter-clockwise as it is seen.
+  double rolled_rad = 0.0;
+  /// Shift: a fifth of all of it.
+  bool is_fine = false;
 };
 inline constexpr double fine_share = 0.2;
 
-/// The target after that motion, seen by one whose view has these axes (x right, y up, z to the person). It turns about the
-/// middle of the tooth line and stays within `reach_mm` of `middle_mm`.
+/// The target after that motion, seen by one whose view has these axes (x right, y up, z to the
+/// person). It turns about the middle of the tooth line and stays within `reach_mm` of `middle_mm`.
 RigidTransform steered(const RigidTransform& world_from_target, const Quat& world_from_view,
                        const PointerMotion& motion);
 /// Kept within a ball, so that nobody loses the saw behind the picture's edge.
@@ -55,17 +63,21 @@ class MouseDevice final : public SteeredDevice {
 
   struct Target {
     RawDeviceState state;
-    std::uint64_t number = 0;  ///< counts the calls of aim
+    /// Counts the calls of aim.
+    std::uint64_t number = 0;
   };
 
   MouseCoupling coupling_;
   Latest<Target> target_;
-  std::uint64_t aims_ = 0;   ///< the window's
-  std::uint64_t heard_ = 0;  ///< the number that was heard last
+  /// The window's.
+  std::uint64_t aims_ = 0;
+  /// The number that was heard last.
+  std::uint64_t heard_ = 0;
   std::int64_t heard_tick_ = 0;
   RigidTransform world_from_hand_;
   Vec3 velocity_mm_s_{0.0, 0.0, 0.0};
-  std::int64_t tick_ = -1;  ///< of the last exchange
+  /// Of the last exchange.
+  std::int64_t tick_ = -1;
 };
 
 }  // namespace hallux::simulator

@@ -22,7 +22,8 @@ void put_first(std::array<Vec3, Count>& values, const Vec3& value) noexcept {
   values.front() = value;
 }
 
-/// The mean of what acted on the motors in the ticks that have passed: what the device was told before them, as late as it comes.
+/// The mean of what acted on the motors in the ticks that have passed: what the device was told
+/// before them, as late as it comes.
 Vec3 acted_newton(EnergyAccount& account, const PassivitySettings& settings,
                   std::size_t ticks) noexcept {
   const Vec3 told_newton =
@@ -35,7 +36,8 @@ Vec3 acted_newton(EnergyAccount& account, const PassivitySettings& settings,
   return sum_newton / static_cast<double>(ticks);
 }
 
-/// The force now wanted and all that are on their way, over the handle's next way, should it go on as it does.
+/// The force now wanted and all that are on their way, over the handle's next way, should it go on
+/// as it does.
 double coming_millijoule(const EnergyAccount& account, const PassivitySettings& settings,
                          const HandleMotion& motion, const Vec3& wanted_newton) noexcept {
   Vec3 of_lines_newton = wanted_newton, of_ticks_newton{0.0, 0.0, 0.0};

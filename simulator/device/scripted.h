@@ -11,7 +11,8 @@ namespace hallux::simulator {
 struct HandKey {
   std::int64_t tick = 0;
   RigidTransform world_from_handle;
-  std::uint32_t switches = 0;  ///< from this key on
+  /// From this key on.
+  std::uint32_t switches = 0;
 };
 
 struct HandCommand {

@@ -1,15 +1,18 @@
 /// The bone at every moment of a recorded attempt, so that any of them can be shown at once.
+/// Inside this corner only.
 ///
-/// What the blade opened is kept as one field a kerf with the tick at which each node opened: the kerf of a moment is a
-/// threshold of it. In a stretch of time in which only one kerf grows the others stand still: they are cut into a solid
-/// that is made once, and the one that grows is a patch on it, built from the outline of the moment:
+/// What the blade opened is kept as one field a kerf with the tick at which each node opened: the
+/// kerf of a moment is a threshold of it. In a stretch of time in which only one kerf grows the
+/// others stand still: they are cut into a solid that is made once, and the one that grows is a
+/// patch on it, built from the outline of the moment:
 ///
 ///     time       ---- kerf 0 grows ----|---- kerf 1 grows ----|-- kerf 0 again --
 ///     solid      the whole bone         bone less kerf 0       bone less kerf 1
 ///     patch      kerf 0, by outline     kerf 1, by outline     kerf 0, by outline
 ///
-/// Pieces have the numbers that the attempt gave them: they are numbered at the ticks at which its jobs did so, by the
-/// same rule. A piece that was taken out is left out from then on; a closed hinge has two halves.
+/// Pieces have the numbers that the attempt gave them: they are numbered at the ticks at which its
+/// jobs did so, by the same rule. A piece that was taken out is left out from then on; a closed
+/// hinge has two halves.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +58,8 @@ struct BoneStretch {
   CutSolid solid;
   /// Of the growing kerf; null for none.
   std::unique_ptr<const KerfContact> contact;
-  /// Per piece that is taken out its triangles of the solid, ascending; empty where it is taken out later.
+  /// Per piece that is taken out its triangles of the solid, ascending; empty where it is taken out
+  /// later.
   std::vector<std::vector<std::uint32_t>> of_piece;
 };
 

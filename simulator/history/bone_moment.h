@@ -1,4 +1,5 @@
-/// A recorded bone at one moment after the other: a solid that stands still, a patch on it, or the two halves of a hinge.
+/// A recorded bone at one moment after the other: a solid that stands still, a patch on it, or the
+/// two halves of a hinge.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,8 @@ class BoneMoment {
   /// Borrows the history.
   explicit BoneMoment(const BoneHistory& history) : history_(history) {}
 
-  /// Makes the bone stand as it did after this tick. Milliseconds at most; nothing where nothing changed.
+  /// Makes the bone stand as it did after this tick. Milliseconds at most; nothing where nothing
+  /// changed.
   void move_to(std::int64_t tick);
   /// Another after each change.
   std::uint64_t revision() const noexcept { return revision_; }
@@ -27,7 +29,8 @@ class BoneMoment {
   /// On that solid; null where nothing of it changed.
   const SolidPatch* patch() const noexcept;
 
-  /// Where a ray first meets what stands, in the frame of the bone before anything moved; nothing where it misses.
+  /// Where a ray first meets what stands, in the frame of the bone before anything moved; nothing
+  /// where it misses.
   /// needs   direction has length 1
   std::optional<Vec3> first_hit(const Vec3& from_in_bone_mm, const Vec3& direction) const;
   /// Where a point of the bone before anything moved is now, in the bone's frame.

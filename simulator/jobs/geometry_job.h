@@ -1,7 +1,9 @@
-/// Work without a bound: what a kerf's plane meets, which pieces the kerfs leave, and whether a hinge closes.
+/// Work without a bound: what a kerf's plane meets, which pieces the kerfs leave, and whether a
+/// hinge closes. Inside this room only.
 ///
-/// A job is a pure function of the attempt at the tick of its request. It is computed beside the step, on a copy of
-/// the kerfs that was opened from the same samples, and its result enters the step as the command ApplyJob.
+/// A job is a pure function of the attempt at the tick of its request. It is computed beside the
+/// step, on a copy of the kerfs that was opened from the same samples, and its result enters the
+/// step as the command ApplyJob.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +18,40 @@
 namespace hallux::simulator {
 
 enum class JobKind : std::int32_t {
-  Contact,  ///< slice the bone along a kerf that was just frozen
-  Pieces,   ///< commit what the blade has opened and see what comes free
-  Hinge     ///< close the wedge beside the planned bridge
+  /// Slice the bone along a kerf that was just frozen.
+  Contact,
+  /// Commit what the blade has opened and see what comes free.
+  Pieces,
+  /// Close the wedge beside the planned bridge.
+  Hinge
 };
 
 struct JobRequest {
   std::int32_t id = -1;
   JobKind kind = JobKind::Contact;
-  std::int32_t kerf = -1;  ///< the one that asked; none for Hinge
-  std::int64_t tick = 0;   ///< the state after this tick is what the job sees
+  /// The one that asked; none for Hinge.
+  std::int32_t kerf = -1;
+  /// The state after this tick is what the job sees.
+  std::int64_t tick = 0;
 };
 
 /// Never changes once made; the step borrows it for the rest of the attempt.
 struct JobResult {
   JobRequest request;
-  double section_mm2 = 0.0;             ///< Contact: of the solid as it stood, at the kerf's planes
-  std::vector<PieceBody> pieces;        ///< Pieces: without debris, largest first
-  std::vector<std::int32_t> completed;  ///< Pieces: kerfs that took their whole section, ascending
-  double debris_mm3 = 0.0;              ///< Pieces: in the wound as it is
-  double removed_mm3 = 0.0;             ///< Pieces: taken by the blade so far in the attempt
-  std::uint32_t nudges = 0;             ///< Pieces: see KerfCut; expected 0
-  ClosedHinge hinge;                    ///< Hinge
+  /// Contact: of the solid as it stood, at the kerf's planes.
+  double section_mm2 = 0.0;
+  /// Pieces: without debris, largest first.
+  std::vector<PieceBody> pieces;
+  /// Pieces: kerfs that took their whole section, ascending.
+  std::vector<std::int32_t> completed;
+  /// Pieces: in the wound as it is.
+  double debris_mm3 = 0.0;
+  /// Pieces: taken by the blade so far in the attempt.
+  double removed_mm3 = 0.0;
+  /// Pieces: see KerfCut; expected 0.
+  std::uint32_t nudges = 0;
+  /// Hinge.
+  ClosedHinge hinge;
 };
 
 /// The attempt as the jobs see it: a copy of the kerfs, and the bone that they leave.
@@ -56,8 +70,9 @@ class AttemptGeometry {
   const KerfSet& kerfs() const noexcept { return kerfs_; }
   /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
   bool is_only_kerf(std::int32_t kerf) const;
-  /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none), for a display that shows
-  /// that one's cut on it. Nothing where a piece that was taken out would hang on the bone again.
+  /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none),
+  /// for a display that shows that one's cut on it. Nothing where a piece that was taken out would
+  /// hang on the bone again.
   /// thread  the one that follows
   std::optional<CutSolid> solid_without(std::int32_t kerf);
 

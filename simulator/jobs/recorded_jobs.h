@@ -1,4 +1,5 @@
 /// The jobs of a recorded attempt: which they were, and the state of which tick each of them saw.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ struct RecordedJob {
   std::int64_t applied_tick = 0;
 };
 
-/// The jobs that the input tape applied, in the order in which they were asked for. The tape names them by number and
-/// tick; the events of the tick that applied one say what it was.
+/// The jobs that the input tape applied, in the order in which they were asked for. The tape names
+/// them by number and tick; the events of the tick that applied one say what it was.
 /// needs   tape and events are in the order of their ticks
 /// ensures nothing where the recording has no tape
 std::vector<RecordedJob> recorded_jobs(const Recording& recording);

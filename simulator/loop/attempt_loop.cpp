@@ -120,7 +120,8 @@ class AttemptRun {
     }
   }
 
-  /// A recorder or a job that failed, or whoever watches the progress, ends it; also while it waits.
+  /// A recorder or a job that failed, or whoever watches the progress, ends it; also while it
+  /// waits.
   bool is_cut_short() noexcept {
     if (channels_.recorder_failed.load(std::memory_order_relaxed)) {
       statistics_.end = AttemptEnd::RecorderFailed;
@@ -296,7 +297,8 @@ class AttemptRun {
   template <typename Value>
   void push(Ring<Value>& ring, const Value& value) {
     while (!ring.push(value)) {
-      // In real time the ring is drained before it fills; a recorder that failed drains nothing any more.
+      // In real time the ring is drained before it fills; a recorder that failed drains nothing any
+      // more.
       if (channels_.recorder_failed.load(std::memory_order_relaxed)) return;
       CHECK(setup_.pacing == Pacing::Virtual);
       std::this_thread::sleep_for(std::chrono::microseconds{50});

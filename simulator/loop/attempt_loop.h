@@ -1,4 +1,5 @@
-/// The loop of an attempt: the one place with a thread's pace and a clock. Calls the step, feeds jobs and recorder.
+/// The loop of an attempt: the one place with a thread's pace and a clock. Calls the step, feeds
+/// jobs and recorder.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +19,26 @@
 
 namespace hallux::simulator {
 
-/// RealTime: one tick a millisecond by absolute deadlines; the producer never waits for the recorder.
-/// Virtual: as fast as it goes; the producer waits for room, and a job is ready at the next tick.
+/// RealTime: one tick a millisecond by absolute deadlines; the producer never waits for the
+/// recorder. Virtual: as fast as it goes; the producer waits for room, and a job is ready at the
+/// next tick.
 enum class Pacing { RealTime, Virtual };
 
 struct AttemptSetup {
   SimulationSetup simulation;
   Pacing pacing = Pacing::Virtual;
-  std::vector<HandCommand> commands = {};  ///< of the scripted operator, ascending
-  std::int64_t last_tick = 0;              ///< the attempt ends after this tick, or after Finish
-  JobDelay job_delay = {};                 ///< RealTime only
-  AttemptWatch* watch = nullptr;           ///< of somebody who operates live; outlives the attempt
-  ForceLaw force_law = ForceLaw::Simulated;  ///< what an arm is made to feel; nothing else
-  AttemptOperator* attempt_operator =
-      nullptr;  ///< who answers to what comes out; outlives the attempt
+  /// Of the scripted operator, ascending.
+  std::vector<HandCommand> commands = {};
+  /// The attempt ends after this tick, or after Finish.
+  std::int64_t last_tick = 0;
+  /// RealTime only.
+  JobDelay job_delay = {};
+  /// Of somebody who operates live; outlives the attempt.
+  AttemptWatch* watch = nullptr;
+  /// What an arm is made to feel; nothing else.
+  ForceLaw force_law = ForceLaw::Simulated;
+  /// Who answers to what comes out; outlives the attempt.
+  AttemptOperator* attempt_operator = nullptr;
   /// Where jobs run; outlives the attempt. None: on a thread in RealTime, at once in Virtual.
   JobRunner* job_runner = nullptr;
 };
@@ -41,27 +48,41 @@ enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
 /// Times are wall-clock. Percentiles are exact, over every tick.
 struct LoopStatistics {
   AttemptEnd end = AttemptEnd::ReachedLastTick;
-  std::int64_t lines = 0;         ///< steps taken
-  std::int64_t ticks = 0;         ///< simulated milliseconds
-  std::int64_t missed_ticks = 0;  ///< RealTime: ticks that came in one line with the next
-  std::int64_t pauses = 0;        ///< RealTime: gaps beyond three ticks, a full ring or disk
-  std::int64_t unseen_us = 0;    ///< RealTime: how long they took, waiting for a full disk left out
-  std::int64_t clock_steps = 0;  ///< RealTime: see ClockWatch
-  std::int64_t faulted_ticks = 0;  ///< with a fault of the device while the attempt's clock ran
-  double ring_share_max = 0.0;     ///< RealTime: of the fullest ring towards the recorder
+  /// Steps taken.
+  std::int64_t lines = 0;
+  /// Simulated milliseconds.
+  std::int64_t ticks = 0;
+  /// RealTime: ticks that came in one line with the next.
+  std::int64_t missed_ticks = 0;
+  /// RealTime: gaps beyond three ticks, a full ring or disk.
+  std::int64_t pauses = 0;
+  /// RealTime: how long they took, waiting for a full disk left out.
+  std::int64_t unseen_us = 0;
+  /// RealTime: see ClockWatch.
+  std::int64_t clock_steps = 0;
+  /// With a fault of the device while the attempt's clock ran.
+  std::int64_t faulted_ticks = 0;
+  /// RealTime: of the fullest ring towards the recorder.
+  double ring_share_max = 0.0;
   double step_p50_us = 0.0, step_p99_us = 0.0, step_max_us = 0.0;
-  double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;  ///< RealTime
-  bool has_priority =
-      false;  ///< the system ran the loop before all else; asked for where it is watched
-  bool has_locked_memory = false;  ///< the system kept its memory in place; asked for likewise
-  double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
-  std::uint32_t force_limits = 0;            ///< bits of ForceLimit that occurred
-  ForceLaw force_law = ForceLaw::Simulated;  ///< what the arm was made to feel
+  /// RealTime.
+  double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;
+  /// The system ran the loop before all else; asked for where it is watched.
+  bool has_priority = false;
+  /// The system kept its memory in place; asked for likewise.
+  bool has_locked_memory = false;
+  /// Device newtons per simulated newton; 1 where nobody is pushed back.
+  double force_scale = 1.0;
+  /// Bits of ForceLimit that occurred.
+  std::uint32_t force_limits = 0;
+  /// What the arm was made to feel.
+  ForceLaw force_law = ForceLaw::Simulated;
 };
 
 /// Runs the attempt on the calling thread until its end, and closes the channels.
 /// ensures every line of the tape, every sample and every event was pushed; none is dropped
-/// errors  what a job (std::bad_alloc) or `progress` threw, after the device was let go and channels and watch were closed
+/// errors  what a job (std::bad_alloc) or `progress` threw, after the device was let go and
+///         channels and watch were closed
 LoopStatistics run_attempt(const AttemptSetup& setup, HapticDevice& device,
                            AttemptChannels& channels, const Progress& progress = {});
 

@@ -1,4 +1,5 @@
-/// An operator that answers to what it sees: after each step it is shown what came out, before the next it says commands.
+/// An operator that answers to what it sees: after each step it is shown what came out, before the
+/// next it says commands.
 #pragma once
 
 #include "simulator/step/simulation.h"
@@ -12,7 +13,8 @@ class AttemptOperator {
   /// What the step has made of the line before.
   /// thread  haptic; allocates nothing
   virtual void see(const StepOutput& output) noexcept = 0;
-  /// The next command for the line at hand, asked after the device of that line was read; false: none.
+  /// The next command for the line at hand, asked after the device of that line was read; false:
+  /// none.
   virtual bool take_command(Command& command) noexcept = 0;
   /// Of all that it means to do [0, 1].
   virtual double fraction_done() const noexcept = 0;

@@ -1,8 +1,9 @@
 /// Whether the clock that paces the loop stood still or jumped against the machine's own time.
+/// Inside this corner only.
 ///
-/// The loop sleeps by the monotonic clock, which stops while a machine sleeps: afterwards no tick is late, and yet the hand had
-/// time that no tick counts. The machine's time since it was started goes on meanwhile. Both are slewed alike, and setting the
-/// wall clock moves neither.
+/// The loop sleeps by the monotonic clock, which stops while a machine sleeps: afterwards no tick
+/// is late, and yet the hand had time that no tick counts. The machine's time since it was started
+/// goes on meanwhile. Both are slewed alike, and setting the wall clock moves neither.
 #pragma once
 
 #include <chrono>
@@ -21,14 +22,15 @@ ClockReading read_clocks() noexcept;
 
 class ClockWatch {
  public:
-  /// Counts a step where the two moved apart by more than 10 ms since the reading before. A reading that took longer than a
-  /// millisecond (the thread was put aside meanwhile) says nothing and is passed over.
+  /// Counts a step where the two moved apart by more than 10 ms since the reading before. A reading
+  /// that took longer than a millisecond (the thread was put aside meanwhile) says nothing and is
+  /// passed over.
   void see(const ClockReading& reading) noexcept;
   std::int64_t steps() const noexcept { return steps_; }
 
  private:
-  std::optional<std::chrono::nanoseconds>
-      apart_;  ///< machine's time less paced time, when seen last
+  /// Machine's time less paced time, when seen last.
+  std::optional<std::chrono::nanoseconds> apart_;
   std::int64_t steps_ = 0;
 };
 

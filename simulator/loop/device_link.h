@@ -1,5 +1,5 @@
 /// The loop's end of a device: reads and judges what it says, and makes of the simulated force what
-/// it is given.
+/// it is given. Inside this corner only.
 ///
 ///     device --state--> watchdog --> line of the tape --> step --> sample --> force output
 ///        ^                                                                         |
@@ -23,8 +23,10 @@ namespace hallux::simulator {
 
 /// What an arm is made to feel. Neither changes what is simulated, recorded and scored.
 enum class ForceLaw {
-  Simulated,  ///< the scaled force of the simulation
-  Historic    ///< the thesis's law where teeth touch bone: for the lesson
+  /// The scaled force of the simulation.
+  Simulated,
+  /// The thesis's law where teeth touch bone: for the lesson.
+  Historic
 };
 
 class DeviceLink {
@@ -48,7 +50,8 @@ class DeviceLink {
   void let_go() noexcept;
 
   const Vec3& force_newton() const noexcept { return force_.force_in_world_newton; }
-  std::uint32_t limits() const noexcept { return force_.limits; }  ///< bits of ForceLimit
+  /// Bits of ForceLimit.
+  std::uint32_t limits() const noexcept { return force_.limits; }
   /// Device newtons per simulated newton; 1 without limits.
   double scale() const noexcept { return settings_ ? settings_->scale : 1.0; }
 
@@ -66,7 +69,8 @@ class DeviceLink {
   Saw saw_;
   double bone_quality_;
   ForceLaw law_;
-  double vibration_scale_;  ///< 0: the device renders none
+  /// 0: the device renders none.
+  double vibration_scale_;
   VibrationState vibration_;
   HistoricState historic_;
   std::optional<ForceOutputSettings> settings_;

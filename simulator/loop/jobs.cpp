@@ -9,7 +9,8 @@ namespace {
 /// A minute of samples at 1 kHz, and their events.
 constexpr std::size_t feed_capacity = 65536;
 constexpr std::size_t ready_capacity = 256;
-/// How long the worker rests when there is nothing to do: a lock on the haptic thread is dearer than a late job.
+/// How long the worker rests when there is nothing to do: a lock on the haptic thread is dearer
+/// than a late job.
 constexpr std::chrono::microseconds idle_rest{500};
 
 }  // namespace

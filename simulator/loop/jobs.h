@@ -1,7 +1,8 @@
-/// Where jobs run: at once on the caller's thread (virtual time, replay), or on a worker beside the haptic thread.
+/// Where jobs run: at once on the caller's thread (virtual time, replay), or on a worker beside the
+/// haptic thread. Inside this corner only.
 ///
-/// Both follow the same outputs in the same order, so the same request gives the same result; only the tick at which it
-/// is ready differs, and that tick is recorded.
+/// Both follow the same outputs in the same order, so the same request gives the same result; only
+/// the tick at which it is ready differs, and that tick is recorded.
 #pragma once
 
 #include <atomic>
@@ -24,7 +25,8 @@ class JobRunner {
  public:
   virtual ~JobRunner() = default;
   /// Takes over what a step gave out; false where there was no room left.
-  /// errors  std::bad_alloc where jobs run at once; none on the threaded runner, which allocates nothing here
+  /// errors  std::bad_alloc where jobs run at once; none on the threaded runner, which allocates
+  ///         nothing here
   /// thread  haptic
   virtual bool follow(const StepOutput& output) = 0;
   /// What a job on another thread threw, or nothing; no job runs after it.
@@ -79,13 +81,16 @@ class ThreadedJobs final : public JobRunner {
   void take_in(const Feed& feed, const std::stop_token& stop);
   void wait_for_delay(const std::stop_token& stop);
 
-  AttemptGeometry geometry_;  ///< worker's
+  /// Worker's.
+  AttemptGeometry geometry_;
   JobDelay delay_;
   Random random_;
-  std::vector<std::unique_ptr<const JobResult>> results_;  ///< worker's
+  /// Worker's.
+  std::vector<std::unique_ptr<const JobResult>> results_;
   Ring<Feed> feed_;
   Ring<const JobResult*> ready_;
-  std::exception_ptr thrown_;  ///< written before has_failed_ is set
+  /// Written before has_failed_ is set.
+  std::exception_ptr thrown_;
   std::atomic<bool> has_failed_{false};
   std::jthread worker_;
 };

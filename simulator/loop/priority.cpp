@@ -22,7 +22,8 @@ RealTimePriority::RealTimePriority() noexcept {
 
 RealTimePriority::~RealTimePriority() {
   ::prctl(PR_SET_TIMERSLACK, usual_slack);
-  // Who may not nice may set this flag and never clear it (sched(7)): asked for without it, the old policy is refused.
+  // Who may not nice may set this flag and never clear it (sched(7)): asked for without it, the old
+  // policy is refused.
   if (is_granted_) ::sched_setscheduler(0, policy_before_ | SCHED_RESET_ON_FORK, &before_);
 }
 

@@ -5,8 +5,9 @@
 
 namespace hallux::simulator {
 
-/// While it lives, its thread is scheduled first-in first-out and wakes without slack, where the system allows it
-/// (RLIMIT_RTPRIO), and afterwards as before. Threads that it starts run as others do, also afterwards.
+/// While it lives, its thread is scheduled first-in first-out and wakes without slack, where the
+/// system allows it (RLIMIT_RTPRIO), and afterwards as before. Threads that it starts run as others
+/// do, also afterwards.
 /// thread  the same for making and destroying
 /// source  reference/platform 1: beside a software renderer p99 195 us with it, 4.7 ms without
 class RealTimePriority {

@@ -43,7 +43,8 @@ class ReplayRun {
     result_.difference = std::move(what);
   }
 
-  /// The results that the line's ApplyJob commands name; false where the tape names a job that was not asked for.
+  /// The results that the line's ApplyJob commands name; false where the tape names a job that was
+  /// not asked for.
   bool find_results(const TapeLine& line, StepInput& input) {
     const bool is_possible = line.ticks >= 1 && line.ticks <= 3 && line.tick == next_tick_ &&
                              line.command_count <= commands_per_tick;

@@ -14,8 +14,8 @@ constexpr double jump_limit_mm = 20.0, jump_limit_rad = 0.3;
 constexpr std::int64_t believed_ticks = 20;
 /// A quaternion of another length is no rotation that was rounded or not normalised.
 constexpr double least_length = 0.5, greatest_length = 2.0;
-/// So many ticks may pass without a new packet. With the tick until the next exchange and two of transport, the motors are
-/// without force 5 ms after the first packet that did not come.
+/// So many ticks may pass without a new packet. With the tick until the next exchange and two of
+/// transport, the motors are without force 5 ms after the first packet that did not come.
 constexpr std::int64_t late_ticks = 2;
 
 std::uint32_t bit(DeviceFault fault) noexcept { return static_cast<std::uint32_t>(fault); }

@@ -1,4 +1,5 @@
 /// What the loop makes of a device's words: rounded, or a fault with the last good pose.
+/// Inside this corner only.
 ///
 /// | fault | when | recognised after |
 /// |---|---|---|
@@ -8,10 +9,12 @@
 /// | Late | a device that numbers its packets brought no newer one | 3 ticks |
 /// | Frozen | the same to the last bit for longer than the device says it ever is | the device's word |
 ///
-/// Where a device jumped to is believed once it was there for 20 ticks, moving from word to word as a hand does: one that leaps
-/// about is never believed. Packets are counted anew after Lost: a driver that begins again numbers from its beginning.
+/// Where a device jumped to is believed once it was there for 20 ticks, moving from word to word as
+/// a hand does: one that leaps about is never believed. Packets are counted anew after Lost: a
+/// driver that begins again numbers from its beginning.
 ///
-/// A fault stands on the tape as bits, so the step holds the tool and gives no force, and a replay does the same.
+/// A fault stands on the tape as bits, so the step holds the tool and gives no force, and a replay
+/// does the same.
 #pragma once
 
 #include <cstdint>
@@ -42,11 +45,15 @@ class DeviceWatchdog {
 
   DevicePulse pulse_;
   RigidTransform last_good_;
-  RawDeviceState last_;                         ///< as it was said, good or not
-  RigidTransform jumped_to_;                    ///< the last word of a device that jumped
-  std::optional<std::uint64_t> newest_packet_;  ///< since it was lost
+  /// As it was said, good or not.
+  RawDeviceState last_;
+  /// The last word of a device that jumped.
+  RigidTransform jumped_to_;
+  /// Since it was lost.
+  std::optional<std::uint64_t> newest_packet_;
   std::int64_t packet_ticks_ = 0, same_ticks_ = 0;
-  std::int64_t jumped_ticks_ = 0;  ///< how long it has been where it jumped to
+  /// How long it has been where it jumped to.
+  std::int64_t jumped_ticks_ = 0;
   bool has_pose_ = false;
   bool has_last_ = false;
 };

@@ -6,12 +6,14 @@
 #include "simulator/mesh/bone.h"
 #include "simulator/mesh/mesh_text.h"
 
-/// The stored form of a bone. All little endian; a text is its length (32 bits) and its letters; a mesh is its two
-/// counts (64 bits) and then points (three doubles) and triangles (three 32-bit indices).
+/// The stored form of a bone. All little endian; a text is its length (32 bits) and its letters; a
+/// mesh is its two counts (64 bits) and then points (three doubles) and triangles (three 32-bit
+/// indices).
 ///
 ///     "HALLUXB1" | name | generator | credit | outer | canal | 0 or 1, cortex law | landmarks | world_from_bone
 ///
-/// Every bone has exactly one form and nothing may follow it, so the digest of the bytes names the bone.
+/// Every bone has exactly one form and nothing may follow it, so the digest of the bytes names the
+/// bone.
 namespace hallux::simulator {
 
 namespace {

@@ -7,8 +7,9 @@
 #include "simulator/mesh/bvh_walk.h"
 #include "simulator/mesh/closest_point.h"
 
-/// The queries. Each walks the tree with a stack of its own of fixed size; boxes are outside their triangles, so no
-/// triangle is missed, and the same walk is done on every machine, so ties fall the same way.
+/// The queries. Each walks the tree with a stack of its own of fixed size; boxes are outside their
+/// triangles, so no triangle is missed, and the same walk is done on every machine, so ties fall
+/// the same way.
 namespace hallux::simulator {
 
 namespace {
@@ -84,9 +85,9 @@ void find_nearest(const std::vector<TreeNode>& nodes, const std::vector<TreeSlot
   }
 }
 
-/// Whether the vertical line through the point meets the triangle, by the parity of its edges to the right of the
-/// point. Each edge is judged from its lower end whichever triangle asks, so neighbours always agree and no line slips
-/// through between two triangles.
+/// Whether the vertical line through the point meets the triangle, by the parity of its edges to
+/// the right of the point. Each edge is judged from its lower end whichever triangle asks, so
+/// neighbours always agree and no line slips through between two triangles.
 bool is_in_shadow(const std::array<Vec3, 3>& corner_mm, const Vec3& point_mm) noexcept {
   bool is_inside = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -111,8 +112,8 @@ bool is_above(const std::array<Vec3, 3>& corner_mm, const Vec3& point_mm) noexce
   return normal.z * glm::dot(normal, corner_mm[0] - point_mm) > 0.0;
 }
 
-/// Distance along the ray, or nothing. The three triple products are exact opposites of the neighbour's, so no ray
-/// slips through an edge (as in Embree's Pluecker intersector).
+/// Distance along the ray, or nothing. The three triple products are exact opposites of the
+/// neighbour's, so no ray slips through an edge (as in Embree's Pluecker intersector).
 std::optional<double> ray_distance(const std::array<Vec3, 3>& corner_mm, const Vec3& origin_mm,
                                    const Vec3& direction) noexcept {
   const Vec3 a = corner_mm[0] - origin_mm;
@@ -131,7 +132,8 @@ std::optional<double> ray_distance(const std::array<Vec3, 3>& corner_mm, const V
   return distance_mm;
 }
 
-/// Whether the ray meets the box before `limit_mm`. Slabs of a direction component of 0 are decided by the origin.
+/// Whether the ray meets the box before `limit_mm`. Slabs of a direction component of 0 are decided
+/// by the origin.
 bool meets_box(const TreeBox& box, const Vec3& origin_mm, const Vec3& direction,
                double limit_mm) noexcept {
   // A margin for the rounding of the two divisions; boxes may be too large but never too small.
@@ -227,8 +229,8 @@ std::optional<RayHit> Bvh::first_hit(const Vec3& origin_mm, const Vec3& directio
 
 void Bvh::triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm,
                             std::vector<std::uint32_t>& triangles) const {
-  // A height is a sum of three products, and rounding keeps the order of products and sums: to the last bit no corner in
-  // a box lies below the box's own lowest height or above its highest one.
+  // A height is a sum of three products, and rounding keeps the order of products and sums: to the
+  // last bit no corner in a box lies below the box's own lowest height or above its highest one.
   const auto height_mm = [&](const Vec3& point_mm) {
     return glm::dot(normal, point_mm) - offset_mm;
   };

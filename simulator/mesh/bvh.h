@@ -1,7 +1,7 @@
 /// A bounding volume hierarchy over a closed mesh: nearest point, signed distance, rays and slabs.
 ///
-/// The mesh must not change while the tree lives. Queries allocate nothing unless they fill a vector, and give the same
-/// bits on every machine.
+/// The mesh must not change while the tree lives. Queries allocate nothing unless they fill a
+/// vector, and give the same bits on every machine.
 #pragma once
 
 #include <array>
@@ -21,11 +21,13 @@ struct NearestPoint {
   double distance_mm = 0.0;
   std::uint32_t triangle = 0;
   Vec3 point_mm{0.0, 0.0, 0.0};
-  bool is_inside = false;  ///< by the angle-weighted pseudonormal (Baerentzen and Aanaes 2005)
+  /// By the angle-weighted pseudonormal (Baerentzen and Aanaes 2005).
+  bool is_inside = false;
 };
 
 struct RayHit {
-  double distance_mm = 0.0;  ///< along the unit direction
+  /// Along the unit direction.
+  double distance_mm = 0.0;
   std::uint32_t triangle = 0;
 };
 
@@ -36,10 +38,13 @@ struct NearTriangle {
   Vec3 closest_mm{0.0, 0.0, 0.0};
 };
 
-/// How a tree is built; distances, hits and slabs do not depend on it, only their cost (docs/performance.md).
+/// How a tree is built; distances, hits and slabs do not depend on it, only their cost
+/// (docs/performance.md).
 struct BvhBuild {
-  std::uint32_t leaf_size = 4;     ///< most triangles in a leaf; at least 1
-  std::size_t halving_depth = 44;  ///< from here on by halves; 0: everywhere; at most 44
+  /// Most triangles in a leaf; at least 1.
+  std::uint32_t leaf_size = 4;
+  /// From here on by halves; 0: everywhere; at most 44.
+  std::size_t halving_depth = 44;
 };
 
 class Bvh {
@@ -55,7 +60,8 @@ class Bvh {
   std::optional<NearestPoint> nearest(
       const Vec3& point_mm,
       double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
-  /// Negative inside [mm]. Where no surface is within `within_mm` the sign still holds and the size is `within_mm`.
+  /// Negative inside [mm]. Where no surface is within `within_mm` the sign still holds and the size
+  /// is `within_mm`.
   double signed_distance_mm(
       const Vec3& point_mm,
       double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
@@ -63,8 +69,9 @@ class Bvh {
   bool contains(const Vec3& point_mm) const noexcept;
   /// needs   direction has length 1
   std::optional<RayHit> first_hit(const Vec3& origin_mm, const Vec3& direction) const noexcept;
-  /// Calls visit(NearTriangle) for triangles that may be nearer than `within_mm`, the nearer boxes first; the answer is the
-  /// distance within which to go on [mm], negative to stop. The visit may not throw.
+  /// Calls visit(NearTriangle) for triangles that may be nearer than `within_mm`, the nearer boxes
+  /// first; the answer is the distance within which to go on [mm], negative to stop. The visit may
+  /// not throw.
   template <typename Visit>
   void visit_near(const Vec3& point_mm, double within_mm, Visit&& visit) const noexcept {
     visit_near(
@@ -74,7 +81,8 @@ class Bvh {
         },
         &visit);
   }
-  /// Replaces `triangles` by those that reach into |normal . p - offset| <= half_mm, in ascending order.
+  /// Replaces `triangles` by those that reach into |normal . p - offset| <= half_mm, in ascending
+  /// order.
   void triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm,
                          std::vector<std::uint32_t>& triangles) const;
 

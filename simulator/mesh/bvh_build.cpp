@@ -5,8 +5,8 @@
 #include "simulator/base/check.h"
 #include "simulator/mesh/bvh_tree.h"
 
-/// Top-down building by the surface area heuristic over 16 bins (Wald 2007); below a depth that no sensible mesh
-/// reaches, by halves, so that the depth is bounded whatever the mesh.
+/// Top-down building by the surface area heuristic over 16 bins (Wald 2007); below a depth that no
+/// sensible mesh reaches, by halves, so that the depth is bounded whatever the mesh.
 namespace hallux::simulator {
 
 namespace {

@@ -1,4 +1,4 @@
-/// The tree inside Bvh: its memory and how it is built; inside this corner only.
+/// The tree inside Bvh: its memory and how it is built. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -20,22 +20,26 @@ struct TreeBox {
 /// Two boxes side by side, so that one visit decides about both children.
 struct TreeNode {
   std::array<TreeBox, 2> box;
-  std::array<std::uint32_t, 2> child{};  ///< node; or first slot where count > 0
-  std::array<std::uint32_t, 2> count{};  ///< slots of a leaf
+  /// Node; or first slot where count > 0.
+  std::array<std::uint32_t, 2> child{};
+  /// Slots of a leaf.
+  std::array<std::uint32_t, 2> count{};
 };
 
 /// The corners of one triangle in the order of the leaves.
 struct TreeSlot {
   std::array<Vec3, 3> corner_mm;
   std::uint32_t triangle = 0;
-  bool is_sliver = false;  ///< too thin for a plane of its own
+  /// Too thin for a plane of its own.
+  bool is_sliver = false;
 };
 
 /// A stack of this many nodes is enough for any tree that build_tree makes.
 inline constexpr std::size_t tree_stack_size = 80;
 
 struct Bvh::Tree {
-  std::vector<TreeNode> nodes;  ///< the first is the root; empty for an empty mesh
+  /// The first is the root; empty for an empty mesh.
+  std::vector<TreeNode> nodes;
   std::vector<TreeSlot> slots;
   SurfaceNormals normals;
 };

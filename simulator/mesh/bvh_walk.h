@@ -1,4 +1,4 @@
-/// The walk of queries that look for what is nearest, nearer boxes first; inside this corner only.
+/// The walk of queries that look for what is nearest, nearer boxes first. Inside this corner only.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 
 namespace hallux::simulator {
 
-/// Visits the slots of leaves whose boxes lie nearer than `limit_mm2`, which the visits may lower; a negative limit ends
-/// the walk. `squared_mm2(box)` is at most the squared distance of anything in the box.
+/// Visits the slots of leaves whose boxes lie nearer than `limit_mm2`, which the visits may lower;
+/// a negative limit ends the walk. `squared_mm2(box)` is at most the squared distance of anything
+/// in the box.
 template <typename Squared, typename Visit>
 void walk_nearer(const std::vector<TreeNode>& nodes, const std::vector<TreeSlot>& slots,
                  double& limit_mm2, const Squared& squared_mm2, const Visit& visit) noexcept {

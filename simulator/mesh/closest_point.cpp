@@ -10,7 +10,8 @@ ClosestPoint on_corner(const std::array<Vec3, 3>& corner_mm, std::size_t index) 
   return {corner_mm[index], TrianglePart::Corner, index};
 }
 
-/// On the edge from corner `index` to the next, at the fraction above / (above + below) of it; both are positive.
+/// On the edge from corner `index` to the next, at the fraction above / (above + below) of it; both
+/// are positive.
 ClosestPoint on_edge(const std::array<Vec3, 3>& corner_mm, std::size_t index, double above,
                      double below) noexcept {
   const Vec3& begin = corner_mm[index];

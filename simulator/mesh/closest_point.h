@@ -1,4 +1,5 @@
 /// The point of a triangle that is nearest to a point, and the part of the triangle it lies on.
+/// Inside this room only.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@ enum class TrianglePart { Face, Edge, Corner };
 struct ClosestPoint {
   Vec3 point_mm{0.0, 0.0, 0.0};
   TrianglePart part = TrianglePart::Face;
-  std::size_t index = 0;  ///< of the corner, or of the corner where the edge begins
+  /// Of the corner, or of the corner where the edge begins.
+  std::size_t index = 0;
 };
 
 /// source  Ericson, Real-Time Collision Detection (2005), 5.1.5

@@ -1,4 +1,5 @@
 /// Which half-edge runs against which: the one question behind closedness, pseudonormals and fans.
+/// Inside this corner only.
 ///
 /// Half-edge 3 t + k runs from corner k to corner k + 1 of triangle t.
 #pragma once
@@ -21,10 +22,14 @@ struct EdgeFault {
 };
 
 struct EdgePairs {
-  std::vector<std::uint32_t> opposite;  ///< per half-edge; no_half_edge where its edge is faulty
-  EdgeFault open;                       ///< edges of one triangle only
-  EdgeFault crowded;                    ///< edges of three triangles or more
-  EdgeFault twisted;  ///< edges that both triangles run along in the same direction
+  /// Per half-edge; no_half_edge where its edge is faulty.
+  std::vector<std::uint32_t> opposite;
+  /// Edges of one triangle only.
+  EdgeFault open;
+  /// Edges of three triangles or more.
+  EdgeFault crowded;
+  /// Edges that both triangles run along in the same direction.
+  EdgeFault twisted;
 };
 
 /// needs   indices in range, no corner twice in a triangle, fewer than 2^32 / 3 triangles

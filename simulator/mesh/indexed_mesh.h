@@ -1,4 +1,5 @@
-/// Triangles by index: the plain form in which meshes are read, generated, stored, searched and written.
+/// Triangles by index: the plain form in which meshes are read, generated, stored, searched and
+/// written.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 
 namespace hallux::simulator {
 
-using Triangle =
-    std::array<std::uint32_t, 3>;  ///< point indices, counter-clockwise seen from outside
+/// Point indices, counter-clockwise seen from outside.
+using Triangle = std::array<std::uint32_t, 3>;
 
 struct IndexedMesh {
   std::vector<Vec3> points_mm;

@@ -1,4 +1,5 @@
-/// A mesh that cannot be used, said in one sentence: the file, what is wrong with it, where, and how to mend it.
+/// A mesh that cannot be used, said in one sentence: the file, what is wrong with it, where, and
+/// how to mend it.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
-/// Reading text that nobody vouches for: words and numbers with their line, and sentences that refuse a file.
+/// Reading text that nobody vouches for: words and numbers with their line, and sentences that
+/// refuse a file. Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,8 @@ namespace hallux::simulator {
 [[noreturn]] void refuse_mesh(std::string_view name, const std::string& what);
 /// "12.1 4.0 7.7 mm"
 std::string place_text(const Vec3& point_mm);
-/// The word as it may stand in a sentence: at most 24 characters, others than printable ones as '?'.
+/// The word as it may stand in a sentence: at most 24 characters, others than printable ones as
+/// '?'.
 std::string quoted(std::string_view word);
 
 /// Walks through the words of a text. Never reads beyond its end; every step goes forward.
@@ -27,7 +29,8 @@ class TextCursor {
 
   /// The next word in any line; empty at the end of the text.
   std::string_view word() noexcept;
-  /// The next word in this line; empty at its end. A backslash before the line's end joins it with the next.
+  /// The next word in this line; empty at its end. A backslash before the line's end joins it with
+  /// the next.
   std::string_view word_in_line() noexcept;
   void skip_line() noexcept;
   bool at_end() const noexcept { return rest_.empty(); }

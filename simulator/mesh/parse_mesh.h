@@ -1,4 +1,4 @@
-/// The three formats behind parse_mesh; inside this corner only.
+/// The three formats behind parse_mesh. Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ IndexedMesh parse_stl(const MeshSource& source);
 IndexedMesh parse_obj(const MeshSource& source);
 IndexedMesh parse_ply(const MeshSource& source);
 
-/// Makes one point of corners with equal coordinates, in order of first appearance; leaves out triangles of which two
-/// corners are equal, because they have no area and their edges cancel.
+/// Makes one point of corners with equal coordinates, in order of first appearance; leaves out
+/// triangles of which two corners are equal, because they have no area and their edges cancel.
 IndexedMesh weld_corners(const std::vector<Vec3>& corners_mm);
 
 /// errors  MeshError where `count` triangles (or points) are more than the limits allow

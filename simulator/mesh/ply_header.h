@@ -1,4 +1,4 @@
-/// What a PLY file says about itself before its numbers; inside this corner only.
+/// What a PLY file says about itself before its numbers. Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ bool is_whole(PlyType type) noexcept;
 struct PlyProperty {
   std::string_view name;
   PlyType type = PlyType::Float32;
-  std::optional<PlyType> list_count;  ///< the type of the length; absent: a single number
+  /// The type of the length; absent: a single number.
+  std::optional<PlyType> list_count;
 };
 
 struct PlyElement {
@@ -32,7 +33,8 @@ struct PlyElement {
 struct PlyHeader {
   PlyStorage storage = PlyStorage::Text;
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;  ///< where the numbers begin
+  /// Where the numbers begin.
+  std::size_t bytes = 0;
   std::size_t lines = 0;
 };
 

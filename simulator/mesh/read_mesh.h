@@ -1,6 +1,7 @@
 /// Reads STL (binary and text), OBJ and PLY (text and binary) from files that nobody vouches for.
 ///
-/// Every count is compared with the bytes that are there before memory is taken, and with MeshLimits.
+/// Every count is compared with the bytes that are there before memory is taken, and with
+/// MeshLimits.
 #pragma once
 
 #include <cstddef>
@@ -24,18 +25,22 @@ inline constexpr double largest_coordinate_mm = 1.0e6;
 
 enum class MeshFormat { Stl, Obj, Ply };
 
-/// The mesh in the file, in the file's own units taken as millimetres; STL corners with equal coordinates become one point
-/// and STL triangles that thereby lose a corner are left out; points that no triangle uses are left out.
+/// The mesh in the file, in the file's own units taken as millimetres; STL corners with equal
+/// coordinates become one point and STL triangles that thereby lose a corner are left out; points
+/// that no triangle uses are left out.
 /// ensures the mesh is closed, manifold and outward (see check_closed_solid)
 /// errors  MeshError naming the file, the place and the mend
 IndexedMesh read_mesh(const std::filesystem::path& file, const MeshLimits& limits = {});
 
-/// The same from bytes in memory; `name` stands in the messages. Does not check that the mesh is closed.
+/// The same from bytes in memory; `name` stands in the messages. Does not check that the mesh is
+/// closed.
 IndexedMesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string_view name,
                        const MeshLimits& limits = {});
 
-/// errors  MeshError unless each directed edge occurs once with its opposite, all coordinates are finite and within
-///         largest_coordinate_mm, there is at least one triangle without a corner twice, and the enclosed volume is positive; the sentence counts the faults and places the first
+/// errors  MeshError unless each directed edge occurs once with its opposite, all coordinates are
+///         finite and within largest_coordinate_mm, there is at least one triangle without a corner
+///         twice, and the enclosed volume is positive; the sentence counts the faults and places
+///         the first
 void check_closed_solid(const IndexedMesh& mesh, std::string_view name);
 
 }  // namespace hallux::simulator

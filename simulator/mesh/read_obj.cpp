@@ -5,8 +5,9 @@
 #include "simulator/mesh/mesh_text.h"
 #include "simulator/mesh/parse_mesh.h"
 
-/// Wavefront OBJ: `v x y z` and `f a b c ...` with a corner as 7, 7/1, 7//2 or 7/1/2; counted from 1, or from the end
-/// when negative. A polygon becomes a fan. All other lines speak of looks, not of shape.
+/// Wavefront OBJ: `v x y z` and `f a b c ...` with a corner as 7, 7/1, 7//2 or 7/1/2; counted from
+/// 1, or from the end when negative. A polygon becomes a fan. All other lines speak of looks, not
+/// of shape.
 namespace hallux::simulator {
 
 namespace {

@@ -8,9 +8,10 @@
 #include "simulator/mesh/parse_mesh.h"
 #include "simulator/mesh/ply_header.h"
 
-/// PLY: a header that declares elements, then their numbers as text or binary. Only the elements `vertex` (x, y, z) and
-/// `face` (the list of its corners, as a fan) are kept; everything else is walked over. A number is read only where it
-/// is there, so a list that lies about its length ends in a sentence and not beyond the bytes.
+/// PLY: a header that declares elements, then their numbers as text or binary. Only the elements
+/// `vertex` (x, y, z) and `face` (the list of its corners, as a fan) are kept; everything else is
+/// walked over. A number is read only where it is there, so a list that lies about its length ends
+/// in a sentence and not beyond the bytes.
 namespace hallux::simulator {
 
 namespace {

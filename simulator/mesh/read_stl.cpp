@@ -8,8 +8,9 @@
 #include "simulator/mesh/mesh_text.h"
 #include "simulator/mesh/parse_mesh.h"
 
-/// STL. Binary: 80 bytes of anything, a count, 50 bytes a triangle (normal, three corners, an attribute; all little
-/// endian). Text: `solid`, facets, `endsolid`. A binary header may begin with "solid" too, so the size decides first.
+/// STL. Binary: 80 bytes of anything, a count, 50 bytes a triangle (normal, three corners, an
+/// attribute; all little endian). Text: `solid`, facets, `endsolid`. A binary header may begin with
+/// "solid" too, so the size decides first.
 namespace hallux::simulator {
 
 namespace {
@@ -33,7 +34,8 @@ bool begins_with_solid(std::string_view text) noexcept {
   return start != std::string_view::npos && is_keyword(text.substr(start, 5), "solid");
 }
 
-/// Text has no zero bytes; a binary header that begins with "solid" nearly always is filled up with them.
+/// Text has no zero bytes; a binary header that begins with "solid" nearly always is filled up with
+/// them.
 bool looks_like_text(std::string_view text) noexcept {
   return text.substr(0, 1024).find('\0') == std::string_view::npos;
 }
@@ -109,8 +111,8 @@ bool is_before(const Corner& a, const Corner& b) noexcept {
   return a.index < b.index;
 }
 
-/// For each corner the first corner with the same coordinates. By sorting, because a hash table can be made slow by a
-/// file that was written to do so.
+/// For each corner the first corner with the same coordinates. By sorting, because a hash table can
+/// be made slow by a file that was written to do so.
 std::vector<std::uint32_t> first_equal_corner(const std::vector<Vec3>& corners_mm) {
   std::vector<Corner> sorted(corners_mm.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {

@@ -9,8 +9,8 @@
 
 namespace hallux::simulator {
 
-/// Tape, samples and events never drop: in virtual time the producer waits for room, in real time a ring that is
-/// nearly full pauses the attempt (see simulator/loop).
+/// Tape, samples and events never drop: in virtual time the producer waits for room, in real time a
+/// ring that is nearly full pauses the attempt (see simulator/loop).
 struct AttemptChannels {
   /// Room for a minute at 1 kHz: a writer on a slow disk may stall for seconds.
   explicit AttemptChannels(std::size_t capacity = 65536)
@@ -23,7 +23,8 @@ struct AttemptChannels {
   std::atomic<bool> closed{false};
   /// Set by the recorder when it cannot write any more; the loop pauses the attempt and says so.
   std::atomic<bool> recorder_failed{false};
-  /// Set by the recorder while it waits for room on a full disk; in real time the loop pauses for as long.
+  /// Set by the recorder while it waits for room on a full disk; in real time the loop pauses for
+  /// as long.
   std::atomic<bool> storage_full{false};
   /// Set by whoever operates: the recorder waits for room no longer, and fails.
   std::atomic<bool> gives_up{false};

@@ -1,4 +1,5 @@
-/// How firmly the planned plane leads the hand in an attempt: chosen before it, kept with it, never changed in it.
+/// How firmly the planned plane leads the hand in an attempt: chosen before it, kept with it, never
+/// changed in it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,8 @@ namespace hallux::simulator {
 
 enum class Guidance : std::int32_t {
   None = 0,
-  Soft = 1,  ///< a third of the slot's stiffness
+  /// A third of the slot's stiffness.
+  Soft = 1,
   Slot = 2
 };
 

@@ -1,8 +1,10 @@
-/// The newest value of one thread for one other thread; neither ever waits, older values are overwritten.
+/// The newest value of one thread for one other thread; neither ever waits, older values are
+/// overwritten.
 ///
 ///     writer: own slot --exchange--> middle --exchange--> own slot of the reader
 ///
-/// Three slots: each side owns one, the third lies in the middle and changes hands by one atomic exchange.
+/// Three slots: each side owns one, the third lies in the middle and changes hands by one atomic
+/// exchange.
 #pragma once
 
 #include <array>

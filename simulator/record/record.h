@@ -1,7 +1,9 @@
-/// What leaves the room: device states, commands, tool samples and cut events, as the integers that are kept.
+/// What leaves the room: device states, commands, tool samples and cut events, as the integers that
+/// are kept.
 ///
-/// Every number is rounded to its quantum before the step uses it, so the record is exact: what is recorded is what
-/// cut, and a replay can be compared bit by bit. Tick t covers the simulated time from t to t + 1 milliseconds.
+/// Every number is rounded to its quantum before the step uses it, so the record is exact: what is
+/// recorded is what cut, and a replay can be compared bit by bit. Tick t covers the simulated time
+/// from t to t + 1 milliseconds.
 #pragma once
 
 #include <array>
@@ -13,7 +15,8 @@
 
 namespace hallux::simulator {
 
-/// Raised by hand whenever the same input may give another output; committed with the golden hashes.
+/// Raised by hand whenever the same input may give another output; committed with the golden
+/// hashes.
 inline constexpr std::int32_t engine_version = 6;
 
 /// A pose in whole quanta: translation in micrometres, quaternion (w, x, y, z) in millionths.
@@ -24,7 +27,8 @@ struct QuantisedPose {
   friend bool operator==(const QuantisedPose&, const QuantisedPose&) = default;
 };
 
-/// The nearest pose in whole quanta; the quaternion's sign is chosen so that its first non-zero part is positive.
+/// The nearest pose in whole quanta; the quaternion's sign is chosen so that its first non-zero
+/// part is positive.
 QuantisedPose quantise(const RigidTransform& pose) noexcept;
 /// The rigid transform meant by the quanta; its quaternion is normalised again.
 RigidTransform transform_from(const QuantisedPose& pose) noexcept;
@@ -32,9 +36,10 @@ RigidTransform transform_from(const QuantisedPose& pose) noexcept;
 /// What a device says at one tick: the handle's pose in the world (foot frame) and its switches.
 struct DeviceState {
   QuantisedPose world_from_handle;
-  std::uint32_t switches = 0;  ///< bits of Switch
-  std::uint32_t faults =
-      0;  ///< bits of DeviceFault, set by the loop; each brings the force to zero
+  /// Bits of Switch.
+  std::uint32_t switches = 0;
+  /// Bits of DeviceFault, set by the loop; each brings the force to zero.
+  std::uint32_t faults = 0;
 
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
@@ -42,24 +47,36 @@ struct DeviceState {
 enum class Switch : std::uint32_t { SawRuns = 1U << 0U, Irrigates = 1U << 1U };
 
 enum class DeviceFault : std::uint32_t {
-  Lost = 1U << 0U,       ///< no state came
-  NotFinite = 1U << 1U,  ///< the device said NaN or infinity
-  Jumped = 1U << 2U,     ///< moved faster than a hand can
-  Frozen = 1U << 3U,     ///< the same to the last bit for longer than the device ever is
-  Late = 1U << 4U        ///< no new packet for longer than one may be late
+  /// No state came.
+  Lost = 1U << 0U,
+  /// The device said NaN or infinity.
+  NotFinite = 1U << 1U,
+  /// Moved faster than a hand can.
+  Jumped = 1U << 2U,
+  /// The same to the last bit for longer than the device ever is.
+  Frozen = 1U << 3U,
+  /// No new packet for longer than one may be late.
+  Late = 1U << 4U
 };
 
 enum class CommandKind : std::int32_t {
-  Start = 1,     ///< begins the attempt's clock
-  Pause = 2,     ///< the tool is safe, nothing cuts
-  Resume = 3,    ///< argument as Pause: each ends its own
-  StepDone = 4,  ///< argument: index of the operation step declared done
-  PickUp = 5,    ///< argument: piece to take out of the wound, or piece_freed_last
-  Finish = 6,    ///< the operator declares the operation done
-  ApplyJob = 7,  ///< argument: job id; detail: tick of the state it was computed from
+  /// Begins the attempt's clock.
+  Start = 1,
+  /// The tool is safe, nothing cuts.
+  Pause = 2,
+  /// Argument as Pause: each ends its own.
+  Resume = 3,
+  /// Argument: index of the operation step declared done.
+  StepDone = 4,
+  /// Argument: piece to take out of the wound, or piece_freed_last.
+  PickUp = 5,
+  /// The operator declares the operation done.
+  Finish = 6,
+  /// Argument: job id; detail: tick of the state it was computed from.
+  ApplyJob = 7,
   Abandon = 8,
-  CloseHinge =
-      9  ///< turn the bone about the bridge that the cuts have left, until the wedge is closed
+  /// Turn the bone about the bridge that the cuts have left, until the wedge is closed.
+  CloseHinge = 9
 };
 
 /// A decision applied at a tick: of the operator, the loop, or a job that is ready.
@@ -71,7 +88,8 @@ struct Command {
   friend bool operator==(const Command&, const Command&) = default;
 };
 
-/// Of pieces that come free at once the smallest is announced last: a wedge, where the bone falls in two beside it.
+/// Of pieces that come free at once the smallest is announced last: a wedge, where the bone falls
+/// in two beside it.
 inline constexpr std::int32_t piece_freed_last = -1;
 inline constexpr std::int32_t paused_by_operator = 0;
 inline constexpr std::int32_t paused_by_loop = 1;
@@ -80,21 +98,28 @@ inline constexpr std::size_t commands_per_tick = 4;
 
 /// Everything the step may depend on at one tick; one line of the input tape.
 struct TapeLine {
-  std::int64_t tick = 0;  ///< first tick this line covers
+  /// First tick this line covers.
+  std::int64_t tick = 0;
   DeviceState device;
-  std::uint8_t ticks = 1;  ///< simulated ticks this line covers: 1, or 2 to 3 after missed ones
-  std::uint8_t command_count = 0;  ///< used entries of `commands`
+  /// Simulated ticks this line covers: 1, or 2 to 3 after missed ones.
+  std::uint8_t ticks = 1;
+  /// Used entries of `commands`.
+  std::uint8_t command_count = 0;
   std::array<Command, commands_per_tick> commands{};
 
   friend bool operator==(const TapeLine&, const TapeLine&) = default;
 };
 
 enum class ToolStatus : std::uint32_t {
-  Running = 1U << 0U,  ///< the attempt's clock runs
+  /// The attempt's clock runs.
+  Running = 1U << 0U,
   SawOn = 1U << 1U,
-  InContact = 1U << 2U,  ///< teeth touch bone
-  Cutting = 1U << 3U,    ///< teeth advance in bone
-  InKerf = 1U << 4U,     ///< the blade is held by a frozen plane
+  /// Teeth touch bone.
+  InContact = 1U << 2U,
+  /// Teeth advance in bone.
+  Cutting = 1U << 3U,
+  /// The blade is held by a frozen plane.
+  InKerf = 1U << 4U,
   Irrigated = 1U << 5U,
   ForceLimited = 1U << 6U,
   Faulted = 1U << 7U
@@ -103,46 +128,63 @@ enum class ToolStatus : std::uint32_t {
 /// The tool as it was after the constraint, at the end of one tick, in the world (foot frame).
 struct ToolSample {
   std::int64_t tick = 0;
-  QuantisedPose
-      world_from_tool;  ///< origin at the middle of the tooth line, +x from handle to teeth, z blade normal
-  std::array<std::int32_t, 3>
-      force_mn{};            ///< on the hand, world frame, simulated newtons in millinewton
-  std::uint32_t status = 0;  ///< bits of ToolStatus
-  std::int32_t kerf = -1;    ///< index of the kerf the blade is in, or -1
+  /// Origin at the middle of the tooth line, +x from handle to teeth, z blade normal.
+  QuantisedPose world_from_tool;
+  /// On the hand, world frame, simulated newtons in millinewton.
+  std::array<std::int32_t, 3> force_mn{};
+  /// Bits of ToolStatus.
+  std::uint32_t status = 0;
+  /// Index of the kerf the blade is in, or -1.
+  std::int32_t kerf = -1;
 
   friend bool operator==(const ToolSample&, const ToolSample&) = default;
 };
 
 enum class CutEventKind : std::int32_t {
   Started = 1,
-  Scratch = 2,      ///< teeth touched bone without the plane being frozen; value: depth [um]
-  Contact = 3,      ///< first touch of a stroke
-  PlaneFrozen = 4,  ///< subject: kerf; pose: bone_from_tool at freezing
-  SectionKnown =
-      5,  ///< subject: kerf; the contact job was applied; value: section area [um2 / 1000]
-  Breakthrough = 6,    ///< subject: kerf; the teeth left bone at the far side
-  SectionCovered = 7,  ///< subject: kerf; it has taken its whole section
-  PieceFreed = 8,      ///< subject: piece; value: volume [mm3 / 1000]
-  PieceRemoved = 9,    ///< subject: piece
-  StepDone = 10,       ///< subject: operation step
+  /// Teeth touched bone without the plane being frozen; value: depth [um].
+  Scratch = 2,
+  /// First touch of a stroke.
+  Contact = 3,
+  /// Subject: kerf; pose: bone_from_tool at freezing.
+  PlaneFrozen = 4,
+  /// Subject: kerf; the contact job was applied; value: section area [um2 / 1000].
+  SectionKnown = 5,
+  /// Subject: kerf; the teeth left bone at the far side.
+  Breakthrough = 6,
+  /// Subject: kerf; it has taken its whole section.
+  SectionCovered = 7,
+  /// Subject: piece; value: volume [mm3 / 1000].
+  PieceFreed = 8,
+  /// Subject: piece.
+  PieceRemoved = 9,
+  /// Subject: operation step.
+  StepDone = 10,
   Paused = 11,
   Resumed = 12,
-  Fault = 13,  ///< value: bits of DeviceFault
+  /// Value: bits of DeviceFault.
+  Fault = 13,
   Finished = 14,
   Abandoned = 15,
-  KerfRefused = 16,  ///< the touch asked for more kerfs than an attempt may have
-  HingeClosed = 17,  ///< value: angle [urad]; pose: bone_from_moved, of the half that turned
-  HingeRefused =
-      18,  ///< subject: why (HingeOutcome: 1 broken, 2 stiff, 3 nothing to close); value: bridge [um]
-  BoneHot =
-      19,  ///< subject: kerf; a patch of its walls went above 47 degrees; value: there, now [0.001 degree Celsius]
-  BoneNecrosis =
-      20,  ///< subject: kerf; a patch of its walls reached the dose of necrosis; value: so far in all [mm3 / 1000]
-  DangerContact =
-      21,  ///< subject: zone; the running saw touches it; value: distance [um], negative inside
-  DangerLeft = 22,  ///< subject: zone; the contact is over; value: the least distance in it [um]
-  Kick =
-      23  ///< the teeth caught; subject: why (KickCause: 1 started in bone, 2 a corner); value: impulse [mN s]
+  /// The touch asked for more kerfs than an attempt may have.
+  KerfRefused = 16,
+  /// Value: angle [urad]; pose: bone_from_moved, of the half that turned.
+  HingeClosed = 17,
+  /// Subject: why (HingeOutcome: 1 broken, 2 stiff, 3 nothing to close); value: bridge [um].
+  HingeRefused = 18,
+  /// Subject: kerf; a patch of its walls went above 47 degrees; value: there, now [0.001 degree
+  /// Celsius].
+  BoneHot = 19,
+  /// Subject: kerf; a patch of its walls reached the dose of necrosis; value: so far in all [mm3 /
+  /// 1000].
+  BoneNecrosis = 20,
+  /// Subject: zone; the running saw touches it; value: distance [um], negative inside.
+  DangerContact = 21,
+  /// Subject: zone; the contact is over; value: the least distance in it [um].
+  DangerLeft = 22,
+  /// The teeth caught; subject: why (KickCause: 1 started in bone, 2 a corner); value: impulse [mN
+  /// s].
+  Kick = 23
 };
 
 /// Something that happened once, at the end of one tick.
@@ -151,14 +193,15 @@ struct CutEvent {
   CutEventKind kind = CutEventKind::Started;
   std::int32_t subject = -1;
   std::int64_t value = 0;
-  /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed, bone_from_place (in the kerf's axes)
-  /// for heat, identity otherwise.
+  /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed, bone_from_place
+  /// (in the kerf's axes) for heat, identity otherwise.
   QuantisedPose pose;
 
   friend bool operator==(const CutEvent&, const CutEvent&) = default;
 };
 
-/// An attempt as it can be computed again: all that came in and all that came out, in order of ticks.
+/// An attempt as it can be computed again: all that came in and all that came out, in order of
+/// ticks.
 struct Recording {
   std::int32_t engine = engine_version;
   std::vector<TapeLine> tape;
@@ -169,7 +212,8 @@ struct Recording {
 /// The golden hash: a digest of every output of a recording.
 Digest digest_outputs(const Recording& recording) noexcept;
 
-/// The integers of one row in the order in which they are digested and packed; `count` is fixed per type.
+/// The integers of one row in the order in which they are digested and packed; `count` is fixed per
+/// type.
 inline constexpr std::size_t tape_columns = 11 + 3 * commands_per_tick;
 inline constexpr std::size_t sample_columns = 13;
 inline constexpr std::size_t event_columns = 11;

@@ -1,8 +1,9 @@
-/// A bounded ring between one producer thread and one consumer thread; neither ever waits for the other's lock.
+/// A bounded ring between one producer thread and one consumer thread; neither ever waits for the
+/// other's lock. Inside this room only.
 ///
-/// Positions only grow; the slot is position modulo capacity. The producer publishes with a release store of `head_`,
-/// the consumer frees with a release store of `tail_`; each keeps the other's last seen position to touch the shared
-/// cache line rarely.
+/// Positions only grow; the slot is position modulo capacity. The producer publishes with a release
+/// store of `head_`, the consumer frees with a release store of `tail_`; each keeps the other's
+/// last seen position to touch the shared cache line rarely.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-/// The clock of an attempt: before the start, running, held, over.
+/// The clock of an attempt: before the start, running, held, over. Inside this corner only.
 ///
 ///     Waiting --start--> Started --end--> Over
 ///

@@ -1,4 +1,5 @@
 /// The step of the operation at hand, and the guide that leads the hand in it.
+/// Inside this corner only.
 ///
 /// A guide leads until the step has a kerf of its own: from then on the kerf's walls do.
 #pragma once

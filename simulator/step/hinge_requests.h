@@ -1,4 +1,4 @@
-/// The hinge: wanted by the operator, asked of a job, closed or refused.
+/// The hinge: wanted by the operator, asked of a job, closed or refused. Inside this corner only.
 #pragma once
 
 namespace hallux::simulator {

@@ -1,4 +1,5 @@
 /// The book of pieces: known from the last job, announced one by one, wanted, and taken out.
+/// Inside this corner only.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 /// Requests for the pieces: due when the blade has left a kerf in which it cut, and when it has
-/// left the bone behind it.
+/// left the bone behind it. Inside this corner only.
 #pragma once
 
 #include <cstdint>

@@ -23,8 +23,10 @@ struct SawInHand {
 
 /// For displays; not recorded.
 struct BladeFlex {
-  double free_length_mm = 0.0;  ///< out of the bone; 0 where no tooth touches any
-  double deflection_mm = 0.0;   ///< along the blade's normal
+  /// Out of the bone; 0 where no tooth touches any.
+  double free_length_mm = 0.0;
+  /// Along the blade's normal.
+  double deflection_mm = 0.0;
 };
 
 class ToolEffects {

@@ -14,7 +14,8 @@ namespace {
 
 using testing::AkinAttempt;
 
-/// Poses are recorded to 1 um and quaternions to 1e-6, which over 27 mm of bone is 0.03 mm at worst.
+/// Poses are recorded to 1 um and quaternions to 1e-6, which over 27 mm of bone is 0.03 mm at
+/// worst.
 constexpr double pose_mm = 0.002;
 constexpr double pose_deg = 5e-4;
 
@@ -71,7 +72,8 @@ TEST(AkinAssess, TheExpertOfTheWorkedExampleGetsItsNumbers) {
   EXPECT_NEAR(value_of(examination, "angle_deg", "cut2"), 1.337, pose_deg + 5e-4);
   EXPECT_NEAR(value_of(examination, "wedge_error_deg"), 0.4, pose_deg);
   EXPECT_NEAR(value_of(examination, "wedge_sagittal_deg"), 0.4, pose_deg);
-  // The example takes samples every 0.25 mm, ours lie on another grid as fine: up to a step apart along the tilt.
+  // The example takes samples every 0.25 mm, ours lie on another grid as fine: up to a step apart
+  // along the tilt.
   EXPECT_NEAR(value_of(examination, "location_mm", "cut1"), 0.345, 0.01);
   EXPECT_NEAR(value_of(examination, "hinge_mm"), 1.1, pose_mm);
   EXPECT_EQ(value_of(examination, "over_cut_mm"), 0.0);
@@ -120,7 +122,8 @@ TEST(AkinAssess, AThickerBladeLeavesTheSameFaces) {
   for (const char* cut : {"cut1", "cut2"}) {
     EXPECT_NEAR(value_of(thin, "angle_deg", cut), value_of(thick, "angle_deg", cut), pose_deg);
   }
-  // Near the apex the second kerf takes some of the first face, so the outermost sample is another one of the 0.25 mm grid.
+  // Near the apex the second kerf takes some of the first face, so the outermost sample is another
+  // one of the 0.25 mm grid.
   const double step_mm = 0.25 * std::sqrt(2.0) * std::tan(radian_from_degree(3.918));
   EXPECT_NEAR(value_of(thin, "location_mm", "cut1"), value_of(thick, "location_mm", "cut1"),
               step_mm);
@@ -130,7 +133,8 @@ TEST(AkinAssess, AThickerBladeLeavesTheSameFaces) {
 }
 
 TEST(AkinAssess, AHingeOnTargetIsAFinishedCut) {
-  // Stopped 2 mm inside the cortex: the bridge is as thick as the target allows, and nothing is missing.
+  // Stopped 2 mm inside the cortex: the bridge is as thick as the target allows, and nothing is
+  // missing.
   const Examination on_target = examination_of({.reach1_mm = 5.51, .reach2_mm = 5.51});
   EXPECT_EQ(on_target.card.score_milli, 100000);
   EXPECT_NEAR(value_of(on_target, "hinge_mm"), 1.99, pose_mm);
@@ -140,7 +144,8 @@ TEST(AkinAssess, ACutThatStopsHalfwayEarnsItsShare) {
   const Examination halfway = examination_of({.reach2_mm = 0.0});
   EXPECT_EQ(measured(halfway, "angle_deg", "cut1").done_fraction, 1.0);
   const double share = measured(halfway, "angle_deg", "cut2").done_fraction;
-  // It was to run to where it meets the first kerf, at z = 2.22: half the oval of 0.686 of it, in steps of 0.1 mm.
+  // It was to run to where it meets the first kerf, at z = 2.22: half the oval of 0.686 of it, in
+  // steps of 0.1 mm.
   EXPECT_NEAR(share, 0.5 / 0.686, 0.02);
   EXPECT_EQ(measured(halfway, "wedge_error_deg").done_fraction, share);
   EXPECT_LT(halfway.card.score_milli, 90000);

@@ -13,7 +13,8 @@ using database::ScoreCard;
 using simulator::Recording;
 using testing::Stroke;
 
-/// Poses are recorded to 1 um and quaternions to 1e-6, which over 35 mm of blade is 0.07 mm at worst.
+/// Poses are recorded to 1 um and quaternions to 1e-6, which over 35 mm of blade is 0.07 mm at
+/// worst.
 constexpr double pose_mm = 0.001;
 constexpr double pose_deg = 2e-4;
 

@@ -28,7 +28,8 @@ simulator::IndexedMesh block_mesh() {
   return mesh;
 }
 
-/// Teeth down, tooth line along the block, blade normal lateral and turned about the feed direction.
+/// Teeth down, tooth line along the block, blade normal lateral and turned about the feed
+/// direction.
 RigidTransform bone_from_tool(const Stroke& stroke, double y_mm) {
   const Vec3 along{std::cos(stroke.tilt_rad), 0.0, std::sin(stroke.tilt_rad)};
   const Vec3 blade_normal{-along.z, 0.0, along.x};

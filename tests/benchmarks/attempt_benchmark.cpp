@@ -1,4 +1,5 @@
-// What an attempt costs: each step, each job, the recorder and the replay, over one Silver attempt of the expert hand.
+// What an attempt costs: each step, each job, the recorder and the replay, over one Silver attempt
+// of the expert hand.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -84,8 +84,8 @@ BENCHMARK(ray_down)->Arg(50'000)->Arg(500'000);
 
 Quat blade_down() { return rotation_from_axes(Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, 1.0)); }
 
-// What still stands, with a kerf of 8 mm in it: points along the teeth in the slot (range 1: 0), in the bone below it (1), and
-// over its mouth (2).
+// What still stands, with a kerf of 8 mm in it: points along the teeth in the slot (range 1: 0), in
+// the bone below it (1), and over its mouth (2).
 void nearest_standing(benchmark::State& state) {
   const simulator::Bvh tree(sphere_of(state));
   simulator::KerfSet kerfs({}, RigidTransform{});

@@ -1,5 +1,6 @@
-// What a tick pays to open the kerf, and a frame to follow its outline. A saw feeds along its direction with the tremor of
-// a hand; its poses are rounded as the record's are. Arguments: direction in the kerf's plane [degrees], feed [um a tick].
+// What a tick pays to open the kerf, and a frame to follow its outline. A saw feeds along its
+// direction with the tremor of a hand; its poses are rounded as the record's are. Arguments:
+// direction in the kerf's plane [degrees], feed [um a tick].
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

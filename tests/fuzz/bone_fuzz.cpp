@@ -1,4 +1,5 @@
-/// Feeds any bytes to decode_bone: it must throw MeshError, or give the bone of exactly these bytes.
+/// Feeds any bytes to decode_bone: it must throw MeshError, or give the bone of exactly these
+/// bytes.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

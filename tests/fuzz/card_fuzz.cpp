@@ -1,4 +1,5 @@
-/// Feeds any bytes to the reader of score cards: it must throw DatabaseError, or give a card that is written and read again.
+/// Feeds any bytes to the reader of score cards: it must throw DatabaseError, or give a card that
+/// is written and read again.
 #include "database/course/score_json.h"
 #include "database/store/database_error.h"
 #include "simulator/base/check.h"

@@ -1,5 +1,6 @@
-/// A fuzz target without a fuzzer: feeds it every file of a corpus folder, what is left when each is cut short, and each with
-/// a byte altered. The same bytes in every run; for ordinary builds, where there is no libFuzzer.
+/// A fuzz target without a fuzzer: feeds it every file of a corpus folder, what is left when each
+/// is cut short, and each with a byte altered. The same bytes in every run; for ordinary builds,
+/// where there is no libFuzzer.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

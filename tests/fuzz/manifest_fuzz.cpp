@@ -1,4 +1,5 @@
-/// Feeds any bytes to the reader of manifests: it must throw DatabaseError, or give one that is written and read again.
+/// Feeds any bytes to the reader of manifests: it must throw DatabaseError, or give one that is
+/// written and read again.
 #include "database/course/score_json.h"
 #include "database/exchange/read_manifest.h"
 #include "database/exchange/write_manifest.h"

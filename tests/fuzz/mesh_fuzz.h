@@ -1,4 +1,5 @@
-/// Feeds any bytes to one of the mesh readers: it must return or throw MeshError, and what it returns must be usable.
+/// Feeds any bytes to one of the mesh readers: it must return or throw MeshError, and what it
+/// returns must be usable.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-/// Feeds any bytes to the reader of payloads, as tape, samples and events: it must throw DatabaseError, or give rows whose
-/// payload is these very bytes.
+/// Feeds any bytes to the reader of payloads, as tape, samples and events: it must throw
+/// DatabaseError, or give rows whose payload is these very bytes.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,5 @@
-/// Feeds any bytes to the reader of quality certificates: it must say no, or give one that is written and read again.
+/// Feeds any bytes to the reader of quality certificates: it must say no, or give one that is
+/// written and read again.
 #include "database/recording/certificate_json.h"
 #include "simulator/base/check.h"
 #include "tests/fuzz/text_fuzz.h"

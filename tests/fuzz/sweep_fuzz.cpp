@@ -1,4 +1,5 @@
-/// Feeds any bytes to parse_sweep: it must throw CutInputError, or give a sweep that a field can be stamped with.
+/// Feeds any bytes to parse_sweep: it must throw CutInputError, or give a sweep that a field can be
+/// stamped with.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,6 @@
-/// Feeds any bytes to the reader of an exported record: the first byte says which of the three tables the rest is, the other
-/// two have no rows. It must throw DatabaseError, or give rows that are written as the same bytes again.
+/// Feeds any bytes to the reader of an exported record: the first byte says which of the three
+/// tables the rest is, the other two have no rows. It must throw DatabaseError, or give rows that
+/// are written as the same bytes again.
 #include <stdlib.h>
 #include <unistd.h>
 

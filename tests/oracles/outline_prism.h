@@ -1,4 +1,5 @@
-/// A region of a kerf as a solid of its own, made without our kernel: what an oracle takes out of a bone.
+/// A region of a kerf as a solid of its own, made without our kernel: what an oracle takes out of a
+/// bone.
 #pragma once
 
 #include "simulator/cutting/field/kerf.h"
@@ -7,8 +8,8 @@
 
 namespace hallux::oracles {
 
-/// The region times the kerf's thickness, in the bone frame; closed and oriented. Its two ends are filled by CGAL's
-/// constrained Delaunay triangulation.
+/// The region times the kerf's thickness, in the bone frame; closed and oriented. Its two ends are
+/// filled by CGAL's constrained Delaunay triangulation.
 /// needs   the loops are simple and do not touch
 simulator::IndexedMesh prism_of(const simulator::RegionOutline& region,
                                 const simulator::KerfPlane& plane);

@@ -100,8 +100,8 @@ double length_mm(const RegionOutline& region) {
   return length;
 }
 
-/// Places are decided on a lattice of 2^-20 mm: the region's fronts may stand wrong by a step of it. Sums of volume lose
-/// some 1e-12 of the whole bone.
+/// Places are decided on a lattice of 2^-20 mm: the region's fronts may stand wrong by a step of
+/// it. Sums of volume lose some 1e-12 of the whole bone.
 double tolerance_mm3(const IndexedMesh& bone, const RegionOutline& region, double thickness_mm) {
   return length_mm(region) * thickness_mm * 0x1p-20 + 1e-9 * signed_volume_mm3(bone);
 }

@@ -1,4 +1,5 @@
-// The contact slice of a plane that stands obliquely across the shaft: in space, drawn apart, and in the kerf's plane.
+// The contact slice of a plane that stands obliquely across the shaft: in space, drawn apart, and
+// in the kerf's plane.
 #include "simulator/base/check.h"
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/plane_view.h"

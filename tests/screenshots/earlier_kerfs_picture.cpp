@@ -1,5 +1,5 @@
-// A kerf that meets an earlier one: its contact follows the walls that are there, and a wedge comes free; and a canal that
-// lies within the section.
+// A kerf that meets an earlier one: its contact follows the walls that are there, and a wedge comes
+// free; and a canal that lies within the section.
 #include <algorithm>
 
 #include "simulator/base/check.h"

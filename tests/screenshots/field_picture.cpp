@@ -1,4 +1,5 @@
-// A corner of the field: nodes, the blade at two poses and the hull of both, crossings and the straightened outline.
+// A corner of the field: nodes, the blade at two poses and the hull of both, crossings and the
+// straightened outline.
 #include "simulator/cutting/field/outline_tile.h"
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/plane_view.h"

@@ -1,4 +1,5 @@
-// A small slot in solid bone, its patch drawn apart by kind of face: each edge is there twice, once with each of its faces.
+// A small slot in solid bone, its patch drawn apart by kind of face: each edge is there twice, once
+// with each of its faces.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,7 +19,8 @@ namespace {
 
 constexpr double kerf_mm = 1.2;
 constexpr double apart_mm = 1.5;
-/// Where the grid rounds a corner of the blade the front has faces of two cells' width: by themselves they are but lines.
+/// Where the grid rounds a corner of the blade the front has faces of two cells' width: by
+/// themselves they are but lines.
 constexpr double least_drawn_mm2 = 0.02;
 constexpr double slot_width_mm = 3.2, slot_depth_mm = 2.6;
 
@@ -35,14 +37,16 @@ struct Slot {
   std::vector<PatchFace> faces;  ///< those near the slot
 };
 
-/// Into the bone, along the feed or the tooth line: the little faces where the grid rounds a corner go with one of its sides.
+/// Into the bone, along the feed or the tooth line: the little faces where the grid rounds a corner
+/// go with one of its sides.
 Vec3 side_of_front(const KerfAxes& axes, const Vec3& outward) {
   const double along = glm::dot(outward, axes.x), across = glm::dot(outward, axes.y);
   if (std::abs(along) >= std::abs(across)) return along > 0.0 ? -axes.x : axes.x;
   return across > 0.0 ? -axes.y : axes.y;
 }
 
-/// Skin outwards, walls away from each other, outer parts twice as far, each side of the front into the bone.
+/// Skin outwards, walls away from each other, outer parts twice as far, each side of the front into
+/// the bone.
 Vec3 shift_of(const Slot& slot, const PatchFace& face) {
   const KerfAxes& axes = slot.frame.contact.axes;
   const Vec3& a = slot.shown.points_mm[face.corners[0]];

@@ -1,4 +1,5 @@
-// A bone in four frames of one cut: what stands, without the hidden triangles, and the patch painted by kind.
+// A bone in four frames of one cut: what stands, without the hidden triangles, and the patch
+// painted by kind.
 #include "tests/screenshots/kernel_pictures.h"
 #include "tests/screenshots/sawn_bones.h"
 

@@ -1,4 +1,5 @@
-// The hinge of the Akin plan: how its bridge is measured in the first kerf's plane, and the bone before and after closing.
+// The hinge of the Akin plan: how its bridge is measured in the first kerf's plane, and the bone
+// before and after closing.
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,8 @@
 // The bone at the moment in which a plane is frozen: blade, slab and the kerf's axes.
 //
-// The slab is a glass box, so the bone is divided on its two planes and painted in five layers: what lies behind the far
-// plane, that plane, what lies between, the near plane, what lies before it.
+// The slab is a glass box, so the bone is divided on its two planes and painted in five layers:
+// what lies behind the far plane, that plane, what lies between, the near plane, what lies before
+// it.
 #include <cmath>
 
 #include "simulator/cutting/hinge/hinge.h"
@@ -17,7 +18,8 @@ namespace {
 constexpr double kerf_mm = 2.0;  // four times a real one, so that it is seen
 constexpr double steel_mm = 1.3;
 
-/// A prism over a polygon of the kerf's plane; caps as fans around corner 0, which must see all others.
+/// A prism over a polygon of the kerf's plane; caps as fans around corner 0, which must see all
+/// others.
 void add_prism(IndexedMesh& mesh, const KerfPlane& plane, const std::vector<Vec2>& outline_mm,
                double thickness_mm) {
   const auto first = static_cast<std::uint32_t>(mesh.points_mm.size());

@@ -1,4 +1,5 @@
-/// The pictures of docs/cutting.md, each computed by the kernel on a generated bone; the same bytes each time.
+/// The pictures of docs/cutting.md, each computed by the kernel on a generated bone; the same bytes
+/// each time.
 #pragma once
 
 #include <string>
@@ -7,7 +8,8 @@
 namespace hallux::tests {
 
 struct Picture {
-  std::string name;  ///< of the file, without folder and ending
+  /// Of the file, without folder and ending.
+  std::string name;
   std::string svg;
 };
 

@@ -1,4 +1,5 @@
-// The committed pictures are what the kernel makes today: a picture that is out of date, or was changed by hand, fails here.
+// The committed pictures are what the kernel makes today: a picture that is out of date, or was
+// changed by hand, fails here.
 #include "tests/screenshots/kernel_pictures.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,8 @@ TEST(KernelPictures, AreTheCommittedOnesToTheLastByte) {
   }
 }
 
-// They show dates and somebody's hand, so their bytes are not compared; a picture that nobody sees is not kept.
+// They show dates and somebody's hand, so their bytes are not compared; a picture that nobody sees
+// is not kept.
 TEST(WindowPictures, AreAllShownInTheGuides) {
   std::string text;
   for (const auto& guide : std::filesystem::directory_iterator(docs / "guides"))

@@ -23,8 +23,8 @@ struct PlaneView {
 
 /// The loops of an outline as a path's `d`.
 std::string region_path(const PlaneView& view, const simulator::RegionOutline& region);
-/// The section's contours on the upper (+1) or lower (-1) plane, edge by edge; closed loops where `kerf` is left out, else
-/// only the edges on walls of that kerf.
+/// The section's contours on the upper (+1) or lower (-1) plane, edge by edge; closed loops where
+/// `kerf` is left out, else only the edges on walls of that kerf.
 std::string contour_path(const PlaneView& view, const simulator::KerfContact& contact, int level,
                          std::int32_t kerf);
 /// All contours of a plane as areas, holes taken out by the even-odd rule.

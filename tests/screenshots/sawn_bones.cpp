@@ -12,7 +12,8 @@ using namespace simulator;
 
 namespace {
 
-/// Crossings lie on the planes to the rounding of a millimetre; mesh points that close to them are none of ours.
+/// Crossings lie on the planes to the rounding of a millimetre; mesh points that close to them are
+/// none of ours.
 constexpr double on_plane_mm = 1.0e-9;
 
 Paint paint_of_wall(const FaceOrigin& origin) {

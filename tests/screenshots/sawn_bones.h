@@ -1,4 +1,5 @@
-/// The worlds of the pictures: the phalanx of the shipped Akin plan, sawn by the kernel, and what a frame shows as scenes.
+/// The worlds of the pictures: the phalanx of the shipped Akin plan, sawn by the kernel, and what a
+/// frame shows as scenes.
 #pragma once
 
 #include <utility>
@@ -11,19 +12,21 @@
 
 namespace hallux::tests {
 
-/// A patient with the plan of an operation; the bone in its own frame: x distal, y dorsal, z lateral.
+/// A patient with the plan of an operation; the bone in its own frame: x distal, y dorsal, z
+/// lateral.
 struct PlannedBone {
   scenarios::Scenario scenario;
   simulator::Bone bone;
   scenarios::Plan plan;
-  simulator::CutSolid solid;  ///< outer surface and canal
+  /// Outer surface and canal.
+  simulator::CutSolid solid;
 };
 
 /// The shipped Akin operation on its patient, meshed with edges of this length.
 PlannedBone akin_phalanx(double edge_mm);
 
-/// The plane in which a blade makes a planned face: half a kerf into the waste. The frame's origin lies at the hinge's
-/// point, x feeds from the entry towards it, y runs along the tooth line.
+/// The plane in which a blade makes a planned face: half a kerf into the waste. The frame's origin
+/// lies at the hinge's point, x feeds from the entry towards it, y runs along the tooth line.
 simulator::KerfPlane planned_kerf(const PlannedBone& bone, std::size_t cut, double kerf_mm);
 
 /// The hinge of the plan as the kernel measures it.
@@ -56,11 +59,12 @@ std::vector<Paint> paints_of(const simulator::CutSolid& solid, const SawnFrame& 
 /// What stands and the patch, painted by kind.
 Scene shown_scene(const simulator::CutSolid& solid, const SawnFrame& frame);
 
-/// Of each triangle of a solid that was cut: skin, or the wall or front of a kerf; kerf 0 is painted as the earlier one where
-/// `has_earlier`.
+/// Of each triangle of a solid that was cut: skin, or the wall or front of a kerf; kerf 0 is
+/// painted as the earlier one where `has_earlier`.
 std::vector<Paint> paints_of(const simulator::CutSolid& solid, bool has_earlier);
 
-/// A triangle's place among a kerf's planes: +1 beyond the upper one with a corner, -1 beyond the lower one, 0 between.
+/// A triangle's place among a kerf's planes: +1 beyond the upper one with a corner, -1 beyond the
+/// lower one, 0 between.
 int level_of(const simulator::KerfPlane& plane, const simulator::IndexedMesh& mesh,
              const simulator::Triangle& corners);
 

@@ -1,4 +1,5 @@
-/// Surfaces in space and how a camera without perspective paints them: flat shaded, the nearer over the farther.
+/// Surfaces in space and how a camera without perspective paints them: flat shaded, the nearer over
+/// the farther.
 #pragma once
 
 #include <array>
@@ -14,14 +15,19 @@ namespace hallux::tests {
 
 /// What a face is; decides its colour.
 enum class Paint : std::uint8_t {
-  Skin,       ///< of the bone, as it was
-  Strip,      ///< a patch's skin between the kerf's planes
-  OuterPart,  ///< a patch's skin beyond a plane
+  /// Of the bone, as it was.
+  Skin,
+  /// A patch's skin between the kerf's planes.
+  Strip,
+  /// A patch's skin beyond a plane.
+  OuterPart,
   UpperWall,
   LowerWall,
-  OtherWall,  ///< of an earlier kerf
+  /// Of an earlier kerf.
+  OtherWall,
   Front,
-  Division,  ///< of a hinge: no blade made it
+  /// Of a hinge: no blade made it.
+  Division,
   Blade
 };
 
@@ -33,11 +39,14 @@ struct PaintKey {
 void draw_keys(SvgPage& page, Vec2 place, const std::vector<PaintKey>& keys, const Vec2& step);
 
 struct Camera {
-  Vec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, toward{0.0, 0.0, 1.0};  ///< unit, square
+  /// Unit, square.
+  Vec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, toward{0.0, 0.0, 1.0};
   Vec3 target_mm{0.0, 0.0, 0.0};
-  Vec2 middle_px{0.0, 0.0};  ///< where the target is seen
+  /// Where the target is seen.
+  Vec2 middle_px{0.0, 0.0};
   double px_per_mm = 10.0;
-  Vec2 low_px{-1.0e9, -1.0e9}, high_px{1.0e9, 1.0e9};  ///< triangles wholly beyond are left out
+  /// Triangles wholly beyond are left out.
+  Vec2 low_px{-1.0e9, -1.0e9}, high_px{1.0e9, 1.0e9};
 
   Vec2 page(const Vec3& point_mm) const noexcept;
   double depth(const Vec3& point_mm) const noexcept { return glm::dot(toward, point_mm); }
@@ -49,13 +58,14 @@ Camera camera_from(const Vec3& toward, const Vec3& up_hint);
 struct SceneFace {
   std::array<Vec3, 3> points_mm;
   Paint paint = Paint::Skin;
-  std::array<bool, 3>
-      is_rim{};  ///< side k, from point k to k + 1: where another paint or nothing begins
+  /// Side k, from point k to k + 1: where another paint or nothing begins.
+  std::array<bool, 3> is_rim{};
 };
 
 class Scene {
  public:
-  /// Adds triangles of one mesh; sides between different paints, and sides that only one triangle has, become rims.
+  /// Adds triangles of one mesh; sides between different paints, and sides that only one triangle
+  /// has, become rims.
   /// needs   one paint per triangle
   void add(const simulator::IndexedMesh& mesh, const std::vector<Paint>& paints,
            const Vec3& shift_mm = Vec3(0.0));
@@ -71,12 +81,16 @@ class Scene {
 };
 
 enum class Shows {
-  Solids,       ///< closed surfaces: backs are never seen
-  OpenSurfaces  ///< backs are painted too, in a duller colour
+  /// Closed surfaces: backs are never seen.
+  Solids,
+  /// Backs are painted too, in a duller colour.
+  OpenSurfaces
 };
 enum class Lines {
-  Rims,      ///< where the paint changes
-  Triangles  ///< besides, every side, faintly
+  /// Where the paint changes.
+  Rims,
+  /// Besides, every side, faintly.
+  Triangles
 };
 
 /// ensures the same bytes for the same scene

@@ -1,4 +1,5 @@
-// Writes the pictures of docs/cutting.md and docs/haptics.md into a folder: the program behind the target `screenshots`.
+// Writes the pictures of docs/cutting.md and docs/haptics.md into a folder: the program behind the
+// target `screenshots`.
 #include <exception>
 #include <filesystem>
 #include <fstream>

@@ -11,7 +11,8 @@ namespace {
 using ui::coordinate;
 using ui::escaped;
 
-/// Warm bone, one blue for what the kerf opens, vermilion for the front: told apart with any colour vision.
+/// Warm bone, one blue for what the kerf opens, vermilion for the front: told apart with any colour
+/// vision.
 constexpr std::string_view common_styles =
     "text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;fill:#2b2b2b;paint-order:stroke;"
     "stroke:#fdfcf9;stroke-width:3px;stroke-linejoin:round}"

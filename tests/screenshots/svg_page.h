@@ -1,6 +1,8 @@
-/// One picture as SVG: a light card of its own, so that it reads the same on a white page and on a dark one.
+/// One picture as SVG: a light card of its own, so that it reads the same on a white page and on a
+/// dark one.
 ///
-/// Places are pixels, x to the right and y down; everything is rounded to hundredths, so the same picture is the same bytes.
+/// Places are pixels, x to the right and y down; everything is rounded to hundredths, so the same
+/// picture is the same bytes.
 #pragma once
 
 #include <map>
@@ -38,7 +40,8 @@ class SvgPage {
   /// `anchor` is start, middle or end; `place` lies on the base line.
   void text(const Vec2& place, std::string_view words, std::string_view css_class = "words",
             std::string_view anchor = "start");
-  /// Words with a thin line from them to what they name; they end or begin at `from`, whichever is away from `to`.
+  /// Words with a thin line from them to what they name; they end or begin at `from`, whichever is
+  /// away from `to`.
   void label(const Vec2& from, const Vec2& to, std::string_view words);
   /// A number in a ring.
   void number(const Vec2& place, std::string_view digits);

@@ -24,11 +24,16 @@ simulator::IndexedMesh u_shape(const Vec3& size_mm, double wall_mm);
 
 struct Tube {
   double outer_radius_mm = 8.0;
-  double inner_radius_mm = 5.0;  ///< 0: no canal
-  double length_mm = 60.0;       ///< along x
-  double cap_mm = 4.0;  ///< of full bone at each end; the canal is a void of its own, like marrow
-  std::size_t segments = 64;  ///< the circles are regular polygons with corners on the radius
-  std::size_t rings = 1;      ///< parts along the length
+  /// 0: no canal.
+  double inner_radius_mm = 5.0;
+  /// Along x.
+  double length_mm = 60.0;
+  /// Of full bone at each end; the canal is a void of its own, like marrow.
+  double cap_mm = 4.0;
+  /// The circles are regular polygons with corners on the radius.
+  std::size_t segments = 64;
+  /// Parts along the length.
+  std::size_t rings = 1;
 };
 
 /// Outer shell and inward-facing canal shell as one mesh.

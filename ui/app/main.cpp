@@ -1,4 +1,5 @@
-/// The `hallux` command: understands the line, runs the verb, turns what is thrown into a sentence and an exit code.
+/// The `hallux` command: understands the line, runs the verb, turns what is thrown into a sentence
+/// and an exit code.
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -6,7 +7,8 @@
 #include "ui/app/command_line.h"
 
 int main(int argc, char** argv) {
-  // A closed pipe (hallux ... | head) is an error of writing, not a reason to die in the middle of a transaction.
+  // A closed pipe (hallux ... | head) is an error of writing, not a reason to die in the middle of
+  // a transaction.
   std::signal(SIGPIPE, SIG_IGN);
   // What is read there are passwords: none may stay in a buffer that nobody wipes.
   std::setvbuf(stdin, nullptr, _IONBF, 0);

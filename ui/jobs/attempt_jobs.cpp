@@ -48,7 +48,8 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   return begun;
 }
 
-/// The motion from the file, or the hand of that name and seed; `setup` is told how long it takes and who says commands.
+/// The motion from the file, or the hand of that name and seed; `setup` is told how long it takes
+/// and who says commands.
 std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt,
                                                   const simulator::Bone& bone,
                                                   const scenarios::Plan& plan,
@@ -77,7 +78,8 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
                                     const StageProgress& progress) {
   CHECK(!attempt.arm_law || attempt.motion);
   const simulator::Bone bone = patient_of(attempt.scenario, progress);
-  // The plan is laid on the patient before anything is stored, also where a motion from a file does not need it.
+  // The plan is laid on the patient before anything is stored, also where a motion from a file does
+  // not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);
   simulator::AttemptSetup setup{simulation_setup(attempt.scenario, bone, plan, attempt.guidance)};
   setup.pacing = attempt.pacing;

@@ -1,4 +1,5 @@
-/// What verbs and screens do with attempts: run a scripted one, score it, replay it, gather what a report shows.
+/// What verbs and screens do with attempts: run a scripted one, score it, replay it, gather what a
+/// report shows.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +25,15 @@ using StageProgress = std::function<Progress(const std::string& stage)>;
 
 struct ScriptedAttempt {
   scenarios::Scenario scenario;
-  std::string hand = "expert";                  ///< expert, novice, or the name of the file
-  std::optional<simulator::HandMotion> motion;  ///< from a file; else made for the hand and seed
+  /// Expert, novice, or the name of the file.
+  std::string hand = "expert";
+  /// From a file; else made for the hand and seed.
+  std::optional<simulator::HandMotion> motion;
   std::uint64_t seed = 1;
   simulator::Pacing pacing = simulator::Pacing::Virtual;
   simulator::Guidance guidance = simulator::Guidance::None;
-  /// What a modelled arm that the motion leads is made to feel; none: the hand leads the saw itself, and nothing pushes it.
+  /// What a modelled arm that the motion leads is made to feel; none: the hand leads the saw
+  /// itself, and nothing pushes it.
   std::optional<simulator::ForceLaw> arm_law;
 };
 
@@ -50,9 +54,11 @@ struct AttemptOutcome {
   database::RecorderStatistics recorder;
 };
 
-/// Makes the patient, runs the hand through loop and recorder, scores what was recorded. The attempt is the robot's.
+/// Makes the patient, runs the hand through loop and recorder, scores what was recorded. The
+/// attempt is the robot's.
 /// needs   a motion where there is an arm: the expert and the novice lead the saw themselves
-/// errors  ScenarioError, MeshError, DatabaseError; Cancelled: what was recorded stays, as interrupted
+/// errors  ScenarioError, MeshError, DatabaseError; Cancelled: what was recorded stays, as
+///         interrupted
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress);
 

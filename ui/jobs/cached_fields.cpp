@@ -19,7 +19,8 @@ using simulator::OpenedField;
 /// Another form of these bytes, or another way to open fields, has another number.
 constexpr std::int64_t form_version = 1;
 constexpr std::int32_t nodes_max = 1 << 14;
-/// Following the blade takes about this share of the time; the rest is cutting solids and measuring.
+/// Following the blade takes about this share of the time; the rest is cutting solids and
+/// measuring.
 constexpr double follow_share = 0.4;
 
 bool is_within(const FieldWindow& window, const FieldGrid& grid) noexcept {
@@ -63,7 +64,8 @@ Digest key_of(const AttemptMaterial& material) {
   return digester.finish();
 }
 
-/// Kept, or not: the fields are there either way, and what cannot be kept is made again the next time.
+/// Kept, or not: the fields are there either way, and what cannot be kept is made again the next
+/// time.
 void keep(const AttemptMaterial& material, const std::filesystem::path& data_directory,
           const Digest& key, const OpenedFields& fields) {
   try {

@@ -1,5 +1,6 @@
-/// The fields that an attempt's blade opened, kept beside the database so that showing the attempt again need not stamp
-/// them again. For showing: a score is always computed from the recording itself.
+/// The fields that an attempt's blade opened, kept beside the database so that showing the attempt
+/// again need not stamp them again. For showing: a score is always computed from the recording
+/// itself.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +15,15 @@
 
 namespace hallux::ui {
 
-/// What is kept of this very recording, else made from it now, and kept. Where it cannot be kept it is only slower the next
-/// time.
+/// What is kept of this very recording, else made from it now, and kept. Where it cannot be kept it
+/// is only slower the next time.
 /// errors  Cancelled
 assessment::OpenedFields fields_of(const AttemptMaterial& material,
                                    const std::filesystem::path& data_directory,
                                    const Progress& progress = {});
 
-/// What score_attempt examines, from what is kept where it is: for an attempt whose score is stored already.
+/// What score_attempt examines, from what is kept where it is: for an attempt whose score is stored
+/// already.
 /// errors  Cancelled
 assessment::Examination examine_kept(const AttemptMaterial& material,
                                      const std::filesystem::path& data_directory,

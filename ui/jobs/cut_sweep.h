@@ -1,4 +1,5 @@
 /// Reads a sweep: the motion of a blade in its plane, as a JSON file that nobody vouches for.
+/// Inside this corner only.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +10,15 @@
 
 namespace hallux::ui {
 
-/// A plane or sweep that the mesh cannot be cut with, said like what is wrong with a mesh: file, place, mend.
+/// A plane or sweep that the mesh cannot be cut with, said like what is wrong with a mesh: file,
+/// place, mend.
 class CutInputError : public simulator::MeshError {
  public:
   using MeshError::MeshError;
 };
 
-/// errors  CutInputError naming the path of the value; a key that is unknown, or twice in one object, is refused
+/// errors  CutInputError naming the path of the value; a key that is unknown, or twice in one
+///         object, is refused
 /// source  docs/cutting.md section 6
 simulator::Sweep read_sweep(const std::filesystem::path& file);
 /// The same from a text; `name` stands in the messages.

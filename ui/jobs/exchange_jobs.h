@@ -1,4 +1,5 @@
-/// Attempts as files for other programs, with their bones and pieces as PLY; and such files taken in, scored here.
+/// Attempts as files for other programs, with their bones and pieces as PLY; and such files taken
+/// in, scored here.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +20,8 @@ using FindDesk = std::function<database::AttemptDesk(const database::AttemptId&)
 
 struct ExportRequest {
   std::vector<database::AttemptId> attempts;
-  std::filesystem::path folder;  ///< new, or empty
+  /// New, or empty.
+  std::filesystem::path folder;
 };
 
 /// Writes a folder for each attempt into a fresh one, which gets its name when all are there.
@@ -36,10 +38,10 @@ struct ImportReport {
   std::vector<RefusedFolder> refused;
 };
 
-/// Takes in what export_attempts wrote; a folder that is refused is named, and the others are taken in. Sealed attempts
-/// are scored by this program's rubric.
-/// errors  DatabaseError: Refused where the desk may not; storage failures; BadInput where there is no export at all. Cancelled:
-///         each attempt is here wholly or not at all
+/// Takes in what export_attempts wrote; a folder that is refused is named, and the others are taken
+/// in. Sealed attempts are scored by this program's rubric.
+/// errors  DatabaseError: Refused where the desk may not; storage failures; BadInput where there is
+///         no export at all. Cancelled: each attempt is here wholly or not at all
 ImportReport import_attempts(database::AdministratorDesk& desk, const std::filesystem::path& folder,
                              const StageProgress& progress);
 

@@ -65,7 +65,8 @@ class KerfFrames {
   SolidPatch patch_;
 };
 
-/// A frame that was refused is built again beside it (see cut_kerf); where that does not help, nothing is written.
+/// A frame that was refused is built again beside it (see cut_kerf); where that does not help,
+/// nothing is written.
 void commit(SawnBone& bone, RegionOutline region, GroupOutcome& outcome) {
   outcome.nudges = bone.commit(std::move(region)).nudges;
   const std::optional<std::size_t> refused = bone.refused_kerf();

@@ -1,4 +1,5 @@
-/// A group of `hallux cut` sawn into a bone: each frame as a screen would show it, timed, and then the cut itself.
+/// A group of `hallux cut` sawn into a bone: each frame as a screen would show it, timed, and then
+/// the cut itself. Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +16,28 @@ namespace hallux::ui {
 
 /// One kerf: the plane normal . p = offset in the mesh's millimetres is its middle.
 struct CutGroup {
-  Vec3 normal{0.0, 0.0, 1.0};  ///< of any length above 0; the offset is in the same measure
+  /// Of any length above 0; the offset is in the same measure.
+  Vec3 normal{0.0, 0.0, 1.0};
   double offset = 0.0;
   double kerf_mm = 0.5;
-  std::optional<std::filesystem::path> sweep_file;  ///< absent: the cut goes all the way through
+  /// Absent: the cut goes all the way through.
+  std::optional<std::filesystem::path> sweep_file;
 };
 
 struct GroupOutcome {
-  double contact_ms = 0.0;       ///< from the plane to what the first frame needs, without the tree
-  std::vector<double> frame_ms;  ///< one a pose: stamp, outline and patch
-  std::size_t triangles_max = 0;  ///< of the patch, in any frame
+  /// From the plane to what the first frame needs, without the tree.
+  double contact_ms = 0.0;
+  /// One a pose: stamp, outline and patch.
+  std::vector<double> frame_ms;
+  /// Of the patch, in any frame.
+  std::size_t triangles_max = 0;
   std::size_t refused_frames = 0;
-  std::uint32_t nudges = 0;  ///< see KerfCut; expected 0
-  double removed_mm3 = 0.0;  ///< by this group
-  /// The group that began the kerf: this one, or an earlier one in the same plane. Nothing where the plane misses.
+  /// See KerfCut; expected 0.
+  std::uint32_t nudges = 0;
+  /// By this group.
+  double removed_mm3 = 0.0;
+  /// The group that began the kerf: this one, or an earlier one in the same plane. Nothing where
+  /// the plane misses.
   std::optional<std::size_t> kerf;
 };
 

@@ -1,12 +1,14 @@
-/// An attempt that somebody operates live: loop and recorder run beside the window until it is finished or given up.
+/// An attempt that somebody operates live: loop and recorder run beside the window until it is
+/// finished or given up.
 ///
 ///     window  --commands, device target-->  thread of the attempt: loop at 1 kHz, then sealing
 ///             <--newest view, feed--------            |  rings
 ///                                                recorder's thread -> database
 ///
-/// What was recorded is kept, however it ends: finished it is sealed; abandoned, cut off with its window or stopped by a
-/// failure it stays as it is and is found interrupted. A full disk stops nothing: the operation pauses and goes on by itself
-/// when there is room (view().is_storage_full); also the sealing waits for it.
+/// What was recorded is kept, however it ends: finished it is sealed; abandoned, cut off with its
+/// window or stopped by a failure it stays as it is and is found interrupted. A full disk stops
+/// nothing: the operation pauses and goes on by itself when there is room (view().is_storage_full);
+/// also the sealing waits for it.
 #pragma once
 
 #include <atomic>
@@ -67,7 +69,8 @@ class LiveAttempt final : public AttemptControls {
   const database::AttemptId& attempt() const noexcept { return attempt_; }
   const OperatingTable& table() const noexcept { return *table_; }
   simulator::HapticDevice& device() noexcept { return *device_; }
-  /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes nobody back.
+  /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes
+  /// nobody back.
   const std::optional<double>& force_scale() const noexcept { return force_scale_; }
 
   void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
@@ -114,10 +117,13 @@ class LiveAttempt final : public AttemptControls {
   simulator::AttemptChannels channels_;
   simulator::AttemptWatch watch_;
   database::AttemptId attempt_;
-  std::filesystem::path directory_;  ///< that is recorded into
-  LiveEnd end_;                      ///< the thread's until is_over_
+  /// That is recorded into.
+  std::filesystem::path directory_;
+  /// The thread's until is_over_.
+  LiveEnd end_;
   std::atomic<bool> is_stopping_{false}, is_abandoned_{false}, is_over_{false};
-  std::jthread thread_;  ///< last: joined before any of it goes
+  /// Last: joined before any of it goes.
+  std::jthread thread_;
 };
 
 }  // namespace hallux::ui

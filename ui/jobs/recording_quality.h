@@ -1,4 +1,5 @@
-/// How well an attempt was recorded, and what an arm made of its force: kept with the attempt as a JSON text.
+/// How well an attempt was recorded, and what an arm made of its force: kept with the attempt as a
+/// JSON text.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,12 @@ namespace hallux::ui {
 /// How much of what happened was kept. An attempt with gaps is stored with their count.
 struct Quality {
   database::RecordingCertificate certificate;
-  double force_scale = 1.0;  ///< device newtons per simulated newton; 1 where nobody is pushed back
-  std::uint32_t force_limits = 0;  ///< bits of simulator::ForceLimit that occurred
-  simulator::ForceLaw force_law =
-      simulator::ForceLaw::Simulated;  ///< what the arm was made to feel
+  /// Device newtons per simulated newton; 1 where nobody is pushed back.
+  double force_scale = 1.0;
+  /// Bits of simulator::ForceLimit that occurred.
+  std::uint32_t force_limits = 0;
+  /// What the arm was made to feel.
+  simulator::ForceLaw force_law = simulator::ForceLaw::Simulated;
 };
 
 Quality quality_of(const simulator::LoopStatistics& loop,
@@ -28,8 +31,9 @@ const char* name_of(simulator::ForceLaw law) noexcept;
 std::optional<simulator::ForceLaw> force_law_from(const std::string& name) noexcept;
 
 std::string quality_json(const Quality& quality);
-/// What quality_json wrote, the verdict left out. What an older program did not write yet is as where nobody is pushed back; limits that this one
-/// does not know are left out. Nothing where the text is no such object, or its force law is none that is known.
+/// What quality_json wrote, the verdict left out. What an older program did not write yet is as
+/// where nobody is pushed back; limits that this one does not know are left out. Nothing where the
+/// text is no such object, or its force law is none that is known.
 std::optional<Quality> quality_from_json(const std::string& json);
 
 }  // namespace hallux::ui

@@ -1,5 +1,6 @@
-/// Scores kept attempts anew: by the assessment of this program, with the text each was operated under or with that of another
-/// version. The old scores stay, and decisions stay about the score they were about.
+/// Scores kept attempts anew: by the assessment of this program, with the text each was operated
+/// under or with that of another version. The old scores stay, and decisions stay about the score
+/// they were about.
 #pragma once
 
 #include <optional>
@@ -20,25 +21,32 @@ struct KnownVersion {
 
 struct Rescoring {
   std::string scenario_name;
-  std::optional<std::int32_t> version;  ///< whose text scores; nothing: that of each attempt
-  bool is_dry_run = false;              ///< nothing is stored
-  std::vector<KnownVersion> versions =
-      {};  ///< beside those that the attempts were operated under; the later before the earlier
+  /// Whose text scores; nothing: that of each attempt.
+  std::optional<std::int32_t> version;
+  /// Nothing is stored.
+  bool is_dry_run = false;
+  /// Beside those that the attempts were operated under; the later before the earlier.
+  std::vector<KnownVersion> versions = {};
 };
 
 struct RescoredAttempt {
-  database::AttemptHeader header;  ///< as it was before
+  /// As it was before.
+  database::AttemptHeader header;
   std::optional<database::ScoreCard> before, after;
-  bool is_changed = false;  ///< the cards differ, be it in a sentence
+  /// The cards differ, be it in a sentence.
+  bool is_changed = false;
   bool is_stored = false;
-  std::string
-      fault;  ///< why it was not scored: a recording that is erased or damaged, a text that does not fit the bone
+  /// Why it was not scored: a recording that is erased or damaged, a text that does not fit the
+  /// bone.
+  std::string fault;
 };
 
-/// Oldest first: of the operation what the desks list and may score, but what is void or being recorded.
+/// Oldest first: of the operation what the desks list and may score, but what is void or being
+/// recorded.
 /// needs   the desks hold the right to score what they list (no trainee's)
-/// errors  DatabaseError: NotFound where there is no such attempt or version; Refused; storage failures. Cancelled: what was
-///         stored before stays, and the sentence says how many those are
+/// errors  DatabaseError: NotFound where there is no such attempt or version; Refused; storage
+///         failures. Cancelled: what was stored before stays, and the sentence says how many those
+///         are
 std::vector<RescoredAttempt> rescore(database::Database& database,
                                      std::vector<database::AttemptDesk>& desks,
                                      const Rescoring& rescoring, const Progress& progress);

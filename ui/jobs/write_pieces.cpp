@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own within the output folder, so that no file there is in the way; gone at the end.
+/// A folder of its own within the output folder, so that no file there is in the way; gone at the
+/// end.
 class PendingFolder {
  public:
   explicit PendingFolder(const fs::path& folder) {

@@ -1,4 +1,4 @@
-/// Writes the pieces of a cut into a folder: all of them or none.
+/// Writes the pieces of a cut into a folder: all of them or none. Inside this corner only.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,9 @@ namespace hallux::ui {
 /// "piece-1.ply" for index 0.
 std::string piece_file(std::size_t index);
 
-/// Writes piece-1.ply ... into a folder of its own within `folder`, and moves them when all are there. A piece-N.ply of an
-/// earlier cut with a higher N is removed. `folder` is made where it is missing.
+/// Writes piece-1.ply ... into a folder of its own within `folder`, and moves them when all are
+/// there. A piece-N.ply of an earlier cut with a higher N is removed. `folder` is made where it is
+/// missing.
 /// errors  OutputError; then no piece is new
 void write_pieces(std::span<const simulator::IndexedMesh> meshes,
                   const std::filesystem::path& folder);

@@ -24,7 +24,8 @@ void ImguiPainter::draw(const ImDrawData& data, int fonts_version, float columns
   ImDrawData shown = data;
   shown.FramebufferScale.x *= columns;
   if (fonts_version != fonts_version_) {
-    // The data names the fonts' texture as it was when the frame began: none yet, or the one that goes now.
+    // The data names the fonts' texture as it was when the frame began: none yet, or the one that
+    // goes now.
     const ImTextureID before = ImGui::GetIO().Fonts->TexID;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();

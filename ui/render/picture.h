@@ -14,7 +14,8 @@ class PictureError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The scene in the best quality. Without a window make a HeadlessContext first; one of each serves many pictures.
+/// The scene in the best quality. Without a window make a HeadlessContext first; one of each serves
+/// many pictures.
 /// errors  GraphicsError
 Pixels render_picture(Renderer& renderer, const Scene& scene, const Camera& camera, PixelSize size);
 

@@ -67,8 +67,8 @@ struct KeptPicture::Still {
 struct KeptPicture::Parts {
   std::optional<PictureBuffers> buffers;
   std::optional<Still> still;  ///< what the buffers show; none: nothing yet
-  std::vector<RenderTarget>
-      halved;  ///< each half as large as the one before, down to twice the picture's size
+  /// Each half as large as the one before, down to twice the picture's size.
+  std::vector<RenderTarget> halved;
 
   void make_room(PixelSize size, int scale);
 };
@@ -129,7 +129,8 @@ PixelBox Renderer::Parts::changed_pixels(const Frame& frame, const KeptPicture::
 
 namespace {
 
-/// Where light is to be laid anew, `changed` included. Without a saw another shader lays it: then everywhere.
+/// Where light is to be laid anew, `changed` included. Without a saw another shader lays it: then
+/// everywhere.
 std::vector<PixelBox> relit_pixels(const Frame& frame, const PixelBox& changed, const auto& before,
                                    const auto& now) {
   if (!before || before->shadow.has_value() != now.shadow.has_value()) {
@@ -169,7 +170,8 @@ void Renderer::Parts::draw_shapes(const Frame& frame, const PictureBuffers& buff
   set_scissor(part);
   glBindFramebuffer(GL_FRAMEBUFFER, buffers.shapes());
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  // At the bones' rims textures are read as coarsely as places change towards the ground: that must not be an older picture's.
+  // At the bones' rims textures are read as coarsely as places change towards the ground: that must
+  // not be an older picture's.
   constexpr std::array<float, 4> nowhere{};
   glClearBufferfv(GL_COLOR, 0, nowhere.data());
   bones.draw_shapes(frame, part);
@@ -197,7 +199,8 @@ void Renderer::Parts::draw_moving(const Frame& frame) {
 
 namespace {
 
-/// By halves: a linear copy to half the size takes the mean of four pixels, to less it would leave some out.
+/// By halves: a linear copy to half the size takes the mean of four pixels, to less it would leave
+/// some out.
 void copy_by_halves(DrawTarget from, const std::vector<RenderTarget>& halved,
                     const DrawTarget& target) {
   for (const RenderTarget& half : halved) {

@@ -1,4 +1,5 @@
-/// Draws a scene with whatever OpenGL context is current: a window's, one without a window, a test's.
+/// Draws a scene with whatever OpenGL context is current: a window's, one without a window, a
+/// test's. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +12,14 @@
 namespace hallux::ui {
 
 struct RenderQuality {
-  int supersampling =
-      1;  ///< pixels drawn along each side of one shown, for smooth edges: 1, 2 or 4
-  bool keeps_still =
-      false;  ///< whether KeptPictures are used: 48 bytes a pixel drawn, for each of them
+  /// Pixels drawn along each side of one shown, for smooth edges: 1, 2 or 4.
+  int supersampling = 1;
+  /// Whether KeptPictures are used: 48 bytes a pixel drawn, for each of them.
+  bool keeps_still = false;
 };
 
-/// What this machine draws fast enough to be lived with: smooth edges only where a graphics card draws, what stands still is
-/// kept only where none does.
+/// What this machine draws fast enough to be lived with: smooth edges only where a graphics card
+/// draws, what stands still is kept only where none does.
 /// needs   a current context
 RenderQuality live_quality();
 /// For pictures that stand still.
@@ -26,14 +27,19 @@ inline constexpr RenderQuality still_quality{.supersampling = 4};
 
 /// Of the last picture.
 struct DrawCounts {
-  std::size_t triangles = 0;         ///< in the scene
-  std::size_t redrawn_pixels = 0;    ///< of what stands still, those that no kept picture had
-  std::size_t relit_pixels = 0;      ///< those, and where the saw's shadow was or is
-  std::uint64_t uploaded_bytes = 0;  ///< of bones
+  /// In the scene.
+  std::size_t triangles = 0;
+  /// Of what stands still, those that no kept picture had.
+  std::size_t redrawn_pixels = 0;
+  /// Those, and where the saw's shadow was or is.
+  std::size_t relit_pixels = 0;
+  /// Of bones.
+  std::uint64_t uploaded_bytes = 0;
 };
 
-/// What stands still of a picture that is drawn again and again, bones and ground: while nobody turns the view, only what was cut
-/// since is drawn anew below what moves, and only where the saw's shadow was or is light is laid anew. One for each eye; empty until a renderer draws with it.
+/// What stands still of a picture that is drawn again and again, bones and ground: while nobody
+/// turns the view, only what was cut since is drawn anew below what moves, and only where the saw's
+/// shadow was or is light is laid anew. One for each eye; empty until a renderer draws with it.
 /// thread  the context's
 class KeptPicture {
  public:
@@ -57,14 +63,16 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws one eye's picture over all of the target. Bones are sent to the card when first seen, and let go when they were
-  /// not seen for 300 pictures.
-  /// ensures the target's framebuffer stays bound; depth test, culling, blending and scissor are off afterwards
+  /// Draws one eye's picture over all of the target. Bones are sent to the card when first seen,
+  /// and let go when they were not seen for 300 pictures.
+  /// ensures the target's framebuffer stays bound; depth test, culling, blending and scissor are
+  ///         off afterwards
   /// errors  GraphicsError where there is no room for the picture
   /// thread  the context's
   void draw(const Scene& scene, const EyeView& view, const DrawTarget& target);
-  /// The same picture, with what `kept` still has of the one before. `detail`: the target's rows over those it will be shown with;
-  /// lines and marks that are some pixels wide become that much narrower.
+  /// The same picture, with what `kept` still has of the one before. `detail`: the target's rows
+  /// over those it will be shown with; lines and marks that are some pixels wide become that much
+  /// narrower.
   void draw(const Scene& scene, const EyeView& view, const DrawTarget& target, KeptPicture& kept,
             double detail = 1.0);
   /// The same as seen by one who looks at the target from the middle.

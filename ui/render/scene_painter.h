@@ -1,11 +1,15 @@
-/// Draws scenes for the widgets: into pictures that cards show, and behind everything, for one eye or two.
+/// Draws scenes for the widgets: into pictures that cards show, and behind everything, for one eye
+/// or two.
 ///
-/// A screen is built while its context is current, so a scene is drawn when it is asked for and nothing of it is kept:
+/// A screen is built while its context is current, so a scene is drawn when it is asked for and
+/// nothing of it is kept:
 ///
 ///     draw("result.plan", ...)  a texture for a card, at once
-///     draw_behind(...)          the eyes' pictures, at once; the window then draws the panels into each and composes them
+///     draw_behind(...)          the eyes' pictures, at once; the window then draws the panels into
+///                               each and composes them
 ///
-/// An interface, so that screens are driven without graphics: a test's painter notes what it was asked for.
+/// An interface, so that screens are driven without graphics: a test's painter notes what it was
+/// asked for.
 #pragma once
 
 #include <array>
@@ -24,13 +28,14 @@ class ScenePainter {
  public:
   virtual ~ScenePainter() = default;
 
-  /// Draws into the picture of that name, which is made anew where its size changed. Pictures that nothing was drawn or
-  /// shown in for a while are let go.
+  /// Draws into the picture of that name, which is made anew where its size changed. Pictures that
+  /// nothing was drawn or shown in for a while are let go.
   /// returns its texture, rows upwards
   /// errors  GraphicsError
   virtual std::uint64_t draw(std::string_view name, const Scene& scene, const Camera& camera,
                              PixelSize size) = 0;
-  /// The texture of that name as it was drawn last, with nothing to draw; 0 where it went or has another size.
+  /// The texture of that name as it was drawn last, with nothing to draw; 0 where it went or has
+  /// another size.
   virtual std::uint64_t drawn(std::string_view name, PixelSize size) = 0;
   /// A picture that a job made, sent once and kept; rows from the top.
   /// needs   pixels is not nullptr
@@ -39,7 +44,8 @@ class ScenePainter {
   /// errors  GraphicsError
   virtual void draw_behind(const Scene& scene, const Camera& camera,
                            const StereoSetting& setting) = 0;
-  /// Whether the scene behind has fewer columns in this frame, as a processor draws it and the camera has just moved: another
+  /// Whether the scene behind has fewer columns in this frame, as a processor draws it and the
+  /// camera has just moved: another
   /// frame shows it whole.
   virtual bool is_coarse() const noexcept { return false; }
 
@@ -81,9 +87,9 @@ class OpenGlScenePainter final : public ScenePainter {
   bool is_coarse() const noexcept override;
   std::size_t triangles() const noexcept override;
 
-  /// Calls `draw_panels` for each picture that takes panels, bound and ready: each eye's over the scene behind, with the share
-  /// of the window's columns that it has; in an anaglyph once, for both eyes; without a scene once, over the window filled with
-  /// `page`.
+  /// Calls `draw_panels` for each picture that takes panels, bound and ready: each eye's over the
+  /// scene behind, with the share of the window's columns that it has; in an anaglyph once, for
+  /// both eyes; without a scene once, over the window filled with `page`.
   void finish_frame(const std::array<std::uint8_t, 3>& page,
                     const std::function<void(float columns)>& draw_panels);
 

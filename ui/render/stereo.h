@@ -1,5 +1,6 @@
-/// Two eyes' pictures become one: each is drawn into a target of its own, then one pass composes them. Panels are drawn into
-/// each eye's picture; in an anaglyph once, over both. What moves may be drawn with fewer pixels, the panels never are.
+/// Two eyes' pictures become one: each is drawn into a target of its own, then one pass composes
+/// them. Panels are drawn into each eye's picture; in an anaglyph once, over both. What moves may
+/// be drawn with fewer pixels, the panels never are. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +14,30 @@ namespace hallux::ui {
 
 enum class StereoMode : std::uint8_t {
   Mono,
-  SideBySide,  ///< each eye in one half, squeezed to half its width
-  Anaglyph     ///< red and cyan glasses
+  /// Each eye in one half, squeezed to half its width.
+  SideBySide,
+  /// Red and cyan glasses.
+  Anaglyph
 };
 
 struct StereoSetting {
   StereoMode mode = StereoMode::Mono;
-  bool is_swapped = false;  ///< the left eye's picture goes to the right eye
+  /// The left eye's picture goes to the right eye.
+  bool is_swapped = false;
   Viewer viewer{};
   /// Columns of an anaglyph's eyes over those of the window: more is too much for a processor.
   double eye_columns = 1.0;
 };
 
-/// What this machine draws fast enough: the columns of an anaglyph's eyes, and the detail of a view that moves.
+/// What this machine draws fast enough: the columns of an anaglyph's eyes, and the detail of a view
+/// that moves.
 /// needs   a current context
 double live_eye_columns();
 double live_moving_detail(StereoMode mode);
 
 /// How the colours of an anaglyph follow from those of its two pictures, in linear light.
-/// source  Dubois 2001, A projection method to generate anaglyph stereo images; the values for LCDs in common use
+/// source  Dubois 2001, A projection method to generate anaglyph stereo images; the values for LCDs
+///         in common use
 struct AnaglyphMatrices {
   Matrix4 shown_from_left{1.0F}, shown_from_right{1.0F};
 };
@@ -41,21 +47,22 @@ class StereoStage {
  public:
   StereoStage();
 
-  /// Prepares the eyes' pictures for a window of this size. In mono there is one eye, Left. With a detail below 1 they are coarse: they
-  /// have that share of the window's rows and columns, and are scaled up when composed.
+  /// Prepares the eyes' pictures for a window of this size. In mono there is one eye, Left. With a
+  /// detail below 1 they are coarse: they have that share of the window's rows and columns, and are
+  /// scaled up when composed.
   /// errors  GraphicsError where there is no room for them
   void begin(const StereoSetting& setting, PixelSize window, double detail = 1.0);
   int eye_count() const noexcept { return setting_.mode == StereoMode::Mono ? 1 : 2; }
-  /// The picture of one eye; side by side it has half the window's columns, so what is laid out for the window must be
-  /// squeezed to it.
+  /// The picture of one eye; side by side it has half the window's columns, so what is laid out for
+  /// the window must be squeezed to it.
   const RenderTarget& eye(Eye eye) const;
   /// What stands still of that eye's picture.
   KeptPicture& kept(Eye eye) noexcept;
   double detail() const noexcept { return detail_; }
   bool is_coarse() const noexcept { return detail_ < 1.0; }
-  /// Where panels are drawn, before all is composed: in mono the window itself, where the picture then is; else each eye's picture, in
-  /// its whole size; in an anaglyph a transparent one, once for both eyes: panels lie in the plane of the screen, where both see the
-  /// same.
+  /// Where panels are drawn, before all is composed: in mono the window itself, where the picture
+  /// then is; else each eye's picture, in its whole size; in an anaglyph a transparent one, once
+  /// for both eyes: panels lie in the plane of the screen, where both see the same.
   /// needs   the eyes' pictures are drawn
   std::vector<DrawTarget> pictures_for_panels(const DrawTarget& window) const;
   /// What that eye sees through the window.

@@ -1,4 +1,5 @@
-/// A report's picture of one face as inline SVG; its colours come from the page's style sheet and follow its theme.
+/// A report's picture of one face as inline SVG; its colours come from the page's style sheet and
+/// follow its theme. Inside this corner only.
 #pragma once
 
 #include <string>
@@ -7,7 +8,8 @@
 
 namespace hallux::ui {
 
-/// The planned outline and the face's samples, coloured by signed deviation, with a legend in millimetres.
+/// The planned outline and the face's samples, coloured by signed deviation, with a legend in
+/// millimetres.
 std::string face_svg(const FacePicture& picture);
 
 }  // namespace hallux::ui

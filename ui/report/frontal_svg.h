@@ -1,4 +1,5 @@
-/// A report's section of the bone as inline SVG; its colours come from the page's style sheet and follow its theme.
+/// A report's section of the bone as inline SVG; its colours come from the page's style sheet and
+/// follow its theme. Inside this corner only.
 #pragma once
 
 #include <string>

@@ -9,7 +9,8 @@ namespace hallux::ui {
 
 namespace {
 
-/// A picture is shown about 400 px wide and its text 13 px high; five lines of it fit into either margin.
+/// A picture is shown about 400 px wide and its text 13 px high; five lines of it fit into either
+/// margin.
 constexpr double text_share = 13.0 / 400.0;
 constexpr double content_share = 1.0 - 10.0 * text_share;
 

@@ -1,4 +1,4 @@
-/// Text and numbers inside HTML and SVG.
+/// Text and numbers inside HTML and SVG. Inside this corner only.
 #pragma once
 
 #include <string>

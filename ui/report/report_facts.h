@@ -12,7 +12,8 @@ namespace hallux::ui {
 /// needs   the card was made with this scenario
 void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario);
 
-/// Adds facts and versions, and says in `quality` whether the recording is whole and may be graded; `verdict` says why not.
+/// Adds facts and versions, and says in `quality` whether the recording is whole and may be graded;
+/// `verdict` says why not.
 void add_attempt_facts(ReportMaterial& material, const database::AttemptHeader& header,
                        const database::Verdict& verdict = {});
 

@@ -43,7 +43,8 @@ std::string group_row(const GroupScore& group, const ShownGroup& shown, const st
   return row + "</span></div>";
 }
 
-/// Shape goes with every colour: what is right has a tick, what is wrong a cross, what is unknown a ring.
+/// Shape goes with every colour: what is right has a tick, what is wrong a cross, what is unknown a
+/// ring.
 std::string gate_row(const GateResult& gate, const std::string& title) {
   const bool is_known = gate.text.find("not measured") == std::string::npos;
   const char* state = gate.is_triggered ? "bad" : (is_known ? "good" : "unknown");

@@ -1,4 +1,4 @@
-/// All that a report shows of one attempt, as plain data.
+/// All that a report shows of one attempt, as plain data. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct Fact {
 /// A sample of the finished face, in the planned face's own axes.
 struct FaceDot {
   Vec2 place_mm{0.0, 0.0};
-  double deviation_mm = 0.0;  ///< positive towards the waste: too little taken
+  /// Positive towards the waste: too little taken.
+  double deviation_mm = 0.0;
 };
 
 struct NamedPoint {
@@ -30,10 +31,13 @@ struct NamedPoint {
 
 /// The planned face seen square on: right and up are said in words of the bone.
 struct FacePicture {
-  std::string title;  ///< of the cut
+  /// Of the cut.
+  std::string title;
   std::string right, up;
-  std::string above, below;  ///< where a positive and a negative deviation lie: "medial", "lateral"
-  std::vector<std::vector<Vec2>> planned_outlines;  ///< section of the bone in the planned face
+  /// Where a positive and a negative deviation lie: "medial", "lateral".
+  std::string above, below;
+  /// Section of the bone in the planned face.
+  std::vector<std::vector<Vec2>> planned_outlines;
   std::vector<FaceDot> dots;
   double dot_mm = 0.25;
   std::vector<NamedPoint> landmarks;
@@ -54,13 +58,20 @@ struct FrontalPicture {
 
 struct ReportMaterial {
   database::ScoreCard card;
-  std::string title;                      ///< of the scenario
-  std::vector<std::string> group_titles;  ///< one per group of the card
-  std::vector<std::string> gate_titles;   ///< one per gate of the card
-  std::vector<Fact> facts;                ///< who, when, with what; in the order shown
-  std::string quality;                    ///< one sentence; empty leaves the line out
-  std::vector<Fact> versions;             ///< program, engine, scenario, rubric, bone
-  std::vector<FacePicture> faces;         ///< one per planned cut
+  /// Of the scenario.
+  std::string title;
+  /// One per group of the card.
+  std::vector<std::string> group_titles;
+  /// One per gate of the card.
+  std::vector<std::string> gate_titles;
+  /// Who, when, with what; in the order shown.
+  std::vector<Fact> facts;
+  /// One sentence; empty leaves the line out.
+  std::string quality;
+  /// Program, engine, scenario, rubric, bone.
+  std::vector<Fact> versions;
+  /// One per planned cut.
+  std::vector<FacePicture> faces;
   std::optional<FrontalPicture> frontal;
   Traces traces;
   std::vector<ZoneContact> zones;

@@ -41,8 +41,8 @@ Vec2 flat(const RigidTransform& picture_from_bone, const Vec3& point_in_bone_mm)
   return Vec2{local.x, local.y};
 }
 
-/// Right along the cut's axis, up as dorsal as the face allows; in a face across the bone, whose axis is dorsal, up is where
-/// the blade goes in. The origin lies in the planned face.
+/// Right along the cut's axis, up as dorsal as the face allows; in a face across the bone, whose
+/// axis is dorsal, up is where the blade goes in. The origin lies in the planned face.
 RigidTransform face_frame(const PlannedCut& cut) {
   const Vec3 inward = cut.exit_point_in_bone_mm - cut.depth_point_in_bone_mm;
   Vec3 up = glm::cross(cut.axis, cut.face.normal);
@@ -51,7 +51,8 @@ RigidTransform face_frame(const PlannedCut& cut) {
   return {rotation_from_axes(cut.axis, up), foot};
 }
 
-/// Where an operator looks for the face: a landmark and the shaft, or where the blade goes in and where it is to stop.
+/// Where an operator looks for the face: a landmark and the shaft, or where the blade goes in and
+/// where it is to stop.
 std::vector<NamedPoint> landmarks_of(const PlannedCut& cut,
                                      const RigidTransform& picture_from_bone) {
   const Vec2 depth = flat(picture_from_bone, cut.depth_point_in_bone_mm);
@@ -99,7 +100,8 @@ Span height_of(const std::vector<simulator::Contour>& outlines) {
   return span;
 }
 
-/// Where a plane crosses the frontal slice, from below the bone to above it; nothing where it runs flat.
+/// Where a plane crosses the frontal slice, from below the bone to above it; nothing where it runs
+/// flat.
 std::optional<PictureLine> line_of(const FacePlane& plane, double x_mm, const Span& height) {
   if (std::abs(plane.normal.z) < 0.2) return std::nullopt;
   const auto at = [&](double y_mm) {

@@ -47,7 +47,8 @@ std::string repeated(const std::string& sign, std::int64_t count) {
   return text;
 }
 
-/// Words broken over lines that begin with `indent` spaces; the first line's indent is the caller's.
+/// Words broken over lines that begin with `indent` spaces; the first line's indent is the
+/// caller's.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string result;
   std::size_t used = indent, start = 0;

@@ -8,7 +8,8 @@
 
 namespace hallux::ui {
 
-/// Title, marks, score, groups with bars, gates, ledger; at most 100 columns, UTF-8, no control codes.
+/// Title, marks, score, groups with bars, gates, ledger; at most 100 columns, UTF-8, no control
+/// codes.
 std::string score_sheet(const ReportMaterial& material);
 /// The same from a card, with the titles of its scenario.
 std::string score_sheet(const database::ScoreCard& card, const scenarios::Scenario& scenario);

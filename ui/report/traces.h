@@ -1,4 +1,5 @@
-/// What the saw did over an attempt: force, feed, advance and heat over time, and the danger zones that it touched.
+/// What the saw did over an attempt: force, feed, advance and heat over time, and the danger zones
+/// that it touched.
 #pragma once
 
 #include <optional>
@@ -18,10 +19,14 @@ namespace hallux::ui {
 
 struct TracePoint {
   double time_s = 0.0;
-  double force_newton = 0.0;         ///< greatest in this stretch of time
-  std::optional<double> advance_mm;  ///< of the teeth in their kerf; nothing outside one
-  double fed_mm = 0.0;               ///< way of the teeth through bone in this stretch
-  double hottest_celsius = simulator::body_celsius;  ///< of all bone, at its end
+  /// Greatest in this stretch of time.
+  double force_newton = 0.0;
+  /// Of the teeth in their kerf; nothing outside one.
+  std::optional<double> advance_mm;
+  /// Way of the teeth through bone in this stretch.
+  double fed_mm = 0.0;
+  /// Of all bone, at its end.
+  double hottest_celsius = simulator::body_celsius;
 };
 
 struct TraceMark {
@@ -32,8 +37,10 @@ struct TraceMark {
 struct Traces {
   std::vector<TracePoint> points;
   std::vector<TraceMark> marks;
-  simulator::HeatSummary heat;          ///< of the whole attempt
-  double greatest_deflection_mm = 0.0;  ///< of the blade, by its bending
+  /// Of the whole attempt.
+  simulator::HeatSummary heat;
+  /// Of the blade, by its bending.
+  double greatest_deflection_mm = 0.0;
 };
 
 /// What a danger zone had of the running saw.
@@ -41,7 +48,8 @@ struct ZoneContact {
   std::string title;
   int count = 0;
   double duration_s = 0.0;
-  double first_s = 0.0;  ///< when it was first touched; 0 where it never was
+  /// When it was first touched; 0 where it never was.
+  double first_s = 0.0;
 };
 
 /// Force, feed, advance and heat in at most `points_max` stretches of equal time.

@@ -30,8 +30,8 @@ struct DestroyContext {
   }
 };
 
-/// A sound card, a sound server, or somebody who named a driver. Without any, opening a device would only make the sound
-/// libraries complain on the terminal.
+/// A sound card, a sound server, or somebody who named a driver. Without any, opening a device
+/// would only make the sound libraries complain on the terminal.
 bool may_have_sound() {
   if (std::getenv("ALSOFT_DRIVERS") != nullptr || std::getenv("PULSE_SERVER") != nullptr) {
     return true;

@@ -1,4 +1,5 @@
-/// Plays the saw through OpenAL, on a thread of its own; silent and harmless where there is no sound device.
+/// Plays the saw through OpenAL, on a thread of its own; silent and harmless where there is no
+/// sound device.
 ///
 ///     window --newest tone--> thread: four buffers of 20 ms, refilled as they are played
 ///
@@ -45,7 +46,8 @@ class SawPlayer {
   simulator::Latest<Said> said_;
   std::atomic<State> state_{State::Opening};
   std::atomic<long> buffers_{0};
-  std::jthread thread_;  ///< last: joined before any of it goes
+  /// Last: joined before any of it goes.
+  std::jthread thread_;
 };
 
 }  // namespace hallux::ui

@@ -1,7 +1,9 @@
-/// The sound of a saw: its true rate as the pitch, which falls under load while it grows louder and rougher.
+/// The sound of a saw: its true rate as the pitch, which falls under load while it grows louder and
+/// rougher. Inside this corner only.
 ///
-/// Five partials of the rate and a little noise, summed with weights of at most 1, so that it never clips. Rate and loudness
-/// go to what is asked for by the sample: however the buffers are cut, no step is heard.
+/// Five partials of the rate and a little noise, summed with weights of at most 1, so that it never
+/// clips. Rate and loudness go to what is asked for by the sample: however the buffers are cut, no
+/// step is heard.
 #pragma once
 
 #include <array>
@@ -20,7 +22,8 @@ inline constexpr int sound_rate_hz = 44100;
 struct SawTone {
   bool runs = false;
   simulator::Saw saw = {};
-  double load = 0.0;  ///< 0 in air, 1 where it is pushed as hard as it takes
+  /// 0 in air, 1 where it is pushed as hard as it takes.
+  double load = 0.0;
 };
 
 /// What the saw does at this moment of an attempt.
@@ -44,7 +47,8 @@ class SawSound {
 
   double turns_ = 0.0;
   double pitch_hz_ = 0.0, loudness_ = 0.0, roughness_ = 0.0;
-  double hiss_ = 0.0;  ///< noise, made duller
+  /// Noise, made duller.
+  double hiss_ = 0.0;
   Random noise_;
 };
 

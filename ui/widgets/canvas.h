@@ -1,6 +1,8 @@
-/// Draws on a Dear ImGui draw list in logical pixels: crisp edges, own text, and a note of every text drawn.
+/// Draws on a Dear ImGui draw list in logical pixels: crisp edges, own text, and a note of every
+/// text drawn.
 ///
-/// Edges of rectangles and glyphs fall on whole device pixels at every content scale; a hairline is never blurred.
+/// Edges of rectangles and glyphs fall on whole device pixels at every content scale; a hairline is
+/// never blurred.
 #pragma once
 
 #include <cstdint>
@@ -66,11 +68,12 @@ class Canvas {
   float text_on_baseline(Point at, const TextStyle& style, std::string_view text);
   /// Capitals centred on at.y.
   float text(Point at, const TextStyle& style, std::string_view text);
-  /// Centred in height inside `box`, aligned across; what does not fit ends in an ellipsis and counts as cut off unless
-  /// `may_be_shortened` (a person's own words).
+  /// Centred in height inside `box`, aligned across; what does not fit ends in an ellipsis and
+  /// counts as cut off unless `may_be_shortened` (a person's own words).
   float text_in(const Rect& box, const TextStyle& style, std::string_view text,
                 bool may_be_shortened = false);
-  /// Lines broken to the width of `box`, from its top; returns their height. What exceeds the box counts as cut off.
+  /// Lines broken to the width of `box`, from its top; returns their height. What exceeds the box
+  /// counts as cut off.
   float paragraph(const Rect& box, const TextStyle& style, std::string_view text);
   float paragraph_height(Type type, std::string_view text, float width) const;
   /// Centred on the ink of the glyph.
@@ -79,7 +82,8 @@ class Canvas {
   // -- where drawing goes
   void push_clip(const Rect& rect);
   void pop_clip();
-  /// Texts drawn until pop_room must stay inside `rect`; a text that does not is found by the tests.
+  /// Texts drawn until pop_room must stay inside `rect`; a text that does not is found by the
+  /// tests.
   void push_room(const Rect& rect) { rooms_.push_back(rect); }
   void pop_room() { rooms_.pop_back(); }
   /// Draws on `layer`, over the whole display, until leave_layer is given what this returned.

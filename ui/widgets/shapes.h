@@ -1,4 +1,5 @@
-/// Small drawings that say something: a shape with every meaning, marks of competence, surfaces, the focus ring.
+/// Small drawings that say something: a shape with every meaning, marks of competence, surfaces,
+/// the focus ring.
 #pragma once
 
 #include "ui/widgets/canvas.h"
@@ -6,12 +7,13 @@
 
 namespace hallux::ui {
 
-/// Good: disc and tick. Warn: triangle and "!". Bad: diamond and cross. Info: disc and "i". Neutral: ring.
+/// Good: disc and tick. Warn: triangle and "!". Bad: diamond and cross. Info: disc and "i".
+/// Neutral: ring.
 void draw_meaning(Canvas& canvas, const Theme& theme, Meaning meaning, Point centre,
                   float radius = 7.0F);
 
-/// Learning: ring filled by `progress` (0-1). Competent: disc and tick. Slipped: triangle downwards. Stale: clock. Not
-/// started: short dash.
+/// Learning: ring filled by `progress` (0-1). Competent: disc and tick. Slipped: triangle
+/// downwards. Stale: clock. Not started: short dash.
 void draw_competence(Canvas& canvas, const Theme& theme, Competence competence, Point centre,
                      float radius = 7.5F, float progress = 0.0F);
 

@@ -291,7 +291,8 @@ float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& 
   return state.offset;
 }
 
-// After the keyboard moved the focus, the region it lies in shows it, and so does each region around that one.
+// After the keyboard moved the focus, the region it lies in shows it, and so does each region
+// around that one.
 void Ui::scroll_to_focus(const std::string& id, ScrollState& state) {
   const Widget* focus = has_focus_moved_ ? find_widget(shown_, focus_) : nullptr;
   if (focus == nullptr) return;

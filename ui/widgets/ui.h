@@ -1,15 +1,17 @@
-/// One window's user interface, drawn frame by frame: who was pressed, where the keyboard is, what was drawn.
+/// One window's user interface, drawn frame by frame: who was pressed, where the keyboard is, what
+/// was drawn.
 ///
-/// A screen is a function that draws controls by name with the components of this room; each answers whether it was
-/// pressed in this frame. Between two frames only the names connect: events are resolved against the frame that the
-/// person saw. Picture of one frame:
+/// A screen is a function that draws controls by name with the components of this room; each
+/// answers whether it was pressed in this frame. Between two frames only the names connect: events
+/// are resolved against the frame that the person saw. Picture of one frame:
 ///
 ///     begin_frame(queue)   events -> pressed, focus, edits      (against the last frame's content)
 ///       button(ui, "x")    draws, registers, answers            (into this frame's content)
 ///     end_frame()          this frame's content becomes the one people see
 ///
-/// Keyboard: Tab and Shift+Tab visit every control, arrows move inside a group, Space presses what has the ring, Enter
-/// presses it too and else the screen's primary button. The ring shows after Tab or an arrow and hides on a mouse press.
+/// Keyboard: Tab and Shift+Tab visit every control, arrows move inside a group, Space presses what
+/// has the ring, Enter presses it too and else the screen's primary button. The ring shows after
+/// Tab or an arrow and hides on a mouse press.
 #pragma once
 
 #include <map>
@@ -36,11 +38,15 @@ enum class PressedBy : std::uint8_t { Nothing, Mouse, Enter, Space };
 /// What happened to a control in this frame.
 struct Response {
   bool is_hovered = false, is_held = false;
-  bool has_focus = false;   ///< keys go here
-  bool shows_ring = false;  ///< and the person steers by keyboard
+  /// Keys go here.
+  bool has_focus = false;
+  /// And the person steers by keyboard.
+  bool shows_ring = false;
   PressedBy pressed_by = PressedBy::Nothing;
-  bool is_double = false;  ///< the second of two quick clicks
-  float hover = 0.0F;      ///< 0-1, eased
+  /// The second of two quick clicks.
+  bool is_double = false;
+  /// 0-1, eased.
+  float hover = 0.0F;
 
   bool is_pressed() const noexcept { return pressed_by != PressedBy::Nothing; }
 };
@@ -49,16 +55,19 @@ struct Response {
 struct AreaResponse {
   bool is_hovered = false;
   std::array<bool, mouse_button_count> is_down{};
-  std::array<Point, mouse_button_count>
-      dragged{};             ///< since the last frame, while the button was held from inside
-  bool was_clicked = false;  ///< left, without having been dragged away
+  /// Since the last frame, while the button was held from inside.
+  std::array<Point, mouse_button_count> dragged{};
+  /// Left, without having been dragged away.
+  bool was_clicked = false;
   Point pointer;
-  float wheel = 0.0F;  ///< notches
+  /// Notches.
+  float wheel = 0.0F;
 };
 
 /// An event for the field that has the focus, in order.
 struct FieldEvent {
-  char32_t character = 0;  ///< 0: a key
+  /// 0: a key.
+  char32_t character = 0;
   Chord chord;
 };
 
@@ -71,7 +80,8 @@ enum class PointerShape : std::uint8_t {
   Arrow,
   Text,
   Hand,
-  Hidden  ///< what the pointer leads stands for it, or the picture carries it
+  /// What the pointer leads stands for it, or the picture carries it.
+  Hidden
 };
 
 class Ui {
@@ -83,7 +93,8 @@ class Ui {
   ~Ui();
 
   // -- the frame, called by the window or a test
-  /// Takes events up to the one that changes the screen. `width` and `height` are device pixels, `time_s` only grows.
+  /// Takes events up to the one that changes the screen. `width` and `height` are device pixels,
+  /// `time_s` only grows.
   void begin_frame(EventQueue& queue, float width, float height, double time_s);
   void end_frame();
   const ImDrawData& draw_data() const;
@@ -116,18 +127,20 @@ class Ui {
   Point pointer() const noexcept { return pointer_; }
   /// Since anybody last moved, pressed or typed anything.
   double untouched_s() const noexcept { return time_s_ - touched_s_; }
-  /// What took the person's hands away since the last frame: the pointer left the window, keys go elsewhere.
+  /// What took the person's hands away since the last frame: the pointer left the window, keys go
+  /// elsewhere.
   bool has_pointer_left() const noexcept { return has_pointer_left_; }
   bool has_lost_keys() const noexcept { return has_lost_keys_; }
   /// No pointer in this frame: something that it leads stands for it.
   void hide_pointer() noexcept { is_pointer_hidden_ = true; }
-  /// The picture of this frame carries the pointer instead of the desktop: where it consists of two eyes' pictures, each
-  /// has one at its place.
+  /// The picture of this frame carries the pointer instead of the desktop: where it consists of two
+  /// eyes' pictures, each has one at its place.
   void carry_pointer() noexcept { is_pointer_carried_ = true; }
   Modifiers modifiers() const noexcept { return modifiers_; }
   bool is_motion_reduced() const noexcept { return is_motion_reduced_; }
 
-  /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and the flags.
+  /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
+  /// the flags.
   Response control(Widget widget);
   AreaResponse area(std::string_view id, std::string_view label, const Rect& rect);
   /// Events for the field `id` in this frame, and what it remembers of its editing.
@@ -135,12 +148,15 @@ class Ui {
   TextEdit& text_edit(const std::string& id);
   Clipboard& clipboard() noexcept { return *clipboard_; }
 
-  /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that writes a letter does
-  /// not come while a field has the focus; none comes from below a menu or a question. The label is listed under F1.
+  /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that
+  /// writes a letter does not come while a field has the focus; none comes from below a menu or a
+  /// question. The label is listed under F1.
   bool shortcut(Chord chord, std::string_view label);
-  /// The same for what goes on while its key is held: how often the keyboard repeated it since the last frame.
+  /// The same for what goes on while its key is held: how often the keyboard repeated it since the
+  /// last frame.
   int shortcut_repeats(Chord chord, std::string_view label);
-  /// The key of this frame's shortcut was held already; what turns on and off does not listen to that.
+  /// The key of this frame's shortcut was held already; what turns on and off does not listen to
+  /// that.
   bool is_key_held_on() const noexcept { return is_key_held_on_; }
   const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
 
@@ -153,12 +169,14 @@ class Ui {
   /// The focus was moved in this frame by an arrow held with Shift (lists extend their selection).
   bool focus_was_extended() const noexcept { return is_focus_extended_; }
 
-  /// Opens a region that scrolls; everything until end_scroll lies in it. Returns how far it is scrolled down.
+  /// Opens a region that scrolls; everything until end_scroll lies in it. Returns how far it is
+  /// scrolled down.
   float begin_scroll(std::string_view id, std::string_view label, const Rect& view,
                      float content_height);
   void end_scroll();
 
-  /// 0 to 1, moving towards 1 while `is_on` and back else, in `duration_s`; at once where motion is reduced.
+  /// 0 to 1, moving towards 1 while `is_on` and back else, in `duration_s`; at once where motion is
+  /// reduced.
   float eased(const std::string& id, bool is_on, float duration_s);
   /// Seconds that the pointer rests on the control.
   double hovered_for_s(std::string_view id) const noexcept;
@@ -176,7 +194,8 @@ class Ui {
     bool is_touched = false;
   };
   struct HeldButton {
-    std::string id;  ///< pressed there; empty: not held, or pressed on nothing
+    /// Pressed there; empty: not held, or pressed on nothing.
+    std::string id;
     bool is_down = false, has_moved = false;
     Point pressed_at;
   };
@@ -233,10 +252,14 @@ class Ui {
   bool is_double_ = false;
   float wheel_ = 0.0F;
   std::optional<Chord> key_;
-  int key_repeats_ = 0;           ///< of key_, in this frame
-  Key held_key_ = Key::None;      ///< pressed and not released yet
-  bool is_key_held_on_ = false;   ///< key_ came without a release before it
-  bool is_letter_taken_ = false;  ///< by a shortcut: the character that the key writes is no text
+  /// Of key_, in this frame.
+  int key_repeats_ = 0;
+  /// Pressed and not released yet.
+  Key held_key_ = Key::None;
+  /// key_ came without a release before it.
+  bool is_key_held_on_ = false;
+  /// By a shortcut: the character that the key writes is no text.
+  bool is_letter_taken_ = false;
   std::vector<Edit> edits_;
 
   std::string focus_, first_focus_, shown_first_focus_;

@@ -57,8 +57,9 @@ const Widget* primary_of(const FrameContent& content) {
 
 }  // namespace
 
-// Stops behind the event that may change the screen, and leaves the next frame without events: it shows the new
-// screen, which the events after that meet. Stops before an event that meets what is typed but not drawn yet.
+// Stops behind the event that may change the screen, and leaves the next frame without events: it
+// shows the new screen, which the events after that meet. Stops before an event that meets what is
+// typed but not drawn yet.
 void Ui::take_events(EventQueue& queue) {
   const bool was_settling = std::exchange(is_settling_, false);
   while (!was_settling && !is_settling_) {
@@ -78,8 +79,8 @@ void Ui::take_events(EventQueue& queue) {
   }
 }
 
-// A held key repeats faster than a slow machine makes frames: all that came meet this frame, else they would go on long
-// after the key was let go.
+// A held key repeats faster than a slow machine makes frames: all that came meet this frame, else
+// they would go on long after the key was let go.
 void Ui::take_repeats(EventQueue& queue) {
   key_repeats_ = 1;
   for (const InputEvent* next = queue.oldest(); next != nullptr; next = queue.oldest()) {
@@ -231,7 +232,8 @@ bool Ui::move_focus(const Widget* focus, Chord chord) {
   return true;
 }
 
-// Space and Enter press what has the ring; in a menu or question also without it. Enter else means the primary.
+// Space and Enter press what has the ring; in a menu or question also without it. Enter else means
+// the primary.
 bool Ui::press_by_key(const Widget* focus, Chord chord) {
   if (chord.key != Key::Enter && chord.key != Key::Space) return false;
   const bool steers_focus = is_ring_shown_ || reachable_layer(shown_) > Layer::Page;

@@ -8,17 +8,19 @@
 
 namespace hallux::ui {
 
-/// One JSON value: {"focus": "id of the widget that keys go to, or empty", "widgets": [{"id", "label", "x", "y", "w", "h",
-/// "enabled"}, ...]} in device pixels of the window. Only what can be seen and reached; never what a field holds.
+/// One JSON value: {"focus": "id of the widget that keys go to, or empty", "widgets": [{"id",
+/// "label", "x", "y", "w", "h", "enabled"}, ...]} in device pixels of the window. Only what can be
+/// seen and reached; never what a field holds.
 std::string ui_map_json(const FrameContent& content, float scale);
 
-/// Keeps the file up to date: replaced as a whole, so that no reader sees half of it, and at most ten times a second.
+/// Keeps the file up to date: replaced as a whole, so that no reader sees half of it, and at most
+/// ten times a second.
 class UiMap {
  public:
   explicit UiMap(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Writes where the content has changed and the last writing is 0.1 s ago. Returns the seconds until it wants to be
-  /// called again; infinity where the file says what is shown.
+  /// Writes where the content has changed and the last writing is 0.1 s ago. Returns the seconds
+  /// until it wants to be called again; infinity where the file says what is shown.
   /// errors  std::runtime_error naming the file and what to do
   double update(const FrameContent& content, float scale, double time_s);
 

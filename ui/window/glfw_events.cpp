@@ -96,7 +96,8 @@ void hear_key(GLFWwindow* window, int code, int scan_code, int action, int bits)
   event.key = key_of(code, scan_code);
   event.modifiers = modifiers_of(bits);
   if (event.key == Key::Plus) event.modifiers.shift = false;  // many keyboards write it with Shift
-  // A modifier alone says nothing but that it is held from now on: as a release it moves nothing and tells it.
+  // A modifier alone says nothing but that it is held from now on: as a release it moves nothing
+  // and tells it.
   if (event.key == Key::None) {
     event.kind = EventKind::KeyReleased;
     event.modifiers = held_modifiers(window);

@@ -1,4 +1,4 @@
-/// Puts what GLFW reports into our event queue, in order.
+/// Puts what GLFW reports into our event queue, in order. Inside this corner only.
 #pragma once
 
 #include "ui/widgets/input/event_queue.h"
@@ -10,12 +10,14 @@ namespace hallux::ui {
 /// Where the callbacks of one window put what they hear; the window's user pointer names it.
 struct WindowEvents {
   EventQueue queue;
-  bool wants_frame =
-      true;  ///< the window must be drawn although nobody did anything: uncovered, resized
-  float content_scale = 1.0F;    ///< of the display it is on
-  float pixels_per_unit = 1.0F;  ///< framebuffer pixels per unit of the pointer's position
-  /// Where the last event put the pointer, in GLFW's units. What the display says now may be ahead of the events: a
-  /// press that waited while a frame was made must meet what it was aimed at.
+  /// The window must be drawn although nobody did anything: uncovered, resized.
+  bool wants_frame = true;
+  /// Of the display it is on.
+  float content_scale = 1.0F;
+  /// Framebuffer pixels per unit of the pointer's position.
+  float pixels_per_unit = 1.0F;
+  /// Where the last event put the pointer, in GLFW's units. What the display says now may be ahead
+  /// of the events: a press that waited while a frame was made must meet what it was aimed at.
   double pointer_x = 0.0, pointer_y = 0.0;
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 int exit_code_then = 1;
 
-// Nothing may be allocated or locked here: the call came from within Xlib, whatever the program was doing.
+// Nothing may be allocated or locked here: the call came from within Xlib, whatever the program was
+// doing.
 int end_program(Display*) {
   constexpr std::string_view said =
       "hallux: the display is gone, and the window with it. What was recorded is kept; open the "

@@ -177,7 +177,8 @@ void show_pointer(GLFWwindow* window, PointerShape shape,
 
 }  // namespace
 
-// One frame where there is something to draw on; a minimised window draws none and keeps its events.
+// One frame where there is something to draw on; a minimised window draws none and keeps its
+// events.
 void Window::draw_frame(Shell& shell) {
   State& state = *state_;
   int width = 0, height = 0, units = 0, ignored = 0;
@@ -231,7 +232,8 @@ void Window::wait_for_frame() {
     else
       glfwWaitEventsTimeout(std::max(until_s - now_s, 0.0005));
     update_map();
-    // Whatever ended the waiting early - an event, work that wakes the window - may be something to show.
+    // Whatever ended the waiting early - an event, work that wakes the window - may be something to
+    // show.
     const bool was_only_the_map = !is_due && glfwGetTime() >= map_due_s && glfwGetTime() < due_s &&
                                   state.events.queue.is_empty() && !state.events.wants_frame;
     if (glfwWindowShouldClose(state.window) != 0 || (!is_hidden && !was_only_the_map)) return;

@@ -1,4 +1,5 @@
-/// The real window: GLFW, an OpenGL 3.3 core context, and frames only when something is to be shown.
+/// The real window: GLFW, an OpenGL 3.3 core context, and frames only when something is to be
+/// shown.
 #pragma once
 
 #include <filesystem>
@@ -23,9 +24,10 @@ class WindowError : public std::runtime_error {
 
 struct WindowSetting {
   std::string title = "Hallux";
-  int width = 1440, height = 900;  ///< logical pixels
-  std::optional<std::filesystem::path> ui_map =
-      {};  ///< written while the window is open; see ui_map.h
+  /// Logical pixels.
+  int width = 1440, height = 900;
+  /// Written while the window is open; see ui_map.h.
+  std::optional<std::filesystem::path> ui_map = {};
 };
 
 class Window {
@@ -37,8 +39,8 @@ class Window {
   Window& operator=(const Window&) = delete;
   ~Window();
 
-  /// Shows the shell until the window is closed or close() is called, and a screen that may not be left now says why
-  /// instead. An idle window waits and costs next to nothing.
+  /// Shows the shell until the window is closed or close() is called, and a screen that may not be
+  /// left now says why instead. An idle window waits and costs next to nothing.
   /// needs   the shell and what its screens keep on the graphics card end before the window
   /// thread  the one that opened the window
   /// errors  std::runtime_error where the map of the window cannot be written

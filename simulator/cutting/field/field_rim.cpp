@@ -44,7 +44,8 @@ class RimWalk {
   }
   bool is_near(std::int32_t u) const noexcept { return away_in_u(u) < within_; }
 
-  /// Whether no node of the field's tiles over this column ever rose. The cell above node u is the field's cell u + 1.
+  /// Whether no node of the field's tiles over this column ever rose. The cell above node u is the
+  /// field's cell u + 1.
   bool is_untouched(std::int32_t u) const noexcept {
     const std::int32_t rows = KerfField::tiles_over(field_.grid().v_count);
     const auto first =

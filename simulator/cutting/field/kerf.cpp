@@ -130,8 +130,9 @@ struct KerfField::Rim {
   std::size_t likely_edge;  ///< holds the least value at most of the nodes
 };
 
-/// The value at a node is a function of stamp and node alone, never of what was stamped before; which nodes are looked at
-/// depends on that, since nodes at the limit and nodes under a cover cannot rise.
+/// The value at a node is a function of stamp and node alone, never of what was stamped before;
+/// which nodes are looked at depends on that, since nodes at the limit and nodes under a cover
+/// cannot rise.
 void KerfField::stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept {
   LineCover& cover = covers_[static_cast<std::size_t>(u)];
   if (swept.is_covered(u, cover)) return;

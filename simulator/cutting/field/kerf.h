@@ -1,12 +1,13 @@
 /// A kerf: the plane a blade is frozen to, and the field of what it has covered there.
 ///
-/// Kerf frame: origin and axes of the tool at the moment of freezing, said in the bone frame. x = feed direction,
-/// y = along the tooth line, z = blade normal. The kerf is the slab |z| <= thickness / 2 over the opened region.
-/// The field holds at each node the greatest inside-distance to any blade that was there, limited to +-1 node spacing:
-/// above zero means opened. `max` makes it monotone and independent of the order and repetition of stamps. The limit is
-/// what makes a stamp cheap: nodes deep inside hold it already and are skipped by their bits, so that a small motion
-/// costs the rim of the blade and not its area. One spacing is enough for the outline: both nodes of an edge that a
-/// blade's side crosses lie nearer to it than that.
+/// Kerf frame: origin and axes of the tool at the moment of freezing, said in the bone frame. x =
+/// feed direction, y = along the tooth line, z = blade normal. The kerf is the slab |z| <=
+/// thickness / 2 over the opened region. The field holds at each node the greatest inside-distance
+/// to any blade that was there, limited to +-1 node spacing: above zero means opened. `max` makes
+/// it monotone and independent of the order and repetition of stamps. The limit is what makes a
+/// stamp cheap: nodes deep inside hold it already and are skipped by their bits, so that a small
+/// motion costs the rim of the blade and not its area. One spacing is enough for the outline: both
+/// nodes of an edge that a blade's side crosses lie nearer to it than that.
 #pragma once
 
 #include <cstdint>
@@ -65,33 +66,35 @@ class KerfField {
   /// Closes every node again, for another kerf.
   void reset() noexcept;
 
-  /// Raises the field to the inside-distance of the blade's rectangle (x in [-depth, 0], y within +-width/2 of the tool
-  /// frame) on its way from `from` to `to`: the hull of the two.
+  /// Raises the field to the inside-distance of the blade's rectangle (x in [-depth, 0], y within
+  /// +-width/2 of the tool frame) on its way from `from` to `to`: the hull of the two.
   /// shape   `changed` becomes the smallest window that holds every node that rose
   /// needs   blade sizes above zero, directions of unit length
-  /// ensures the field never falls; order and repetition of stamps do not matter, bit for bit; a straight motion in parts
-  ///         raises the field as the whole does, but for rounding
-  /// errors  none: total, allocates nothing; what lies outside the grid is not opened, poses that are not finite open
-  ///         nothing
+  /// ensures the field never falls; order and repetition of stamps do not matter, bit for bit; a
+  ///         straight motion in parts raises the field as the whole does, but for rounding
+  /// errors  none: total, allocates nothing; what lies outside the grid is not opened, poses that
+  ///         are not finite open nothing
   /// thread  haptic (and, on its own copy, jobs)
   /// source  docs/cutting.md; thesis 4.4.2
   void stamp(const Blade& blade, const PlanarPose& from, const PlanarPose& to,
              FieldWindow& changed) noexcept;
 
-  /// Puts kept values at the nodes of a window, line by line, whatever stood there; limited to what a field holds, and
-  /// closed where a value is no number.
+  /// Puts kept values at the nodes of a window, line by line, whatever stood there; limited to what
+  /// a field holds, and closed where a value is no number.
   /// shape   one value for each node of the window
   /// needs   a window within the grid
   /// ensures the field is as if stamps had made it, but for the time the next stamp takes
   void put(const FieldWindow& window, std::span<const float> inside_mm) noexcept;
 
-  // For those who follow the outline. Cell (i, j) lies between nodes (i - 1, j - 1) and (i, j): the first and the last
-  // cells reach beyond the grid. Tile (I, J) holds the 32 x 32 cells from (32 I, 32 J) on.
+  // For those who follow the outline. Cell (i, j) lies between nodes (i - 1, j - 1) and (i, j): the
+  // first and the last cells reach beyond the grid. Tile (I, J) holds the 32 x 32 cells from (32 I,
+  // 32 J) on.
   static constexpr std::int32_t tile_cells = 32;
   static constexpr std::int32_t tiles_over(std::int32_t node_count) noexcept {
     return node_count / tile_cells + 1;
   }
-  /// Per tile, J running fastest: differs from an earlier answer where a node of the tile's cells changed since.
+  /// Per tile, J running fastest: differs from an earlier answer where a node of the tile's cells
+  /// changed since.
   const std::vector<std::uint32_t>& tile_revisions() const noexcept { return tile_revisions_; }
   /// One bit a node: open.
   const NodeBits& open_nodes() const noexcept { return open_; }
@@ -108,14 +111,20 @@ class KerfField {
   NodeSpan fill_deep(std::int32_t u, const NodeSpan& deep) noexcept;
   void note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept;
 
-  // Nodes lie line by line, all of one u together: a saw feeds along u, so its long sides run across the lines, where a
-  // stamp costs two or three nodes each, and only its teeth run along them.
+  // Nodes lie line by line, all of one u together: a saw feeds along u, so its long sides run
+  // across the lines, where a stamp costs two or three nodes each, and only its teeth run along
+  // them.
   FieldGrid grid_;
-  float limit_mm_;                 ///< stored values lie within +-limit
-  std::vector<float> inside_mm_;   ///< line by line
-  NodeBits deep_;                  ///< nodes that hold the limit
-  NodeBits open_;                  ///< nodes above zero
-  std::vector<LineCover> covers_;  ///< per line
+  /// Stored values lie within +-limit.
+  float limit_mm_;
+  /// Line by line.
+  std::vector<float> inside_mm_;
+  /// Nodes that hold the limit.
+  NodeBits deep_;
+  /// Nodes above zero.
+  NodeBits open_;
+  /// Per line.
+  std::vector<LineCover> covers_;
   std::int32_t tile_rows_;
   std::vector<std::uint32_t> tile_revisions_;
   std::uint32_t revision_ = 0;

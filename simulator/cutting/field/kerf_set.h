@@ -1,7 +1,9 @@
-/// The kerfs of one attempt, opened from what is recorded: one rule for the step, for its jobs and for scoring.
+/// The kerfs of one attempt, opened from what is recorded: one rule for the step, for its jobs and
+/// for scoring.
 ///
-/// The rule: a PlaneFrozen event fixes a kerf's plane; every sample in that kerf with the saw on stamps the blade from
-/// the previous sample's pose (where that was in the same kerf) to its own. Nothing else opens bone.
+/// The rule: a PlaneFrozen event fixes a kerf's plane; every sample in that kerf with the saw on
+/// stamps the blade from the previous sample's pose (where that was in the same kerf) to its own.
+/// Nothing else opens bone.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +32,8 @@ class KerfSet {
     return kerf_from_bone_[index(kerf)];
   }
 
-  /// Freezes the next kerf to the recorded pose of the tool; its number, or -1 where the limit is reached.
+  /// Freezes the next kerf to the recorded pose of the tool; its number, or -1 where the limit is
+  /// reached.
   /// thread  haptic; allocates nothing
   std::int32_t freeze(const QuantisedPose& bone_from_tool) noexcept;
   /// Stamps what this sample opened; the window of nodes that rose (empty where nothing did).

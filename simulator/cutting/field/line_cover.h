@@ -1,4 +1,5 @@
 /// A line of a field's nodes, all at one u: spans of it, and what is known about it.
+/// Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,10 @@ struct NodeSpan {
   bool is_empty() const noexcept { return first >= last; }
 };
 
-/// What earlier stamps did to a line, as far as it shows that a later one cannot raise it: on each side the bounds of one
-/// stamp, as numbers of nodes. Along a line a stamp's value is concave; so it is at least the straight line from -limit at
-/// `near` to the limit at `deep`, and at the limit from there to where `deep` ends on the other side.
+/// What earlier stamps did to a line, as far as it shows that a later one cannot raise it: on each
+/// side the bounds of one stamp, as numbers of nodes. Along a line a stamp's value is concave; so
+/// it is at least the straight line from -limit at `near` to the limit at `deep`, and at the limit
+/// from there to where `deep` ends on the other side.
 struct LineCover {
   static constexpr double far = std::numeric_limits<double>::infinity();
 

@@ -1,4 +1,5 @@
 /// One bit for each node of a field, with a rim of clear bits around the grid.
+/// Inside this corner only.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +41,8 @@ class NodeBits {
     if (shift == 0) return words_[word];
     return words_[word] >> shift | words_[word + 1] << (64 - shift);
   }
-  /// Calls visit(v, missing) for each run of 64 nodes within [v_first, v_last) at u that has clear bits; `missing` has
-  /// ones for those, bit 0 is node v.
+  /// Calls visit(v, missing) for each run of 64 nodes within [v_first, v_last) at u that has clear
+  /// bits; `missing` has ones for those, bit 0 is node v.
   template <class Visit>
   void for_missing(std::int32_t u, std::int32_t v_first, std::int32_t v_last, Visit visit) const {
     for (std::int32_t v = v_first; v < v_last; v += 64) {

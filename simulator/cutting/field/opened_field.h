@@ -1,8 +1,9 @@
-/// What a blade opened of a kerf, and when: a field's last values, and the tick at which each node opened. A recording's
-/// kerfs as they stood after any tick are a threshold of it, without a stamp.
+/// What a blade opened of a kerf, and when: a field's last values, and the tick at which each node
+/// opened. A recording's kerfs as they stood after any tick are a threshold of it, without a stamp.
 ///
-/// After the last tick that is the field itself, bit for bit. Before it the outline lies where it lay but for half a
-/// spacing (0.025 mm) where the teeth stood: a node says when it opened, not how far the blade had come beside it.
+/// After the last tick that is the field itself, bit for bit. Before it the outline lies where it
+/// lay but for half a spacing (0.025 mm) where the teeth stood: a node says when it opened, not how
+/// far the blade had come beside it.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +22,13 @@ struct OpenedField {
 
   KerfPlane plane;
   FieldGrid grid;
-  FieldWindow window;  ///< holds every node that is not as it was at first
+  /// Holds every node that is not as it was at first.
+  FieldWindow window;
   // One entry for each node of the window, line by line.
-  std::vector<float> inside_mm;           ///< at last
-  std::vector<std::int32_t> opened_tick;  ///< or never
+  /// At last.
+  std::vector<float> inside_mm;
+  /// Or never.
+  std::vector<std::int32_t> opened_tick;
   /// When something opened, ascending, each once.
   std::vector<std::int32_t> ticks() const;
 };
@@ -35,7 +39,8 @@ class OpeningNotes {
   explicit OpeningNotes(const FieldGrid& grid);
 
   /// After each stamp.
-  /// needs   the same field each time, `changed` as the stamp gave it; ticks never fall and lie below `never`
+  /// needs   the same field each time, `changed` as the stamp gave it; ticks never fall and lie
+  ///         below `never`
   void note(const KerfField& field, const FieldWindow& changed, std::int64_t tick);
   OpenedField finish(const KerfPlane& plane, const KerfField& field) const;
 
@@ -43,7 +48,8 @@ class OpeningNotes {
   FieldGrid grid_;
   NodeBits seen_;
   FieldWindow window_;
-  std::vector<std::int32_t> opened_tick_;  ///< of each node of the grid
+  /// Of each node of the grid.
+  std::vector<std::int32_t> opened_tick_;
 };
 
 /// A kerf at one moment after the other. Borrows what was opened.
@@ -62,7 +68,8 @@ class OpenedMoment {
   bool is_beside_later(std::int64_t tick, std::size_t node) const noexcept;
 
   const OpenedField& opened_;
-  std::size_t line_;  ///< nodes of the window in one line
+  /// Nodes of the window in one line.
+  std::size_t line_;
   KerfField field_;
   OutlineTracker tracker_;
   std::vector<float> inside_mm_;

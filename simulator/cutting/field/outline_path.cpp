@@ -1,8 +1,9 @@
-// A segment that starts at a corner sees the following grid edges through the gaps between outer and inner, like doors of
-// a row of rooms: cells are convex and share the edges, so the points it can reach through all doors so far form a cone
-// (the funnel of Lee and Preparata 1984). The segment ends at the last crossing itself that lies in the cone, so that
-// straight sides stay where they are, unless the cone reaches more than twice as far: then at the last door. The latter
-// is how a curve that bends away from the region becomes tangents instead of all its crossings.
+// A segment that starts at a corner sees the following grid edges through the gaps between outer
+// and inner, like doors of a row of rooms: cells are convex and share the edges, so the points it
+// can reach through all doors so far form a cone (the funnel of Lee and Preparata 1984). The
+// segment ends at the last crossing itself that lies in the cone, so that straight sides stay where
+// they are, unless the cone reaches more than twice as far: then at the last door. The latter is
+// how a curve that bends away from the region becomes tangents instead of all its crossings.
 #include "simulator/cutting/field/outline_path.h"
 
 namespace hallux::simulator {
@@ -50,7 +51,8 @@ struct Segment {
   Vec2 end_mm{0.0, 0.0};
 };
 
-/// The longest segment from `start_mm`, a point of the door `start`; the loop's end is its first crossing, exactly.
+/// The longest segment from `start_mm`, a point of the door `start`; the loop's end is its first
+/// crossing, exactly.
 Segment segment_from(const std::vector<Crossing>& loop, std::size_t start, const Vec2& start_mm) {
   Cone cone{.apex_mm = start_mm, .is_open = true};
   std::size_t landing = start + 1, reached = start;

@@ -1,7 +1,7 @@
-// A cell's corners are named bl, br, tr, tl (u grows to the right, v upwards). A loop enters a cell where, looking inwards,
-// the open node is on the left: at the bottom between bl open and br closed, at the right between br and tr, and so on
-// around. It leaves where it is the other way round. In a cell with two open corners that face each other each segment
-// cuts off one of them.
+// A cell's corners are named bl, br, tr, tl (u grows to the right, v upwards). A loop enters a cell
+// where, looking inwards, the open node is on the left: at the bottom between bl open and br
+// closed, at the right between br and tr, and so on around. It leaves where it is the other way
+// round. In a cell with two open corners that face each other each segment cuts off one of them.
 #include "simulator/cutting/field/outline_tile.h"
 
 #include <algorithm>
@@ -11,10 +11,11 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Loops pass nodes at this share of the spacing at least, so that four crossings around a node stay apart.
+/// Loops pass nodes at this share of the spacing at least, so that four crossings around a node
+/// stay apart.
 constexpr double least_share = 0.001;
-/// Corners lie on this level of the field, so that the rounding of its floats (2e-9 mm) leaves the crossings of a straight
-/// side within what a straight segment may pass.
+/// Corners lie on this level of the field, so that the rounding of its floats (2e-9 mm) leaves the
+/// crossings of a straight side within what a straight segment may pass.
 constexpr double corner_level_mm = 1.0e-8;
 
 constexpr unsigned bl = 1, br = 2, tr = 4, tl = 8;

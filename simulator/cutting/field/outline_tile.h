@@ -1,4 +1,5 @@
-/// The raw outline within one tile of a field's cells: marching squares along the chains, not over the cells.
+/// The raw outline within one tile of a field's cells: marching squares along the chains, not over
+/// the cells. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -12,8 +13,8 @@ namespace hallux::simulator {
 /// How far a straightened loop may move a crossing along its grid edge, towards the open node.
 inline constexpr double outline_slack_mm = 2.0e-4;
 
-/// Where a loop crosses a grid edge; `outer` to `inner` is where a straightened loop may cross it, inner the nearer to the
-/// open node. All three lie on the edge.
+/// Where a loop crosses a grid edge; `outer` to `inner` is where a straightened loop may cross it,
+/// inner the nearer to the open node. All three lie on the edge.
 struct Crossing {
   Vec2 at_mm, outer_mm, inner_mm;
 };
@@ -25,7 +26,8 @@ enum class CellSide : std::uint8_t {
   Left
 };  // v falls, u grows, v grows, u falls
 
-/// Where a chain passes from one tile to the next: the edge's side of the tile that is entered or left, and its place there.
+/// Where a chain passes from one tile to the next: the edge's side of the tile that is entered or
+/// left, and its place there.
 struct TileGate {
   CellSide side = CellSide::Bottom;
   std::int32_t place = 0;
@@ -33,15 +35,20 @@ struct TileGate {
   bool operator==(const TileGate&) const = default;
 };
 
-/// A run of crossings with the opened region on its left, from the one that enters the tile to the last before it leaves;
-/// the one that leaves is the next tile's first.
+/// A run of crossings with the opened region on its left, from the one that enters the tile to the
+/// last before it leaves; the one that leaves is the next tile's first.
 struct OutlineChain {
-  std::uint32_t first = 0, last = 0;  ///< crossings [first, last) of the tile
+  /// Crossings [first, last) of the tile.
+  std::uint32_t first = 0, last = 0;
   TileGate entry, exit;
-  bool is_closed = false;       ///< a loop within the tile
-  std::uint32_t furthest = 0;   ///< the crossing with the greatest `reach_mm`
-  double reach_mm = 0.0;        ///< in a direction of no meaning, the same for all
-  std::uint64_t linked_in = 0;  ///< for who follows the chains: the last time this one was met
+  /// A loop within the tile.
+  bool is_closed = false;
+  /// The crossing with the greatest `reach_mm`.
+  std::uint32_t furthest = 0;
+  /// In a direction of no meaning, the same for all.
+  double reach_mm = 0.0;
+  /// For who follows the chains: the last time this one was met.
+  std::uint64_t linked_in = 0;
 };
 
 class OutlineTile {
@@ -75,10 +82,12 @@ class OutlineTile {
 
   std::vector<Crossing> crossings_;
   std::vector<OutlineChain> chains_;
-  std::int32_t u_first_ = 0, v_first_ = 0;  ///< node (0, 0) of the tile
+  /// Node (0, 0) of the tile.
+  std::int32_t u_first_ = 0, v_first_ = 0;
   /// Per line of nodes: open ones, bit j is node (i, j).
   std::array<std::uint64_t, cells + 1> open_{};
-  /// Per line of cells: those with a segment that was not followed yet, and those with a second one.
+  /// Per line of cells: those with a segment that was not followed yet, and those with a second
+  /// one.
   std::array<std::uint64_t, cells> segments_{}, seconds_{};
 };
 

@@ -7,7 +7,8 @@ namespace hallux::simulator {
 
 namespace {
 
-// Room for what a blade outlines: 200 mm pass about 160 tiles of 1.6 mm, each with some 40 crossings.
+// Room for what a blade outlines: 200 mm pass about 160 tiles of 1.6 mm, each with some 40
+// crossings.
 constexpr std::size_t usual_tiles = 160;
 constexpr std::size_t usual_crossings = 96;
 constexpr std::size_t usual_chains = 8;

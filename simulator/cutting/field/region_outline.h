@@ -1,13 +1,15 @@
 /// The outline of what a kerf's blade has covered: closed loops in the kerf's plane.
+/// Inside this room only.
 ///
-/// Marching squares on the sign of the field: a loop crosses each grid edge between an open and a closed node once, at
-/// the linear zero of the two values, and never nearer to a node than a thousandth of the spacing. Of two open nodes
-/// that face each other over a cell's diagonal each keeps its own corner: the bone between them stands. Nodes beyond the
-/// grid count as closed.
+/// Marching squares on the sign of the field: a loop crosses each grid edge between an open and a
+/// closed node once, at the linear zero of the two values, and never nearer to a node than a
+/// thousandth of the spacing. Of two open nodes that face each other over a cell's diagonal each
+/// keeps its own corner: the bone between them stands. Nodes beyond the grid count as closed.
 ///
-/// Corners are dropped where one straight segment crosses the same grid edges in the same order, each crossing moved
-/// by at most `outline_slack_mm` towards its open node. So the simplified outline is the outline of a field of the same
-/// signs: its loops are simple, do not touch, go around the same nodes, and never enclose more than the field's own.
+/// Corners are dropped where one straight segment crosses the same grid edges in the same order,
+/// each crossing moved by at most `outline_slack_mm` towards its open node. So the simplified
+/// outline is the outline of a field of the same signs: its loops are simple, do not touch, go
+/// around the same nodes, and never enclose more than the field's own.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +21,21 @@
 
 namespace hallux::simulator {
 
-/// Loops with the opened region on their left: outer ones counter-clockwise, holes clockwise; in the kerf's plane.
+/// Loops with the opened region on their left: outer ones counter-clockwise, holes clockwise; in
+/// the kerf's plane.
 struct RegionOutline {
   std::vector<Vec2> corners_mm;
-  std::vector<std::uint32_t> loop_ends;  ///< loop i is corners [loop_ends[i - 1], loop_ends[i])
+  /// Loop i is corners [loop_ends[i - 1], loop_ends[i]).
+  std::vector<std::uint32_t> loop_ends;
 };
 
 /// The outline of a field, from scratch.
-/// shape   at least three corners a loop; loops in the order of the grid's tiles, each begins at a corner that depends
-///         on the loop alone
+/// shape   at least three corners a loop; loops in the order of the grid's tiles, each begins at a
+///         corner that depends on the loop alone
 RegionOutline outline_of(const KerfField& field);
 
-/// Follows the outline of one field; contours only the tiles where the field changed since the last call.
+/// Follows the outline of one field; contours only the tiles where the field changed since the last
+/// call.
 class OutlineTracker {
  public:
   explicit OutlineTracker(const FieldGrid& grid);
@@ -58,12 +63,16 @@ class OutlineTracker {
   void append_crossings(std::size_t tile, std::uint32_t first, std::uint32_t last);
 
   FieldGrid grid_;
-  std::vector<std::uint32_t> seen_;     ///< per tile: the revision that was contoured
-  std::vector<std::int32_t> place_of_;  ///< per tile: its place in drawn_; -1 where no loop passes
+  /// Per tile: the revision that was contoured.
+  std::vector<std::uint32_t> seen_;
+  /// Per tile: its place in drawn_; -1 where no loop passes.
+  std::vector<std::int32_t> place_of_;
   std::vector<OutlineTile> drawn_;
-  std::vector<std::int32_t> spare_;  ///< places of drawn_ that no tile has
+  /// Places of drawn_ that no tile has.
+  std::vector<std::int32_t> spare_;
   std::uint64_t linkings_ = 0;
-  std::vector<ChainRef> chains_;  ///< of the loop at hand
+  /// Of the loop at hand.
+  std::vector<ChainRef> chains_;
   std::vector<Crossing> loop_;
   std::int32_t tile_rows_;
   RegionOutline outline_;

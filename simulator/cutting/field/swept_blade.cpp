@@ -8,13 +8,15 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Poses are whole micrometres and micro-units: a shorter hull edge is noise of rounding, with a direction of its own.
+/// Poses are whole micrometres and micro-units: a shorter hull edge is noise of rounding, with a
+/// direction of its own.
 constexpr double shortest_edge_mm = 1.0e-6;
-/// Flatter edges count as parallel to the lines: along a whole line they change by less than `flat_change_mm`.
+/// Flatter edges count as parallel to the lines: along a whole line they change by less than
+/// `flat_change_mm`.
 constexpr double flattest_slope = 1.0e-13;
 constexpr double flat_change_mm = 1.0e-9;
-/// A cover must be this many nodes ahead: its line is no flatter than 1e-5 mm a node, which makes 1e-11 mm, far above the
-/// rounding of values near the limit.
+/// A cover must be this many nodes ahead: its line is no flatter than 1e-5 mm a node, which makes
+/// 1e-11 mm, far above the rounding of values near the limit.
 constexpr double cover_margin = 1.0e-6;
 
 struct Corner {
@@ -36,8 +38,8 @@ void add_rectangle(const Blade& blade, const PlanarPose& pose, bool is_at_end,
   corners[3] = {back_mm + side_mm, is_at_end};
 }
 
-/// Andrew's monotone chain (1979): the hull counter-clockwise, at most eight corners and the first again; returns their
-/// count.
+/// Andrew's monotone chain (1979): the hull counter-clockwise, at most eight corners and the first
+/// again; returns their count.
 std::size_t hull_corners(std::array<Corner, 8>& corners, std::array<Corner, 17>& hull) noexcept {
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
     return a.at_mm.x < b.at_mm.x || (a.at_mm.x == b.at_mm.x && a.at_mm.y < b.at_mm.y);
@@ -81,8 +83,8 @@ SweptBlade::SweptBlade(const FieldGrid& grid, const Blade& blade, const PlanarPo
   }
   if (count_ < 3) return;  // no area: opens nothing
   sort_edges();
-  // Values reach -limit at most two limits beyond the hull: its angles are right ones or wider, and no edge's function is
-  // flatter than 1 / 1.42.
+  // Values reach -limit at most two limits beyond the hull: its angles are right ones or wider, and
+  // no edge's function is flatter than 1 / 1.42.
   const double reach_mm = 3.0 * limit_mm;
   lines_ = {clamped_node(std::floor((u_min_mm - reach_mm) / grid.spacing_mm), grid.u_count),
             clamped_node(std::ceil((u_max_mm + reach_mm) / grid.spacing_mm), grid.u_count)};
@@ -123,15 +125,16 @@ NodeSpan SweptBlade::span(double first, double last) const noexcept {
   first = std::max(first, 0.0);
   last = std::min(last, static_cast<double>(v_count_) - 1.0);
   if (!(first <= last)) return {};
-  // Conversion cuts towards 0, so for numbers from 0 up it rounds down; the bounds lie within the line.
+  // Conversion cuts towards 0, so for numbers from 0 up it rounds down; the bounds lie within the
+  // line.
   const auto whole = static_cast<std::int32_t>(first);
   return {static_cast<double>(whole) < first ? whole + 1 : whole,
           static_cast<std::int32_t>(last) + 1};
 }
 
 SweptBlade::Line SweptBlade::line(std::int32_t u) const noexcept {
-  // The bounds are wrong by rounding, 1e-13 mm; a float's step at the limit is 1e4 times that, so the bits of what is
-  // stored do not depend on which side of a bound a node falls.
+  // The bounds are wrong by rounding, 1e-13 mm; a float's step at the limit is 1e4 times that, so
+  // the bits of what is stored do not depend on which side of a bound a node falls.
   Line line;
   for (std::size_t i = 0; i < count_; ++i) {
     line.at_line[i] = along_u_[i] * static_cast<double>(u) + at_origin_[i];

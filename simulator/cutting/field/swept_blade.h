@@ -1,9 +1,11 @@
-/// One motion of a blade in its plane, as the linear functions whose least is the stamp's value at a node.
+/// One motion of a blade in its plane, as the linear functions whose least is the stamp's value at
+/// a node. Inside this corner only.
 ///
-/// Picture: the hull of two rectangles, counter-clockwise. A hull edge that is a side of a rectangle counts the distance
-/// to it. An edge that joins the two poses is the trace of a corner; it counts the distance divided by
-/// |n . feed| + |n . side|, n its normal: for a straight motion that is exactly the greatest, over all poses on the way, of
-/// the least distance to the two sides at that corner. So the value is the same in one piece as in a thousand.
+/// Picture: the hull of two rectangles, counter-clockwise. A hull edge that is a side of a
+/// rectangle counts the distance to it. An edge that joins the two poses is the trace of a corner;
+/// it counts the distance divided by |n . feed| + |n . side|, n its normal: for a straight motion
+/// that is exactly the greatest, over all poses on the way, of the least distance to the two sides
+/// at that corner. So the value is the same in one piece as in a thousand.
 #pragma once
 
 #include <array>
@@ -23,12 +25,15 @@ class SweptBlade {
   const NodeSpan& lines() const noexcept { return lines_; }
 
   struct Line {
-    NodeSpan near;  ///< all values above -limit
+    /// All values above -limit.
+    NodeSpan near;
     /// Within near, all values at least the limit; empty at near.last where there are none.
     NodeSpan deep;
     LineCover bounds;
-    std::size_t rising_edge = 0, falling_edge = 0;  ///< the edges that end `deep`
-    std::array<double, 8> at_line{};                ///< per edge: its value at v = 0 [mm]
+    /// The edges that end `deep`.
+    std::size_t rising_edge = 0, falling_edge = 0;
+    /// Per edge: its value at v = 0 [mm].
+    std::array<double, 8> at_line{};
   };
   Line line(std::int32_t u) const noexcept;
 
@@ -52,9 +57,11 @@ class SweptBlade {
   bool covers_low(std::size_t edge, double at_line_mm, const LineCover& cover) const noexcept;
   bool covers_high(std::size_t edge, double at_line_mm, const LineCover& cover) const noexcept;
 
-  // Per edge, value = along_v * v + along_u * u + at_origin. Rising edges (along_v > 0) first, then falling, then flat.
+  // Per edge, value = along_v * v + along_u * u + at_origin. Rising edges (along_v > 0) first, then
+  // falling, then flat.
   std::array<double, 8> along_v_{}, along_u_{}, at_origin_{};
-  std::array<double, 8> nodes_per_mm_{};  ///< 1 / along_v; 0 where flat
+  /// 1 / along_v; 0 where flat.
+  std::array<double, 8> nodes_per_mm_{};
   std::size_t rising_ = 0, sloped_ = 0, count_ = 0;
   double limit_mm_;
   std::int32_t v_count_;

@@ -1,4 +1,5 @@
-/// The reflex corners of a polygon in square cells: what can stand in the way of an ear is found among its neighbours.
+/// The reflex corners of a polygon in square cells: what can stand in the way of an ear is found
+/// among its neighbours. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +13,15 @@ namespace hallux::simulator {
 class ReflexGrid {
  public:
   /// Forgets all corners; keeps its memory.
-  /// needs   corner indices are below corner_count; `corners_expected` of them are in use; corners lie among `points`
+  /// needs   corner indices are below corner_count; `corners_expected` of them are in use; corners
+  ///         lie among `points`
   void reset(std::span<const LatticePoint> points, std::size_t corner_count,
              std::size_t corners_expected);
 
   /// needs   a corner keeps its place
   void set_reflex(std::uint32_t corner, const LatticePoint& place, bool is_reflex);
-  /// Whether a reflex corner lies in the closed triangle or at most about `slack` steps outside, corners at a, b or c
-  /// not counted.
+  /// Whether a reflex corner lies in the closed triangle or at most about `slack` steps outside,
+  /// corners at a, b or c not counted.
   bool has_corner_in(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
                      std::int64_t slack) const noexcept;
 

@@ -113,8 +113,8 @@ void RingFiller::fill_several(std::span<const LatticeCorner> corners, FaceView v
   name_corners(triangles, first);
 }
 
-/// From places in the rings to points. Where rings pass a point twice, a triangle may name it twice: its sides cancel, and
-/// no half-edge mesh holds it.
+/// From places in the rings to points. Where rings pass a point twice, a triangle may name it
+/// twice: its sides cancel, and no half-edge mesh holds it.
 void RingFiller::name_corners(std::vector<Triangle>& triangles, std::size_t first) const {
   std::size_t kept = first;
   for (std::size_t i = first; i < triangles.size(); ++i) {

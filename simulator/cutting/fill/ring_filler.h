@@ -1,4 +1,5 @@
-/// Fills faces that are known by their directed edges alone: edges become rings, rings become triangles.
+/// Fills faces that are known by their directed edges alone: edges become rings, rings become
+/// triangles. Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@ struct LatticeCorner {
   std::int64_t height = 0;
 };
 
-/// From which side a face is looked at: the two axes that become its plane's right and up; a face counter-clockwise
-/// seen from outside must be counter-clockwise in them.
+/// From which side a face is looked at: the two axes that become its plane's right and up; a face
+/// counter-clockwise seen from outside must be counter-clockwise in them.
 enum class FaceView : std::uint8_t { UV, VU, VZ, ZV, ZU, UZ };
 
 /// The view along the axis on which a face with this normal looks most.
@@ -31,8 +32,9 @@ class RingFiller {
   bool is_empty() const noexcept { return edges_.empty(); }
 
   /// Appends the face's triangles over `corners`.
-  /// ensures each added edge is used once in its direction, every other edge as often in one direction as in the other; but
-  ///         for edges there and back between two points, which may both be left out; no triangle names a point twice
+  /// ensures each added edge is used once in its direction, every other edge as often in one
+  ///         direction as in the other; but for edges there and back between two points, which may
+  ///         both be left out; no triangle names a point twice
   /// errors  false where the edges do not form rings: nothing may be shown then
   /// thread  any; allocates nothing for single rings once it has seen as large a one
   bool fill(std::span<const LatticeCorner> corners, FaceView view,
@@ -41,7 +43,8 @@ class RingFiller {
  private:
   struct Edge {
     std::uint32_t from = 0, to = 0;
-    std::uint32_t next_from = no_index;  ///< another edge from the same point
+    /// Another edge from the same point.
+    std::uint32_t next_from = no_index;
     bool is_used = false;
   };
 

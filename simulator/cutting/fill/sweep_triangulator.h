@@ -1,6 +1,8 @@
-/// Fills loops in a plane with triangles in one sweep along u (Hertel and Mehlhorn, "Fast triangulation of simple polygons",
-/// 1983). What lies left of the sweep is filled up to a chain of corners; every gap between two edges that the sweep
-/// crosses has one:
+/// Fills loops in a plane with triangles in one sweep along u (Hertel and Mehlhorn, "Fast
+/// triangulation of simple polygons", 1983). Inside this corner only.
+///
+/// What lies left of the sweep is filled up to a chain of corners; every gap between two edges that
+/// the sweep crosses has one:
 ///
 ///     upper edge  o------
 ///                 |\         The chain runs from the lower to the upper edge and bends away from the gap: no corner of
@@ -8,7 +10,8 @@
 ///                 |/         corner inside the gap is joined to the chain's latest one and parts the gap.
 ///     lower edge  o-----
 ///
-/// A corner asks its neighbours in the chain and nobody else, so that a loop costs little more than sorting its corners.
+/// A corner asks its neighbours in the chain and nobody else, so that a loop costs little more than
+/// sorting its corners.
 #pragma once
 
 #include <cstdint>
@@ -31,10 +34,10 @@ class SweepTriangulator {
   void add_loop_of_all();
 
   /// Appends triangles over `points`.
-  /// ensures each loop edge is used once, every other edge as often in one direction as in the other; no triangle turns
-  ///         right
-  /// errors  false where that cannot be (loops that cross or touch themselves) or a corner's edges lie on each other:
-  ///         `triangles` is as it was
+  /// ensures each loop edge is used once, every other edge as often in one direction as in the
+  ///         other; no triangle turns right
+  /// errors  false where that cannot be (loops that cross or touch themselves) or a corner's edges
+  ///         lie on each other: `triangles` is as it was
   /// thread  any; allocates nothing once it has seen as many corners
   bool fill(std::vector<Triangle>& triangles);
 
@@ -44,18 +47,20 @@ class SweepTriangulator {
   struct Corner {
     std::uint32_t point = 0;
     std::uint32_t before = 0, behind = 0;
-    std::uint32_t gap =
-        none;  ///< beside the edge from here to `behind`, while the sweep crosses it
+    /// Beside the edge from here to `behind`, while the sweep crosses it.
+    std::uint32_t gap = none;
   };
   /// A corner's place in a chain.
   struct Link {
     std::uint32_t corner = 0;
     std::uint32_t below = none, above = none;
   };
-  /// Edges are named by the corner that they leave: the lower one runs with the sweep, the upper one against it.
+  /// Edges are named by the corner that they leave: the lower one runs with the sweep, the upper
+  /// one against it.
   struct Gap {
     std::uint32_t lower_edge = none, upper_edge = none;
-    std::uint32_t lowest = none, highest = none, latest = none;  ///< links
+    /// Links.
+    std::uint32_t lowest = none, highest = none, latest = none;
     bool is_open = true;
   };
 

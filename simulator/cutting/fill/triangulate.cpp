@@ -105,7 +105,8 @@ std::vector<std::uint32_t> Triangulator::Polygon::ring_of(std::uint32_t start) c
   return ring;
 }
 
-/// O'Rourke's cone test (Computational Geometry in C, 1998, code 1.6): does the ring's inside begin towards `target`?
+/// O'Rourke's cone test (Computational Geometry in C, 1998, code 1.6): does the ring's inside begin
+/// towards `target`?
 bool Triangulator::Polygon::looks_inward(std::uint32_t corner,
                                          const LatticePoint& target) const noexcept {
   const LatticePoint& here = at(corner);
@@ -145,7 +146,8 @@ bool Triangulator::Polygon::is_visible(const LatticePoint& from,
   return true;
 }
 
-/// The nearest corner of the outer ring that the hole's corner sees; the nearest of all where it sees none.
+/// The nearest corner of the outer ring that the hole's corner sees; the nearest of all where it
+/// sees none.
 std::uint32_t Triangulator::Polygon::find_bridge(std::uint32_t hole, std::uint32_t outer) const {
   std::vector<std::uint32_t> ring = ring_of(outer);
   const LatticePoint& from = at(hole);
@@ -197,9 +199,10 @@ void Triangulator::Polygon::join_holes(std::vector<std::uint32_t> holes, std::ui
 
 namespace {
 
-/// Whether the ring turns back on itself at `tip`: the shorter way there and the longer one back lie no more than two
-/// steps apart, what rounding two corners may put between edges that were one line. Clipped first, a spike takes no area
-/// with it; clipped around, it leaves two triangles that cover each other, one of them the wrong way up.
+/// Whether the ring turns back on itself at `tip`: the shorter way there and the longer one back
+/// lie no more than two steps apart, what rounding two corners may put between edges that were one
+/// line. Clipped first, a spike takes no area with it; clipped around, it leaves two triangles that
+/// cover each other, one of them the wrong way up.
 bool is_spike(const LatticePoint& before, const LatticePoint& tip,
               const LatticePoint& behind) noexcept {
   const std::int64_t back_u = before.u - tip.u, back_v = before.v - tip.v;
@@ -281,8 +284,8 @@ void Triangulator::Polygon::clip(std::uint32_t corner, std::vector<Triangle>& tr
   while (corner != no_corner && left_ >= 3) corner = clip_one(corner, triangles);
 }
 
-/// Tries each listed corner once. Behind an ear one corner waits for the next round, else fans of slivers grow. Corners
-/// that turn right are not listed again until a neighbour is clipped.
+/// Tries each listed corner once. Behind an ear one corner waits for the next round, else fans of
+/// slivers grow. Corners that turn right are not listed again until a neighbour is clipped.
 void Triangulator::Polygon::clip_round(Leniency leniency, std::vector<Triangle>& triangles) {
   std::swap(round_, next_round_);
   next_round_.clear();

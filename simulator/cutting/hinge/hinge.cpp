@@ -16,8 +16,8 @@ namespace {
 /// Planes nearer to parallel than this (sine of 0.5 degree) say nothing about where they meet.
 constexpr double least_sine = 0.0087;
 
-/// Which triangles stand above the plane, by shells: after the division no shell lies on both sides, and its furthest
-/// point says on which it is, whatever rounding did near the plane.
+/// Which triangles stand above the plane, by shells: after the division no shell lies on both
+/// sides, and its furthest point says on which it is, whatever rounding did near the plane.
 std::vector<bool> triangles_above(const IndexedMesh& mesh, const KerfAxes& axes) {
   DisjointSets shells(mesh.triangles.size());
   const std::vector<EdgeUse> uses = edge_uses(mesh.triangles);
@@ -71,7 +71,8 @@ Vec3 joint_direction(const HingeRequest& request, const KerfAxes& dividing) noex
   return unit(meeting);
 }
 
-/// The joint in the dividing plane, through the middle of the bridge's inner edge, signed so that a positive turn closes.
+/// The joint in the dividing plane, through the middle of the bridge's inner edge, signed so that a
+/// positive turn closes.
 TurnAxis joint_of(const HingeRequest& request, const KerfAxes& dividing, const Vec3& middle_mm) {
   TurnAxis joint;
   joint.point_mm = middle_mm;
@@ -99,7 +100,8 @@ double radius_around(const TurnAxis& joint, const DividedBone& divided) noexcept
   return std::sqrt(most_mm2);
 }
 
-/// Whether what the plane crosses beside the bridge is more than may break. The bridge is what lies nearest the joint.
+/// Whether what the plane crosses beside the bridge is more than may break. The bridge is what lies
+/// nearest the joint.
 bool is_held_elsewhere(const DividedBone& divided, const TurnAxis& joint) noexcept {
   double nearest_mm2 = std::numeric_limits<double>::infinity(), bridge_mm2 = 0.0, all_mm2 = 0.0;
   for (std::size_t i = 0; i < divided.bridges_mm2.size(); ++i) {
@@ -159,7 +161,8 @@ ClosedHinge close_hinge(const CutSolid& solid, const Bvh& bvh, const HingeReques
   DividedBone divided = divide_at_hinge(solid, bvh, plane);
   closed.joint = joint_of(request, axes, gap.middle_in_bone_mm);
   if (is_held_elsewhere(divided, closed.joint)) return closed;
-  // At the bridge's rim the halves share points; within a kerf of it their skins may pass each other.
+  // At the bridge's rim the halves share points; within a kerf of it their skins may pass each
+  // other.
   closed.bridge_radius_mm = radius_around(closed.joint, divided) + plane.thickness_mm;
   const bool is_moved_above = glm::dot(axes.z, request.toward_moved) > 0.0;
   closed.moved = std::move(is_moved_above ? divided.above : divided.below);

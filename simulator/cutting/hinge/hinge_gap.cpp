@@ -12,11 +12,12 @@ namespace hallux::simulator {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// The area that a unit of plane covers, seen along both of the hinge's directions; a plane steeper than this against
-/// them has no bridge to speak of.
+/// The area that a unit of plane covers, seen along both of the hinge's directions; a plane steeper
+/// than this against them has no bridge to speak of.
 constexpr double least_area = 0.4;
 
-/// Places in the kerf's plane, said along the hinge's line (x) and outward (y), from the hinge's point.
+/// Places in the kerf's plane, said along the hinge's line (x) and outward (y), from the hinge's
+/// point.
 struct RowFrame {
   Vec2 along_of{1.0, 0.0}, outward_of{0.0, 1.0};  ///< what a step in the plane adds
   Vec2 origin_mm{0.0, 0.0};                       ///< of the plane's own frame, said in this one
@@ -48,7 +49,8 @@ struct Extent {
   double low_mm = infinity, high_mm = -infinity;
 };
 
-/// The rows at which loops are looked at: in the middles of steps, so that rows along edges of the section are rare.
+/// The rows at which loops are looked at: in the middles of steps, so that rows along edges of the
+/// section are rare.
 struct RowGrid {
   double first_mm = 0.0;
   std::size_t count = 0;
@@ -58,7 +60,8 @@ struct RowGrid {
   }
 };
 
-/// Where loops cross each row, ascending: a row is inside between the first and the second crossing, and so on.
+/// Where loops cross each row, ascending: a row is inside between the first and the second
+/// crossing, and so on.
 class RowCrossings {
  public:
   RowCrossings(const RowFrame& frame, const RowGrid& grid) noexcept
@@ -151,7 +154,8 @@ Vec3 place_in_bone(const KerfAxes& axes, const RowFrame& frame, double along_mm,
   return axes.origin_mm + place.x * axes.x + place.y * axes.y;
 }
 
-/// The row's intact bone as if its far surface lay at `far_mm`; below 0 where the kerf passed even that.
+/// The row's intact bone as if its far surface lay at `far_mm`; below 0 where the kerf passed even
+/// that.
 double intact_to(const HingeRow& row, double far_mm) noexcept {
   return row.intact_mm + (far_mm - std::max(row.far_mm, row.tip_mm));
 }

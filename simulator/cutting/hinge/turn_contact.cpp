@@ -21,7 +21,8 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Corners that lie on an edge in truth may miss it by rounding; this much further out they still count.
+/// Corners that lie on an edge in truth may miss it by rounding; this much further out they still
+/// count.
 constexpr double tolerance_mm = 1.0e-7;
 
 struct AxisPoint {
@@ -94,8 +95,8 @@ Facet facet_from(const std::array<AxisPoint, 3>& corners) noexcept {
   return facet;
 }
 
-/// The triangles that a turn within `most_rad` may bring into contact: not those wholly outside the sector that the
-/// gap's plane sweeps, on the body's own side (+1 above, -1 below).
+/// The triangles that a turn within `most_rad` may bring into contact: not those wholly outside the
+/// sector that the gap's plane sweeps, on the body's own side (+1 above, -1 below).
 std::vector<Facet> facets_of(const IndexedMesh& mesh, const TurnAxis& axis, double side,
                              double skip_radius_mm, double most_rad) {
   const Vec3 above = glm::cross(axis.toward_gap, axis.axis);
@@ -123,7 +124,8 @@ struct Segment {
   bool is_empty = true;
 };
 
-/// Where the facet has the height h along the axis; a corner just beyond its end counts as at the end.
+/// Where the facet has the height h along the axis; a corner just beyond its end counts as at the
+/// end.
 Segment slice_at(const Facet& facet, double h_mm) noexcept {
   if (h_mm < facet.h_mm.low - tolerance_mm || h_mm > facet.h_mm.high + tolerance_mm) return {};
   const double at_mm = std::clamp(h_mm, facet.h_mm.low, facet.h_mm.high);
@@ -219,8 +221,9 @@ class ContactSearch {
     }
   }
 
-  /// The points of equal h on both edges have equal radii where a quadratic vanishes. Its variable runs along the edge
-  /// that climbs less; edges that do not climb at all meet others at their corners.
+  /// The points of equal h on both edges have equal radii where a quadratic vanishes. Its variable
+  /// runs along the edge that climbs less; edges that do not climb at all meet others at their
+  /// corners.
   void try_edges(const Segment& fixed, const Segment& moved) noexcept {
     const double fixed_climb_mm = fixed.b.h_mm - fixed.a.h_mm;
     const double moved_climb_mm = moved.b.h_mm - moved.a.h_mm;

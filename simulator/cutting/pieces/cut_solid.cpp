@@ -67,8 +67,8 @@ Piece piece_of(const CutSolid& solid, const std::vector<std::uint32_t>& triangle
   return piece;
 }
 
-/// Whether the triangle's edge from a to b, seen along x, passes above the point's y at the point's z. Computed from
-/// the lower end, so that both triangles of an edge get the same answer.
+/// Whether the triangle's edge from a to b, seen along x, passes above the point's y at the point's
+/// z. Computed from the lower end, so that both triangles of an edge get the same answer.
 bool passes_above(const Vec3& a, const Vec3& b, const Vec3& point_mm) noexcept {
   if ((a.z > point_mm.z) == (b.z > point_mm.z)) return false;
   const Vec3& low = a.z < b.z ? a : b;

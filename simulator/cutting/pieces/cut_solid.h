@@ -8,8 +8,9 @@
 
 namespace hallux::simulator {
 
-/// kerf -1: the bone's own surface. Otherwise the wall that this kerf left: side +1 lies at +thickness/2 (the solid
-/// stands above it, its face looks down the kerf's z), side -1 at -thickness/2.
+/// kerf -1: the bone's own surface. Otherwise the wall that this kerf left: side +1 lies at
+/// +thickness/2 (the solid stands above it, its face looks down the kerf's z), side -1 at
+/// -thickness/2.
 struct FaceOrigin {
   std::int32_t kerf = -1;
   std::int32_t side = 0;
@@ -18,8 +19,10 @@ struct FaceOrigin {
 };
 
 struct CutSolid {
-  IndexedMesh mesh;  ///< closed, oriented; may hold several pieces and inward-facing canal shells
-  std::vector<FaceOrigin> origins;  ///< one per triangle
+  /// Closed, oriented; may hold several pieces and inward-facing canal shells.
+  IndexedMesh mesh;
+  /// One per triangle.
+  std::vector<FaceOrigin> origins;
 };
 
 /// The solid of a bone that was never cut.
@@ -29,13 +32,15 @@ CutSolid uncut_solid(IndexedMesh mesh);
 void append_solid(CutSolid& solid, const CutSolid& added);
 
 /// The pieces of a solid, largest first; an inward-facing shell goes with the piece around it.
-/// source  volumes of equal size are ordered by their lowest point index, so the order is the same everywhere
+/// source  volumes of equal size are ordered by their lowest point index, so the order is the same
+///         everywhere
 std::vector<CutSolid> split_pieces(const CutSolid& solid);
 
 /// A piece that knows where in the whole it was.
 struct SolidPiece {
   CutSolid solid;
-  std::vector<std::uint32_t> triangles;  ///< per triangle of the piece the one of the whole
+  /// Per triangle of the piece the one of the whole.
+  std::vector<std::uint32_t> triangles;
 };
 
 /// The same pieces in the same order.

@@ -1,4 +1,5 @@
 /// Which triangles share which edges, by sorting; and sets that are joined step by step.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +12,11 @@ namespace hallux::simulator {
 
 /// One side of a triangle.
 struct EdgeUse {
-  std::uint64_t edge = 0;  ///< lower point index in the high half, higher in the low half
+  /// Lower point index in the high half, higher in the low half.
+  std::uint64_t edge = 0;
   std::uint32_t triangle = 0;
-  bool is_descending = false;  ///< the triangle walks from the higher index to the lower
+  /// The triangle walks from the higher index to the lower.
+  bool is_descending = false;
 };
 
 /// Sorted by edge, then triangle.

@@ -9,8 +9,8 @@ namespace hallux::simulator {
 
 namespace {
 
-/// A step into the bone behind a surface: above the outline's slack (0.2 um) and a nudged plane (0.03 um), below anything
-/// that is felt.
+/// A step into the bone behind a surface: above the outline's slack (0.2 um) and a nudged plane
+/// (0.03 um), below anything that is felt.
 constexpr double behind_mm = 1.0e-3;
 /// Points nearer than this to a plane or a surface lie on it: rounding.
 constexpr double on_mm = 1.0e-6;
@@ -44,8 +44,9 @@ RemainingSearch::RemainingSearch(const RemainingBone& bone, const Vec3& point_mm
   }
 }
 
-/// Outside the original bone, nearest to skin that stands, there is nothing nearer. Inside, skin may be far and takes
-/// long to find: it comes last, and is looked for only as far as the best so far.
+/// Outside the original bone, nearest to skin that stands, there is nothing nearer. Inside, skin
+/// may be far and takes long to find: it comes last, and is looked for only as far as the best so
+/// far.
 std::optional<RemainingPoint> RemainingSearch::run() noexcept {
   const std::int32_t kerfs = bone_.kerfs.count();
   if (!bone_.original.contains(point_mm_)) {
@@ -115,7 +116,8 @@ void RemainingSearch::try_walls(std::int32_t kerf) noexcept {
 }
 
 void RemainingSearch::try_skin() noexcept {
-  // Skin exactly as near as a wall is no nearer, but without any kerf the first triangle must count.
+  // Skin exactly as near as a wall is no nearer, but without any kerf the first triangle must
+  // count.
   bone_.original.visit_near(point_mm_, within_mm_, [this](const NearTriangle& found) {
     try_triangle(found);
     return within_mm_;
@@ -144,8 +146,8 @@ void RemainingSearch::try_triangle(const NearTriangle& found) noexcept {
   try_polygon(whole, 0, found);
 }
 
-/// Divides the polygon by the planes of one kerf after the other. Where the nearest point of a part in a slab is open, the
-/// rest of that part is nearest on the rim.
+/// Divides the polygon by the planes of one kerf after the other. Where the nearest point of a part
+/// in a slab is open, the rest of that part is nearest on the rim.
 void RemainingSearch::try_polygon(const Polygon& polygon, std::int32_t kerf,
                                   const NearTriangle& of) noexcept {
   if (polygon.count < 3) return;
@@ -294,8 +296,8 @@ void RemainingSearch::offer_front(std::int32_t kerf, const FrontPoint& front) no
   offer({0.0, at.to_bone(front.local_mm), into_kerf, BoneSide::Front, kerf});
 }
 
-/// From a point of an upright face where no bone stands, along the face: where bone begins to, at the original surface or
-/// where another kerf's slab ends.
+/// From a point of an upright face where no bone stands, along the face: where bone begins to, at
+/// the original surface or where another kerf's slab ends.
 void RemainingSearch::try_along(std::int32_t kerf, const FrontPoint& from, const Vec3& direction,
                                 double room_mm) noexcept {
   const Slab& at = slab(kerf);

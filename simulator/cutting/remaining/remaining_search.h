@@ -1,4 +1,4 @@
-/// One search for the nearest standing surface; inside this corner only.
+/// One search for the nearest standing surface. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -21,7 +21,8 @@ class RemainingSearch {
     Vec3 axis_x{0.0, 0.0, 0.0}, axis_y{0.0, 0.0, 0.0}, axis_z{0.0, 0.0, 0.0},
         origin_mm{0.0, 0.0, 0.0};
     double half_mm = 0.0;
-    Vec3 local_mm{0.0, 0.0, 0.0};  ///< the point asked about, in the kerf's frame
+    /// The point asked about, in the kerf's frame.
+    Vec3 local_mm{0.0, 0.0, 0.0};
 
     Vec3 to_local(const Vec3& point_mm) const noexcept {
       const Vec3 arm = point_mm - origin_mm;
@@ -48,7 +49,8 @@ class RemainingSearch {
   /// On the upright face over a segment of the rim, in the kerf's frame.
   struct FrontPoint {
     Vec3 local_mm{0.0, 0.0, 0.0};
-    Vec3 outward{0.0, 0.0, 0.0};  ///< into the bone
+    /// Into the bone.
+    Vec3 outward{0.0, 0.0, 0.0};
   };
 
   const KerfField& field(std::int32_t kerf) const noexcept { return bone_.kerfs.field(kerf); }
@@ -83,8 +85,8 @@ class RemainingSearch {
   double within_mm_;
   std::optional<RemainingPoint> best_;
   std::array<Slab, static_cast<std::size_t>(kerf_limit)> slabs_;
-  std::array<Barren, 2>
-      barren_;  ///< around the point asked about; around the last rim that was in the air
+  /// Around the point asked about; around the last rim that was in the air.
+  std::array<Barren, 2> barren_;
 };
 
 }  // namespace hallux::simulator

@@ -1,7 +1,9 @@
 /// How far a body may move rigidly before it first touches: conservative advancement.
+/// Inside this corner only.
 ///
-/// From a pose at which the gap to the surface is g, no point can reach the surface before the fastest one has gone g: so
-/// the motion may go on by g / (the longest path), again and again. It never jumps over a wall, however thin.
+/// From a pose at which the gap to the surface is g, no point can reach the surface before the
+/// fastest one has gone g: so the motion may go on by g / (the longest path), again and again. It
+/// never jumps over a wall, however thin.
 /// source  Mirtich, Impulse-based dynamic simulation of rigid body systems (1996), 2.3.2
 #pragma once
 
@@ -14,12 +16,15 @@ struct RigidMotion {
   RigidTransform bone_from_start, bone_from_end;
 };
 
-/// At least the speed of any point within `reach_mm` of the frame's origin, in millimetres per whole motion.
+/// At least the speed of any point within `reach_mm` of the frame's origin, in millimetres per
+/// whole motion.
 double greatest_speed_mm(const RigidMotion& motion, double reach_mm) noexcept;
 
-/// Nearer than this to the surface is contact [mm]; a motion stops up to this far before it and never beyond.
+/// Nearer than this to the surface is contact [mm]; a motion stops up to this far before it and
+/// never beyond.
 inline constexpr double contact_tolerance_mm = 1.0e-4;
-/// A motion that grazes the surface may take more steps than this: then it stops where it is, still free.
+/// A motion that grazes the surface may take more steps than this: then it stops where it is, still
+/// free.
 inline constexpr int advance_limit = 200;
 
 struct Advance {
@@ -30,7 +35,8 @@ struct Advance {
   bool is_contact = false;
 };
 
-/// shape   gap_mm(pose, within_mm): distance to the surface at a pose of the motion, or `within_mm` where it is at least that
+/// shape   gap_mm(pose, within_mm): distance to the surface at a pose of the motion, or `within_mm`
+///         where it is at least that
 template <typename Gap>
 Advance advance_until_contact(const RigidMotion& motion, double reach_mm,
                               const Gap& gap_mm) noexcept {

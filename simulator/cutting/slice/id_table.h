@@ -1,7 +1,9 @@
-/// Gives the keys that it is shown the numbers 0, 1, 2 ... in the order in which they come: a flat hash table that is
-/// asked and never listed, so its inner order reaches no result.
+/// Gives the keys that it is shown the numbers 0, 1, 2 ... in the order in which they come: a flat
+/// hash table that is asked and never listed, so its inner order reaches no result.
+/// Inside this corner only.
 ///
-/// The slots hold numbers only, and the keys lie in a row in their order: few bytes to clear and to keep near.
+/// The slots hold numbers only, and the keys lie in a row in their order: few bytes to clear and to
+/// keep near.
 #pragma once
 
 #include <bit>
@@ -34,8 +36,9 @@ class IdTable {
  private:
   static constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
 
-  /// Knuth's multiplicative hash, then the next free slot. Only the product's highest bits depend on the whole key, and
-  /// the second round keeps keys of even steps from crowding: a mesh's edges go from i to i + 1 or to i + a row.
+  /// Knuth's multiplicative hash, then the next free slot. Only the product's highest bits depend
+  /// on the whole key, and the second round keeps keys of even steps from crowding: a mesh's edges
+  /// go from i to i + 1 or to i + a row.
   std::size_t slot_of(std::uint64_t key) const noexcept {
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U;
     const std::uint64_t mixed = key * golden;

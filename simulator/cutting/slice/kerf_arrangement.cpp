@@ -35,7 +35,8 @@ void KerfArrangement::take_region(const RegionOutline& region) {
   }
 }
 
-/// Corners that fall on the same lattice point are one; a loop of fewer than three encloses nothing.
+/// Corners that fall on the same lattice point are one; a loop of fewer than three encloses
+/// nothing.
 void KerfArrangement::add_loop(std::span<const Vec2> loop_mm) {
   const std::size_t start = corners_.size();
   for (const Vec2& corner_mm : loop_mm) {
@@ -208,7 +209,8 @@ std::array<std::int32_t, 2> KerfArrangement::windings_behind(std::uint32_t regio
   return {above, below};
 }
 
-/// The first corner of a loop is asked directly; along the loop the state changes with each contour edge crossed.
+/// The first corner of a loop is asked directly; along the loop the state changes with each contour
+/// edge crossed.
 bool KerfArrangement::wind_corners() {
   for (const std::uint32_t start : loop_starts_) {
     wind_first(corners_[start]);

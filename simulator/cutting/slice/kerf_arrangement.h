@@ -1,10 +1,11 @@
-/// How a region's outline and a contact's strip lie in each other: every crossing, winding and containment, asked once
-/// on the exact lattice. What is built from it needs no further decision about places.
+/// How a region's outline and a contact's strip lie in each other: every crossing, winding and
+/// containment, asked once on the exact lattice. What is built from it needs no further decision
+/// about places. Inside this room only.
 ///
-/// A strip edge is crossed by region edges alternately inward and outward; a region's edge enters and leaves the bone's
-/// section on either plane; the upright line in a region's corner passes through strip triangles. Entries and exits
-/// are counted with signs and paired in order, so that all that is built closes even where rounding has exchanged two
-/// neighbours along a line.
+/// A strip edge is crossed by region edges alternately inward and outward; a region's edge enters
+/// and leaves the bone's section on either plane; the upright line in a region's corner passes
+/// through strip triangles. Entries and exits are counted with signs and paired in order, so that
+/// all that is built closes even where rounding has exchanged two neighbours along a line.
 #pragma once
 
 #include <array>
@@ -18,27 +19,33 @@
 
 namespace hallux::simulator {
 
-/// A corner of the region's outline; region edge i runs from corner i to corner i.next, the region on its left.
+/// A corner of the region's outline; region edge i runs from corner i to corner i.next, the region
+/// on its left.
 struct RegionCorner {
   LatticePoint place;
   Vec2 place_mm{0.0, 0.0};
   std::uint32_t next = 0, before = 0;
   std::int32_t windings_above = 0,
-               windings_below = 0;  ///< of the bone's section on the upper, lower plane
+               /// Of the bone's section on the upper, lower plane.
+      windings_below = 0;
 };
 
 /// Where a strip edge and a region edge cross.
 struct StripCrossing {
   std::uint32_t strip_edge = 0, region_edge = 0;
-  double strip_share = 0.0;   ///< along the strip edge from a to b
-  double region_share = 0.0;  ///< along the region edge
-  std::int8_t entry = 1;      ///< +1: the strip edge goes into the region here, -1: out of it
+  /// Along the strip edge from a to b.
+  double strip_share = 0.0;
+  /// Along the region edge.
+  double region_share = 0.0;
+  /// +1: the strip edge goes into the region here, -1: out of it.
+  std::int8_t entry = 1;
 };
 
 /// Where the upright line in a region's corner passes through a strip triangle.
 struct CornerHit {
   std::uint32_t corner = 0, triangle = 0;
-  std::array<double, 3> weights{};  ///< of the triangle's points; they add up to 1
+  /// Of the triangle's points; they add up to 1.
+  std::array<double, 3> weights{};
 };
 
 class KerfArrangement {
@@ -47,8 +54,8 @@ class KerfArrangement {
   explicit KerfArrangement(const KerfContact& contact);
 
   /// Takes up a region.
-  /// ensures false where the outline winds around a point of the strip more than once, or the strip itself is not closed:
-  ///         then nothing may be built from it
+  /// ensures false where the outline winds around a point of the strip more than once, or the strip
+  ///         itself is not closed: then nothing may be built from it
   /// thread  worker or geometry; allocates nothing once it has seen as large a region
   bool arrange(const RegionOutline& region);
 
@@ -58,7 +65,8 @@ class KerfArrangement {
   std::span<const StripCrossing> crossings() const noexcept { return crossings_; }
   /// Ascending by corner.
   std::span<const CornerHit> hits() const noexcept { return hits_; }
-  /// The crossings on a strip edge from a to b, alternately in and out; the first one is an entry where a is not open.
+  /// The crossings on a strip edge from a to b, alternately in and out; the first one is an entry
+  /// where a is not open.
   std::span<const std::uint32_t> chain(std::uint32_t strip_edge) const noexcept {
     const Chain& chain = chains_[strip_edge];
     return {chained_.data() + chain.first, chain.count};
@@ -67,7 +75,8 @@ class KerfArrangement {
   bool is_open(std::uint32_t strip_point) const noexcept { return is_open_[strip_point] != 0; }
   /// Whether the region reaches this skin at all.
   bool is_reached(std::uint32_t skin) const noexcept { return is_reached_[skin] != 0; }
-  /// Whether some skin is reached and each that is reached is taken wholly, with all that it encloses.
+  /// Whether some skin is reached and each that is reached is taken wholly, with all that it
+  /// encloses.
   bool takes_section() const noexcept;
 
  private:

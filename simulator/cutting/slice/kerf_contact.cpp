@@ -88,8 +88,9 @@ std::uint32_t ContactSlicer::inside_point(std::uint32_t corner) {
   return point;
 }
 
-/// The strip point at the end of the edge's inside part that lies towards `from`, one of its two corners. The crossing is
-/// found from the edge's lower mesh point, so that both triangles of the edge would get the same bits.
+/// The strip point at the end of the edge's inside part that lies towards `from`, one of its two
+/// corners. The crossing is found from the edge's lower mesh point, so that both triangles of the
+/// edge would get the same bits.
 std::uint32_t ContactSlicer::end_of(std::uint32_t from, const SlabCorner& low,
                                     const SlabCorner& high) {
   const SlabPart part = skin_.points[from].part;
@@ -121,9 +122,10 @@ std::uint32_t ContactSlicer::add_edge(std::uint32_t a, std::uint32_t b, SlabPart
   return static_cast<std::uint32_t>(contact_.edges.size() - 1);
 }
 
-/// Walks around the triangle. Where the walk leaves the slab it comes back through the same plane; the corners met
-/// between are the outer part's. The walk does not begin between two corners on one side, but may begin beyond a plane:
-/// then the last contour edge closes what the first corners began.
+/// Walks around the triangle. Where the walk leaves the slab it comes back through the same plane;
+/// the corners met between are the outer part's. The walk does not begin between two corners on one
+/// side, but may begin beyond a plane: then the last contour edge closes what the first corners
+/// began.
 StripRing ContactSlicer::ring_of(const Triangle& corners) {
   StripRing ring;
   OuterRun run, first_run;
@@ -266,7 +268,8 @@ void measure_box(KerfContact& contact) {
   }
 }
 
-/// The lattice must reach over the region's box and over all the corners of the touched triangles' parts in the slab.
+/// The lattice must reach over the region's box and over all the corners of the touched triangles'
+/// parts in the slab.
 PlaneLattice lattice_over(const SlabSkin& skin, const KerfAxes& axes, Vec2 min_mm, Vec2 max_mm) {
   for (const SlabCorner& corner : skin.points) {
     const Vec2 corner_mm = place_mm(axes, corner.point_in_bone_mm);

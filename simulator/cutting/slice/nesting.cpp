@@ -44,7 +44,8 @@ Place place_in_loop(std::span<const LatticePoint> points, const Loop& loop,
   return is_inside ? Place::Inside : Place::Outside;
 }
 
-/// Loops never cross, so the first corner that is not on the border decides; a loop wholly on the border is inside.
+/// Loops never cross, so the first corner that is not on the border decides; a loop wholly on the
+/// border is inside.
 bool is_within(std::span<const LatticePoint> points, const Loop& inner,
                const Loop& outer) noexcept {
   for (const std::uint32_t index : inner) {

@@ -1,4 +1,4 @@
-/// Loops on a lattice: areas, containment and nesting.
+/// Loops on a lattice: areas, containment and nesting. Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ std::vector<LatticePoint> snap_to_lattice(std::span<const Vec2> places_mm);
 /// Twice the signed area of a loop. Exact where the loop does not wind more than a hundred times.
 std::int64_t doubled_area(std::span<const LatticePoint> points, const Loop& loop) noexcept;
 
-/// For each loop that runs clockwise (a hole) the smallest counter-clockwise loop around it; -1 for the others.
+/// For each loop that runs clockwise (a hole) the smallest counter-clockwise loop around it; -1 for
+/// the others.
 std::vector<std::int32_t> loops_around(std::span<const LatticePoint> points,
                                        std::span<const Loop> loops);
 

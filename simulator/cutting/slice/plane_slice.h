@@ -1,7 +1,9 @@
-/// Where planes parallel to a kerf cut a closed mesh: loops of crossings named by mesh edge, never by position.
+/// Where planes parallel to a kerf cut a closed mesh: loops of crossings named by mesh edge, never
+/// by position. Inside this room only.
 ///
-/// A point on the plane counts as above it, so a plane always crosses edges between their ends, whatever touches it:
-/// every crossing has one loop segment before and one behind it, and every loop closes by construction.
+/// A point on the plane counts as above it, so a plane always crosses edges between their ends,
+/// whatever touches it: every crossing has one loop segment before and one behind it, and every
+/// loop closes by construction.
 #pragma once
 
 #include <array>
@@ -33,19 +35,24 @@ inline Vec2 place_mm(const KerfAxes& axes, const Vec3& point_in_bone_mm) noexcep
 /// A mesh edge that the plane crosses; low < high are indices of mesh points.
 struct EdgeCrossing {
   std::uint32_t low = 0, high = 0;
-  std::uint32_t triangle = 0;  ///< the one whose segment begins here
+  /// The one whose segment begins here.
+  std::uint32_t triangle = 0;
   Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
 };
 
-using Loop = std::vector<std::uint32_t>;  ///< indices of crossings, counter-clockwise around bone
+/// Indices of crossings, counter-clockwise around bone.
+using Loop = std::vector<std::uint32_t>;
 
 struct PlaneSlice {
-  std::vector<EdgeCrossing> crossings;  ///< ascending by (low, high)
-  std::vector<Loop> loops;              ///< every crossing lies in exactly one
+  /// Ascending by (low, high).
+  std::vector<EdgeCrossing> crossings;
+  /// Every crossing lies in exactly one.
+  std::vector<Loop> loops;
 };
 
 /// The loops at height `level_mm` over the given triangles.
-/// needs   with a triangle, `triangles` holds its neighbours across every edge that the plane crosses
+/// needs   with a triangle, `triangles` holds its neighbours across every edge that the plane
+///         crosses
 PlaneSlice slice_plane(const IndexedMesh& mesh, const KerfAxes& axes,
                        std::span<const std::uint32_t> triangles, double level_mm);
 /// The index of the crossing on the edge between two mesh points.

@@ -35,7 +35,8 @@ class Strip {
   void join_nested(double level_mm);
   void join_enclosed_voids();
   std::uint32_t place_in_strip(std::uint32_t triangle) const noexcept;
-  /// The triangle that a ray along x, from a point in the slab and in the plane, meets first outside its own part.
+  /// The triangle that a ray along x, from a point in the slab and in the plane, meets first
+  /// outside its own part.
   std::optional<std::uint32_t> first_ahead(const Vec3& point_in_bone_mm, std::uint32_t own_root);
 
   const IndexedMesh& mesh_;
@@ -110,7 +111,8 @@ std::optional<std::uint32_t> Strip::first_ahead(const Vec3& point_in_bone_mm,
   return found;
 }
 
-/// A void that lies wholly between the planes has no loop on either; it belongs to the bone around it.
+/// A void that lies wholly between the planes has no loop on either; it belongs to the bone around
+/// it.
 void Strip::join_enclosed_voids() {
   std::map<std::uint32_t, double> loopless_mm3;  // six times the volume, by root
   std::map<std::uint32_t, bool> is_looped;

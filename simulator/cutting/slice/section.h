@@ -1,4 +1,5 @@
-/// The section of a solid by a kerf: which parts of the bone the kerf's slab crosses, and when each is covered.
+/// The section of a solid by a kerf: which parts of the bone the kerf's slab crosses, and when each
+/// is covered.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +11,28 @@
 
 namespace hallux::simulator {
 
-/// One closed contour of the section at the kerf's middle plane, in the kerf's plane; counter-clockwise around bone.
+/// One closed contour of the section at the kerf's middle plane, in the kerf's plane;
+/// counter-clockwise around bone.
 using Contour = std::vector<Vec2>;
 
-/// A connected part of the slab: the skin between the kerf's two planes belongs together, and so does what it encloses.
-/// A triangle reaches into the slab unless all its corners are at or above +thickness/2, or all below -thickness/2.
+/// A connected part of the slab: the skin between the kerf's two planes belongs together, and so
+/// does what it encloses. A triangle reaches into the slab unless all its corners are at or above
+/// +thickness/2, or all below -thickness/2.
 struct SectionRegion {
-  std::vector<std::uint32_t>
-      triangles;  ///< that reach into the slab here, ascending; each belongs to one region
-  std::vector<Contour>
-      contours;  ///< at the middle plane: outer ones counter-clockwise, holes clockwise; may be empty
-  Vec2 min_mm{0.0, 0.0}, max_mm{0.0, 0.0};  ///< extent of the slab's part, in the kerf's plane
-  double area_mm2 = 0.0;                    ///< at the middle plane, holes taken off
+  /// That reach into the slab here, ascending; each belongs to one region.
+  std::vector<std::uint32_t> triangles;
+  /// At the middle plane: outer ones counter-clockwise, holes clockwise; may be empty.
+  std::vector<Contour> contours;
+  /// Extent of the slab's part, in the kerf's plane.
+  Vec2 min_mm{0.0, 0.0}, max_mm{0.0, 0.0};
+  /// At the middle plane, holes taken off.
+  double area_mm2 = 0.0;
 };
 
 struct Section {
   KerfPlane plane;
-  std::vector<SectionRegion> regions;  ///< largest first
+  /// Largest first.
+  std::vector<SectionRegion> regions;
 };
 
 /// The contact slice.

@@ -72,7 +72,8 @@ StripSearch::Span StripSearch::columns_between(std::int64_t a, std::int64_t b) c
   return {std::max<std::int64_t>(low, 0) / cell_, std::min(high / cell_, columns_ - 1)};
 }
 
-/// The rows that the line meets between the column's borders, one step more on either side for the rounding.
+/// The rows that the line meets between the column's borders, one step more on either side for the
+/// rounding.
 StripSearch::Span StripSearch::rows_in_column(const LatticePoint& r, const LatticePoint& s,
                                               std::int64_t column) const noexcept {
   const LatticePoint& left = r.u < s.u ? r : s;

@@ -1,5 +1,6 @@
-/// The edges and facing triangles of a contact's strip in square cells of the plane: what a region's edge may cross, and
-/// what a region's corner may lie in, is found among its neighbours.
+/// The edges and facing triangles of a contact's strip in square cells of the plane: what a
+/// region's edge may cross, and what a region's corner may lie in, is found among its neighbours.
+/// Inside this corner only.
 #pragma once
 
 #include <cstdint>

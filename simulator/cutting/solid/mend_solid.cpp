@@ -67,7 +67,8 @@ bool separate_once(CutSolid& solid, std::uint32_t first_triangle) {
       }
       return i;
     };
-    // Two triangles over the same three points would share the halves' new edge too, and so on without end.
+    // Two triangles over the same three points would share the halves' new edge too, and so on
+    // without end.
     const std::size_t up = usable(false, no_point);
     if (up == last) continue;
     std::size_t down = usable(true, apex_of(triangles, uses[up]));

@@ -1,9 +1,11 @@
-/// The divergence theorem with the field (0, 0, z): the volume is the sum over the faces of the removed body of the
-/// integral of z over the face's shadow in the plane, counted positive where the face looks up. Fronts cast no shadow.
-/// What is left are the strip's triangles and the two walls, all within the region.
+/// The divergence theorem with the field (0, 0, z): the volume is the sum over the faces of the
+/// removed body of the integral of z over the face's shadow in the plane, counted positive where
+/// the face looks up. Fronts cast no shadow. What is left are the strip's triangles and the two
+/// walls, all within the region.
 ///
-/// A region is the signed sum of the triangles from a fixed point to its edges, and so is a section from its segments.
-/// So every integral is one over the common part of two triangles, which is convex.
+/// A region is the signed sum of the triangles from a fixed point to its edges, and so is a section
+/// from its segments. So every integral is one over the common part of two triangles, which is
+/// convex.
 #include "simulator/cutting/solid/opened_volume.h"
 
 #include <algorithm>
@@ -162,7 +164,8 @@ class OpenedVolume {
     };
     add_common_parts(shadow, height_at);
   }
-  /// An edge in one of the planes is a segment of that plane's section, counter-clockwise on the lower one.
+  /// An edge in one of the planes is a segment of that plane's section, counter-clockwise on the
+  /// lower one.
   void add_wall(const Vec3& p, const Vec3& q) {
     if (p.z != q.z || (p.z != half_mm_ && p.z != -half_mm_)) return;
     const SignedShadow shadow = signed_shadow(apex_mm_, Vec2(p.x, p.y), Vec2(q.x, q.y));

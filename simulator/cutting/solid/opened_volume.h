@@ -10,8 +10,8 @@
 
 namespace hallux::simulator {
 
-/// The volume of the bone within the kerf's slab over the region [mm3]: the integral over the region of the height of
-/// bone that stands there.
+/// The volume of the bone within the kerf's slab over the region [mm3]: the integral over the
+/// region of the height of bone that stands there.
 /// needs   solid is closed
 /// thread  worker; cost grows with the strip's triangles times the outline's corners
 /// source  docs/cutting.md, "The balance"

@@ -6,8 +6,8 @@
 ///   ---- -w/2 ----  crossings
 ///        below      untouched or split triangles, then a cap that looks up         side -1
 ///
-/// Each skin part and its cap use the same crossings in opposite directions, so the result closes without looking at
-/// positions. Source: docs/cutting.md; thesis 4.4.2.
+/// Each skin part and its cap use the same crossings in opposite directions, so the result closes
+/// without looking at positions. Source: docs/cutting.md; thesis 4.4.2.
 #include "simulator/cutting/solid/remove_slab.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 /// removed = integral of the section's area A(z) over the slab.
 ///
-/// A(z) is the sum over triangles of half the cross product of the segment that the plane at z cuts from each. Segment
-/// ends move linearly in z, so each triangle's term is a quadratic between its corner heights, and Simpson's rule is
-/// exact on it. Nothing here is shared with the clip: own heights, own search, own labels.
+/// A(z) is the sum over triangles of half the cross product of the segment that the plane at z cuts
+/// from each. Segment ends move linearly in z, so each triangle's term is a quadratic between its
+/// corner heights, and Simpson's rule is exact on it. Nothing here is shared with the clip: own
+/// heights, own search, own labels.
 #include "simulator/cutting/solid/slab_volume.h"
 
 #include <algorithm>
@@ -59,9 +60,9 @@ Vec3 edge_at(const SortedTriangle& triangle, std::size_t low, std::size_t high, 
   return triangle.corners_mm[low] + part * (triangle.corners_mm[high] - triangle.corners_mm[low]);
 }
 
-/// The triangle's term of A(z), between its corners low and low + 1 in height: the long edge runs from lowest to
-/// highest, and seen from outside with corners counter-clockwise the contour walks from the middle corner's side to it
-/// or back, as the turn says.
+/// The triangle's term of A(z), between its corners low and low + 1 in height: the long edge runs
+/// from lowest to highest, and seen from outside with corners counter-clockwise the contour walks
+/// from the middle corner's side to it or back, as the turn says.
 double area_term_mm2(const SortedTriangle& triangle, const Vec3& up, std::size_t low, double z_mm) {
   const Vec3 on_long_edge = edge_at(triangle, 0, 2, z_mm);
   const Vec3 on_short_edge = edge_at(triangle, low, low + 1, z_mm);
@@ -97,7 +98,8 @@ struct SharedEdge {
   std::uint32_t triangle = 0;
 };
 
-/// The triangles that reach into the slab, labelled: those joined by edges that reach into it have one label.
+/// The triangles that reach into the slab, labelled: those joined by edges that reach into it have
+/// one label.
 class SlabSkin {
  public:
   SlabSkin(const IndexedMesh& mesh, const Slab& slab) : label_(mesh.triangles.size(), no_label) {

@@ -166,7 +166,8 @@ bool PatchBuilder::add_skin() {
   return true;
 }
 
-/// A fan around the first corner, through every point of the contour edge from its end back to its beginning.
+/// A fan around the first corner, through every point of the contour edge from its end back to its
+/// beginning.
 void PatchBuilder::add_outer_part(const OuterPart& part) {
   const StripEdge& edge = contact_.edges[part.edge];
   const FaceOrigin& origin = contact_.origins[part.touched];
@@ -212,8 +213,9 @@ bool PatchBuilder::add_cut_triangle(std::uint32_t triangle) {
   return join_cut_ends() && fill(view_of(triangle), contact_.origins[strip.touched]);
 }
 
-/// The walk around the triangle stays outside the region: where a side goes in, the walk goes on along the region's edge
-/// against its direction, and comes out where a side leaves the region or the region's edge ends.
+/// The walk around the triangle stays outside the region: where a side goes in, the walk goes on
+/// along the region's edge against its direction, and comes out where a side leaves the region or
+/// the region's edge ends.
 void PatchBuilder::gather_cut_ends(std::uint32_t triangle) {
   const StripTriangle& strip = contact_.triangles[triangle];
   cut_ends_.clear();
@@ -350,7 +352,8 @@ bool PatchBuilder::fill(FaceView view, const FaceOrigin& origin) {
   return true;
 }
 
-/// Seen from the region: up at the edge's beginning, along the upper plane, down at its end, back along the lower plane.
+/// Seen from the region: up at the edge's beginning, along the upper plane, down at its end, back
+/// along the lower plane.
 bool PatchBuilder::add_front(std::uint32_t region_edge) {
   const std::uint32_t next = arrangement_.corners()[region_edge].next;
   filler_.begin();
@@ -379,7 +382,8 @@ FaceView PatchBuilder::view_of_front(std::uint32_t region_edge) const noexcept {
   return view_along(Vec3(static_cast<double>(r.v - s.v), static_cast<double>(s.u - r.u), 0.0));
 }
 
-/// What the region takes of the section on one plane. The upper wall looks down and the lower one up.
+/// What the region takes of the section on one plane. The upper wall looks down and the lower one
+/// up.
 bool PatchBuilder::add_wall(std::int8_t level) {
   filler_.begin();
   for (std::uint32_t i = 0; i < contact_.edges.size(); ++i) {

@@ -1,10 +1,12 @@
-/// The solid at frame rate: bone minus (region x kerf) as what changed against the mesh that stands still.
+/// The solid at frame rate: bone minus (region x kerf) as what changed against the mesh that stands
+/// still.
 ///
 ///     solid shown = mesh without `hidden` triangles + patch triangles
 ///
-/// The patch is the outer skin of the reached triangles, two walls and the fronts. It is closed by construction: every
-/// edge is made once and used by its two faces in opposite directions. Its size follows the triangles that the kerf's
-/// planes cross and the region's outline, never the number of steps.
+/// The patch is the outer skin of the reached triangles, two walls and the fronts. It is closed by
+/// construction: every edge is made once and used by its two faces in opposite directions. Its size
+/// follows the triangles that the kerf's planes cross and the region's outline, never the number of
+/// steps.
 #pragma once
 
 #include <array>
@@ -17,14 +19,16 @@
 namespace hallux::simulator {
 
 struct SolidPatch {
-  std::vector<std::uint32_t> hidden;  ///< triangles of the mesh, ascending
+  /// Triangles of the mesh, ascending.
+  std::vector<std::uint32_t> hidden;
   std::vector<Vec3> points_in_bone_mm;
-  std::vector<std::uint32_t>
-      parents;  ///< per point the mesh triangle whose skin it lies on; no_index inside the bone
-  /// Counter-clockwise from outside. Indices below the mesh's point count are points of the mesh, the others are patch
-  /// points behind them.
+  /// Per point the mesh triangle whose skin it lies on; no_index inside the bone.
+  std::vector<std::uint32_t> parents;
+  /// Counter-clockwise from outside. Indices below the mesh's point count are points of the mesh,
+  /// the others are patch points behind them.
   std::vector<Triangle> triangles;
-  std::vector<FaceOrigin> origins;  ///< per triangle; walls {kerf, +-1}, fronts {kerf, 0}
+  /// Per triangle; walls {kerf, +-1}, fronts {kerf, 0}.
+  std::vector<FaceOrigin> origins;
 };
 
 class PatchBuilder {
@@ -34,10 +38,13 @@ class PatchBuilder {
 
   /// Replaces the patch by that of a region.
   /// ensures true: mesh and patch together are closed; a pure function of contact and region
-  /// errors  false where the region's outline is not simple: the patch is left as it was (see refusals)
-  /// thread  worker or geometry; allocates nothing once it has seen as large a region with walls of one ring
+  /// errors  false where the region's outline is not simple: the patch is left as it was (see
+  ///         refusals)
+  /// thread  worker or geometry; allocates nothing once it has seen as large a region with walls of
+  ///         one ring
   bool build(const RegionOutline& region, SolidPatch& patch);
-  /// Whether the last region takes all that lies in the slab of every skin that it reaches, and reaches one.
+  /// Whether the last region takes all that lies in the slab of every skin that it reaches, and
+  /// reaches one.
   bool takes_section() const noexcept { return arrangement_.takes_section(); }
   /// How often build said false.
   std::uint64_t refusals() const noexcept { return refusals_; }

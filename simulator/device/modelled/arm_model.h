@@ -1,4 +1,5 @@
-/// A haptic arm as a mass on a damper, with encoders and a delay: what stands for the hardware in virtual time.
+/// A haptic arm as a mass on a damper, with encoders and a delay: what stands for the hardware in
+/// virtual time. Inside this corner only.
 ///
 ///     force sent --transport ticks--> motors, at most so strong --> mass <-- hand
 ///                                                                    '--> encoder steps --> place that is read
@@ -18,8 +19,10 @@ struct ArmTraits {
   double damping_newton_s_per_mm = 0.002;
   double encoder_step_mm = 0.015;
   double motor_limit_newton = 8.0;
-  std::int32_t transport_ticks = 1;  ///< from 0 to 3
-  std::int32_t substeps = 10;        ///< of a tick: the arm itself knows no ticks
+  /// From 0 to 3.
+  std::int32_t transport_ticks = 1;
+  /// Of a tick: the arm itself knows no ticks.
+  std::int32_t substeps = 10;
 };
 
 /// Work done since the beginning [mJ]; positive where the handle received it.
@@ -41,10 +44,12 @@ struct HandGrip {
   double stiffness_newton_per_mm = 0.3;
   double damping_newton_s_per_mm = 0.003;
   Vec3 wanted_mm{0.0, 0.0, 0.0};
-  Vec3 push_newton{0.0, 0.0, 0.0};  ///< besides
+  /// Besides.
+  Vec3 push_newton{0.0, 0.0, 0.0};
 };
 
-/// The force sent at this tick; it begins to act after the transport. A device that was told nothing new sends on what it was told.
+/// The force sent at this tick; it begins to act after the transport. A device that was told
+/// nothing new sends on what it was told.
 /// needs   0 <= transport_ticks <= 3
 void send_force(ArmState& arm, const Vec3& force_newton) noexcept;
 

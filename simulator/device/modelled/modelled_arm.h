@@ -1,8 +1,10 @@
-/// A haptic device that is computed: the arm's model, held by a hand that follows a motion as a spring does.
+/// A haptic device that is computed: the arm's model, held by a hand that follows a motion as a
+/// spring does.
 ///
-/// It stands where a driver stands, so the whole loop is proved without hardware: force out, transport, motors, mass, hand,
-/// encoders, state in. The hand wants to be where the motion is, and trembles; where bone stops the handle, the way between
-/// them is the push. It turns as the hand turns; the gimbal's converters flicker by a step or two.
+/// It stands where a driver stands, so the whole loop is proved without hardware: force out,
+/// transport, motors, mass, hand, encoders, state in. The hand wants to be where the motion is, and
+/// trembles; where bone stops the handle, the way between them is the push. It turns as the hand
+/// turns; the gimbal's converters flicker by a step or two.
 #pragma once
 
 #include "simulator/base/random.h"
@@ -16,7 +18,8 @@ namespace hallux::simulator {
 struct ModelledHand {
   double stiffness_newton_per_mm = 0.3;
   double damping_newton_s_per_mm = 0.003;
-  double tremor_mm = 0.05;  ///< root mean square along each axis
+  /// Root mean square along each axis.
+  double tremor_mm = 0.05;
 };
 
 struct ModelledArmSetup {
@@ -32,7 +35,8 @@ struct ModelledArmSetup {
 
 class ModelledArm final : public HapticDevice {
  public:
-  /// Never the same state for longer: the gimbal flickers among nine steps about each of three axes.
+  /// Never the same state for longer: the gimbal flickers among nine steps about each of three
+  /// axes.
   static constexpr std::int64_t flicker_ticks = 2;
 
   /// At rest where the motion begins.
@@ -53,7 +57,8 @@ class ModelledArm final : public HapticDevice {
   Tremor tremor_;
   Random gimbal_;
   ArmState arm_;
-  std::int64_t tick_ = -1;  ///< of the last exchange
+  /// Of the last exchange.
+  std::int64_t tick_ = -1;
   std::uint64_t packet_ = 0;
 };
 

@@ -1,4 +1,5 @@
-/// The trembling of a hand that holds still: a few sines about ten hertz in each direction, drawn from a seed.
+/// The trembling of a hand that holds still: a few sines about ten hertz in each direction, drawn
+/// from a seed. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -23,7 +24,8 @@ class Tremor {
   static constexpr std::size_t waves_per_axis = 3;
 
   std::array<std::array<Wave, waves_per_axis>, 3> waves_{};
-  double amplitude_mm_ = 0.0;  ///< of each wave
+  /// Of each wave.
+  double amplitude_mm_ = 0.0;
 };
 
 }  // namespace hallux::simulator

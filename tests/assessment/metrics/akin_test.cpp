@@ -1,6 +1,7 @@
-/// The worked Akin example: right hallux proximal phalanx, section 15 x 12.5 mm, cut 1 at 6 mm, wedge 10 degrees, apex
-/// 1 mm short of the lateral cortex. Frame: x distal, y dorsal, z lateral. The metrics below are the example's own,
-/// computed elsewhere and rounded to 1e-3; its item points are rounded to 1e-2.
+/// The worked Akin example: right hallux proximal phalanx, section 15 x 12.5 mm, cut 1 at 6 mm,
+/// wedge 10 degrees, apex 1 mm short of the lateral cortex. Frame: x distal, y dorsal, z lateral.
+/// The metrics below are the example's own, computed elsewhere and rounded to 1e-3; its item points
+/// are rounded to 1e-2.
 #include "assessment/metrics/akin.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,8 @@ namespace {
 constexpr double half_width_mm = 7.5, half_height_mm = 6.25, grid_mm = 0.25;
 constexpr double planned_entry_mm = 6.0, planned_wedge_deg = 10.0, planned_apex_mm = 6.5;
 
-/// Tilts: transverse (positive: medial edge distal) and sagittal (positive: plantar edge distal), of both cuts.
+/// Tilts: transverse (positive: medial edge distal) and sagittal (positive: plantar edge distal),
+/// of both cuts.
 struct Attempt {
   double x_entry_mm, transverse_deg, sagittal1_deg, wedge_deg, sagittal2_deg, apex_mm, reach_mm;
   double flatness_mm;
@@ -194,7 +196,8 @@ TEST(Akin, AMirroredFootGivesTheSameNumbers) {
     EXPECT_NEAR(left.cut1.angle_deg, right.cut1.angle_deg, 1e-9);
     EXPECT_NEAR(left.cut1.location_mm, right.cut1.location_mm, 1e-9);
     EXPECT_NEAR(left.cut2.angle_deg, right.cut2.angle_deg, 1e-9);
-    // The transverse tilt counts towards z, so it and the wedge change sign; both are scored without.
+    // The transverse tilt counts towards z, so it and the wedge change sign; both are scored
+    // without.
     EXPECT_NEAR(left.wedge_error_deg, -right.wedge_error_deg, 1e-9);
     EXPECT_NEAR(left.wedge_sagittal_deg, right.wedge_sagittal_deg, 1e-9);
     EXPECT_NEAR(left.base_mm, right.base_mm, 1e-9);

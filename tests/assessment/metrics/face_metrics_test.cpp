@@ -37,7 +37,8 @@ TEST(FaceMetrics, AFaceThatLooksMoreDorsallyIsDeepestDorsally) {
   const Vec3 deepest = deepest_direction(actual, medial_face);
   EXPECT_EQ(direction_words(deepest), "dorsal");
   EXPECT_NEAR(std::sqrt(glm::dot(deepest, deepest)), std::sin(tilt_rad), 1e-12);
-  // The dorsal edge of the actual face lies further lateral (z rises), so more bone was taken there.
+  // The dorsal edge of the actual face lies further lateral (z rises), so more bone was taken
+  // there.
   const Vec3 dorsal_edge{0.0, 10.0, 0.0};
   EXPECT_LT(distance_along_mm(actual, dorsal_edge, medial_face.normal),
             distance_along_mm(medial_face, dorsal_edge, medial_face.normal));

@@ -14,7 +14,8 @@ using simulator::Bone;
 using simulator::Recording;
 using testing::Stroke;
 
-/// Poses are recorded to 1 um: over the block's 1200 mm2 the wall may lie 0.5 um off, twice that with its rotation.
+/// Poses are recorded to 1 um: over the block's 1200 mm2 the wall may lie 0.5 um off, twice that
+/// with its rotation.
 constexpr double volume_tolerance_mm3 = 1200.0 * 0.001;
 
 RebuiltBone rebuilt_from(const std::vector<Stroke>& strokes) {
@@ -42,7 +43,8 @@ TEST(Rebuild, ACutThroughTheBlockLeavesTwoPiecesAndTakesItsKerf) {
 TEST(Rebuild, AStrokeThatStopsInsideTakesWhatItOpenedAndSaysHowFarItCame) {
   const RebuiltBone rebuilt = rebuilt_from({Stroke{.last_y_mm = 0.0}});
   EXPECT_EQ(rebuilt.pieces.size(), 1U);
-  // The last pose lies one feed of 0.05 mm above the middle; its tip is off by 1 um and its line by as much.
+  // The last pose lies one feed of 0.05 mm above the middle; its tip is off by 1 um and its line by
+  // as much.
   EXPECT_NEAR(rebuilt.removed_mm3, 60.0 * 9.95 * testing::kerf_mm, 60.0 * 0.002 * testing::kerf_mm);
   EXPECT_NEAR(rebuilt.piece_volumes_mm3[0] + rebuilt.removed_mm3, rebuilt.input_mm3, 1e-6);
   ASSERT_EQ(rebuilt.kerfs.size(), 1U);

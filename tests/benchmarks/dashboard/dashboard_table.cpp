@@ -1,5 +1,5 @@
-// What the screens ask of a course of 1,000 trainees with 100 attempts each, question by question as they ask it: the goal is
-// that none takes 50 ms.
+// What the screens ask of a course of 1,000 trainees with 100 attempts each, question by question
+// as they ask it: the goal is that none takes 50 ms.
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -39,7 +39,8 @@ struct Desks {
   database::AdministratorDesk administrator;
 };
 
-/// By the clock, not the processor: what somebody waits for, the disk and the other programs of the machine with it.
+/// By the clock, not the processor: what somebody waits for, the disk and the other programs of the
+/// machine with it.
 Spread waited_ms(int times, const std::function<void()>& ask) {
   std::vector<double> waits_ms;
   ask();

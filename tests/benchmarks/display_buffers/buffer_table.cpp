@@ -2,7 +2,8 @@
 //
 //     buffer_table [--out DIR] [--quick]
 //
-// Tables are printed as Markdown and written as CSV, charts as SVG. A slow run is no failure; a wrong result is.
+// Tables are printed as Markdown and written as CSV, charts as SVG. A slow run is no failure; a
+// wrong result is.
 #include <exception>
 #include <filesystem>
 #include <iostream>

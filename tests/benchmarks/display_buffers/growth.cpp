@@ -1,8 +1,9 @@
 // Growth: how much room to take when the room ends.
 //
-// A scheme of p percent takes p percent of what is needed. All is appended step by step, each step sent at once, as the thesis
-// did. Beside the time stands what the buffers themselves count: stores made, and bytes moved from store to store. The
-// latter is exact and the same on every machine; a line through it is drawn beside the measured one.
+// A scheme of p percent takes p percent of what is needed. All is appended step by step, each step
+// sent at once, as the thesis did. Beside the time stands what the buffers themselves count: stores
+// made, and bytes moved from store to store. The latter is exact and the same on every machine; a
+// line through it is drawn beside the measured one.
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -78,7 +79,8 @@ struct Figure {
 
 double megabytes(std::uint64_t bytes) { return static_cast<double>(bytes) / 1.0e6; }
 
-/// The measured times, and a line of what is explained by bytes alone: the fixed share as with most room, the rest by bytes.
+/// The measured times, and a line of what is explained by bytes alone: the fixed share as with most
+/// room, the rest by bytes.
 std::string draw_figure(const Figure& figure, const std::vector<Appended>& by_scheme) {
   LineChart chart{
       .title = "Thesis " + figure.number + ": " + figure.what + " (schemes of 101 to 120 %)",

@@ -1,5 +1,6 @@
-// How many pictures a second the operating view makes here, mono and stereo, with the bone at about 50,000 triangles: the whole
-// of a frame is measured, from the patch's upload to the last pixel (glFinish).
+// How many pictures a second the operating view makes here, mono and stereo, with the bone at about
+// 50,000 triangles: the whole of a frame is measured, from the patch's upload to the last pixel
+// (glFinish).
 //
 //     operating_frames [EDGE_MM]     0.21 gives a phalanx of about 50,000 triangles
 #include <epoxy/gl.h>

@@ -1,4 +1,5 @@
-/// The ways to remove elements that the program does not take (thesis 5.3.4), to be measured beside the one that it does.
+/// The ways to remove elements that the program does not take (thesis 5.3.4), to be measured beside
+/// the one that it does.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +13,15 @@ namespace hallux::benchmarks {
 enum class RemovalPolicy : std::uint8_t {
   /// A blank takes the place: what ui::DisplayBuffer does.
   Overwrite,
-  /// The last element takes the place (the thesis's first method); costs 8 bytes of memory an element.
+  /// The last element takes the place (the thesis's first method); costs 8 bytes of memory an
+  /// element.
   MoveLast,
   /// All that stands is packed again and sent: the thesis's unoptimised method; as much memory.
   Rebuild
 };
 
-/// Elements are called by the number in which they were appended; a number stays theirs wherever they move.
+/// Elements are called by the number in which they were appended; a number stays theirs wherever
+/// they move.
 template <typename Element>
 class PlacedBuffer {
  public:

@@ -1,8 +1,9 @@
 // Removal: with and without the overwrite trick, a batch of triangles a frame.
 //
-// The thesis removed faster by overwriting on its small mesh and slower on its large one, and left open why. Four readings of
-// its method are measured beside the two policies: what it compares with (a rebuild for each triangle, or one for each
-// frame), how a triangle's indices are found (known, or searched), and what is sent after a change (that, or all).
+// The thesis removed faster by overwriting on its small mesh and slower on its large one, and left
+// open why. Four readings of its method are measured beside the two policies: what it compares with
+// (a rebuild for each triangle, or one for each frame), how a triangle's indices are found (known,
+// or searched), and what is sent after a change (that, or all).
 #include <epoxy/gl.h>
 
 #include <algorithm>

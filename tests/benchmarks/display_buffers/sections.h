@@ -21,12 +21,14 @@ struct BufferResults {
   };
   std::vector<Table> tables;
   std::vector<Chart> charts;
-  std::vector<std::string> faults;  ///< what came out wrong; a time is never one
+  /// What came out wrong; a time is never one.
+  std::vector<std::string> faults;
 };
 
 /// Thesis figures 7.3 to 7.10: 21 growth schemes, two meshes, two works, two buffers.
 void measure_growth(const BufferEffort& effort, BufferResults& results);
-/// Thesis figure 7.11: removal with and without the overwrite trick, and what may have reversed it there.
+/// Thesis figure 7.11: removal with and without the overwrite trick, and what may have reversed it
+/// there.
 void measure_removal(const BufferEffort& effort, BufferResults& results);
 /// What a frame sends, by how near changes are joined; and what blanks cost when drawn.
 void measure_uploads(const BufferEffort& effort, BufferResults& results);

@@ -1,4 +1,5 @@
-// What lies behind two constants: from which distance on changes are sent apart, and what blanks cost when they are drawn.
+// What lies behind two constants: from which distance on changes are sent apart, and what blanks
+// cost when they are drawn.
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -61,7 +62,8 @@ Table joining_table(const BufferModel& model) {
   return table;
 }
 
-/// Draws the triangles into a small picture, so that what is measured is what each of them costs before any pixel.
+/// Draws the triangles into a small picture, so that what is measured is what each of them costs
+/// before any pixel.
 double draw_ms(const std::vector<ui::BoneVertex>& points, const std::vector<Triangle>& triangles) {
   DisplayBuffer<ui::BoneVertex> vertices;
   vertices.append(points);

@@ -24,14 +24,17 @@ struct AppendStep {
 };
 
 struct AppendWork {
-  std::string name;  ///< "cutting" or "subdividing"
+  /// "cutting" or "subdividing".
+  std::string name;
   std::vector<AppendStep> steps;
 };
 
-/// Twelve planes across x, each 1/13 of the model's width after the one before. A triangle that is crossed adds two triangles
-/// and a pair of points (thesis 4.5.1); a ring's caps are two fans around two middles (4.5.3).
+/// Twelve planes across x, each 1/13 of the model's width after the one before. A triangle that is
+/// crossed adds two triangles and a pair of points (thesis 4.5.1); a ring's caps are two fans
+/// around two middles (4.5.3).
 AppendWork cutting_of(const BufferModel& model);
-/// Each triangle is bisected: one point and one triangle more; of large models only the first `steps_at_most`.
+/// Each triangle is bisected: one point and one triangle more; of large models only the first
+/// `steps_at_most`.
 AppendWork subdividing_of(const BufferModel& model, std::size_t steps_at_most);
 
 }  // namespace hallux::benchmarks

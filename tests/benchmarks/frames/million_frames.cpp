@@ -1,6 +1,6 @@
 // A million random frames, each checked as in tests/simulator/cutting/frames/kerf_frames_test.cpp:
-// none open, none refused, all in balance. Worlds are independent, so every core plays its own; what
-// they were is printed, faults end with an exit code.
+// none open, none refused, all in balance. Worlds are independent, so every core plays its own;
+// what they were is printed, faults end with an exit code.
 #include <algorithm>
 #include <charconv>
 #include <chrono>

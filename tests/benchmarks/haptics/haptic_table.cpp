@@ -2,8 +2,8 @@
 //
 //     haptic_table [--out DIR]
 //
-// Tables are printed as Markdown and written as CSV, the plots of docs/haptics.md as SVG. All but the last table is computed in
-// virtual time and the same on every machine.
+// Tables are printed as Markdown and written as CSV, the plots of docs/haptics.md as SVG. All but
+// the last table is computed in virtual time and the same on every machine.
 #include <exception>
 #include <filesystem>
 #include <iostream>

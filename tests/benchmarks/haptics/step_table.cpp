@@ -2,7 +2,8 @@
 //
 //     step_table [TRIANGLES...]
 //
-// Bones of 5,000, 50,000 and 500,000 triangles, or as many as are said. Processor time of each call, as Markdown.
+// Bones of 5,000, 50,000 and 500,000 triangles, or as many as are said. Processor time of each
+// call, as Markdown.
 #include <algorithm>
 #include <exception>
 #include <iostream>

@@ -1,5 +1,5 @@
-// What keeping costs: a first backup, the next one, a whole copy beside them, restoring, erasing a person, letting
-// recordings go; on a course of so many attempts of one minute.
+// What keeping costs: a first backup, the next one, a whole copy beside them, restoring, erasing a
+// person, letting recordings go; on a course of so many attempts of one minute.
 #include <cstdlib>
 #include <exception>
 #include <iostream>

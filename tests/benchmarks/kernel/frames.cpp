@@ -1,4 +1,5 @@
-// A whole cut, frame by frame: what a frame costs must follow the section, not the steps taken so far.
+// A whole cut, frame by frame: what a frame costs must follow the section, not the steps taken so
+// far.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,7 +1,8 @@
-// The kernel's table: our cuts beside VTK, CGAL and the thesis's method, all measured in one run on one thread.
+// The kernel's table: our cuts beside VTK, CGAL and the thesis's method, all measured in one run on
+// one thread.
 //
-// Every table is printed as Markdown and written as CSV, every chart as SVG. A slow run is no failure; a wrong result
-// (another volume, an open mesh) is.
+// Every table is printed as Markdown and written as CSV, every chart as SVG. A slow run is no
+// failure; a wrong result (another volume, an open mesh) is.
 #include <array>
 #include <cstdio>
 #include <exception>

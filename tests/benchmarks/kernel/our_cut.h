@@ -10,11 +10,14 @@
 
 namespace hallux::benchmarks {
 
-/// What a frame hands to the graphics card: what is new, in its number format. The mesh that stands still is there already.
+/// What a frame hands to the graphics card: what is new, in its number format. The mesh that stands
+/// still is there already.
 struct UploadBuffers {
-  std::vector<float> positions_mm;  ///< three per point of the patch
+  /// Three per point of the patch.
+  std::vector<float> positions_mm;
   std::vector<std::uint32_t> indices;
-  std::vector<std::uint32_t> hidden;  ///< triangles of the mesh that are no longer drawn
+  /// Triangles of the mesh that are no longer drawn.
+  std::vector<std::uint32_t> hidden;
 };
 
 /// Processor time of the parts of the last frame.
@@ -31,7 +34,8 @@ class OurCut {
   OurCut(const OurCut&) = delete;
   OurCut& operator=(const OurCut&) = delete;
 
-  /// A frame: stamps the blade's way from where it was, and brings outline, patch and buffers up to date.
+  /// A frame: stamps the blade's way from where it was, and brings outline, patch and buffers up to
+  /// date.
   /// ensures true where this opened something and bone is taken away
   bool advance(const simulator::Blade& blade, const simulator::PlanarPose& to);
 

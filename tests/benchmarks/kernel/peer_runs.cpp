@@ -26,7 +26,8 @@ Repetitions more(const Repetitions& repetitions) {
   return {.least = 5, .most = 10 * repetitions.most, .limit_s = 0.5 * repetitions.limit_s};
 }
 
-/// Times work on what `make` gives; the last result stays in `result`, and results are freed outside the clock.
+/// Times work on what `make` gives; the last result stays in `result`, and results are freed
+/// outside the clock.
 template <typename Result, typename Make, typename Work>
 Spread time_kept(const Repetitions& repetitions, std::optional<Result>& result, Make make,
                  Work work) {

@@ -41,28 +41,34 @@ inline constexpr std::array<NamedMethod, 8> all_methods{{
 }};
 
 struct BoneWorld {
-  std::size_t wanted = 0;  ///< triangles
+  /// Triangles.
+  std::size_t wanted = 0;
   bool is_hollow = false;
   simulator::IndexedMesh mesh;
   simulator::KerfPlane plane;
 
-  std::string name() const;  ///< "50k hollow"
+  /// "50k hollow".
+  std::string name() const;
 };
 
 struct Outcome {
   Spread time_ms;
-  std::optional<double> removed_mm3;  ///< where the method removes the slab
-  bool is_closed = true;              ///< where it was looked at
+  /// Where the method removes the slab.
+  std::optional<double> removed_mm3;
+  /// Where it was looked at.
+  bool is_closed = true;
 };
 
 using Outcomes = std::map<Method, Outcome>;
 
-/// What each needs before (its own mesh, a search tree, a copy to work on) is made outside the clock.
+/// What each needs before (its own mesh, a search tree, a copy to work on) is made outside the
+/// clock.
 /// errors  std::runtime_error where a peer gives up
 void run_vtk(const BoneWorld& world, Outcomes& outcomes);
 void run_cgal(const BoneWorld& world, Outcomes& outcomes);
 void run_thesis(const BoneWorld& world, Outcomes& outcomes);
-/// ensures OurContact and OurSlab give one mesh and a patch; OurCompacted one mesh with buffers of its own
+/// ensures OurContact and OurSlab give one mesh and a patch; OurCompacted one mesh with buffers of
+///         its own
 void run_ours(const BoneWorld& world, Outcomes& outcomes);
 
 }  // namespace hallux::benchmarks

@@ -1,4 +1,5 @@
-// The table of peers: what every library does once with a plane or a slab, beside our contact and our slab.
+// The table of peers: what every library does once with a plane or a slab, beside our contact and
+// our slab.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// What the thesis rejected: the blade subtracted pose by pose, by CGAL in exact numbers, beside our frames.
+// What the thesis rejected: the blade subtracted pose by pose, by CGAL in exact numbers, beside our
+// frames.
 #include <algorithm>
 #include <string>
 
@@ -33,7 +34,8 @@ IndexedMesh blade_at(const KerfPlane& plane, const Blade& blade, const PlanarPos
                      Vec3(-blade.depth_mm, -half_mm.y, -half_mm.z), half_mm);
 }
 
-/// The shares of the stroke at which the blade is in bone, as our kernel finds them; what it costs at each.
+/// The shares of the stroke at which the blade is in bone, as our kernel finds them; what it costs
+/// at each.
 std::vector<Step> our_steps(const IndexedMesh& mesh, const std::vector<PlanarPose>& poses,
                             std::vector<PlanarPose>& in_bone) {
   const CutSolid bone = uncut_solid(mesh);

@@ -10,20 +10,24 @@
 namespace hallux::benchmarks {
 
 struct Effort {
-  std::size_t greatest_mesh = 2'000'000;  ///< triangles; larger worlds are left out
+  /// Triangles; larger worlds are left out.
+  std::size_t greatest_mesh = 2'000'000;
   std::size_t many_steps = 10'000;
-  double exact_boolean_limit_s = 60.0;  ///< for the repeated Boolean in exact numbers
+  /// For the repeated Boolean in exact numbers.
+  double exact_boolean_limit_s = 60.0;
 };
 
 struct NamedChart {
-  std::string name;  ///< of the SVG file, without its ending
+  /// Of the SVG file, without its ending.
+  std::string name;
   std::string svg;
 };
 
 struct Results {
   std::vector<Table> tables;
   std::vector<NamedChart> charts;
-  std::vector<std::string> faults;  ///< what came out wrong; a time is never one
+  /// What came out wrong; a time is never one.
+  std::vector<std::string> faults;
 };
 
 /// Adds a fault unless the two volumes agree within a millionth.

@@ -1,4 +1,5 @@
-// The search tree built in other ways: the thesis left open what the parameters of its octree are worth (8.4.2).
+// The search tree built in other ways: the thesis left open what the parameters of its octree are
+// worth (8.4.2).
 #include <cmath>
 #include <string>
 

@@ -1,7 +1,9 @@
-// The thesis's chapter 7 again: twelve cuts across a foot and across a sphere, and the rate of the simulation's frames.
+// The thesis's chapter 7 again: twelve cuts across a foot and across a sphere, and the rate of the
+// simulation's frames.
 //
-// Each cut lies across x, the next one 1/13 of the model's width further; the saw points along z, its width lies along y, and
-// it is moved up and down and gradually forward along a sine. No picture is drawn: a frame is what the cut costs.
+// Each cut lies across x, the next one 1/13 of the model's width further; the saw points along z,
+// its width lies along y, and it is moved up and down and gradually forward along a sine. No
+// picture is drawn: a frame is what the cut costs.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -51,7 +53,8 @@ struct CutPlan {
   FieldGrid grid;
 };
 
-/// The kerf's x is the feed (the model's -z), its y the saw's width (the model's y), its z the model's x.
+/// The kerf's x is the feed (the model's -z), its y the saw's width (the model's y), its z the
+/// model's x.
 CutPlan plan_cut(const Box& box, int cut) {
   const Vec3 middle_mm = 0.5 * (box.low_mm + box.high_mm), size_mm = box.high_mm - box.low_mm;
   const double x_mm = box.low_mm.x + size_mm.x * (cut + 1) / (cut_count + 1);
@@ -73,8 +76,8 @@ CutPlan plan_cut(const Box& box, int cut) {
 /// Milliseconds of the frames in which the saw changed something.
 struct Frames {
   std::vector<double> alone_ms;  ///< what a frame itself costs
-  std::vector<double>
-      with_jobs_ms;  ///< what is done once in a cut (slice; commit, tree, parts) put into its first and last
+  /// What is done once in a cut (slice; commit, tree, parts) put into its first and last.
+  std::vector<double> with_jobs_ms;
   std::size_t parts = 0, wanted_parts = 0;
   std::size_t folded = 0;  ///< triangles turned over
 };

@@ -1,4 +1,5 @@
-/// CGAL's surface meshes behind one small face: as a peer in the benchmarks, as an oracle for volumes in tests/oracles.
+/// CGAL's surface meshes behind one small face: as a peer in the benchmarks, as an oracle for
+/// volumes in tests/oracles.
 ///
 /// CGAL is GPL-3: only programs under tests/ link it, and only with HALLUX_ORACLES.
 #pragma once
@@ -11,10 +12,12 @@
 
 namespace hallux::benchmarks {
 
-/// Inexact: doubles with exact predicates (EPICK), fast; a result cut again may fail. Exact: lazy exact numbers (EPECK).
+/// Inexact: doubles with exact predicates (EPICK), fast; a result cut again may fail. Exact: lazy
+/// exact numbers (EPECK).
 enum class CgalNumbers { Inexact, Exact };
 
-/// errors  std::runtime_error where CGAL says that it could not, of every function that changes the solid
+/// errors  std::runtime_error where CGAL says that it could not, of every function that changes the
+///         solid
 template <CgalNumbers numbers>
 class CgalSolid {
  public:

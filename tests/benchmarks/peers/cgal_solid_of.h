@@ -1,4 +1,5 @@
-/// CgalSolid for one kind of numbers: each is compiled in a source of its own, since each takes a minute.
+/// CgalSolid for one kind of numbers: each is compiled in a source of its own, since each takes a
+/// minute.
 #pragma once
 
 #include <CGAL/Polygon_mesh_processing/clip.h>

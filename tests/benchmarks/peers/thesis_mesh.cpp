@@ -120,7 +120,8 @@ void ThesisMesh::pass_on_neighbour(std::uint32_t from, std::uint32_t edge, std::
   std::replace(neighbours_[other].begin(), neighbours_[other].end(), from, to);
 }
 
-/// Thesis figure 4.7: the lone corner A stays with P and Q, the other two with a quadrilateral in two triangles.
+/// Thesis figure 4.7: the lone corner A stays with P and Q, the other two with a quadrilateral in
+/// two triangles.
 void ThesisMesh::split(std::uint32_t triangle, std::vector<std::uint32_t>& made) {
   const Triangle corners = mesh_.triangles[triangle];
   std::uint32_t lone = 0;

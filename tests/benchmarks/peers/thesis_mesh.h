@@ -1,10 +1,11 @@
 /// The method of the thesis that began this project, written once, to be measured beside ours.
 ///
-/// At first touch the mesh is sliced by one plane along the ring of triangles that can be walked to from the touched one;
-/// no volume is lost, and both sides are closed by a fan of triangles around the middle of their corners. Each crossing is
-/// a pair of points at one place, one per side; the blade parts the pairs it passes over by half a kerf each.
-/// Source: thesis 4.4.3 (single plane), 4.5.1 to 4.5.4 (split, caps, walk), 4.6 (parting, disjoint parts), 5.3 (spare room).
-/// Its octree is not built: the touched triangle is given, found by our tree.
+/// At first touch the mesh is sliced by one plane along the ring of triangles that can be walked to
+/// from the touched one; no volume is lost, and both sides are closed by a fan of triangles around
+/// the middle of their corners. Each crossing is a pair of points at one place, one per side; the
+/// blade parts the pairs it passes over by half a kerf each. Source: thesis 4.4.3 (single plane),
+/// 4.5.1 to 4.5.4 (split, caps, walk), 4.6 (parting, disjoint parts), 5.3 (spare room). Its octree
+/// is not built: the touched triangle is given, found by our tree.
 #pragma once
 
 #include <array>
@@ -60,8 +61,10 @@ class ThesisMesh {
                          std::uint32_t new_edge);
 
   simulator::IndexedMesh mesh_;
-  std::vector<std::array<std::uint32_t, 3>> neighbours_;  ///< across the edge behind each corner
-  std::vector<std::uint32_t> visited_;                    ///< the number of the cut that came here
+  /// Across the edge behind each corner.
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;
+  /// The number of the cut that came here.
+  std::vector<std::uint32_t> visited_;
   std::uint32_t cut_ = 0;
 
   simulator::KerfPlane plane_;
@@ -70,9 +73,10 @@ class ThesisMesh {
   RigidTransform kerf_from_bone_;
   std::vector<Pair> pairs_;
   std::size_t parted_ = 0;
-  std::unordered_map<std::uint64_t, std::uint32_t> pair_on_edge_;  ///< edge to its pair's `above`
-  std::vector<std::array<std::uint32_t, 2>>
-      segments_;  ///< of the section, by `above`, bone on its left
+  /// Edge to its pair's `above`.
+  std::unordered_map<std::uint64_t, std::uint32_t> pair_on_edge_;
+  /// Of the section, by `above`, bone on its left.
+  std::vector<std::array<std::uint32_t, 2>> segments_;
 };
 
 }  // namespace hallux::benchmarks

@@ -1,4 +1,5 @@
-/// VTK's polygon data behind one small face: the strongest peer for a plane split. Only programs under tests/ link it.
+/// VTK's polygon data behind one small face: the strongest peer for a plane split. Only programs
+/// under tests/ link it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The record as chunks beside the record as rows: what a millisecond takes on the disk, what writing it takes of a core,
-// and how fast an attempt, or a second of it, is back.
+// The record as chunks beside the record as rows: what a millisecond takes on the disk, what
+// writing it takes of a core, and how fast an attempt, or a second of it, is back.
 #include <algorithm>
 #include <chrono>
 #include <exception>

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::int64_t transaction_ticks = 500;
 
-/// A column for each integer of a row; of the commands, which are few, those that are used stand in a table of their own.
+/// A column for each integer of a row; of the commands, which are few, those that are used stand in
+/// a table of their own.
 constexpr const char* schema =
     "CREATE TABLE tape (attempt_id INTEGER, tick INTEGER, x INTEGER, y INTEGER, z INTEGER, qw "
     "INTEGER, "

@@ -1,6 +1,7 @@
-/// The record as a table would hold it: a row for each line of the tape, each sample and each event. What chunks are
-/// compared with, made as well as such a table can be: typed columns, no index beside the key, one prepared statement a
-/// table, WAL, a transaction each half second, the settings that the recorder has.
+/// The record as a table would hold it: a row for each line of the tape, each sample and each
+/// event. What chunks are compared with, made as well as such a table can be: typed columns, no
+/// index beside the key, one prepared statement a table, WAL, a transaction each half second, the
+/// settings that the recorder has.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What it takes to show an attempt again: the bone rebuilt from the recording and from kept fields, a replay opened, and
-// any moment of it shown.
+// What it takes to show an attempt again: the bone rebuilt from the recording and from kept fields,
+// a replay opened, and any moment of it shown.
 #include <exception>
 #include <iostream>
 

@@ -15,7 +15,8 @@ namespace {
 
 using ui::escaped;
 
-// Okabe and Ito's colours, yellow (too pale on white) replaced by brown, and grey: told apart by all eyes.
+// Okabe and Ito's colours, yellow (too pale on white) replaced by brown, and grey: told apart by
+// all eyes.
 constexpr std::array<const char*, 8> colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                              "#d55e00", "#56b4e9", "#5c5c5c", "#6b3e12"};
 constexpr double legend_width = 340.0;

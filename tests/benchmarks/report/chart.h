@@ -8,21 +8,25 @@ namespace hallux::benchmarks {
 
 struct Series {
   std::string name;
-  std::vector<double> values;  ///< one per group or place; not above 0 where nothing was measured
+  /// One per group or place; not above 0 where nothing was measured.
+  std::vector<double> values;
 };
 
 /// Horizontal bars on a logarithmic scale, side by side in groups.
 struct BarChart {
   std::string title;
-  std::string unit;                 ///< said under the scale
-  std::vector<std::string> groups;  ///< one per value of a series
+  /// Said under the scale.
+  std::string unit;
+  /// One per value of a series.
+  std::vector<std::string> groups;
   std::vector<Series> series;
 };
 
 /// Lines over a common axis, both scales linear from zero.
 struct LineChart {
   std::string title;
-  std::string along_name, value_name;  ///< with units
+  /// With units.
+  std::string along_name, value_name;
   std::vector<double> along;
   std::vector<Series> series;
 };

@@ -10,7 +10,8 @@ namespace hallux::benchmarks {
 /// Of a set of values in any unit.
 struct Spread {
   std::size_t count = 0;
-  double mean = 0.0, deviation = 0.0;  ///< of the sample (n - 1)
+  /// Of the sample (n - 1).
+  double mean = 0.0, deviation = 0.0;
   double least = 0.0, median = 0.0, p99 = 0.0, greatest = 0.0;
 };
 
@@ -22,8 +23,8 @@ class Stopwatch {
   double milliseconds() const {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin_).count();
   }
-  /// The processor time of this program since, all threads together: what would have passed on a machine with nothing else
-  /// to do, where the work is done by one thread.
+  /// The processor time of this program since, all threads together: what would have passed on a
+  /// machine with nothing else to do, where the work is done by one thread.
   double worked_milliseconds() const { return worked_ms() - begin_worked_ms_; }
 
  private:
@@ -34,13 +35,15 @@ class Stopwatch {
   double begin_worked_ms_ = worked_ms();
 };
 
-/// How often work is repeated: at least `least` and at most `most` times, no longer than about `limit_s` beyond the least.
+/// How often work is repeated: at least `least` and at most `most` times, no longer than about
+/// `limit_s` beyond the least.
 struct Repetitions {
   std::size_t least = 3, most = 9;
   double limit_s = 3.0;
 };
 
-/// The processor time of `work(made)`, where `made` is made anew by `make()` each time, outside the clock.
+/// The processor time of `work(made)`, where `made` is made anew by `make()` each time, outside the
+/// clock.
 template <typename Make, typename Work>
 Spread time_ms(const Repetitions& repetitions, Make make, Work work) {
   std::vector<double> times_ms;
@@ -56,7 +59,8 @@ Spread time_ms(const Repetitions& repetitions, Make make, Work work) {
   return spread_of(std::move(times_ms));
 }
 
-/// The processor time of a million square roots in a row, so that the figures of two machines can be compared.
+/// The processor time of a million square roots in a row, so that the figures of two machines can
+/// be compared.
 double calibration_ms();
 
 }  // namespace hallux::benchmarks

@@ -9,15 +9,19 @@
 namespace hallux::benchmarks {
 
 struct BoneLike {
-  std::size_t triangles = 50'000;  ///< aimed at; met within 2 percent
-  bool is_hollow = true;  ///< with a marrow canal of its own shell, 35 percent of the triangles
+  /// Aimed at; met within 2 percent.
+  std::size_t triangles = 50'000;
+  /// With a marrow canal of its own shell, 35 percent of the triangles.
+  bool is_hollow = true;
 };
 
-/// A wavy shaft with two thick ends, 62 mm along x and 14 to 16 mm across, with triangles of one size.
+/// A wavy shaft with two thick ends, 62 mm along x and 14 to 16 mm across, with triangles of one
+/// size.
 /// ensures closed and oriented, every coordinate bit for bit the same in each run
 simulator::IndexedMesh make_bone_like(const BoneLike& wanted);
 
-/// Five hollow bones side by side along y, as the metatarsals of a foot lie; one mesh of ten shells.
+/// Five hollow bones side by side along y, as the metatarsals of a foot lie; one mesh of ten
+/// shells.
 simulator::IndexedMesh make_foot_like(std::size_t triangles);
 
 /// An oblique kerf through the shaft of make_bone_like; the section is about 14 x 12 mm.

@@ -71,7 +71,8 @@ TEST_F(FirstMetatarsal, FillsItsLengthAndCarriesItsLandmarksAlong) {
   ASSERT_EQ(own.landmarks.size(), longer.landmarks.size());
   for (const simulator::Landmark& l : own.landmarks) {
     const Vec3 there = landmark(longer, l.name.c_str());
-    // An extreme point of a flat place may be the neighbouring mesh point: an edge of 1 mm, and 4/3 where it is long.
+    // An extreme point of a flat place may be the neighbouring mesh point: an edge of 1 mm, and 4/3
+    // where it is long.
     EXPECT_NEAR(there.x, l.point_in_bone_mm.x * 70.0 / 63.2, 4.0 / 3.0) << l.name;
     EXPECT_NEAR(there.z, l.point_in_bone_mm.z, 4.0 / 3.0) << l.name;
   }

@@ -66,8 +66,9 @@ TEST_F(FirstProximalPhalanx, IsTwoClosedSpheresAtItsLeastAndGreatestLength) {
 }
 
 TEST_F(FirstProximalPhalanx, HasTheVolumeOfItsSections) {
-  // The area of a superellipse lies between that of its rhombus and that of its box, and harmonics keep it within a
-  // tenth: here n 2.1 to 3.6, so 0.79 to 0.94 of the box 4 a b. Integrated over the stations, constant past the ends.
+  // The area of a superellipse lies between that of its rhombus and that of its box, and harmonics
+  // keep it within a tenth: here n 2.1 to 3.6, so 0.79 to 0.94 of the box 4 a b. Integrated over
+  // the stations, constant past the ends.
   const BoneTable table = first_proximal_phalanx_table();
   const auto box = [](const Station& s) { return 4.0 * s.half_width_mm * s.half_height_mm; };
   double boxes_mm3 =
@@ -78,7 +79,8 @@ TEST_F(FirstProximalPhalanx, HasTheVolumeOfItsSections) {
     const Station& to = table.stations[i + 1];
     boxes_mm3 += 0.5 * (to.position - from.position) * table.length_mm * (box(from) + box(to));
   }
-  // The hollow of the facet and the rounded rims take some 3 mm of the base and 1 mm of the head away.
+  // The hollow of the facet and the rounded rims take some 3 mm of the base and 1 mm of the head
+  // away.
   const double ends_mm3 = 4.0 * box(table.stations.front());
   const double volume_mm3 = simulator::signed_volume_mm3(bone().outer);
   EXPECT_LT(volume_mm3, 0.94 * boxes_mm3);
@@ -93,7 +95,8 @@ TEST_F(FirstProximalPhalanx, HasItsLandmarksOnItsSurfaceAndItsShaftInside) {
     if (l.name.starts_with("shaft_")) {
       EXPECT_LT(distance_mm, -3.0) << l.name;
     } else {
-      // Points of the mesh lie on it; those of the field as far off as the arc of a 1 mm edge is high.
+      // Points of the mesh lie on it; those of the field as far off as the arc of a 1 mm edge is
+      // high.
       EXPECT_NEAR(distance_mm, 0.0, 0.1) << l.name;
     }
   }
@@ -118,7 +121,8 @@ TEST_F(FirstProximalPhalanx, HasItsJointLineSquareToItsLengthOverAHollowFacet) {
   for (const double length_mm : {0.0, 27.0}) {
     const Bone& b = bone(length_mm);
     const Vec3 line = landmark(b, "base_lat") - landmark(b, "base_med");
-    // The rim rests on mesh points that lie some hundredths of a millimetre beside its crest, 14 mm apart.
+    // The rim rests on mesh points that lie some hundredths of a millimetre beside its crest, 14 mm
+    // apart.
     EXPECT_NEAR(degree_from_radian(std::atan2(line.x, line.z)), 0.0, 0.5) << length_mm;
     EXPECT_GT(landmark(b, "base_centre").x, landmark(b, "base_med").x + 2.0) << length_mm;
   }
@@ -144,7 +148,8 @@ TEST_F(FirstProximalPhalanx, CarriesItsLandmarksAlongWithItsLength) {
   ASSERT_EQ(own.landmarks.size(), shorter.landmarks.size());
   for (const simulator::Landmark& l : own.landmarks) {
     const Vec3 there = landmark(shorter, l.name.c_str());
-    // An extreme point of a flat place may be the neighbouring mesh point: an edge of 1 mm, and 4/3 where it is long.
+    // An extreme point of a flat place may be the neighbouring mesh point: an edge of 1 mm, and 4/3
+    // where it is long.
     EXPECT_NEAR(there.x, l.point_in_bone_mm.x * 27.0 / 33.0, 4.0 / 3.0) << l.name;
   }
   EXPECT_EQ(shorter.cortex->length_mm, 27.0);

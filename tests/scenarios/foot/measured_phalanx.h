@@ -1,4 +1,5 @@
-/// The first proximal phalanx with its base facet as oblique as it was measured; the shipped table levels it.
+/// The first proximal phalanx with its base facet as oblique as it was measured; the shipped table
+/// levels it.
 #pragma once
 
 #include "scenarios/foot/first_proximal_phalanx.h"

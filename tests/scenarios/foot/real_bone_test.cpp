@@ -45,8 +45,8 @@ struct Likeness {
   double mean_mm = 0.0, p95_mm = 0.0, greatest_mm = 0.0;
 };
 
-/// How far two surfaces lie apart after the real one is scaled to the same length and laid on the made one. The folder of
-/// real bones is named by HALLUX_MESHES; they are not part of the project.
+/// How far two surfaces lie apart after the real one is scaled to the same length and laid on the
+/// made one. The folder of real bones is named by HALLUX_MESHES; they are not part of the project.
 Likeness likeness_to_real(const IndexedMesh& made, const char* real_file) {
   const char* folder = std::getenv("HALLUX_MESHES");
   if (folder == nullptr) {
@@ -90,7 +90,8 @@ TEST(RealBone, IsMetByTheFirstProximalPhalanxWithTheFacetAsMeasuredWithinAQuarte
   EXPECT_LT(found.p95_mm, 0.6);
 }
 
-/// Levelling moves the facet's lateral half by up to some 3 mm, and nothing else: the bound is that of a believable bone.
+/// Levelling moves the facet's lateral half by up to some 3 mm, and nothing else: the bound is that
+/// of a believable bone.
 TEST(RealBone, IsMetByTheFirstProximalPhalanxAsShippedWithinAMillimetre) {
   const IndexedMesh made = make_first_proximal_phalanx(first_proximal_phalanx_table(),
                                                        {.edge_mm = 0.3, .with_canal = false})
@@ -100,7 +101,8 @@ TEST(RealBone, IsMetByTheFirstProximalPhalanxAsShippedWithinAMillimetre) {
   EXPECT_LT(found.p95_mm, 2.5);
 }
 
-/// The phalanx without its shape: one ellipse of its mean widths from end to end, and flat ends with round rims.
+/// The phalanx without its shape: one ellipse of its mean widths from end to end, and flat ends
+/// with round rims.
 BoneTable bar_table() {
   BoneTable table = first_proximal_phalanx_table();
   table.relief_mm = 0.0;

@@ -14,7 +14,8 @@ namespace {
 template <std::size_t N>
 using Square = std::array<std::array<double, N>, N>;
 
-/// Eigenvectors of a symmetric matrix as columns (Jacobi's rotations); the eigenvalues stay on the diagonal.
+/// Eigenvectors of a symmetric matrix as columns (Jacobi's rotations); the eigenvalues stay on the
+/// diagonal.
 template <std::size_t N>
 Square<N> eigenvectors(Square<N>& m) {
   Square<N> v{};

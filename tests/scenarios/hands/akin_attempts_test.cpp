@@ -1,4 +1,5 @@
-// The forty scripted Akin attempts: what the two hands score, what is left of the hinge, and that each replays.
+// The forty scripted Akin attempts: what the two hands score, what is left of the hinge, and that
+// each replays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ TEST(AkinAttempts, TellAnExpertFromANoviceAndReplayIdentically) {
   const AttemptTable table = run_attempts("akin");
   expect_told_apart(table);
   const auto& [expert, novice] = table.rows;
-  // Wedges come free and close in most experts' hands; in a part of the novices' the lateral cortex gives way.
+  // Wedges come free and close in most experts' hands; in a part of the novices' the lateral cortex
+  // gives way.
   EXPECT_GE(std::count_if(expert.begin(), expert.end(),
                           [](const AttemptRow& row) { return row.freed_a_piece; }),
             18);

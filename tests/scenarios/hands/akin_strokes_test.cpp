@@ -1,5 +1,6 @@
-// How the two hands saw Akin: which planes, how much of each planned window is open, and what is left of the hinge. Asked
-// of the kerfs' fields alone, so that it holds whatever is done with the pieces.
+// How the two hands saw Akin: which planes, how much of each planned window is open, and what is
+// left of the hinge. Asked of the kerfs' fields alone, so that it holds whatever is done with the
+// pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,7 +83,8 @@ std::int32_t kerf_of(const KerfSet& kerfs, const PlannedCut& cut, double& angle_
   return best;
 }
 
-/// Walks the kerf's plane lateral from its medial side, in the row of the bone's most lateral point.
+/// Walks the kerf's plane lateral from its medial side, in the row of the bone's most lateral
+/// point.
 void measure_bridge(const simulator::Section& section, const simulator::KerfField& field,
                     CutMade& made) {
   Vec2 far{-1000.0, 0.0};

@@ -18,7 +18,8 @@ using simulator::Bone;
 using simulator::CommandKind;
 using simulator::Recording;
 
-/// Silver without its frontal tilt on a soft block 30 x 20 x 20 mm about the x axis: the planned face is z = -1.
+/// Silver without its frontal tilt on a soft block 30 x 20 x 20 mm about the x axis: the planned
+/// face is z = -1.
 struct Patient {
   Patient() : silver(load_shipped_scenario("silver")) {
     silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
@@ -122,7 +123,8 @@ TEST(FeelingHand, WhosePlaneMissesTheBoneIsRefused) {
   Patient patient;
   HandSkill far = hand_skill("expert");
   far.location_mean_mm = 100.0;
-  // Half of such hands aim beyond the bone's medial side, the others beyond its lateral side: all miss.
+  // Half of such hands aim beyond the bone's medial side, the others beyond its lateral side: all
+  // miss.
   EXPECT_EQ(refusal_of(patient, far, 5),
             "the hand's plane misses the bone for seed 5; choose another seed");
   patient.plan.cuts.at(0).face.offset_mm += 50.0;

@@ -18,7 +18,8 @@ using simulator::Bone;
 
 constexpr std::uint64_t seeds = 200;
 
-/// Silver on a bone coarse enough that hundreds of hands take no time; planes do not depend on the edges' length.
+/// Silver on a bone coarse enough that hundreds of hands take no time; planes do not depend on the
+/// edges' length.
 struct Patient {
   Patient() : silver(load_shipped_scenario("silver")) {
     silver.patient.edge_mm = 1.5;
@@ -40,7 +41,8 @@ double median(std::vector<double> values) {
 }
 
 /// Four standard errors of the median of as many truncated normal numbers as there are seeds.
-/// The density at the median is 0.3989 / (0.9545 deviation); the error of a median is 1 / (2 density sqrt(count)).
+/// The density at the median is 0.3989 / (0.9545 deviation); the error of a median is 1 / (2
+/// density sqrt(count)).
 double median_tolerance(double deviation) {
   const double density = 0.3989 / (0.9545 * deviation);
   return 4.0 / (2.0 * density * std::sqrt(static_cast<double>(seeds)));
@@ -108,12 +110,13 @@ TEST(HandAim, HasTheErrorsOfItsSkill) {
                 angle_deg, location_mm, aims.misses);
     EXPECT_NEAR(angle_deg, skill.angle_mean_deg, median_tolerance(skill.angle_deviation_deg))
         << name;
-    // The tilt alone may reach farther than the location that was drawn: the median is no smaller, and within 30 %.
+    // The tilt alone may reach farther than the location that was drawn: the median is no smaller,
+    // and within 30 %.
     EXPECT_GT(location_mm, skill.location_mean_mm - median_tolerance(skill.location_deviation_mm))
         << name;
     EXPECT_LT(location_mm, 1.3 * skill.location_mean_mm) << name;
-    // Only who aims 4 mm or more too far medial misses an eminence of 4 mm: half of the quarter of the novices whose
-    // error is so large.
+    // Only who aims 4 mm or more too far medial misses an eminence of 4 mm: half of the quarter of
+    // the novices whose error is so large.
     EXPECT_LE(aims.misses, skill.location_mean_mm > 2.0 ? seeds / 8 : 0U) << name;
   }
 }

@@ -1,5 +1,5 @@
-// Hands that saw through a block of soft bone: the push they keep, the plunge that follows from push and reaction, and what
-// water and doubt change.
+// Hands that saw through a block of soft bone: the push they keep, the plunge that follows from
+// push and reaction, and what water and doubt change.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ using simulator::ToolStatus;
 
 constexpr double far_side_mm = -10.0;
 
-/// Silver without its frontal tilt on a block 10 x 20 x 20 mm: one stroke from y = 10 to y = -10, 10 mm of teeth in bone.
+/// Silver without its frontal tilt on a block 10 x 20 x 20 mm: one stroke from y = 10 to y = -10,
+/// 10 mm of teeth in bone.
 struct Block {
   Block() : silver(scenarios::load_shipped_scenario("silver")) {
     silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
@@ -104,7 +105,8 @@ TEST(HandOnBlock, PlungesByWhatTheSpringHoldsAndWhatItLeansOnUntilItReacts) {
     for (const double reaction_s : {0.1, 0.4}) {
       const HandSkill skill = steady(newton, reaction_s);
       const double plunge_mm = block.plunge_mm(skill, 1);
-      // The spring of 2 N/mm lets go of its stretch. The handle leans on until the hand has noticed, and is let back.
+      // The spring of 2 N/mm lets go of its stretch. The handle leans on until the hand has
+      // noticed, and is let back.
       const double leant_mm = skill.push.lean_mm_s * (reaction_s + 0.02);
       EXPECT_GT(plunge_mm, 0.8 * (newton / 2.0 + leant_mm)) << newton << ' ' << reaction_s;
       EXPECT_LT(plunge_mm, 1.1 * (newton / 2.0 + leant_mm)) << newton << ' ' << reaction_s;

@@ -1,4 +1,5 @@
-// Hands that stop at a hinge: Akin on a block whose far side is flat, so that the line lies where it is planned.
+// Hands that stop at a hinge: Akin on a block whose far side is flat, so that the line lies where
+// it is planned.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +43,8 @@ struct Patient {
   Plan plan;
 };
 
-/// As little error as a hand has: a third of a degree, a twentieth of a millimetre, and none where it stops and meets.
+/// As little error as a hand has: a third of a degree, a twentieth of a millimetre, and none where
+/// it stops and meets.
 HandSkill steady() {
   HandSkill skill;
   skill.angle_mean_deg = skill.angle_deviation_deg = 0.0;
@@ -100,7 +102,8 @@ TEST(HingedHand, StopsAsFarInsideTheFarSideAsItMeansTo) {
     for (const AimedCut& cut : patient.aimed(skill, 3)) {
       const Vec3 stop =
           transform_point(cut.plane.bone_from_kerf, Vec3{cut.stop_mm.value(), 0.0, 0.0});
-      // Tilted by a third of a degree, the plane's furthest point lies up to 0.05 mm from its middle's.
+      // Tilted by a third of a degree, the plane's furthest point lies up to 0.05 mm from its
+      // middle's.
       EXPECT_NEAR(stop.z, far_side_mm - 1.0 + beyond_mm, 0.1) << beyond_mm;
       EXPECT_EQ(cut.loses_hinge, beyond_mm > 1.0);
     }
@@ -111,7 +114,8 @@ TEST(HingedHand, LetsGoAtTheLineAsSoonAsItSeesThatItIsThere) {
   const Patient patient;
   HandSkill skill = steady();
   skill.perception.eye_mm = 0.0;
-  // What a push of 6 N does to 12 mm of cortex and of cancellous bone until the reaction, and until the spring is let go.
+  // What a push of 6 N does to 12 mm of cortex and of cancellous bone until the reaction, and until
+  // the spring is let go.
   const double line_mm = far_side_mm - 1.0;
   const double deepest = deepest_mm(patient, patient.operated(skill, 3));
   EXPECT_GT(deepest, line_mm - 0.1);
@@ -131,7 +135,8 @@ TEST(HingedHand, LeadsTheSecondFaceThroughTheEndOfTheFirst) {
   skill.meet_deviation_mm = 0.0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::vector<AimedCut> cuts = patient.aimed(skill, seed);
-    // The line lies in the first blade's plane 1 mm inside its furthest point, half a kerf off the finished face.
+    // The line lies in the first blade's plane 1 mm inside its furthest point, half a kerf off the
+    // finished face.
     const simulator::KerfPlane& blade = cuts.at(0).plane;
     const auto& contour = cuts[0].region.contours.at(0);
     const Vec2 far = *std::max_element(contour.begin(), contour.end(),
@@ -147,15 +152,17 @@ TEST(HingedHand, MeasuresTheSecondFaceOffFromTheFirst) {
   HandSkill skill = hand_skill("novice");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::vector<AimedCut> cuts = patient.aimed(skill, seed);
-    // Turned with the first face, the planned second one differs from the aimed one by the second cut's own error.
+    // Turned with the first face, the planned second one differs from the aimed one by the second
+    // cut's own error.
     const Vec3& planned = patient.plan.cuts.at(0).face.normal;
     const Vec3 axis = glm::cross(planned, cuts.at(0).face.normal);
     const double sine = std::sqrt(glm::dot(axis, axis));
     const Vec3 turned =
         transform_direction({rotation_about(axis / sine, std::asin(std::min(1.0, sine))), {}},
                             patient.plan.cuts.at(1).face.normal);
-    // An arc cosine near 1 loses half of a double's digits. The tilt's axis lies in the planned second face, which was
-    // turned by the first error: at 19 degrees each the angle about it and the one between the normals differ by 6 %.
+    // An arc cosine near 1 loses half of a double's digits. The tilt's axis lies in the planned
+    // second face, which was turned by the first error: at 19 degrees each the angle about it and
+    // the one between the normals differ by 6 %.
     const double angle_rad =
         std::acos(std::clamp(glm::dot(turned, cuts.at(1).face.normal), -1.0, 1.0));
     EXPECT_NEAR(angle_rad, cuts[1].angle_error_rad, 0.06 * cuts[1].angle_error_rad + 1.0e-6)

@@ -1,4 +1,5 @@
-// A replay that ought to differ says so, and where: an altered input, an altered output, another constant of the step.
+// A replay that ought to differ says so, and where: an altered input, an altered output, another
+// constant of the step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +60,8 @@ TEST_F(ReplayDifference, OfOneInputInAirIsFoundAtItsOwnTick) {
 
 TEST_F(ReplayDifference, OfTheSmallestInputWhileCuttingIsFound) {
   const std::int64_t tick = first_tick(ToolStatus::Cutting) + 1000;
-  // One unit along each axis: whichever way the spring pulls, it pulls otherwise by half a millinewton or more.
+  // One unit along each axis: whichever way the spring pulls, it pulls otherwise by half a
+  // millinewton or more.
   for (std::int32_t& part :
        recording_.tape.at(static_cast<std::size_t>(tick)).device.world_from_handle.translation_um) {
     part += 1;

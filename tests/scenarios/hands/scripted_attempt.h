@@ -1,4 +1,5 @@
-/// A scripted attempt in virtual time, in one process and without a database: for tests and benchmarks.
+/// A scripted attempt in virtual time, in one process and without a database: for tests and
+/// benchmarks.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The forty scripted Silver attempts: what the two hands score, how far off they really cut, and that each replays.
+// The forty scripted Silver attempts: what the two hands score, how far off they really cut, and
+// that each replays.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -32,7 +32,8 @@ simulator::SectionRegion rectangle(const Vec2& low_mm, const Vec2& high_mm) {
   return region_of({low_mm, {high_mm.x, low_mm.y}, high_mm, {low_mm.x, high_mm.y}});
 }
 
-/// A bone's outline has many points: here every half millimetre or closer, as on a bone of 0.3 mm edges.
+/// A bone's outline has many points: here every half millimetre or closer, as on a bone of 0.3 mm
+/// edges.
 simulator::SectionRegion ellipse(const Vec2& half_mm, double dent) {
   constexpr int count = 720;
   simulator::Contour contour;
@@ -76,7 +77,8 @@ TEST(StrokePlan, KnowsWhereBoneBeginsAndEndsUnderEachStroke) {
 }
 
 TEST(StrokePlan, FollowsAnOutlineBetweenCornersThatAreBesideTheToothLine) {
-  // Both long sides rise by 0.1 mm per millimetre along the tooth line: over its 12 mm and 1 mm beside it from -7 to 7.
+  // Both long sides rise by 0.1 mm per millimetre along the tooth line: over its 12 mm and 1 mm
+  // beside it from -7 to 7.
   const auto region = region_of({{-3.0, -20.0}, {7.0, -20.0}, {11.0, 20.0}, {1.0, 20.0}});
   const auto strokes = plan_strokes(region, forefoot);
   ASSERT_EQ(strokes.size(), 5U);
@@ -95,7 +97,8 @@ TEST(StrokePlan, StopsAtALine) {
   const std::vector<Stroke> through{
       {0.0, -3.0, 11.0, 12.5}, {9.0, 2.0, 4.0, 5.5}, {-9.0, 6.5, 8.0, 9.5}};
   const std::vector<Stroke> strokes = stopped(through, 6.0);
-  // The third begins beyond the line; the second's bone ends before it, and the hand goes to the line all the same.
+  // The third begins beyond the line; the second's bone ends before it, and the hand goes to the
+  // line all the same.
   ASSERT_EQ(strokes.size(), 2U);
   const double lasts_mm[] = {6.0, 4.0};
   for (std::size_t i = 0; i < 2; ++i) {

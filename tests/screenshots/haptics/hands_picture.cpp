@@ -1,4 +1,5 @@
-// Two columns, an expert's and a novice's hand at Silver; rows over time: push, hottest bone, depth of the teeth.
+// Two columns, an expert's and a novice's hand at Silver; rows over time: push, hottest bone, depth
+// of the teeth.
 #include <algorithm>
 #include <array>
 #include <cmath>

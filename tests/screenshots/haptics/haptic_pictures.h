@@ -1,4 +1,5 @@
-/// The pictures of docs/haptics.md, each computed with a modelled arm or hand in virtual time; the same bytes each time.
+/// The pictures of docs/haptics.md, each computed with a modelled arm or hand in virtual time; the
+/// same bytes each time.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// The committed pictures are what the modelled arm and the hands do today: one that is out of date, or was changed by hand, fails here.
+// The committed pictures are what the modelled arm and the hands do today: one that is out of date,
+// or was changed by hand, fails here.
 #include "tests/screenshots/haptics/haptic_pictures.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Six small plots: rows are laws, columns are rates; how deep the handle goes into a plate, over time.
+// Six small plots: rows are laws, columns are rates; how deep the handle goes into a plate, over
+// time.
 #include <array>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
-// Two maps side by side, a column a tick of delay, upwards the wall's stiffness: how calm a hand rests on it, and theory.
+// Two maps side by side, a column a tick of delay, upwards the wall's stiffness: how calm a hand
+// rests on it, and theory.
 #include <array>
 #include <string>
 

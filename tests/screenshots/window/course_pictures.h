@@ -1,7 +1,9 @@
 /// The pictures of the window in docs/pictures/window: what people see in a simulated course.
 ///
-/// Each group signs in as one of the course, goes where a person would go, and takes pictures on the way.
-/// errors  std::runtime_error where a screen is not as it was: a control that is gone, work that does not end
+/// Each group signs in as one of the course, goes where a person would go, and takes pictures on
+/// the way.
+/// errors  std::runtime_error where a screen is not as it was: a control that is gone, work that
+///         does not end
 #pragma once
 
 #include <filesystem>
@@ -11,7 +13,8 @@ namespace hallux::tests {
 
 struct SimulatedCourse {
   std::filesystem::path data_directory;
-  std::string password;  ///< of every account
+  /// Of every account.
+  std::string password;
 };
 
 /// A course that nobody has begun.

@@ -12,7 +12,8 @@ void press(Photographer& photographer, Key key, int times, ui::Modifiers modifie
   for (int count = 0; count < times; ++count) photographer.key(key, modifiers);
 }
 
-/// From where the saw is held at first, seen from medial, to the planned plane, by what the panel says of it.
+/// From where the saw is held at first, seen from medial, to the planned plane, by what the panel
+/// says of it.
 void lay_on_plan(Photographer& photographer) {
   photographer.key(Key::Enter);  // the case is verified
   photographer.key(Key::Digit3);

@@ -1,4 +1,5 @@
-/// Takes pictures of the window without one: the whole course driven as by a person, drawn with OpenGL.
+/// Takes pictures of the window without one: the whole course driven as by a person, drawn with
+/// OpenGL.
 #pragma once
 
 #include <filesystem>
@@ -36,7 +37,8 @@ class Photographer {
   /// The id of the first widget whose id begins with `beginning`.
   /// errors  std::runtime_error where there is none
   std::string first(std::string_view beginning);
-  /// Writes `name`.png as the window is now, with nothing under the pointer, once whatever fades in has done so.
+  /// Writes `name`.png as the window is now, with nothing under the pointer, once whatever fades in
+  /// has done so.
   void take(const std::string& name);
   /// The same at once: while somebody operates.
   void take_now(const std::string& name);

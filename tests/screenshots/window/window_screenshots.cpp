@@ -1,4 +1,5 @@
-// Takes the pictures of the window into a folder: the second program behind the target `screenshots`.
+// Takes the pictures of the window into a folder: the second program behind the target
+// `screenshots`.
 #include <exception>
 #include <filesystem>
 #include <iostream>

@@ -8,7 +8,8 @@
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
 
-/// libm is the judge: it is within one unit in the last place, so 1e-15 leaves our functions about three such units.
+/// libm is the judge: it is within one unit in the last place, so 1e-15 leaves our functions about
+/// three such units.
 namespace hallux {
 namespace {
 

@@ -47,7 +47,8 @@ TEST(BladeProbe, EngagesTheTeethThatStandInBone) {
 TEST(BladeProbe, AToothMeetsBoneWithEachSideOfItsThickness) {
   const UncutBlock block;
   TeethMemory teeth{};
-  // The block ends at x = 20; the blade's middle is just beyond, one side of its 0.5 mm still over bone.
+  // The block ends at x = 20; the blade's middle is just beyond, one side of its 0.5 mm still over
+  // bone.
   EXPECT_GT(engagement(tests::blade_down({20.2, 5.0, 0.0}), block.standing, 0.0, teeth).width_mm(),
             0.0);
   EXPECT_EQ(engagement(tests::blade_down({20.3, 5.0, 0.0}), block.standing, 0.0, teeth).width_mm(),

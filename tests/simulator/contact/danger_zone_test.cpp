@@ -13,7 +13,8 @@
 namespace hallux::simulator {
 namespace {
 
-/// Teeth at x = 0, collar at x = -20, edges at y = -5 and 5, half a kerf of 0.25 to both sides of z = 0.
+/// Teeth at x = 0, collar at x = -20, edges at y = -5 and 5, half a kerf of 0.25 to both sides of z
+/// = 0.
 constexpr Blade blade{.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 0.5};
 constexpr double half_kerf_mm = 0.25;
 
@@ -52,7 +53,8 @@ Vec3 any_point() {
   return {x, y, along()};
 }
 
-/// The least distance between points sown over both, and how much too large it can be: half a step of each.
+/// The least distance between points sown over both, and how much too large it can be: half a step
+/// of each.
 RC_GTEST_PROP(DangerZone, IsNoFartherThanAnyPointAndAsNearAsTheNearest, ()) {
   const Vec3 from = any_point(), to = any_point();
   const RigidTransform pose{rotation_about(Vec3{0.6, 0.0, 0.8}, *rc::gen::inRange(0, 6283) * 0.001),

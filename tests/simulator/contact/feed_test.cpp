@@ -60,7 +60,8 @@ RC_GTEST_PROP(Feed, ForceOfARateIsTheInverseOfTheRateOfAForce, ()) {
   const Engagement engaged{cortical_mm, cancellous_mm};
   const double force_newton = feed_force_newton(engaged, rate_mm_s, cycles_per_minute);
   const double back_mm_s = feed_rate_mm_s(engaged, force_newton, cycles_per_minute);
-  // The threshold (at most 1.5 N) is added and taken off again, and the rest divided: a few roundings of the force.
+  // The threshold (at most 1.5 N) is added and taken off again, and the rest divided: a few
+  // roundings of the force.
   RC_ASSERT(std::abs(back_mm_s - rate_mm_s) <= 1e-12 * force_newton * (1.0 + rate_mm_s));
 }
 

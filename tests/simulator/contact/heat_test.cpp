@@ -1,4 +1,5 @@
-/// A saw that is led as the published temperature tests led theirs: at a given rate, push and feed through hard bone.
+/// A saw that is led as the published temperature tests led theirs: at a given rate, push and feed
+/// through hard bone.
 #include "simulator/contact/heat.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +88,8 @@ double rise_celsius(const Sawing& sawing) {
 }
 
 TEST(Heat, DryBoneRisesByThePublished65Degrees) {
-  // 65.45 degrees at 10,000 cycles and 30 mm/min; the share that stays in the walls was fitted to it.
+  // 65.45 degrees at 10,000 cycles and 30 mm/min; the share that stays in the walls was fitted to
+  // it.
   EXPECT_NEAR(rise_celsius({}), 65.45, 1.5);
 }
 
@@ -125,7 +127,8 @@ TEST(Heat, ASawThatDwellsReachesTheBalanceOfHeatAndCooling) {
   const double power_watt = 0.76 * 0.3 * 4.0 * mean_tooth_speed_mm_s(25.0, 10000.0) / 1000.0;
   const double capacity = bone_heat_joule_per_mm3_kelvin * 2.0 * 10.0 * 2.0 * 1.0;
   const Vec2 behind_teeth{2.0 - 0.5, 0.5};  // the tool was frozen 2 mm higher up
-  // Where the teeth stand in a cell, and where they lie along it, shifts a few percent to the neighbours.
+  // Where the teeth stand in a cell, and where they lie along it, shifts a few percent to the
+  // neighbours.
   const double expected = power_watt * cooling_s / capacity;
   EXPECT_NEAR(block.field().celsius_at(0, behind_teeth) - body_celsius, expected, 0.05 * expected);
 }

@@ -22,8 +22,8 @@ Bone tube_with_cortex() {
   return bone;
 }
 
-/// Walks about at random and compares each answer with that of a tissue map asked for the first time; returns how often
-/// each tissue was met.
+/// Walks about at random and compares each answer with that of a tissue map asked for the first
+/// time; returns how often each tissue was met.
 std::array<int, 4> walk_and_compare(const TissueMap& map, const Vec3& start_mm, const Vec3& room_mm,
                                     std::uint64_t seed, int steps) {
   Random random{seed};

@@ -1,5 +1,5 @@
-/// The feed law through the whole step: blocks of known tissue under a constant push, and what friction and break-through
-/// make of it.
+/// The feed law through the whole step: blocks of known tissue under a constant push, and what
+/// friction and break-through make of it.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -248,7 +248,8 @@ TEST(ToolInKerf, LeavingTheBoneAtTheFarSideIsABreakThrough) {
   const auto through = run.events(CutEventKind::Breakthrough);
   ASSERT_EQ(through.size(), 1U);
   EXPECT_EQ(through[0].subject, 0);
-  // In the tick in which the last bone gives way the stretched spring carries the blade on, at most a millimetre.
+  // In the tick in which the last bone gives way the stretched spring carries the blade on, at most
+  // a millimetre.
   const double tip_y_mm = transform_from(through[0].pose).translation_mm.y;
   EXPECT_LT(tip_y_mm, top_mm - 4.0);
   EXPECT_GT(tip_y_mm, top_mm - 5.1);
@@ -279,7 +280,8 @@ TEST(ToolInKerf, EachOfTwoStrokesSideBySideOnARoundBoneBreaksThrough) {
   const Bone bone = round_bone();
   SimulationRun run = after_first_stroke(bone);
   ASSERT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
-  // Its last tooth in bone comes out 5 mm deep; those in the first stroke's kerf are out a millimetre later.
+  // Its last tooth in bone comes out 5 mm deep; those in the first stroke's kerf are out a
+  // millimetre later.
   run.glide(beside_middle(4.5, -8.0), 5000);
   run.hold(2000);
   run.glide(beside_middle(4.5, 9.0), 500);
@@ -296,7 +298,8 @@ TEST(ToolInKerf, ATremblingHandBreaksThroughAsWell) {
   SimulationRun run = after_first_stroke(bone);
   double tip_mm = 8.0;
   for (int i = 0; tip_mm > -8.0; ++i) {
-    // A light hand: the spring is slack before the blade is out. 0.2 mm to and fro ten times a second.
+    // A light hand: the spring is slack before the blade is out. 0.2 mm to and fro ten times a
+    // second.
     const double tooth_line_mm = run.bone_from_tool().translation_mm.y;
     tip_mm = std::max(tip_mm - 0.004, tooth_line_mm - 0.6);
     run.glide(beside_middle(4.5, tip_mm + (i / 50 % 2 == 0 ? 0.1 : -0.1)), 1);

@@ -1,4 +1,5 @@
-/// The blade outside a kerf: its faces and edges meet bone, slide on it with friction, and come after bone that is gone.
+/// The blade outside a kerf: its faces and edges meet bone, slide on it with friction, and come
+/// after bone that is gone.
 #include "simulator/contact/tool_outside.h"
 
 #include <gtest/gtest.h>

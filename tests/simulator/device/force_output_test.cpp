@@ -1,4 +1,5 @@
-/// What an arm is given, as laws over any sequence of forces, motions, faults and numbers that are none.
+/// What an arm is given, as laws over any sequence of forces, motions, faults and numbers that are
+/// none.
 #include "simulator/device/force_output.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,8 @@ const ForceOutputSettings settings = force_output_settings(small_arm, 2.0, 1);
 
 double length(const Vec3& vector) { return std::sqrt(glm::dot(vector, vector)); }
 
-/// Forces up to 60 N and steps up to 0.5 mm a tick; every now and then a fault, a long tick or a number that is none.
+/// Forces up to 60 N and steps up to 0.5 mm a tick; every now and then a fault, a long tick or a
+/// number that is none.
 rc::Gen<ForceInput> any_input() {
   return rc::gen::exec([] {
     const auto part = [](int most, double unit) {
@@ -48,7 +50,8 @@ rc::Gen<ForceInput> any_input() {
   });
 }
 
-/// `given` is called with each input and what came of it. Each input is held for 5 ticks, going on as it went.
+/// `given` is called with each input and what came of it. Each input is held for 5 ticks, going on
+/// as it went.
 template <typename Given>
 void run(const std::vector<ForceInput>& inputs, Given&& given) {
   ForceOutputState state;
@@ -122,7 +125,8 @@ TEST(ForceOutput, GrowsFromNothingWithinHalfASecondOfEveryStop) {
           RC_ASSERT(state.started_share <= share + 1.0e-9);
           RC_ASSERT(has(given.limits, ForceLimit::SoftStart) ==
                     (since_stop_s > 0.0 && share < 1.0 - 1e-9));
-          // Besides what has grown only the damper acts, at most 0.005 N s/mm at less than a metre a second.
+          // Besides what has grown only the damper acts, at most 0.005 N s/mm at less than a metre
+          // a second.
           const double most_newton =
               share * (settings.scale * 30.0 + 0.5) * std::sqrt(3.0) + 0.005 * 1000.0;
           RC_ASSERT(length(given.force_in_world_newton) <= most_newton);

@@ -23,7 +23,8 @@ HistoricState moving(const Vec3& way_mm, Vec3& handle_mm) {
 TEST(HistoricLaw, ACollisionGivesTheForceThatTurnsTheVelocityAboutInOneFrame) {
   Vec3 handle_mm(0.0, 0.0, 0.0);
   HistoricState state = moving({1.0, -2.0, 0.0}, handle_mm);
-  // 2 mm in 20 ms is 0.1 m/s; 0.15 kg turned about in 20 ms takes 1.5 N, and nothing along the surface.
+  // 2 mm in 20 ms is 0.1 m/s; 0.15 kg turned about in 20 ms takes 1.5 N, and nothing along the
+  // surface.
   const Vec3 force_newton = historic_force(state, settings, handle_mm, up, 20);
   EXPECT_NEAR(force_newton.y, 0.15 * 0.2 / 0.02, 1.0e-12);
   EXPECT_NEAR(force_newton.x, 0.0, 1.0e-12);

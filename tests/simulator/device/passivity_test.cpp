@@ -45,7 +45,8 @@ TEST(Passivity, KnowsThatAForceComesLater) {
 TEST(Passivity, CountsWhatActedInEachTickOfALineOfThree) {
   EnergyAccount account;
   tell_three(account);
-  // The device was told -2 N before these three ticks: in the first of them the -1 N before that still act.
+  // The device was told -2 N before these three ticks: in the first of them the -1 N before that
+  // still act.
   kept_passive(account, late, {{0.3, 0.0, 0.0}, 0.003}, along_x(-4.0));
   EXPECT_DOUBLE_EQ(account.energy_millijoule, 0.1 * (1.0 + 2.0 + 2.0));
 }
@@ -53,7 +54,8 @@ TEST(Passivity, CountsWhatActedInEachTickOfALineOfThree) {
 TEST(Passivity, DampsWhatWouldComeBackUnpaid) {
   EnergyAccount account;
   const Vec3 given = kept_passive(account, device, moved(-0.1), along_x(-1.0));
-  // The force pulls along the motion and nothing was put in: 0.375 + 0.1 mJ are missing, of 0.02 x 100 x 0.1 = 0.2 mJ a tick.
+  // The force pulls along the motion and nothing was put in: 0.375 + 0.1 mJ are missing, of 0.02 x
+  // 100 x 0.1 = 0.2 mJ a tick.
   EXPECT_DOUBLE_EQ(given.x, -1.0 + 0.02 * 100.0);
 }
 

@@ -39,7 +39,8 @@ TEST(ThermalBudget, TheContinuousForceIsGivenForEver) {
 TEST(ThermalBudget, TheGreatestForceLastsAsLongAsTheHeatAllowsAndSinksSlowly) {
   ThermalBudget budget;
   const auto given_newton = asked_for(3.3, 20000, budget);
-  // 1 - exp(-t / 10 s) = (0.88 / 3.3)^2: 0.74 s from cold, and it begins to sink by the ease of 0.5 s before.
+  // 1 - exp(-t / 10 s) = (0.88 / 3.3)^2: 0.74 s from cold, and it begins to sink by the ease of 0.5
+  // s before.
   const auto full_ticks =
       std::count_if(given_newton.begin(), given_newton.end(), [](double f) { return f == 3.3; });
   EXPECT_GT(full_ticks, 100);
@@ -76,7 +77,8 @@ TEST(ThermalBudget, WhateverIsAskedForTheHeatStaysWithinItsLimit) {
         RC_ASSERT(budget.heat <= 1.0 + 1.0e-12);
       }
     }
-    // The law integrated: the mean square of the force never exceeds the continuous one by more than what a cold motor takes up.
+    // The law integrated: the mean square of the force never exceeds the continuous one by more
+    // than what a cold motor takes up.
     const double continuous = settings.continuous_force_newton;
     RC_ASSERT(squares <= continuous * continuous * (time_s + settings.thermal_time_s) + 1.0e-9);
   }));

@@ -25,8 +25,8 @@ TEST(StabilityMap, AWallBelowFourFifthsOfTheoryIsCalmOnceItsForceIsLate) {
 }
 
 TEST(StabilityMap, WithoutDelayTheMotorsEndBeforeTheoryDoes) {
-  // A spring that never ends holds to its theory; a wall that is met throws the hand off at four tenths of it, where the
-  // motors have no more force to give.
+  // A spring that never ends holds to its theory; a wall that is met throws the hand off at four
+  // tenths of it, where the motors have no more force to give.
   const StabilityColumn column = map_stability()[0];
   EXPECT_GT(column.measured_newton_per_mm, 0.95 * column.theory_newton_per_mm);
   for (const StabilityCell& cell : column.cells) {

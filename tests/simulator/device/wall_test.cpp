@@ -1,4 +1,5 @@
-/// An arm pressed against a wall in virtual time: where it comes to rest, how stiff the wall may be, who pays the energy.
+/// An arm pressed against a wall in virtual time: where it comes to rest, how stiff the wall may
+/// be, who pays the energy.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -101,7 +102,8 @@ TEST(Wall, NeverGivesBackMoreThanItTookWhereLinesCoverTwoOrThreeTicks) {
         const WallTrace without = press(run, spring_wall(half_of_the_stiffest), &output);
         EXPECT_LT(without.least_of_wall_millijoule, -0.5);
         EXPECT_GE(with.least_of_hand_millijoule, -1.0e-9) << "the hand is given nothing";
-        // Where all is latest and the push greatest the damper is too weak, and the arm's own takes the rest: 6 mJ of 498.
+        // Where all is latest and the push greatest the damper is too weak, and the arm's own takes
+        // the rest: 6 mJ of 498.
         const bool is_worst = ticks_per_line == 3 && delay == 2 && push_newton > 2.0;
         EXPECT_GE(with.least_of_wall_millijoule, is_worst ? -6.5 : -encoder_millijoule);
       }
@@ -133,7 +135,8 @@ TEST(Wall, ItsControllerHoldsAWallThatThrowsTheHandOff) {
 }
 
 TEST(Wall, SlowWorkOnASpringIsNotDamped) {
-  // A spring that is pressed and let go slowly takes and gives the same: nothing is to be corrected.
+  // A spring that is pressed and let go slowly takes and gives the same: nothing is to be
+  // corrected.
   simulator::ForceOutputState state;
   state.started_share = 1.0;
   const ForceOutputSettings output = output_for_wall(1.0, 0);
@@ -148,8 +151,8 @@ TEST(Wall, SlowWorkOnASpringIsNotDamped) {
 }
 
 TEST(Wall, ItsGreatestStiffnessIsWhatTheoryAllows) {
-  // Colgate and Schenkel: b > K T / 2 + |B|; with d ticks of transport b > K (T / 2 + d T). It is what suffices for every hand,
-  // so this hand's limit lies above it, and not far.
+  // Colgate and Schenkel: b > K T / 2 + |B|; with d ticks of transport b > K (T / 2 + d T). It is
+  // what suffices for every hand, so this hand's limit lies above it, and not far.
   for (const double mass_kg : {0.1, 0.2}) {
     for (const double damping : {0.0005, 0.002, 0.005}) {
       for (std::int32_t delay = 0; delay <= 2; ++delay) {

@@ -1,4 +1,5 @@
-/// Whole attempts with an arm in the hand, in virtual time: what it is given of the simulated force, and how soon nothing.
+/// Whole attempts with an arm in the hand, in virtual time: what it is given of the simulated
+/// force, and how soon nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,8 +50,8 @@ struct ArmAttempt {
 
 bool says_nothing_wrong(RawDeviceState&, const RawDeviceState&) { return true; }
 
-/// In time: what acts on the motors 5 ms after the first wrong word is no force, and stays none until the fault is over. Then
-/// it grows again from nothing. The step notes one event.
+/// In time: what acts on the motors 5 ms after the first wrong word is no force, and stays none
+/// until the fault is over. Then it grows again from nothing. The step notes one event.
 void expect_let_go(const ArmAttempt& attempt, DeviceFault fault, std::int64_t fault_ticks,
                    std::int32_t transport_ticks) {
   EXPECT_GT(length(attempt.given_newton(fault_tick)), 0.1) << "there was something to let go of";
@@ -169,7 +170,8 @@ TEST(ArmAttempt, SawsThroughAsFeltByAHandAndReplaysToTheSameBits) {
   EXPECT_TRUE(replay(attempt.run.recording, {attempt.bone, {}, {}, {}}).is_identical);
 }
 
-/// A saw at rest is set on the bone and pressed, again and again: a spring, and nothing that takes its work.
+/// A saw at rest is set on the bone and pressed, again and again: a spring, and nothing that takes
+/// its work.
 HandMotion knocking(const Bone& bone) {
   HandMotion motion = tests::sawing_motion(bone, last_tick);
   const HandKey above = motion.keys[0], pressed = motion.keys[1];
@@ -182,7 +184,8 @@ HandMotion knocking(const Bone& bone) {
   return motion;
 }
 
-/// What the hand has paid in, at its least: below 0, the motors did so much unpaid. All three outlive the attempt.
+/// What the hand has paid in, at its least: below 0, the motors did so much unpaid. All three
+/// outlive the attempt.
 void watch_motors(tests::WatchedDevice& device, const ModelledArm& arm, double& least_millijoule) {
   device.after_exchange = [&](std::int64_t) {
     least_millijoule = std::min(least_millijoule, -arm.arm().work.of_motors_millijoule);
@@ -263,7 +266,8 @@ struct LedArm {
         .keys = {{0, held, 0}, {last_tick, held, 0}},
         .commands = {{0, {CommandKind::Start, 0, 0}}, {last_tick, {CommandKind::Finish, 0, 0}}}};
   }
-  /// Since when it is in the guide's play, but for 0.1 mm: there the guide pushes with 0.03 N, and it nears ever more slowly.
+  /// Since when it is in the guide's play, but for 0.1 mm: there the guide pushes with 0.03 N, and
+  /// it nears ever more slowly.
   std::int64_t led_tick() const {
     const auto in_play = std::find_if(off_mm.begin(), off_mm.end(),
                                       [](double mm) { return mm <= guide_play_mm + 0.1; });
@@ -308,7 +312,8 @@ TEST(GuidedArm, LooselyHeldComesIntoThePlayAndRestsThere) {
     EXPECT_LT(led.led_tick(), 1000) << transport;
     EXPECT_GT(*std::min_element(led.off_mm.begin(), led.off_mm.end()), 0.0) << "and not through it";
     EXPECT_LT(led.range_at_rest_mm(), 0.1) << transport;
-    // The guide came in by itself: its own spring is what the motors may do, and an encoder step at the greatest force.
+    // The guide came in by itself: its own spring is what the motors may do, and an encoder step at
+    // the greatest force.
     EXPECT_GE(led.least_of_wall_millijoule, -held_millijoule - 0.015 * 8.0) << transport;
     EXPECT_TRUE(replay(led.run.recording, {led.bone, {}, led.contact, {}}).is_identical);
   }

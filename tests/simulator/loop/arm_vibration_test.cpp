@@ -1,4 +1,5 @@
-/// The tremble of a saw in an arm that can render it: what two arms are given whose hands do the same.
+/// The tremble of a saw in an arm that can render it: what two arms are given whose hands do the
+/// same.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -32,7 +32,8 @@ struct FaultyAttempt {
   Recording recording;
 };
 
-/// While the fault lasts: the last good pose, no force, the tool where it was; one event with its bit; then on again.
+/// While the fault lasts: the last good pose, no force, the tool where it was; one event with its
+/// bit; then on again.
 void expect_safe(const FaultyAttempt& attempt, DeviceFault fault) {
   const auto bits = static_cast<std::uint32_t>(fault);
   const auto& tape = attempt.recording.tape;

@@ -1,8 +1,9 @@
 /// The committed digests of known attempts. They change with the engine version and only with it.
 ///
-/// Each attempt has three: its bone and its input tape tell whether the same question was asked, its outputs are the
-/// answer. Where only a hand or a patient was changed on purpose, bone and tape change too and the engine version stays. A
-/// hand that feels answers to the engine: its tape changes with the engine as well.
+/// Each attempt has three: its bone and its input tape tell whether the same question was asked,
+/// its outputs are the answer. Where only a hand or a patient was changed on purpose, bone and tape
+/// change too and the engine version stays. A hand that feels answers to the engine: its tape
+/// changes with the engine as well.
 #pragma once
 
 #include <cstdint>

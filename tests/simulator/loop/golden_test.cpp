@@ -1,4 +1,5 @@
-/// One cut through every tissue at a slant; its outputs must have the same bits on every machine and in every build.
+/// One cut through every tissue at a slant; its outputs must have the same bits on every machine
+/// and in every build.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-/// A kick as a hand feels it: through the mouse's coupling, and through an arm's limits; and in a replay.
+/// A kick as a hand feels it: through the mouse's coupling, and through an arm's limits; and in a
+/// replay.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-/// The same pushes through a mouse's coupling and through an arm in a hand: what docs/haptics.md says of the difference.
+/// The same pushes through a mouse's coupling and through an arm in a hand: what docs/haptics.md
+/// says of the difference.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -12,7 +12,8 @@ namespace {
 
 int policy_now() { return ::sched_getscheduler(0) & ~SCHED_RESET_ON_FORK; }
 
-/// Takes from the calling thread alone what root may and nobody else: any priority, whatever it is allowed.
+/// Takes from the calling thread alone what root may and nobody else: any priority, whatever it is
+/// allowed.
 bool give_up_niceness() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3]{};
@@ -21,8 +22,8 @@ bool give_up_niceness() {
   return ::syscall(SYS_capset, &header, sets) == 0;
 }
 
-// Where the system grants nothing, nothing may have changed: these say so either way. Each on a thread of its own, so that
-// nothing of it is left.
+// Where the system grants nothing, nothing may have changed: these say so either way. Each on a
+// thread of its own, so that nothing of it is left.
 TEST(RealTimePriority, IsGivenBack) {
   std::jthread([] {
     const int before = policy_now();

@@ -1,4 +1,5 @@
-/// The loop against the clock, with jobs that come late: what is recorded is enough, whatever the timing was.
+/// The loop against the clock, with jobs that come late: what is recorded is enough, whatever the
+/// timing was.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +33,8 @@ std::int64_t ticks_on(const std::vector<TapeLine>& tape) {
   return ticks;
 }
 
-/// Records `count` runs with late jobs; each must replay to its own outputs. Returns how many tapes differ.
+/// Records `count` runs with late jobs; each must replay to its own outputs. Returns how many tapes
+/// differ.
 std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick) {
   const Bone bone = tests::loop_block();
   std::set<std::string> tapes;
@@ -51,7 +53,8 @@ std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick)
 
 #ifdef HALLUX_LONG_RUNS
 TEST(RealTimeReplay, FiftyRunsWithLateJobsDifferAndEachReplaysToItsOwnHash) {
-  // Two runs share a tape only if both of their jobs come at the same ticks and no tick was ever late.
+  // Two runs share a tape only if both of their jobs come at the same ticks and no tick was ever
+  // late.
   EXPECT_EQ(count_tapes_that_replay(50, 5000), 50U);
 }
 #else

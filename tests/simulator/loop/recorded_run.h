@@ -13,7 +13,8 @@ namespace hallux::tests {
 /// A block 20 x 2.4 x 6 of soft bone, turned and far from the origin.
 simulator::Bone loop_block();
 
-/// The hand saws once through loop_block() and lifts the blade, in `last_tick` ticks from Start to Finish.
+/// The hand saws once through loop_block() and lifts the blade, in `last_tick` ticks from Start to
+/// Finish.
 simulator::HandMotion sawing_motion(const simulator::Bone& bone, std::int64_t last_tick);
 
 /// That motion in virtual time, with its own commands; borrows the bone.

@@ -1,4 +1,5 @@
-/// Any device while an attempt runs with it: what it was given is remembered, what it says may be garbled for a while.
+/// Any device while an attempt runs with it: what it was given is remembered, what it says may be
+/// garbled for a while.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +11,14 @@
 
 namespace hallux::tests {
 
-/// Alters what a device says, or answers false as if it were gone; `last_good` is what it said before the garbled ticks.
+/// Alters what a device says, or answers false as if it were gone; `last_good` is what it said
+/// before the garbled ticks.
 using Garble = std::function<bool(simulator::RawDeviceState& state,
                                   const simulator::RawDeviceState& last_good)>;
 
 struct GarbledTicks {
-  std::int64_t first_tick = 0, end_tick = 0;  ///< not that one any more
+  /// Not that one any more.
+  std::int64_t first_tick = 0, end_tick = 0;
   Garble garble = {};
 };
 
@@ -38,8 +41,10 @@ class WatchedDevice final : public simulator::HapticDevice {
     return came;
   }
 
-  std::vector<Vec3> given_newton;                    ///< at each exchange
-  std::function<void(std::int64_t)> after_exchange;  ///< called with its tick
+  /// At each exchange.
+  std::vector<Vec3> given_newton;
+  /// Called with its tick.
+  std::function<void(std::int64_t)> after_exchange;
 
  private:
   simulator::HapticDevice& device_;

@@ -42,7 +42,8 @@ double nearest_by_force_mm(const IndexedMesh& mesh, const Vec3& point_mm) {
   return std::sqrt(least_mm2);
 }
 
-/// The solid angle of the whole surface seen from the point, in whole turns of 4 pi (van Oosterom, Strackee 1983).
+/// The solid angle of the whole surface seen from the point, in whole turns of 4 pi (van Oosterom,
+/// Strackee 1983).
 double winding(const IndexedMesh& mesh, const Vec3& point_mm) {
   double half_angles_rad = 0.0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -100,7 +101,8 @@ TEST(Bvh, SignContainsAndWindingAgree) {
   EXPECT_GT(inside, 50);
 }
 
-/// Straight above edges, corners and faces along the axes, where a careless parity counts twice or never.
+/// Straight above edges, corners and faces along the axes, where a careless parity counts twice or
+/// never.
 TEST(Bvh, ContainsHoldsOnTheLinesThroughCornersAndEdges) {
   const Bvh bvh{tests::u_shape(Vec3{30.0, 20.0, 10.0}, 4.0)};
   for (const double x : {-15.0, -13.0, -11.0, 0.0, 11.0, 13.0, 15.0}) {
@@ -129,7 +131,8 @@ TEST(Bvh, SignHoldsBesideCornersAndEdges) {
 
 TEST(Bvh, SignHoldsBesideSlivers) {
   IndexedMesh mesh = solid_block(Vec3{2.0, 2.0, 2.0});
-  // A point on an edge that two triangles share is put into both: one of the four new triangles is a line.
+  // A point on an edge that two triangles share is put into both: one of the four new triangles is
+  // a line.
   const Triangle first = mesh.triangles[0];
   const auto middle = static_cast<std::uint32_t>(mesh.points_mm.size());
   mesh.points_mm.push_back(mesh.points_mm[first[0]] +
@@ -239,7 +242,8 @@ TEST(Bvh, AnswersDoNotDependOnHowItIsBuilt) {
   }
 }
 
-/// All triangles in one place, or in a row of doubling sizes: trees that no division makes balanced.
+/// All triangles in one place, or in a row of doubling sizes: trees that no division makes
+/// balanced.
 TEST(Bvh, BearsMeshesMadeToBeDeep) {
   IndexedMesh heap;
   for (int i = 0; i < 400; ++i) append_mesh(heap, solid_block(Vec3{1.0, 1.0, 1.0}));

@@ -11,7 +11,8 @@
 #include "simulator/mesh/write_ply.h"
 #include "tests/support/worlds.h"
 
-/// What the readers take, and above all what they refuse: each refusal must say file, place and mend.
+/// What the readers take, and above all what they refuse: each refusal must say file, place and
+/// mend.
 namespace hallux::simulator {
 namespace {
 

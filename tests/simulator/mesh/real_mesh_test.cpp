@@ -7,7 +7,8 @@
 #include "simulator/mesh/bvh.h"
 #include "simulator/mesh/read_mesh.h"
 
-/// Reads every mesh in the folder named by HALLUX_MESHES: each becomes a solid, or is refused in one sentence.
+/// Reads every mesh in the folder named by HALLUX_MESHES: each becomes a solid, or is refused in
+/// one sentence.
 namespace hallux::simulator {
 namespace {
 

@@ -86,7 +86,8 @@ RC_GTEST_PROP(Record, AQuantisedPoseStaysWhatItIs, (std::uint64_t seed)) {
   const QuantisedPose once = quantise(pose);
   const QuantisedPose twice = quantise(transform_from(once));
   RC_ASSERT(once.translation_um == twice.translation_um);
-  // Rounding leaves the length off by up to four half quanta, which normalising spreads over the parts.
+  // Rounding leaves the length off by up to four half quanta, which normalising spreads over the
+  // parts.
   for (std::size_t i = 0; i < 4; ++i) {
     RC_ASSERT(std::abs(once.rotation_micro[i] - twice.rotation_micro[i]) <= 1);
   }

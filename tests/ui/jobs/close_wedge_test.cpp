@@ -13,13 +13,16 @@ using simulator::signed_volume_mm3;
 
 constexpr double half_degree = 5.0;
 constexpr double half_kerf_mm = 0.25;
-/// Corners of walls lie where shares on a lattice of 2^-20 mm put them; the walls of two kerfs measure some 12 mm2.
+/// Corners of walls lie where shares on a lattice of 2^-20 mm put them; the walls of two kerfs
+/// measure some 12 mm2.
 constexpr double balance_mm3 = 2.0e-5;
 
-/// A block of 30 x 14 x 12 mm with two kerfs whose planes meet in the line x = 0, y = 6, at 10 degrees.
+/// A block of 30 x 14 x 12 mm with two kerfs whose planes meet in the line x = 0, y = 6, at 10
+/// degrees.
 class WedgedBlock : public SweepFiles {
  protected:
-  /// side -1: on the side of negative x. The teeth stop at `tip_y_mm`; without it the cut goes all the way through.
+  /// side -1: on the side of negative x. The teeth stop at `tip_y_mm`; without it the cut goes all
+  /// the way through.
   void saw(int side, std::optional<double> tip_y_mm) {
     const double tilt_rad = side * radian_from_degree(half_degree);
     ui::CutGroup group;
@@ -44,8 +47,8 @@ class WedgedBlock : public SweepFiles {
   std::vector<simulator::CutSolid> bodies_;
 };
 
-/// Where the outer walls leave the block they stand 10 degrees and both half kerfs apart, seen from the joint: there they
-/// touch first.
+/// Where the outer walls leave the block they stand 10 degrees and both half kerfs apart, seen from
+/// the joint: there they touch first.
 TEST_F(WedgedBlock, TurnsUntilTheOuterWallsTouch) {
   const simulator::WedgeClosure closure = close(6.0);
   ASSERT_EQ(closure.outcome, HingeOutcome::Closed);

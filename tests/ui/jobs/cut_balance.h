@@ -1,4 +1,5 @@
-/// Cuts a bone's file by seeded planes and holds the pieces against the balance that every cut must keep.
+/// Cuts a bone's file by seeded planes and holds the pieces against the balance that every cut must
+/// keep.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,7 +27,8 @@ inline ui::CutGroup random_group(const simulator::IndexedMesh& mesh, Random& ran
   return group;
 }
 
-/// pieces + debris + removed = input, within 1e-6 of the input and 0.1 percent of what was removed; every piece closed.
+/// pieces + debris + removed = input, within 1e-6 of the input and 0.1 percent of what was removed;
+/// every piece closed.
 inline void expect_balance(const std::filesystem::path& mesh_file, std::uint64_t seed,
                            int group_count) {
   const simulator::IndexedMesh mesh = simulator::read_mesh(mesh_file);

@@ -17,7 +17,8 @@ using ui::GroupOutcome;
 /// What a straight edge of the outline may lose: its slack, and what floats round near zero.
 constexpr double edge_mm = simulator::outline_slack_mm + 1.0e-6;
 
-/// Corners of walls lie where shares on a lattice of 2^-20 mm put them; the walls of a kerf measure some 6 mm2.
+/// Corners of walls lie where shares on a lattice of 2^-20 mm put them; the walls of a kerf measure
+/// some 6 mm2.
 constexpr double balance_mm3 = 1.0e-5;
 
 /// A block of 30 x 14 x 12 mm about the origin; its sections across x measure 168 mm2.

@@ -16,7 +16,8 @@ namespace hallux::tests {
 /// A blade 13 mm wide and 40 mm deep that goes straight from 20 mm before `tip_mm` to it.
 struct Thrust {
   Vec3 tip_mm{0.0, 0.0, 0.0};
-  Vec3 direction{0.0, 1.0, 0.0};  ///< unit
+  /// Unit.
+  Vec3 direction{0.0, 1.0, 0.0};
   int poses = 2;
 };
 

@@ -19,8 +19,9 @@ class Graphics : public testing::Test {
   ui::HeadlessContext context_;
 };
 
-/// Objects that live in the current context: buffers, vertex arrays, textures, framebuffers, renderbuffers, programs, shaders.
-/// Asks for each of the first names, which OpenGL gives out from below.
+/// Objects that live in the current context: buffers, vertex arrays, textures, framebuffers,
+/// renderbuffers, programs, shaders. Asks for each of the first names, which OpenGL gives out from
+/// below.
 struct ObjectCensus {
   std::size_t buffers = 0, vertex_arrays = 0, textures = 0, framebuffers = 0, renderbuffers = 0,
               programs_and_shaders = 0;
@@ -41,9 +42,12 @@ Colour pixel_at(const ui::Pixels& picture, int x, int y);
 /// What can be said of the pixels that a rule picks.
 struct Facts {
   std::size_t count = 0;
-  double share = 0.0;       ///< of all pixels
-  double x = 0.0, y = 0.0;  ///< their mean place in shares of the picture, from the upper left
-  double red = 0.0, green = 0.0, blue = 0.0;  ///< their mean colour
+  /// Of all pixels.
+  double share = 0.0;
+  /// Their mean place in shares of the picture, from the upper left.
+  double x = 0.0, y = 0.0;
+  /// Their mean colour.
+  double red = 0.0, green = 0.0, blue = 0.0;
 };
 Facts facts_of(const ui::Pixels& picture, const std::function<bool(const Colour&)>& is_picked);
 

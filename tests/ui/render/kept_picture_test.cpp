@@ -1,4 +1,5 @@
-// A picture drawn over what is kept of the one before is, to the last bit, the one that is drawn anew.
+// A picture drawn over what is kept of the one before is, to the last bit, the one that is drawn
+// anew.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-/// An Akin operation in the middle of its first cut, as data for pictures: the worlds of the renderer's tests.
+/// An Akin operation in the middle of its first cut, as data for pictures: the worlds of the
+/// renderer's tests.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,8 @@ class OperatingWorld {
   explicit OperatingWorld(double edge_mm);
   ~OperatingWorld();
 
-  /// Saws from medial until the teeth stand this far from the kerf's origin, and shows that as a patch.
+  /// Saws from medial until the teeth stand this far from the kerf's origin, and shows that as a
+  /// patch.
   void saw_to(double reach_mm);
   /// Both cuts done, committed, the wedge taken out.
   void take_wedge_out();
@@ -32,7 +34,8 @@ class OperatingWorld {
 
   const simulator::Bone& phalanx() const noexcept;
   const scenarios::PlannedCut& cut() const;
-  /// The planned face of that name as a plane: z its normal, y along the tooth line, x where the saw goes.
+  /// The planned face of that name as a plane: z its normal, y along the tooth line, x where the
+  /// saw goes.
   RigidTransform world_from_face(std::string_view name) const;
   const simulator::SolidPatch& patch() const noexcept;
   const ui::BoneMesh& mesh() const noexcept;

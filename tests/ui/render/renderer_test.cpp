@@ -42,7 +42,8 @@ class Pictures : public testing::Test {
 };
 OperatingWorld* Pictures::world = nullptr;
 
-// Measured facts of the operating view, seen and found good; a change of looks changes them by hand.
+// Measured facts of the operating view, seen and found good; a change of looks changes them by
+// hand.
 TEST_F(Pictures, TheOperatingViewShowsBoneWhereItIsWarmAndNothingElseIs) {
   for (const Ground ground : {Ground::Dark, Ground::Light}) {
     Scene scene = world->scene();

@@ -1,4 +1,5 @@
-// Draws every kind of picture into a folder, for eyes: `show_render_pictures DIR [EDGE_MM]`. No test compares these files.
+// Draws every kind of picture into a folder, for eyes: `show_render_pictures DIR [EDGE_MM]`. No
+// test compares these files.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

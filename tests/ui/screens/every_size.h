@@ -10,8 +10,9 @@
 
 namespace hallux::ui {
 
-/// Faults of the screen (Driver::faults) at 80, 100, 150 and 200 percent, in windows from 1280x720 to 3840x2160 device
-/// pixels, light and dark, with navigation beside it. `prepare` brings each to the state that is looked at.
+/// Faults of the screen (Driver::faults) at 80, 100, 150 and 200 percent, in windows from 1280x720
+/// to 3840x2160 device pixels, light and dark, with navigation beside it. `prepare` brings each to
+/// the state that is looked at.
 std::vector<std::string> faults_at_every_size(
     const std::function<std::unique_ptr<Screen>()>& make,
     const std::function<void(SomeVisitor&)>& prepare = {});

@@ -1,4 +1,5 @@
-/// A patient whose bones have a size and no surface, at once: for tests that are not about what the picture shows.
+/// A patient whose bones have a size and no surface, at once: for tests that are not about what the
+/// picture shows.
 #pragma once
 
 #include "simulator/base/progress.h"

@@ -1,5 +1,5 @@
-/// A person's Akin operation, recorded on a bone of a thousand triangles: two kerfs, a wedge that comes free and is taken
-/// out, a score of the real rubric.
+/// A person's Akin operation, recorded on a bone of a thousand triangles: two kerfs, a wedge that
+/// comes free and is taken out, a score of the real rubric.
 #pragma once
 
 #include "scenarios/scenario.h"
@@ -12,7 +12,8 @@ namespace hallux::ui {
 struct SomeOperation {
   scenarios::Scenario scenario;
   simulator::Bone bone;
-  simulator::Recording recording;  ///< without gaps: one line and one sample a tick
+  /// Without gaps: one line and one sample a tick.
+  simulator::Recording recording;
   double wedge_mm3 = 0.0;
   std::int64_t first_cut_done_tick = 0, wedge_out_tick = 0;
 };

@@ -1,4 +1,5 @@
-/// A course in which the shipped Akin is published beside a text that this program cannot read, and scored attempts at it.
+/// A course in which the shipped Akin is published beside a text that this program cannot read, and
+/// scored attempts at it.
 #pragma once
 
 #include "database/store/assets.h"

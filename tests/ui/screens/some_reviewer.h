@@ -1,4 +1,5 @@
-/// An attempt that ada operated, and somebody of the course who looks at it: for the tests of result and replay.
+/// An attempt that ada operated, and somebody of the course who looks at it: for the tests of
+/// result and replay.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-/// Screens driven without a window: a shell, its driver, and waiting for the work that runs beside it.
+/// Screens driven without a window: a shell, its driver, and waiting for the work that runs beside
+/// it.
 #pragma once
 
 #include "tests/database/some_course.h"

@@ -1,5 +1,5 @@
-// Somebody who presses and types anything, as an administrator and as an instructor: no crash, no dead end, nothing cut off,
-// and never a stranger's name.
+// Somebody who presses and types anything, as an administrator and as an instructor: no crash, no
+// dead end, nothing cut off, and never a stranger's name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

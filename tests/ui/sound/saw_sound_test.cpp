@@ -113,7 +113,8 @@ TEST(SawSound, OfOneLongBufferIsThatOfManyShortOnes) {
   EXPECT_EQ(joined, at_once);
 }
 
-/// The steepest way of five partials of the highest rate, with the hiss: 2 pi f / 44100 times each weight and number.
+/// The steepest way of five partials of the highest rate, with the hiss: 2 pi f / 44100 times each
+/// weight and number.
 TEST(SawSound, MakesNoStepWhereTheToneChanges) {
   SawSound sound(5);
   Samples all;

@@ -1,4 +1,5 @@
-/// Drives a user interface without a window or OpenGL: presses by name, types, reads what is on the screen.
+/// Drives a user interface without a window or OpenGL: presses by name, types, reads what is on the
+/// screen.
 ///
 /// A journey reads like what a person does:
 ///
@@ -31,7 +32,8 @@ class MemoryClipboard : public Clipboard {
 };
 
 struct DriverSetting {
-  float width = 1440.0F, height = 900.0F;  ///< device pixels
+  /// Device pixels.
+  float width = 1440.0F, height = 900.0F;
   float scale = 1.0F;
   ThemeName theme = ThemeName::Dark;
   bool is_motion_reduced = true;
@@ -52,8 +54,10 @@ class Driver {
   void wait(double seconds);
 
   // -- what a person does; each waits until the screen has settled
-  /// Presses and releases in the middle of what is visible of the widget; scrolls to it first where it is out of sight.
-  /// errors  fails the test and throws std::runtime_error where there is no such widget, or it cannot be pressed
+  /// Presses and releases in the middle of what is visible of the widget; scrolls to it first where
+  /// it is out of sight.
+  /// errors  fails the test and throws std::runtime_error where there is no such widget, or it
+  ///         cannot be pressed
   void click(std::string_view id);
   void double_click(std::string_view id);
   void type(std::string_view text);
@@ -73,8 +77,9 @@ class Driver {
   bool sees(std::string_view words) const;
   std::vector<std::string> texts() const;
   const std::string& focused() const { return ui_.focused(); }
-  /// What is wrong with the frame as it is shown: texts cut off or outside their room, places in braces without a value,
-  /// missing texts, an id twice, an enabled control that cannot be seen though nothing scrolls it. One line each.
+  /// What is wrong with the frame as it is shown: texts cut off or outside their room, places in
+  /// braces without a value, missing texts, an id twice, an enabled control that cannot be seen
+  /// though nothing scrolls it. One line each.
   std::vector<std::string> faults() const;
   Ui& ui() { return ui_; }
   MemoryClipboard& clipboard() { return clipboard_; }
@@ -92,7 +97,8 @@ class Driver {
   double time_s_ = 0.0;
 };
 
-/// The events of a press and release of a key; of a character; of a click at a place in device pixels.
+/// The events of a press and release of a key; of a character; of a click at a place in device
+/// pixels.
 std::vector<InputEvent> key_events(Key key, Modifiers modifiers = {});
 InputEvent character_event(char32_t character);
 std::vector<InputEvent> click_events(Point device, MouseButton button = MouseButton::Left);

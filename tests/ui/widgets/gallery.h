@@ -1,4 +1,5 @@
-/// Every control in every state on one screen, drawn by the same code as the screens: to look at and to test.
+/// Every control in every state on one screen, drawn by the same code as the screens: to look at
+/// and to test.
 #pragma once
 
 #include <string>
@@ -19,7 +20,8 @@ struct GalleryState {
   int presses = 0;
 };
 
-/// The components of look.md's picture, laid out for 1440 x 900; scrolls where the display is smaller.
+/// The components of look.md's picture, laid out for 1440 x 900; scrolls where the display is
+/// smaller.
 void draw_components(Ui& ui, GalleryState& state);
 /// Navigation, lists, picture cards, score and charts.
 void draw_larger_parts(Ui& ui, GalleryState& state);

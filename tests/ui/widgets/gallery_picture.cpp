@@ -1,4 +1,5 @@
-// Draws the gallery without a window into PNG files: gallery_picture FOLDER. To be looked at beside the style guide.
+// Draws the gallery without a window into PNG files: gallery_picture FOLDER. To be looked at beside
+// the style guide.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Every component at every content scale: nothing cut off, every control reached by the keyboard, random use survived.
+// Every component at every content scale: nothing cut off, every control reached by the keyboard,
+// random use survived.
 #include "tests/ui/widgets/gallery.h"
 
 #include <gmock/gmock.h>

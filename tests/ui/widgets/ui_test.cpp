@@ -1,4 +1,5 @@
-// How events become presses, edits and focus: nothing a person did may be lost, whatever meets one frame.
+// How events become presses, edits and focus: nothing a person did may be lost, whatever meets one
+// frame.
 #include "ui/widgets/ui.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Opens the gallery in a real window: gallery_window [--ui-map FILE] [--picture FILE] [--report FILE].
-// The report, written when the window closes, holds what was typed, pressed and drawn.
+// Opens the gallery in a real window: gallery_window [--ui-map FILE] [--picture FILE] [--report
+// FILE]. The report, written when the window closes, holds what was typed, pressed and drawn.
 #include <cstdio>
 #include <fstream>
 #include <memory>

@@ -10,8 +10,10 @@ enum class ExitCode : int {
   BadInput = 3,
   Refused = 4,
   Interrupted = 5,
-  Storage = 6,   ///< full, read-only or damaged
-  NoDisplay = 7  ///< needs a display or device that is not there
+  /// Full, read-only or damaged.
+  Storage = 6,
+  /// Needs a display or device that is not there.
+  NoDisplay = 7
 };
 
 }  // namespace hallux::ui

@@ -7,7 +7,8 @@ namespace hallux::ui {
 
 namespace {
 
-/// Source: The Unicode Standard, table 3-6 and D92; a character's value and its bytes, 0 bytes where it is none.
+/// Source: The Unicode Standard, table 3-6 and D92; a character's value and its bytes, 0 bytes
+/// where it is none.
 struct Character {
   std::uint32_t value = 0;
   std::size_t byte_count = 0;

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A new file beside the target, under a name that nothing has; it is gone with the object unless it was published.
+/// A new file beside the target, under a name that nothing has; it is gone with the object unless
+/// it was published.
 class FileBeside {
  public:
   explicit FileBeside(const fs::path& target) : target_(target) {

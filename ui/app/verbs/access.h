@@ -1,4 +1,5 @@
-/// How a verb gets at what is kept: opens the data directory, signs in where that is asked for, asks for passwords.
+/// How a verb gets at what is kept: opens the data directory, signs in where that is asked for,
+/// asks for passwords. Inside this corner only.
 #pragma once
 
 #include <functional>
@@ -15,14 +16,14 @@ namespace hallux::ui {
 /// Whether the data directory holds a database, or something in its place that opening will say.
 bool has_database(const VerbContext& context);
 
-/// The database of the data directory, for verbs that need what was kept before: makes nothing in a directory whose name was
-/// mistyped. It is opened for writing, since a lost writer's attempt becomes interrupted, and sign-ins and refusals are
-/// written to the audit.
+/// The database of the data directory, for verbs that need what was kept before: makes nothing in a
+/// directory whose name was mistyped. It is opened for writing, since a lost writer's attempt
+/// becomes interrupted, and sign-ins and refusals are written to the audit.
 /// errors  DatabaseError; VerbError BadInput where there is no database yet
 database::Database open_kept(const VerbContext& context);
 
-/// The same for verbs that record: makes the database where there is none, unless somebody signs in with --as; nobody can
-/// be known to a database that does not exist.
+/// The same for verbs that record: makes the database where there is none, unless somebody signs in
+/// with --as; nobody can be known to a database that does not exist.
 database::Database open_to_record(const VerbContext& context);
 
 /// Reads one password: from the terminal without showing it, else one line of stdin.
@@ -41,8 +42,9 @@ struct AttemptAction {
   database::AttemptId attempt;
 };
 
-/// Runs `work` at the desk from which who signed in with --as may do what is wanted; where none of theirs may, at their
-/// own, which refuses (Session::desk_for). Without --as at the house's desk: the robot's attempts.
+/// Runs `work` at the desk from which who signed in with --as may do what is wanted; where none of
+/// theirs may, at their own, which refuses (Session::desk_for). Without --as at the house's desk:
+/// the robot's attempts.
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
                          const AttemptAction& wanted, const DeskWork& work);
 

@@ -1,4 +1,5 @@
 /// An administrator who signed in with --as, for verbs that only administrators run.
+/// Inside this corner only.
 #pragma once
 
 #include <string_view>
@@ -15,7 +16,8 @@ struct AdministratorVisit {
 };
 
 /// `task` ends the sentence "only administrators ...".
-/// errors  DatabaseError Refused; VerbError Refused without --as, or where who signed in is no administrator
+/// errors  DatabaseError Refused; VerbError Refused without --as, or where who signed in is no
+///         administrator
 AdministratorVisit visit_administrator(const VerbContext& context, database::Database& database,
                                        std::string_view task);
 

@@ -1,4 +1,5 @@
-/// A score card as the JSON that `hallux attempt` and `hallux score` answer with. Format: docs/command.md.
+/// A score card as the JSON that `hallux attempt` and `hallux score` answer with. Format:
+/// docs/command.md. Inside this corner only.
 #pragma once
 
 #include <nlohmann/json.hpp>

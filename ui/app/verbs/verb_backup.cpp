@@ -21,7 +21,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Runs `work` at the desk of the administrator of --as, or in a directory without people at no desk.
+/// Runs `work` at the desk of the administrator of --as, or in a directory without people at no
+/// desk.
 template <typename Work>
 ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
   database::Database database = open_kept(context);

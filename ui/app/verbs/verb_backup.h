@@ -1,4 +1,5 @@
-/// `hallux backup`, `hallux restore`, `hallux retention`: keeping what there is, and no longer than it must be kept.
+/// `hallux backup`, `hallux restore`, `hallux retention`: keeping what there is, and no longer than
+/// it must be kept.
 #pragma once
 
 #include "ui/app/verbs/verb.h"

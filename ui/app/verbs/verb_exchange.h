@@ -1,4 +1,5 @@
-/// `hallux export`, `hallux import`, `hallux origins`: attempts as files, and where those that came in were made.
+/// `hallux export`, `hallux import`, `hallux origins`: attempts as files, and where those that came
+/// in were made.
 #pragma once
 
 #include "ui/app/verbs/verb.h"

@@ -89,7 +89,8 @@ void add_scenario_verb(CLI::App& app, VerbContext& context) {
   CLI::App* list = verb->add_subcommand("list", "List the scenarios that come with the program");
   list->callback([&context] { context.chosen = [&context] { return list_on(context); }; });
 
-  // The callbacks outlive this function, so what they read is shared between the option and the callback.
+  // The callbacks outlive this function, so what they read is shared between the option and the
+  // callback.
   const auto file = std::make_shared<std::string>();
   CLI::App* check =
       verb->add_subcommand("check", "Read a scenario and lay its planes on its patient");

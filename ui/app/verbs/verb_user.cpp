@@ -133,7 +133,8 @@ ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
   return ExitCode::Done;
 }
 
-/// The password is asked for once: it signs in, and it proves that it is still the administrator who erases.
+/// The password is asked for once: it signs in, and it proves that it is still the administrator
+/// who erases.
 ExitCode erase_on(const VerbContext& context, const UserOptions& options) {
   database::Database database = open_kept(context);
   if (context.login.empty()) {

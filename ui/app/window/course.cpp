@@ -208,7 +208,8 @@ void Course::count_questions() {
           return count_open(read_inbox(session));
         });
       },
-      // Somebody else may have come in meanwhile. A count that failed leaves no badge; the inbox says why.
+      // Somebody else may have come in meanwhile. A count that failed leaves no badge; the inbox
+      // says why.
       [this, open, visit = visit_](WorkEnd end, const std::string&) {
         if (end == WorkEnd::Done && visit == visit_) show_badge(*open);
       });

@@ -1,4 +1,4 @@
-/// Who is in the course now, and which screen is behind each place.
+/// Who is in the course now, and which screen is behind each place. Inside this corner only.
 #pragma once
 
 #include <filesystem>

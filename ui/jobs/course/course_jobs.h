@@ -1,4 +1,5 @@
-/// What verbs and screens do with the catalogue of a course: fill it with what ships, take a checked file into it.
+/// What verbs and screens do with the catalogue of a course: fill it with what ships, take a
+/// checked file into it.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +9,8 @@
 
 namespace hallux::ui {
 
-/// Imports and publishes the shipped scenarios, except those whose name has a published version already. For a new data
-/// directory: without it, nobody has an operation to choose.
+/// Imports and publishes the shipped scenarios, except those whose name has a published version
+/// already. For a new data directory: without it, nobody has an operation to choose.
 /// errors  DatabaseError
 std::vector<database::ScenarioVersionId> publish_shipped_scenarios(
     database::AdministratorDesk& desk);

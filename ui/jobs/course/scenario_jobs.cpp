@@ -12,10 +12,12 @@ namespace {
 
 using namespace scenarios;
 
-/// Landmarks and planes lie where they lie at any edge length; a coarse surface is built in a fraction of the time.
+/// Landmarks and planes lie where they lie at any edge length; a coarse surface is built in a
+/// fraction of the time.
 constexpr double check_edge_mm = 1.0;
 
-/// What was read as a decimal reads the same again, and an angle that went through radians has no tail of digits.
+/// What was read as a decimal reads the same again, and an angle that went through radians has no
+/// tail of digits.
 std::string number_text(double value) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,

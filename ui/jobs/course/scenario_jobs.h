@@ -1,4 +1,5 @@
-/// What verbs and screens do with scenarios: list the shipped ones, and check a file on the patient it asks for.
+/// What verbs and screens do with scenarios: list the shipped ones, and check a file on the patient
+/// it asks for.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +21,8 @@ scenarios::Scenario load_scenario(const std::string& name_or_file);
 
 struct CheckedScenario {
   scenarios::Scenario scenario;
-  scenarios::Plan
-      plan;  ///< on the patient at a coarse edge length: where the planes lie, not what is cut
+  /// On the patient at a coarse edge length: where the planes lie, not what is cut.
+  scenarios::Plan plan;
 };
 
 /// Reads the file and lays each of its planes on its patient, built coarsely. About a second.
@@ -29,7 +30,8 @@ struct CheckedScenario {
 /// thread  any; it is a job: not the render thread
 CheckedScenario check_scenario_file(const std::filesystem::path& file);
 
-/// The whole scenario as readable text: every number with its origin, and whether a surgeon reviewed it.
+/// The whole scenario as readable text: every number with its origin, and whether a surgeon
+/// reviewed it.
 std::string scenario_sheet(const scenarios::Scenario& scenario);
 
 }  // namespace hallux::ui

@@ -19,7 +19,8 @@ database::TraineeDesk own_desk(database::Session& session) {
   return *desk;
 }
 
-/// With the score that stands, and whether it passes; without where it is void, not valid or has none.
+/// With the score that stands, and whether it passes; without where it is void, not valid or has
+/// none.
 JudgedAttempt judged(database::AttemptHeader header) {
   JudgedAttempt attempt;
   const bool counts = header.state != database::AttemptState::Void &&

@@ -1,5 +1,5 @@
-/// How people stand in the course: the operations that are published with what they are about, the own attempts, and the
-/// trainees of a cohort.
+/// How people stand in the course: the operations that are published with what they are about, the
+/// own attempts, and the trainees of a cohort.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,11 @@ namespace hallux::ui {
 /// An attempt, and what it says about whoever made it.
 struct JudgedAttempt {
   database::AttemptHeader header;
-  std::optional<std::int64_t>
-      score_milli;  ///< that stands: an instructor's before the machine's; nothing: not scored, not valid, or void
+  /// That stands: an instructor's before the machine's; nothing: not scored, not valid, or void.
+  std::optional<std::int64_t> score_milli;
   assessment::PassAnswer pass = assessment::PassAnswer::NotDecided;
-  std::int32_t rubric_version = 0;  ///< 0: not scored
+  /// 0: not scored.
+  std::int32_t rubric_version = 0;
 };
 
 /// Oldest first.
@@ -29,7 +30,8 @@ std::vector<JudgedAttempt> own_attempts(database::Session& session);
 /// A trainee of a cohort, with how they learn.
 struct TraineeProgress {
   database::TraineeStanding standing;
-  std::vector<assessment::LearningState> learning;  ///< as the standing's operations
+  /// As the standing's operations.
+  std::vector<assessment::LearningState> learning;
 };
 
 TraineeProgress progress_in(database::TraineeStanding standing);
@@ -42,7 +44,8 @@ std::vector<TraineeProgress> trainees_of(database::InstructorDesk& desk);
 struct OwnOperation {
   database::Operation published;
   std::optional<scenarios::Scenario> scenario;
-  std::string fault;  ///< why there is no scenario: its text is of another program's version
+  /// Why there is no scenario: its text is of another program's version.
+  std::string fault;
   assessment::LearningState learning;
 
   /// The scenario's title, or the name it is kept under.
@@ -54,16 +57,18 @@ struct OwnOperation {
 std::vector<OwnOperation> own_operations(database::Session& session, database::Database& database);
 
 /// One of them.
-/// errors  as above; DatabaseError NotFound where it is not published; ScenarioError where its text cannot be read
+/// errors  as above; DatabaseError NotFound where it is not published; ScenarioError where its text
+///         cannot be read
 OwnOperation own_operation(database::Session& session, database::Database& database,
                            database::ScenarioVersionId scenario);
 
 /// 1 to 5: one for each cut that is to be made. The format says nothing of its own about it yet.
 int difficulty_of(const scenarios::Scenario& scenario) noexcept;
 
-/// How somebody learns an operation: by their assessments that pass or do not, see assessment/learning.h. The curve is of
-/// the newest rubric that scored any of them: what was declared stands until an attempt is scored by another; and of the
-/// device class of the last one: who has learnt it by mouse has not yet by an arm.
+/// How somebody learns an operation: by their assessments that pass or do not, see
+/// assessment/learning.h. The curve is of the newest rubric that scored any of them: what was
+/// declared stands until an attempt is scored by another; and of the device class of the last one:
+/// who has learnt it by mouse has not yet by an arm.
 /// needs   attempts are oldest first
 assessment::LearningState learning_of(const std::vector<JudgedAttempt>& attempts,
                                       const std::string& scenario_name);

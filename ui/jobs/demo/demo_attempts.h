@@ -1,4 +1,5 @@
-/// The attempts of the simulated course, operated and scored side by side and handed over in their order.
+/// The attempts of the simulated course, operated and scored side by side and handed over in their
+/// order. Inside this corner only.
 #pragma once
 
 #include <atomic>
@@ -28,8 +29,10 @@ struct OperatedAttempt {
   database::ScoreCard card;
 };
 
-/// The attempt in virtual time, kept in memory, and its score. Where the hand's aim misses the bone, another seed is taken.
-/// errors  ScenarioError where no seed aims at the bone; Cancelled, also assessment's, where `progress` answered false
+/// The attempt in virtual time, kept in memory, and its score. Where the hand's aim misses the
+/// bone, another seed is taken.
+/// errors  ScenarioError where no seed aims at the bone; Cancelled, also assessment's, where
+///         `progress` answered false
 OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAttempt& planned,
                                   const Progress& progress);
 
@@ -44,7 +47,8 @@ class DemoAttemptLine {
   DemoAttemptLine(const DemoAttemptLine&) = delete;
   DemoAttemptLine& operator=(const DemoAttemptLine&) = delete;
 
-  /// Waits for the next in order; `report` is told the part of all that is done, ten times a second.
+  /// Waits for the next in order; `report` is told the part of all that is done, ten times a
+  /// second.
   /// errors  Cancelled where `report` answered false; as operate_and_score
   OperatedAttempt take(const Progress& report);
 
@@ -55,7 +59,8 @@ class DemoAttemptLine {
   const std::vector<DemoAttempt>& planned_;
   std::size_t started_ = 0;
   std::atomic<bool> is_stopped_{false};
-  std::atomic<std::int64_t> done_milli_{0};  ///< thousandths of attempts
+  /// Thousandths of attempts.
+  std::atomic<std::int64_t> done_milli_{0};
   std::deque<std::future<OperatedAttempt>> running_;
 };
 

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* staging_name = "demo-in-the-making";
 
-/// The folder in which the course is made; gone at the end, whatever the end. Only one at a time in a directory.
+/// The folder in which the course is made; gone at the end, whatever the end. Only one at a time in
+/// a directory.
 class Staging {
  public:
   explicit Staging(const fs::path& directory)

@@ -1,10 +1,14 @@
-/// A simulated course in an empty data directory, so that every screen can be seen full: `hallux demo`.
+/// A simulated course in an empty data directory, so that every screen can be seen full: `hallux
+/// demo`.
 ///
-/// Nobody in it is a person: the people are numbered, the attempts are scripted hands' and marked as simulated in the
-/// database, none can become a grade. What happened is told of the past six weeks.
+/// Nobody in it is a person: the people are numbered, the attempts are scripted hands' and marked
+/// as simulated in the database, none can become a grade. What happened is told of the past six
+/// weeks.
 ///
-///   DIR/demo-in-the-making/hallux.db  is filled through the desks, as people would, with the clock set to each moment;
-///   DIR/hallux.db                     takes it over in one transaction at the end: all of it or nothing
+///   DIR/demo-in-the-making/hallux.db  is filled through the desks, as people would, with the clock
+///                                     set to each moment;
+///   DIR/hallux.db                     takes it over in one transaction at the end: all of it or
+///                                     nothing
 #pragma once
 
 #include <filesystem>
@@ -18,24 +22,28 @@
 namespace hallux::ui {
 
 struct DemoOptions {
-  int attempts_max = 6;                        ///< of each trainee
-  std::vector<scenarios::Scenario> scenarios;  ///< that are operated; none: the shipped ones
+  /// Of each trainee.
+  int attempts_max = 6;
+  /// That are operated; none: the shipped ones.
+  std::vector<scenarios::Scenario> scenarios;
   database::PasswordCost cost;
 };
 
 struct DemoAccount {
   std::string login;
-  std::string role;  ///< "administrator", "instructor", "trainee"
+  /// "administrator", "instructor", "trainee".
+  std::string role;
 };
 
 struct DemoCourse {
-  std::string password;  ///< of every account; made for this course, kept nowhere else
+  /// Of every account; made for this course, kept nowhere else.
+  std::string password;
   std::vector<DemoAccount> accounts;
   int attempts = 0, notes = 0, replies = 0, help_requests = 0, decisions = 0;
 };
 
-/// errors  DatabaseError: Refused where the directory holds people or attempts; Locked where another demo is being made in
-///         it; storage failures. Cancelled: nothing was kept
+/// errors  DatabaseError: Refused where the directory holds people or attempts; Locked where
+///         another demo is being made in it; storage failures. Cancelled: nothing was kept
 /// thread  any; a job of a minute that uses all processors
 DemoCourse make_demo_course(const std::filesystem::path& directory, const DemoOptions& options,
                             const StageProgress& progress);

@@ -1,4 +1,5 @@
-/// The people of the simulated course and what they do at their desks, at a time that is told beforehand.
+/// The people of the simulated course and what they do at their desks, at a time that is told
+/// beforehand. Inside this corner only.
 #pragma once
 
 #include <string>
@@ -28,7 +29,8 @@ class DemoPeople {
     database::AttemptId id;
     std::int64_t minute = 0;
     int trainee = 1;
-    std::string remark;  ///< about the costliest loss
+    /// About the costliest loss.
+    std::string remark;
     database::AttemptMoment moment;
     std::int64_t score_milli = 0;
   };
@@ -49,10 +51,13 @@ class DemoPeople {
   database::Database& database_;
   database::PasswordCost cost_;
   DemoCourse course_;
-  std::int64_t minute_ = 0;   ///< now, since the course began; never goes back
-  std::int64_t begun_s_ = 0;  ///< when the course began, seconds since 1970
+  /// Now, since the course began; never goes back.
+  std::int64_t minute_ = 0;
+  /// When the course began, seconds since 1970.
+  std::int64_t begun_s_ = 0;
   std::vector<database::ScenarioVersionId> versions_;
-  std::vector<database::NewAttempt> begun_;  ///< what attempts at each operation have in common
+  /// What attempts at each operation have in common.
+  std::vector<database::NewAttempt> begun_;
   database::CohortId cohort_a_, cohort_b_;
 };
 

@@ -1,4 +1,5 @@
-/// What happens in the simulated course: who there is, who operates what, when, and how well. Plain data, no store.
+/// What happens in the simulated course: who there is, who operates what, when, and how well. Plain
+/// data, no store. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +14,30 @@ namespace hallux::ui {
 
 inline constexpr int demo_trainees = 8;
 inline constexpr int demo_instructors = 2;
-/// Trainees 1 to 5 are in cohort A, with instructor 2 as a sixth; the others are in cohort B, which instructor 2 teaches.
+/// Trainees 1 to 5 are in cohort A, with instructor 2 as a sixth; the others are in cohort B, which
+/// instructor 2 teaches.
 inline constexpr int demo_trainees_of_first_cohort = 5;
 
 struct DemoAttempt {
-  int trainee = 1;           ///< 1 to 8
-  std::size_t scenario = 0;  ///< index of those that the course operates
-  double skill = 0.0;        ///< 0 novice, 1 expert
+  /// 1 to 8.
+  int trainee = 1;
+  /// Index of those that the course operates.
+  std::size_t scenario = 0;
+  /// 0 novice, 1 expert.
+  double skill = 0.0;
   std::uint64_t seed = 1;
   database::AttemptKind kind = database::AttemptKind::Practice;
-  std::int64_t minute = 0;  ///< since the course began
-  int number = 0;           ///< of this trainee, from 0
-  bool is_last = false;     ///< of this trainee
+  /// Since the course began.
+  std::int64_t minute = 0;
+  /// Of this trainee, from 0.
+  int number = 0;
+  /// Of this trainee.
+  bool is_last = false;
 };
 
-/// In the order in which they happen. Trainees differ in how often they come, where they begin and how fast they get
-/// better; the last attempt of those who came at least three times is an assessment.
+/// In the order in which they happen. Trainees differ in how often they come, where they begin and
+/// how fast they get better; the last attempt of those who came at least three times is an
+/// assessment.
 std::vector<DemoAttempt> plan_demo_attempts(std::size_t scenarios, int attempts_max);
 
 /// How long ago the course began, in minutes: six weeks.

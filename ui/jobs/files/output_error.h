@@ -1,5 +1,5 @@
-/// What went wrong with a file or folder that the user named for an answer, as one sentence: what was tried, on which
-/// file, what to do.
+/// What went wrong with a file or folder that the user named for an answer, as one sentence: what
+/// was tried, on which file, what to do.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,10 @@
 namespace hallux::ui {
 
 enum class OutputErrorKind {
-  Name,    ///< the name itself is the mistake: it leads nowhere, or something else has it
-  Storage  ///< full, read-only, or the disk answered with an error
+  /// The name itself is the mistake: it leads nowhere, or something else has it.
+  Name,
+  /// Full, read-only, or the disk answered with an error.
+  Storage
 };
 
 class OutputError : public std::runtime_error {

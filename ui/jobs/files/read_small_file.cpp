@@ -48,7 +48,8 @@ std::string read_small_file(const std::filesystem::path& file, std::size_t mebib
     refuse("is larger than " + std::to_string(mebibytes_max) + " MiB");
   };
   if (static_cast<std::size_t>(facts.st_size) > bytes_max) refuse_length();
-  // Read by what comes, not by the size that was told: the file may grow, and files of /proc tell none.
+  // Read by what comes, not by the size that was told: the file may grow, and files of /proc tell
+  // none.
   std::string bytes;
   constexpr std::size_t block = std::size_t{64} << 10U;
   while (bytes.size() <= bytes_max) {

@@ -15,7 +15,8 @@ namespace {
 // A binding point that no vertex array remembers: binding here disturbs nobody.
 constexpr unsigned binding = GL_COPY_WRITE_BUFFER;
 
-/// Ranges kept before neighbours are joined: beyond this, keeping them apart would cost more than sending what lies between.
+/// Ranges kept before neighbours are joined: beyond this, keeping them apart would cost more than
+/// sending what lies between.
 constexpr std::size_t ranges_at_most = 4096;
 
 }  // namespace

@@ -4,9 +4,10 @@
 ///                 |  changed ranges only, neighbours joined
 ///     card     ===========================================....  room to grow
 ///
-/// Nothing goes to the card before upload(), and then only what changed since the last one. How much room is taken when the
-/// room ends is a parameter. An element that leaves is overwritten by a blank, which is drawn as nothing: nothing else
-/// moves (thesis 5.3.4, second method; the others are measured in tests/benchmarks/display_buffers).
+/// Nothing goes to the card before upload(), and then only what changed since the last one. How
+/// much room is taken when the room ends is a parameter. An element that leaves is overwritten by a
+/// blank, which is drawn as nothing: nothing else moves (thesis 5.3.4, second method; the others
+/// are measured in tests/benchmarks/display_buffers).
 /// source  thesis 5.3
 #pragma once
 
@@ -22,8 +23,10 @@
 namespace hallux::ui {
 
 struct GrowthPolicy {
-  double factor = 1.5;      ///< new room over what is needed; 1: exactly what is needed
-  std::size_t least = 256;  ///< elements; no store is smaller
+  /// New room over what is needed; 1: exactly what is needed.
+  double factor = 1.5;
+  /// Elements; no store is smaller.
+  std::size_t least = 256;
 };
 
 /// The elements that a new store has room for.
@@ -32,22 +35,27 @@ std::size_t room_for(const GrowthPolicy& growth, std::size_t needed) noexcept;
 
 struct BufferPolicy {
   GrowthPolicy growth{};
-  /// Changed ranges that lie no further apart go to the card as one: a call costs more than these bytes.
+  /// Changed ranges that lie no further apart go to the card as one: a call costs more than these
+  /// bytes.
   std::size_t join_bytes = 2048;
 };
 
 /// What a buffer has done since it was made.
 struct BufferCounts {
-  std::uint64_t stores = 0;          ///< made on the card
-  std::uint64_t uploads = 0;         ///< ranges sent
-  std::uint64_t uploaded_bytes = 0;  ///< sent from memory
+  /// Made on the card.
+  std::uint64_t stores = 0;
+  /// Ranges sent.
+  std::uint64_t uploads = 0;
+  /// Sent from memory.
+  std::uint64_t uploaded_bytes = 0;
 };
 
 /// Changed places of a row of bytes, as few ranges as may be.
 class ChangedRanges {
  public:
   struct Range {
-    std::size_t first = 0, last = 0;  ///< [first, last)
+    /// [first, last).
+    std::size_t first = 0, last = 0;
   };
 
   void add(std::size_t first, std::size_t last);

@@ -1,6 +1,8 @@
-/// OpenGL's objects with owners: made by the constructor, deleted by the destructor, moved but never copied.
+/// OpenGL's objects with owners: made by the constructor, deleted by the destructor, moved but
+/// never copied.
 ///
-/// All need the context that was current when they were made; it must still be current when they go.
+/// All need the context that was current when they were made; it must still be current when they
+/// go.
 #pragma once
 
 #include <cstdint>

@@ -7,8 +7,8 @@ namespace hallux::ui {
 
 class HeadlessContext {
  public:
-  /// Makes an OpenGL 3.3 core context without a surface and makes it the calling thread's current one. There is no
-  /// framebuffer 0 to draw into: draw into a RenderTarget.
+  /// Makes an OpenGL 3.3 core context without a surface and makes it the calling thread's current
+  /// one. There is no framebuffer 0 to draw into: draw into a RenderTarget.
   /// errors  GraphicsError where EGL, its surfaceless platform or OpenGL 3.3 is missing
   HeadlessContext();
   /// Every object made in it must be gone by then.

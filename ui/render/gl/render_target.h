@@ -14,14 +14,16 @@ struct PixelSize {
   friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-/// Where a picture goes: a framebuffer by OpenGL's name (0: the window's) and the pixels of it that are drawn into.
+/// Where a picture goes: a framebuffer by OpenGL's name (0: the window's) and the pixels of it that
+/// are drawn into.
 struct DrawTarget {
   unsigned framebuffer = 0;
   int left = 0, bottom = 0;
   PixelSize size;
 };
 
-/// Pixels as they are on a screen: rows from the top, 8 bits each of red, green, blue and opacity, sRGB.
+/// Pixels as they are on a screen: rows from the top, 8 bits each of red, green, blue and opacity,
+/// sRGB.
 struct Pixels {
   PixelSize size;
   std::vector<std::uint8_t> rgba;
@@ -60,10 +62,12 @@ void copy_picture(const DrawTarget& from, const DrawTarget& to);
 PixelSize at_least_one(PixelSize size) noexcept;
 /// Takes the errors that OpenGL has noted; whether there were any.
 bool forget_graphics_errors() noexcept;
-/// errors  GraphicsError where the bound framebuffer cannot be drawn into, or an error was noted since the last were taken
+/// errors  GraphicsError where the bound framebuffer cannot be drawn into, or an error was noted
+///         since the last were taken
 void check_framebuffer(PixelSize size);
 
-/// Binds a framebuffer, and puts the one that was bound before back at its end, so that making a target disturbs nobody.
+/// Binds a framebuffer, and puts the one that was bound before back at its end, so that making a
+/// target disturbs nobody.
 class BoundFramebuffer {
  public:
   explicit BoundFramebuffer(unsigned framebuffer);

@@ -1,4 +1,4 @@
-/// The files of shaders/, compiled in.
+/// The files of shaders/, compiled in. Inside this corner only.
 #pragma once
 
 #include <span>

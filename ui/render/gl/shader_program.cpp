@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view include_begin = "#include \"";
 
-/// A shader's text with its includes taken in; `#line` keeps the driver's line numbers true to the files.
+/// A shader's text with its includes taken in; `#line` keeps the driver's line numbers true to the
+/// files.
 class ShaderSource {
  public:
   ShaderSource(std::span<const EmbeddedText> files, std::string_view main,

@@ -1,6 +1,7 @@
 /// A vertex and a fragment shader linked into a program.
 ///
-/// Shaders are files in shaders/, compiled into the program. A line `#include "name.glsl"` takes in another of them.
+/// Shaders are files in shaders/, compiled into the program. A line `#include "name.glsl"` takes in
+/// another of them.
 #pragma once
 
 #include <map>
@@ -15,8 +16,8 @@ namespace hallux::ui {
 
 class ShaderProgram {
  public:
-  /// Of the embedded files. `settings` are lines that are put before both, "#define LINES 2\n": a program for each case runs
-  /// faster than one that asks at every pixel.
+  /// Of the embedded files. `settings` are lines that are put before both, "#define LINES 2\n": a
+  /// program for each case runs faster than one that asks at every pixel.
   /// errors  GraphicsError naming the shader, the line and what the driver says
   ShaderProgram(std::string_view vertex_file, std::string_view fragment_file,
                 std::string_view settings = {});

@@ -211,7 +211,8 @@ void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const 
   const DoubleMatrix4 clip_from_bone = frame.clip_from_world * world_from_bone;
   shape_.set("world_from_bone", to_float(world_from_bone));
   shape_.set("clip_from_bone", to_float(clip_from_bone));
-  // Set in either case: llvmpipe goes on clipping by the plane of the picture before where that was cut open.
+  // Set in either case: llvmpipe goes on clipping by the plane of the picture before where that was
+  // cut open.
   shape_.set("cut_away", bone.cut_away ? Float4(to_float(bone.cut_away->normal_in_bone),
                                                 bone.cut_away->offset_mm)
                                        : Float4(0.0F, 0.0F, 0.0F, 1.0F));

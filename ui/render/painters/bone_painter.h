@@ -1,4 +1,4 @@
-/// Draws the bones of a scene; inside this room only.
+/// Draws the bones of a scene.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ class BonePainter {
   void show(const Scene& scene, std::uint64_t picture);
   /// The patch of each bone of the scene shown last.
   std::vector<std::uint64_t> revisions(const Scene& scene) const;
-  /// Around what looks different of each bone since those revisions; nothing where that is not known any more.
+  /// Around what looks different of each bone since those revisions; nothing where that is not
+  /// known any more.
   /// shape   revisions one for each bone of the scene shown last
   std::optional<std::vector<Box>> changed_since(const Scene& scene,
                                                 std::span<const std::uint64_t> revisions) const;
@@ -68,8 +69,10 @@ class BonePainter {
 
   const NoiseTextures& noise_;
   ShaderProgram shape_, cut_;
-  std::map<std::string, ShaderProgram> skins_;  ///< by settings, made when first needed
-  std::map<std::size_t, ShaderProgram> lines_;  ///< by how many, likewise
+  /// By settings, made when first needed.
+  std::map<std::string, ShaderProgram> skins_;
+  /// By how many, likewise.
+  std::map<std::size_t, ShaderProgram> lines_;
   GlVertexArray no_attributes_;
   std::map<std::uint64_t, SeenBone> bones_;
   std::map<std::uint64_t, SeenLook> looks_;

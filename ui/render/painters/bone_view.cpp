@@ -41,7 +41,8 @@ std::vector<CornerWords> words_of(const PatchMesh& patch) {
   return words;
 }
 
-/// Takes off how both begin and how both end: a patch grows somewhere in the middle, in the order of its cells.
+/// Takes off how both begin and how both end: a patch grows somewhere in the middle, in the order
+/// of its cells.
 void drop_what_both_have(std::vector<CornerWords>& one, std::vector<CornerWords>& other) {
   const auto first = std::ranges::mismatch(one, other);
   one.erase(one.begin(), first.in1);

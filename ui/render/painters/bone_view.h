@@ -1,4 +1,5 @@
-/// One piece of bone on the graphics card: what stands still is sent once; hidden triangles and the patch when they change.
+/// One piece of bone on the graphics card: what stands still is sent once; hidden triangles and the
+/// patch when they change. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@ class BoneView {
   /// Sends the mesh.
   explicit BoneView(const BoneMesh& mesh);
 
-  /// Shows the mesh with this patch, or whole again where there is none. The same revision again costs nothing.
+  /// Shows the mesh with this patch, or whole again where there is none. The same revision again
+  /// costs nothing.
   /// needs   the mesh that this view was made of
   void show(const BoneMesh& mesh, const simulator::SolidPatch* patch, std::uint64_t revision);
 
@@ -25,8 +27,10 @@ class BoneView {
   void draw_skin(const Frustum& frustum);
   void draw_cut_faces(const Frustum& frustum);
 
-  std::uint64_t revision() const noexcept { return revision_; }  ///< of the patch; 0: none
-  /// Around all that looks different since that revision was shown, bone frame; nothing where that is not known any more.
+  /// Of the patch; 0: none.
+  std::uint64_t revision() const noexcept { return revision_; }
+  /// Around all that looks different since that revision was shown, bone frame; nothing where that
+  /// is not known any more.
   std::optional<Box> changed_since(std::uint64_t revision) const;
 
   std::size_t triangle_count() const noexcept {
@@ -39,7 +43,8 @@ class BoneView {
   /// Vertices and triangles that are drawn together.
   struct Arrays {
     GlVertexArray array;
-    unsigned vertices = 0, triangles = 0;  ///< the buffers it was set up with
+    /// The buffers it was set up with.
+    unsigned vertices = 0, triangles = 0;
 
     void point_at(unsigned vertex_buffer, unsigned index_buffer);
   };
@@ -59,10 +64,13 @@ class BoneView {
   Arrays still_, moving_;
   const std::vector<TriangleCluster> skin_, cut_;
   PatchMesh patch_, patch_before_;
-  std::deque<Change> changes_;  ///< the newest last
+  /// The newest last.
+  std::deque<Change> changes_;
   std::uint64_t revision_ = 0;
-  std::vector<std::uint32_t> hidden_;  ///< ascending
-  std::vector<TriangleRun> seen_;      ///< room for draw_seen
+  /// Ascending.
+  std::vector<std::uint32_t> hidden_;
+  /// Room for draw_seen.
+  std::vector<TriangleRun> seen_;
 };
 
 }  // namespace hallux::ui

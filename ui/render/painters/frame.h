@@ -1,4 +1,4 @@
-/// What all painters of one picture share; inside this room only.
+/// What all painters of one picture share.
 #pragma once
 
 #include <span>
@@ -21,11 +21,14 @@ struct Frame {
   const Scene& scene;
   const EyeView& view;
   DrawTarget target;
-  double pixel_scale = 1.0;  ///< pixels drawn along each side of one shown
+  /// Pixels drawn along each side of one shown.
+  double pixel_scale = 1.0;
   DoubleMatrix4 clip_from_world{1.0};
   Palette palette;
-  Float3 key_light{0.0F};  ///< direction towards it, world
-  unsigned shapes = 0;     ///< the framebuffer of the bones' shapes
+  /// Direction towards it, world.
+  Float3 key_light{0.0F};
+  /// The framebuffer of the bones' shapes.
+  unsigned shapes = 0;
   unsigned place_texture = 0, normal_texture = 0;
 };
 

@@ -1,4 +1,4 @@
-/// The blocks of noise on the graphics card, made once for all painters; inside this room only.
+/// The blocks of noise on the graphics card, made once for all painters. Inside this corner only.
 #pragma once
 
 #include "ui/render/gl/gl_objects.h"

@@ -60,7 +60,8 @@ class ScatteredPoints {
     }
   }
 
-  /// Distance to the nearest over the distance to the next but one: 0 in a point, 1 halfway between two.
+  /// Distance to the nearest over the distance to the next but one: 0 in a point, 1 halfway between
+  /// two.
   double at(const Vec3& place) const {
     const Vec3 scaled = place * static_cast<double>(cells_);
     const Vec3 cell = glm::floor(scaled);

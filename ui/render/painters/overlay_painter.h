@@ -1,4 +1,5 @@
-/// Draws the ground, and what lies over bones and tools: chips, planes, marks; inside this room only.
+/// Draws the ground, and what lies over bones and tools: chips, planes, marks; inside this room
+/// only.
 #pragma once
 
 #include "ui/render/gl/display_buffer.h"

@@ -1,4 +1,4 @@
-/// What one picture is made in; inside this room only.
+/// What one picture is made in. Inside this corner only.
 ///
 ///     shapes    which point of which bone, and its normal, once a pixel       place, normal, depth, stencil
 ///     still     ground and light on the bones                                 colour, the same depth and stencil

@@ -1,4 +1,5 @@
-/// Part of a picture: what has to be drawn again of it, or what something can cover. Inside this room only.
+/// Part of a picture: what has to be drawn again of it, or what something can cover.
+/// Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +25,8 @@ PixelBox common(const PixelBox& first, const PixelBox& second) noexcept;
 /// The smallest that holds both.
 PixelBox around(const PixelBox& first, const PixelBox& second) noexcept;
 
-/// The pixels of a picture of this size that a box of a frame can cover: none of an empty one, all where part of it lies beside or
-/// behind the eye.
+/// The pixels of a picture of this size that a box of a frame can cover: none of an empty one, all
+/// where part of it lies beside or behind the eye.
 PixelBox pixels_of(const Box& box, const RigidTransform& world_from_frame, const EyeView& view,
                    PixelSize size) noexcept;
 

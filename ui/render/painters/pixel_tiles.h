@@ -1,5 +1,5 @@
-/// Parts of a picture that no one box holds well, as square tiles: a line across a bone, the rim of a shadow. Inside this room only;
-/// no graphics.
+/// Parts of a picture that no one box holds well, as square tiles: a line across a bone, the rim of
+/// a shadow. No graphics. Inside this corner only.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ class PixelTiles {
 
   /// Every tile that the box touches.
   void add(const PixelBox& box);
-  /// The tiles as boxes that do not overlap, at most boxes_at_most: where that is not enough, one around all.
+  /// The tiles as boxes that do not overlap, at most boxes_at_most: where that is not enough, one
+  /// around all.
   std::vector<PixelBox> boxes() const;
 
  private:
@@ -29,7 +30,8 @@ class PixelTiles {
 
   PixelSize size_{};
   int columns_ = 0, rows_ = 0;
-  std::vector<bool> is_in_;  ///< one for each tile, rows from the bottom
+  /// One for each tile, rows from the bottom.
+  std::vector<bool> is_in_;
 };
 
 std::size_t pixel_count(const std::vector<PixelBox>& boxes) noexcept;
@@ -43,11 +45,12 @@ struct SeenBox {
   RigidTransform world_from_frame;
   const EyeView& view;
   PixelSize size;
-  int margin_pixels = 0;  ///< more on each side
+  /// More on each side.
+  int margin_pixels = 0;
 };
 
-/// Adds the pixels of those parts of the box that are asked for: it is halved some times, and a part counts where the ball around it
-/// does.
+/// Adds the pixels of those parts of the box that are asked for: it is halved some times, and a
+/// part counts where the ball around it does.
 void add_parts(PixelTiles& tiles, const SeenBox& seen, const BallTest& is_asked_for);
 
 }  // namespace hallux::ui

@@ -18,7 +18,8 @@ RigidTransform swung(const SawInScene& saw, double share) {
   return saw.world_from_tool * RigidTransform{turn, pivot_mm - turn * pivot_mm};
 }
 
-/// Within the first of the line from the eye to the teeth the handpiece is seen through, beyond the second it is whole.
+/// Within the first of the line from the eye to the teeth the handpiece is seen through, beyond the
+/// second it is whole.
 constexpr double clear_within_mm = 12.0, whole_beyond_mm = 19.0;
 constexpr double widest_handle_mm = 9.0;
 /// A ghost is as thick as its kerf usually is, whatever its steel.
@@ -33,7 +34,8 @@ void set_part(ShaderProgram& program, const Frame& frame, const RigidTransform& 
   program.set("clip_from_tool", to_float(frame.clip_from_world * matrix));
 }
 
-/// Draws first the depth, then the colour, so that of parts behind each other only the nearest is seen through.
+/// Draws first the depth, then the colour, so that of parts behind each other only the nearest is
+/// seen through.
 void draw_nearest_only(const ToolView& part) {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   part.draw();
@@ -116,8 +118,8 @@ void SawPainter::draw_ghost(const Frame& frame, const ToolView& part,
   ghost_.use();
   ghost_.set("ink", ink);
   ghost_.set("clip_from_ghost", to_float(frame.clip_from_world * matrix_of(world_from_part)));
-  // Depth first: of what lies behind each other in the ghost only the nearest is seen through. A little behind its place:
-  // where the blade itself stands, the blade is seen.
+  // Depth first: of what lies behind each other in the ghost only the nearest is seen through. A
+  // little behind its place: where the blade itself stands, the blade is seen.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0F, 8.0F);
   draw_nearest_only(part);

@@ -1,4 +1,4 @@
-/// Draws the saw and the ghosts of blades; inside this room only.
+/// Draws the saw and the ghosts of blades.
 #pragma once
 
 #include <optional>
@@ -55,7 +55,8 @@ class SawPainter {
   std::optional<Model> model_, ghost_model_;
 };
 
-/// Around the part of the handpiece that lies between the eye and the teeth, so that it is seen through there; tool frame.
+/// Around the part of the handpiece that lies between the eye and the teeth, so that it is seen
+/// through there; tool frame.
 Box before_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept;
 
 }  // namespace hallux::ui

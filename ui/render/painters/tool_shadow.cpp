@@ -13,7 +13,8 @@ constexpr double handpiece_radius_mm = 7.5;
 /// The formula is the shader's, the numbers are not of its single precision.
 constexpr double rounding_mm = 0.05;
 
-/// How far the ball's points may lie from the shadow's rim at its middle: the formula's slope times the radius.
+/// How far the ball's points may lie from the shadow's rim at its middle: the formula's slope times
+/// the radius.
 bool may_blade_shade(const ToolShadow& shadow, const Vec3& middle_mm, double radius_mm) noexcept {
   const Vec3& key = shadow.key_in_tool;
   const double rise = std::abs(key.z) < steepest_least ? steepest_least : key.z;

@@ -93,7 +93,8 @@ BoneVertex vertex_from(const VertexTable::Source& source, const Vec3& point_mm) 
   return vertex;
 }
 
-/// The canal's vertices are told by their depth; the skin's see as much light as their hollow lets in.
+/// The canal's vertices are told by their depth; the skin's see as much light as their hollow lets
+/// in.
 void light_skin(BoneVertex& vertex, const DepthVolume& depth) {
   if (vertex.kerf >= 0) return;
   const Vec3 point_mm(vertex.point_in_bone_mm);
@@ -197,7 +198,8 @@ void take_from_parent(BoneVertex& vertex, const BoneMesh& mesh, std::uint32_t pa
   vertex.kerf = mesh.vertices[triangle[0]].kerf;
 }
 
-/// A vertex of the patch: a point of the mesh as it is there, a new point as its parent, else by its own faces.
+/// A vertex of the patch: a point of the mesh as it is there, a new point as its parent, else by
+/// its own faces.
 BoneVertex patch_vertex(const BoneMesh& mesh, const simulator::SolidPatch& patch,
                         const VertexTable::Source& source) {
   const auto base_count = static_cast<std::uint32_t>(mesh.solid.mesh.points_mm.size());
@@ -298,7 +300,8 @@ void light_cut_faces(BoneMesh& mesh, std::span<const Occluder> occluders) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     BoneVertex& vertex = mesh.vertices[i];
     if (vertex.kerf < 0) continue;
-    // A vertex lies on the rim, where a ray just grazes the other wall: it is asked a little further inside.
+    // A vertex lies on the rim, where a ray just grazes the other wall: it is asked a little
+    // further inside.
     const Vec3 rim_mm(vertex.point_in_bone_mm), normal = normal_of(vertex);
     const Vec3 start_mm = rim_mm + 0.05 * (inward_mm[i] - rim_mm) + lift_mm * normal;
     double free_mm = far_mm;

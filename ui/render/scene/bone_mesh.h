@@ -1,4 +1,5 @@
-/// A bone's solid as the graphics card wants it: vertices with normals, triangles in the order in which they are drawn.
+/// A bone's solid as the graphics card wants it: vertices with normals, triangles in the order in
+/// which they are drawn.
 #pragma once
 
 #include <array>
@@ -18,27 +19,38 @@ inline constexpr std::int16_t canal_kerf = -2;
 /// 24 bytes, as the shaders read it.
 struct BoneVertex {
   Float3 point_in_bone_mm{0.0F};
-  std::array<std::int16_t, 3> normal{};  ///< unit length times 32767
-  std::int16_t openness = 32767;         ///< how much light comes here, 0 to 32767
-  std::int16_t kerf = -1, side = 0;  ///< of the face, see FaceOrigin; the canal's wall: canal_kerf
+  /// Unit length times 32767.
+  std::array<std::int16_t, 3> normal{};
+  /// How much light comes here, 0 to 32767.
+  std::int16_t openness = 32767;
+  /// Of the face, see FaceOrigin; the canal's wall: canal_kerf.
+  std::int16_t kerf = -1, side = 0;
 };
 
 /// A piece of bone that stands still while it is looked at; a new one after each commit.
 struct BoneMesh {
-  std::uint64_t id = 0;  ///< another content has another; given by whoever makes it
+  /// Another content has another; given by whoever makes it.
+  std::uint64_t id = 0;
   simulator::CutSolid solid;
-  Vec3 low_mm{0.0, 0.0, 0.0}, high_mm{0.0, 0.0, 0.0};  ///< the box around it
+  /// The box around it.
+  Vec3 low_mm{0.0, 0.0, 0.0}, high_mm{0.0, 0.0, 0.0};
   std::vector<BoneVertex> vertices;
-  std::vector<simulator::Triangle> triangles;  ///< by vertices; the skin's first
-  std::size_t skin_count =
-      0;  ///< triangles of the skin; the others are cut faces and the canal's wall
-  std::vector<TriangleCluster> skin_clusters, cut_clusters;  ///< all of `triangles`, in their order
-  std::vector<std::uint32_t> place_of;  ///< per triangle of the solid its place in `triangles`
-  std::vector<std::uint32_t> skin_vertex_of;  ///< per point of the solid; no_index inside the bone
+  /// By vertices; the skin's first.
+  std::vector<simulator::Triangle> triangles;
+  /// Triangles of the skin; the others are cut faces and the canal's wall.
+  std::size_t skin_count = 0;
+  /// All of `triangles`, in their order.
+  std::vector<TriangleCluster> skin_clusters, cut_clusters;
+  /// Per triangle of the solid its place in `triangles`.
+  std::vector<std::uint32_t> place_of;
+  /// Per point of the solid; no_index inside the bone.
+  std::vector<std::uint32_t> skin_vertex_of;
 };
 
-/// Vertices are shared where faces of one origin meet, so that skins are smooth and walls are sharp at their rims.
-/// needs   id is not 0 and was not given to another content; look is of the bone that the solid was cut from
+/// Vertices are shared where faces of one origin meet, so that skins are smooth and walls are sharp
+/// at their rims.
+/// needs   id is not 0 and was not given to another content; look is of the bone that the solid was
+///         cut from
 /// thread  any; no graphics
 BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneLook& look);
 
@@ -48,7 +60,8 @@ BoneMesh lit_mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const B
 /// A patch's triangles, sorted as a BoneMesh's are, with vertices of their own.
 struct PatchMesh {
   std::vector<BoneVertex> vertices;
-  std::vector<simulator::Triangle> triangles;  ///< the skin's first
+  /// The skin's first.
+  std::vector<simulator::Triangle> triangles;
   std::size_t skin_count = 0;
 };
 
@@ -59,12 +72,13 @@ void make_patch_mesh(const BoneMesh& mesh, const simulator::SolidPatch& patch, P
 
 /// Another solid near a wall.
 struct Occluder {
-  const simulator::Bvh* bvh = nullptr;  ///< in its own frame; stays the caller's
+  /// In its own frame; stays the caller's.
+  const simulator::Bvh* bvh = nullptr;
   RigidTransform body_from_other;
 };
 
-/// Sets how much light reaches each cut face: by how far the next surface lies that it looks at, of this solid or others.
-/// To be called again when a neighbour was taken away or moved.
+/// Sets how much light reaches each cut face: by how far the next surface lies that it looks at, of
+/// this solid or others. To be called again when a neighbour was taken away or moved.
 /// needs   occluders hold the mesh's own tree, with the identity
 /// thread  any; no graphics
 void light_cut_faces(BoneMesh& mesh, std::span<const Occluder> occluders);

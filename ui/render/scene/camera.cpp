@@ -53,10 +53,12 @@ DoubleMatrix4 frustum(const Vec2& low, const Vec2& high, double near, double far
   return matrix;
 }
 
-/// What lies infinitely far behind is shifted by the eyes' whole distance: no more of the screen than the limit.
+/// What lies infinitely far behind is shifted by the eyes' whole distance: no more of the screen
+/// than the limit.
 double half_eye_distance(const Camera& camera, const Viewer& viewer) {
   const double limit_mm = viewer.parallax_limit * viewer.screen_width_mm;
-  // The scene is a hand's size: as deep behind the screen as the screen is wide, which shows w / (w + d) of the distance.
+  // The scene is a hand's size: as deep behind the screen as the screen is wide, which shows w / (w
+  // + d) of the distance.
   const double deepest_share =
       viewer.screen_width_mm / (viewer.screen_width_mm + viewer.distance_mm);
   return 0.5 * std::min(viewer.eye_distance_mm, limit_mm / deepest_share) / camera.magnification;

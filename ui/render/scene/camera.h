@@ -18,41 +18,51 @@ namespace hallux::ui {
 /// The screen on the desk and who looks at it.
 struct Viewer {
   double screen_width_mm = 520.0;
-  double distance_mm = 620.0;     ///< from the eyes to the screen
-  double eye_distance_mm = 63.0;  ///< between the pupils; 50 to 75
-  double parallax_limit =
-      1.0 / 30.0;  ///< of the screen's width: how far apart the eyes' pictures may lie
+  /// From the eyes to the screen.
+  double distance_mm = 620.0;
+  /// Between the pupils; 50 to 75.
+  double eye_distance_mm = 63.0;
+  /// Of the screen's width: how far apart the eyes' pictures may lie.
+  double parallax_limit = 1.0 / 30.0;
 };
 
 /// Looks at the target from the z side of the view frame.
 struct Camera {
-  Vec3 target_mm{0.0, 0.0, 0.0};             ///< in the world
-  Quat world_from_view{1.0, 0.0, 0.0, 0.0};  ///< view: x right, y up, z to the viewer
-  double magnification = 8.0;                ///< millimetres on the screen for one in the world
-  double target_depth_mm = 6.0;  ///< how far behind the screen plane the target lies, in the world
+  /// In the world.
+  Vec3 target_mm{0.0, 0.0, 0.0};
+  /// View: x right, y up, z to the viewer.
+  Quat world_from_view{1.0, 0.0, 0.0, 0.0};
+  /// Millimetres on the screen for one in the world.
+  double magnification = 8.0;
+  /// How far behind the screen plane the target lies, in the world.
+  double target_depth_mm = 6.0;
 
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 enum class StandardView : std::uint8_t {
-  Operator,  ///< as one stands: from above, medial and distal
+  /// As one stands: from above, medial and distal.
+  Operator,
   Dorsal,
   Medial,
   Lateral,
   Plantar,
   Distal,
   Proximal,
-  AlongBlade  ///< the operator's height, from medial: the blade is seen edge on
+  /// The operator's height, from medial: the blade is seen edge on.
+  AlongBlade
 };
 inline constexpr int standard_view_count = 8;
 
-/// Turned about the target: to the right around the world's dorsal axis, then up around the view's own x.
+/// Turned about the target: to the right around the world's dorsal axis, then up around the view's
+/// own x.
 Camera orbited(const Camera& camera, double right_rad, double up_rad) noexcept;
 /// Moved so that the picture follows by this much of the screen's width, to the right and up.
 Camera panned(const Camera& camera, const Viewer& viewer, const Vec2& shares) noexcept;
 /// Magnified by the factor, kept within 1 and 60.
 Camera zoomed(const Camera& camera, double factor) noexcept;
-/// The same target and magnification, seen from a side; world = foot frame (x distal, y dorsal, z lateral, right foot).
+/// The same target and magnification, seen from a side; world = foot frame (x distal, y dorsal, z
+/// lateral, right foot).
 Camera standard_view(const Camera& camera, StandardView view) noexcept;
 /// As near as shows a ball around the target wholly.
 Camera fitted(const Camera& camera, const Viewer& viewer, double radius_mm, double aspect) noexcept;
@@ -61,11 +71,13 @@ enum class Eye : std::int8_t { Left = -1, Middle = 0, Right = 1 };
 
 /// One eye's view of the world, ready to draw.
 struct EyeView {
-  DoubleMatrix4 view_from_world{1.0};  ///< eye frame: the eye at the origin, looking along -z
+  /// Eye frame: the eye at the origin, looking along -z.
+  DoubleMatrix4 view_from_world{1.0};
   DoubleMatrix4 clip_from_view{1.0};
   Vec3 eye_in_world_mm{0.0, 0.0, 0.0};
   Quat world_from_view{1.0, 0.0, 0.0, 0.0};
-  double width_over_height = 1.0;  ///< of the picture as it is shown
+  /// Of the picture as it is shown.
+  double width_over_height = 1.0;
 
   DoubleMatrix4 clip_from_world() const noexcept { return clip_from_view * view_from_world; }
   friend bool operator==(const EyeView&, const EyeView&) = default;
@@ -76,8 +88,8 @@ struct EyeView {
 EyeView view_of(const Camera& camera, const Viewer& viewer, Eye eye,
                 double width_over_height) noexcept;
 
-/// Where a point of the world lands, from the picture's upper left in shares of its width and height; z is the depth in
-/// [-1, 1], or beyond where it is cut off.
+/// Where a point of the world lands, from the picture's upper left in shares of its width and
+/// height; z is the depth in [-1, 1], or beyond where it is cut off.
 Vec3 place_in_picture(const EyeView& view, const Vec3& point_in_world_mm) noexcept;
 /// The point of the world at that place and depth.
 Vec3 point_at(const EyeView& view, const Vec3& place) noexcept;

@@ -1,4 +1,5 @@
-/// Single precision, for what goes to the graphics card and nothing else; every conversion from double is here.
+/// Single precision, for what goes to the graphics card and nothing else; every conversion from
+/// double is here.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -14,7 +15,8 @@ using Float2 = glm::vec2;
 using Float3 = glm::vec3;
 using Float4 = glm::vec4;
 using Matrix4 = glm::mat4;
-using DoubleMatrix4 = glm::dmat4;  ///< matrices are multiplied in double and rounded once
+/// Matrices are multiplied in double and rounded once.
+using DoubleMatrix4 = glm::dmat4;
 
 inline Float3 to_float(const Vec3& v) noexcept { return Float3(v); }
 inline Float2 to_float(const Vec2& v) noexcept { return Float2(v); }

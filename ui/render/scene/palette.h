@@ -1,4 +1,5 @@
-/// The colours of the third dimension; those of the screens stand beside them in one table of tokens.
+/// The colours of the third dimension; those of the screens stand beside them in one table of
+/// tokens.
 #pragma once
 
 #include "ui/render/scene/float_vector.h"
@@ -8,7 +9,8 @@ namespace hallux::ui {
 
 struct Palette {
   Float3 ground_middle, ground_rim;
-  Float3 accent, reference, harm, plain;  ///< by Ink
+  /// By Ink.
+  Float3 accent, reference, harm, plain;
 };
 
 inline Palette palette_of(Ground ground) noexcept {

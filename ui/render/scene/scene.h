@@ -1,6 +1,8 @@
-/// What is to be seen, as plain data: the screens fill it, the renderer draws it and keeps nothing of it but copies.
+/// What is to be seen, as plain data: the screens fill it, the renderer draws it and keeps nothing
+/// of it but copies.
 ///
-/// All places are millimetres of the world (foot frame) unless a name says another frame. Pointers are borrowed for the call.
+/// All places are millimetres of the world (foot frame) unless a name says another frame. Pointers
+/// are borrowed for the call.
 #pragma once
 
 #include <array>
@@ -18,13 +20,19 @@ enum class Ground : std::uint8_t { Dark, Light };
 /// The roles that colours have; each has one for dark and one for light grounds.
 enum class Ink : std::uint8_t { Accent, Reference, Harm, Plain };
 
-/// Signed distance of cut faces to a planned plane, in colours: too much taken, as planned, left standing.
+/// Signed distance of cut faces to a planned plane, in colours: too much taken, as planned, left
+/// standing.
 struct SignedMap {
-  std::int32_t kerf = 0;               ///< faces of this kerf only; -1: of every kerf
-  std::int32_t side = 0;               ///< +1 or -1: of this wall only; 0: of both
-  Vec3 normal_in_bone{0.0, 0.0, 1.0};  ///< of the planned face, towards the waste
-  double offset_mm = 0.0;              ///< normal . p of the planned face
-  double range_mm = 2.0;               ///< where the colours end
+  /// Faces of this kerf only; -1: of every kerf.
+  std::int32_t kerf = 0;
+  /// +1 or -1: of this wall only; 0: of both.
+  std::int32_t side = 0;
+  /// Of the planned face, towards the waste.
+  Vec3 normal_in_bone{0.0, 0.0, 1.0};
+  /// Normal . p of the planned face.
+  double offset_mm = 0.0;
+  /// Where the colours end.
+  double range_mm = 2.0;
 
   friend bool operator==(const SignedMap&, const SignedMap&) = default;
 };
@@ -39,12 +47,16 @@ struct CutAway {
 
 struct BoneInScene {
   const BoneMesh* mesh = nullptr;
-  const BoneLook* look = nullptr;  ///< of the bone; one look serves all its pieces
-  const simulator::SolidPatch* patch =
-      nullptr;                       ///< built on mesh->solid; none: nothing is being cut
-  std::uint64_t patch_revision = 0;  ///< another patch has another; never 0 where there is a patch
-  RigidTransform world_from_bone;    ///< of this piece
-  double presence = 1.0;             ///< towards 0 it fades into the ground: a neighbour
+  /// Of the bone; one look serves all its pieces.
+  const BoneLook* look = nullptr;
+  /// Built on mesh->solid; none: nothing is being cut.
+  const simulator::SolidPatch* patch = nullptr;
+  /// Another patch has another; never 0 where there is a patch.
+  std::uint64_t patch_revision = 0;
+  /// Of this piece.
+  RigidTransform world_from_bone;
+  /// Towards 0 it fades into the ground: a neighbour.
+  double presence = 1.0;
   std::optional<SignedMap> map;
   std::optional<CutAway> cut_away;
 };
@@ -53,7 +65,8 @@ struct SawInScene {
   RigidTransform world_from_tool;
   simulator::Blade blade;
   bool is_running = false;
-  double swing = 0.0;  ///< where in its swing the blade stands, [-1, 1]; counts only while it runs
+  /// Where in its swing the blade stands, [-1, 1]; counts only while it runs.
+  double swing = 0.0;
 };
 
 /// The blade alone, translucent: the expert's.
@@ -68,14 +81,16 @@ struct PlaneGhost {
   RigidTransform world_from_plane;
   Vec2 half_mm{15.0, 12.0};
   Ink ink = Ink::Accent;
-  bool is_filled = true;  ///< otherwise only its outline
+  /// Otherwise only its outline.
+  bool is_filled = true;
 };
 
 /// Where a plane meets the skins of all bones that are wholly present.
 struct CuttingLine {
-  RigidTransform world_from_plane;  ///< z is the normal
-  double half_width_mm =
-      0.0;  ///< the line ends this far from the plane's x axis; 0: it goes all around
+  /// z is the normal.
+  RigidTransform world_from_plane;
+  /// The line ends this far from the plane's x axis; 0: it goes all around.
+  double half_width_mm = 0.0;
   double width_pixels = 2.5;
   Ink ink = Ink::Accent;
 };
@@ -85,7 +100,8 @@ inline constexpr std::size_t lines_at_most = 6;
 struct Chip {
   Vec3 place_mm{0.0, 0.0, 0.0};
   float size_mm = 0.15F;
-  float wetness = 0.0F;  ///< 0 dry and pale, 1 dark
+  /// 0 dry and pale, 1 dark.
+  float wetness = 0.0F;
 };
 
 /// A mark at a place: a note, a landmark; a ball of a few pixels, always before everything.
@@ -97,13 +113,14 @@ struct Mark {
 
 struct Scene {
   Ground ground = Ground::Dark;
-  Vec2 light_place{
-      0.5, 0.5};  ///< where the ground is brightest, shares of the picture from the lower left
+  /// Where the ground is brightest, shares of the picture from the lower left.
+  Vec2 light_place{0.5, 0.5};
   std::vector<BoneInScene> bones;
   std::optional<SawInScene> saw;
   std::vector<BladeGhost> blade_ghosts;
   std::vector<PlaneGhost> planes;
-  std::vector<CuttingLine> lines;  ///< at most lines_at_most
+  /// At most lines_at_most.
+  std::vector<CuttingLine> lines;
   std::vector<Chip> chips;
   std::vector<Mark> marks;
 };

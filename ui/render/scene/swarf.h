@@ -13,9 +13,12 @@ namespace hallux::ui {
 /// Teeth at work.
 struct SwarfSource {
   RigidTransform world_from_tool;
-  double width_mm = 10.0;      ///< of the tooth line
-  double removed_mm3_s = 0.0;  ///< bone that the teeth take in a second
-  bool is_irrigated = false;   ///< wet chips are dark and do not fly far
+  /// Of the tooth line.
+  double width_mm = 10.0;
+  /// Bone that the teeth take in a second.
+  double removed_mm3_s = 0.0;
+  /// Wet chips are dark and do not fly far.
+  bool is_irrigated = false;
 };
 
 class Swarf {
@@ -40,7 +43,8 @@ class Swarf {
   void drop_oldest(std::size_t count);
 
   Random random_;
-  double owed_ = 0.0;  ///< chips that are not yet whole
+  /// Chips that are not yet whole.
+  double owed_ = 0.0;
   std::vector<Chip> chips_;
   std::vector<Flight> flights_;
 };

@@ -13,7 +13,8 @@ namespace {
 
 using simulator::Blade;
 
-/// A point of a turned part's outline: along the axis, away from it, and what the part up to the next point is made of.
+/// A point of a turned part's outline: along the axis, away from it, and what the part up to the
+/// next point is made of.
 struct ProfilePoint {
   double along_mm = 0.0, radius_mm = 0.0;
   ToolMaterial material = ToolMaterial::Grip;
@@ -32,8 +33,8 @@ class ToolBuilder {
     add_triangle({corners_mm[0], corners_mm[1], corners_mm[2]}, material);
     add_triangle({corners_mm[0], corners_mm[2], corners_mm[3]}, material);
   }
-  /// A part turned about an axis; `tool_from_turned` puts its z axis there. Outlines run so that outside is on their left
-  /// when z points right.
+  /// A part turned about an axis; `tool_from_turned` puts its z axis there. Outlines run so that
+  /// outside is on their left when z points right.
   void add_turned(std::span<const ProfilePoint> profile, const RigidTransform& tool_from_turned);
 
   ToolMesh take() { return std::move(mesh_); }
@@ -50,7 +51,8 @@ Vec2 outward(const ProfilePoint& from, const ProfilePoint& to) {
   return glm::normalize(Vec2(from.radius_mm - to.radius_mm, to.along_mm - from.along_mm));
 }
 
-/// The outline's normal at an end of piece `i`: shared with the neighbour unless there is an edge between them.
+/// The outline's normal at an end of piece `i`: shared with the neighbour unless there is an edge
+/// between them.
 Vec2 outline_normal(std::span<const ProfilePoint> profile, std::size_t i, bool at_end) {
   constexpr double smooth_below = 0.78;  // cosine: about 39 degrees
   const Vec2 own = outward(profile[i], profile[i + 1]);

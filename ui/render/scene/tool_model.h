@@ -1,5 +1,5 @@
-/// The sagittal saw as triangles in the tool frame: origin at the middle of the tooth line, +x from handle to teeth, z the
-/// blade's normal.
+/// The sagittal saw as triangles in the tool frame: origin at the middle of the tooth line, +x from
+/// handle to teeth, z the blade's normal.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,21 @@
 namespace hallux::ui {
 
 enum class ToolMaterial : std::uint8_t {
-  Blade,  ///< brushed steel
-  Steel,  ///< polished
-  Grip,   ///< dark, matt
-  Band    ///< a grey ring in the grip
+  /// Brushed steel.
+  Blade,
+  /// Polished.
+  Steel,
+  /// Dark, matt.
+  Grip,
+  /// A grey ring in the grip.
+  Band
 };
 
 struct ToolVertex {
   Float3 point_in_tool_mm{0.0F};
   Float3 normal{0.0F, 0.0F, 1.0F};
-  float material = 0.0F;  ///< a ToolMaterial
+  /// A ToolMaterial.
+  float material = 0.0F;
 };
 
 struct ToolMesh {

@@ -1,4 +1,5 @@
-/// Triangles that lie together stand together, so that a part of a picture is drawn without those that cannot be seen in it.
+/// Triangles that lie together stand together, so that a part of a picture is drawn without those
+/// that cannot be seen in it. Inside this corner only.
 #pragma once
 
 #include <array>
@@ -21,8 +22,10 @@ struct TriangleRun {
 
 /// All directions within an angle of an axis, below a right angle.
 struct NormalCone {
-  Vec3 axis{0.0, 0.0, 1.0};  ///< unit
-  double sine = 1.0;         ///< of the angle; 1: anything may be in it
+  /// Unit.
+  Vec3 axis{0.0, 0.0, 1.0};
+  /// Of the angle; 1: anything may be in it.
+  double sine = 1.0;
 };
 /// shape   unit normals, or zero for triangles without area
 NormalCone cone_around(std::span<const Vec3> normals) noexcept;
@@ -34,14 +37,17 @@ struct TriangleCluster {
 };
 inline constexpr std::uint32_t cluster_triangles = 128;
 
-/// The numbers of the places in an order in which neighbours mostly follow each other: along Morton's curve.
+/// The numbers of the places in an order in which neighbours mostly follow each other: along
+/// Morton's curve.
 /// source  Morton 1966, A computer oriented geodetic data base
 std::vector<std::uint32_t> order_by_place(std::span<const Vec3> places_mm);
 
-/// What is seen through a part of the picture, as the planes around it in some frame: inside where all are not negative.
+/// What is seen through a part of the picture, as the planes around it in some frame: inside where
+/// all are not negative.
 struct Frustum {
   std::array<glm::dvec4, 4> planes{};
-  std::optional<Vec3> eye_mm;  ///< which sees no triangle from behind; none: backs are seen, too
+  /// Which sees no triangle from behind; none: backs are seen, too.
+  std::optional<Vec3> eye_mm;
 };
 /// `low` and `high` are the part's corners in shares of the picture from the lower left.
 Frustum frustum_through(const DoubleMatrix4& clip_from_frame, const Vec2& low,

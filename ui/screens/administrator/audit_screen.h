@@ -28,8 +28,10 @@ class RecordsScreen : public Screen {
     std::filesystem::path file;
     std::string made_utc;
     std::int64_t bytes = 0;
-    long kept = 1;           ///< backups in all
-    std::string oldest_utc;  ///< of them
+    /// Backups in all.
+    long kept = 1;
+    /// Of them.
+    std::string oldest_utc;
   };
 
   void read(Ui& ui, Shell& shell);
@@ -45,10 +47,13 @@ class RecordsScreen : public Screen {
   std::shared_ptr<Visit> visit_;
   Reading<database::AuditPage> page_;
   Reading<std::optional<LastBackup>> last_backup_;
-  std::vector<std::optional<std::int64_t>> before_{std::nullopt};  ///< of each page so far
-  int filter_ = 0;                                                 ///< 0 all, 1 refused only
+  /// Of each page so far.
+  std::vector<std::optional<std::int64_t>> before_{std::nullopt};
+  /// 0 all, 1 refused only.
+  int filter_ = 0;
   TableState table_;
-  std::int64_t chosen_ = 0;  ///< number of the line whose words are shown; 0: none
+  /// Number of the line whose words are shown; 0: none.
+  std::int64_t chosen_ = 0;
   DeskWork backing_up_;
   RetentionDialogs retention_;
   OriginsCard origins_;

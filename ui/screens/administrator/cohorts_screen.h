@@ -29,11 +29,13 @@ class CohortsScreen : public Screen {
   struct Everybody {
     std::vector<Listed> cohorts;
     std::vector<database::Person> people;
-    std::vector<std::string> operations;  ///< those in the catalogue, by name
+    /// Those in the catalogue, by name.
+    std::vector<std::string> operations;
   };
   struct Enrolment {
     std::string search;
-    int role = 0;  ///< 0 trainee, 1 instructor
+    /// 0 trainee, 1 instructor.
+    int role = 0;
     TableState table;
   };
   struct Removal {
@@ -67,12 +69,15 @@ class CohortsScreen : public Screen {
   std::shared_ptr<Visit> visit_;
   Reading<Everybody> everybody_;
   std::optional<database::CohortId> chosen_;
-  std::string member_;  ///< login of the chosen member
+  /// Login of the chosen member.
+  std::string member_;
   TableState cohort_table_, member_table_;
-  std::optional<std::string> new_name_;  ///< while a cohort is added
+  /// While a cohort is added.
+  std::optional<std::string> new_name_;
   std::optional<Enrolment> enrolment_;
   std::optional<Removal> removal_;
-  std::optional<LimitsForm> limits_;  ///< while those of the chosen cohort are changed
+  /// While those of the chosen cohort are changed.
+  std::optional<LimitsForm> limits_;
   DeskWork work_, adding_, enrolling_, limiting_;
 };
 

@@ -1,4 +1,5 @@
-/// Other directories that attempts were imported from, and whether those count here. Nothing is drawn where there are none.
+/// Other directories that attempts were imported from, and whether those count here. Nothing is
+/// drawn where there are none. Inside this corner only.
 ///
 ///     const float height = origins_.height(ui, shell);
 ///     if (height > 0.0F) origins_.draw(ui, take_top(side, height, space::between_cards), shell);

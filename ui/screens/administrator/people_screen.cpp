@@ -56,7 +56,8 @@ PeopleScreen::List PeopleScreen::read(database::Session& session) {
   const std::string now = utc_now_text();
   List list;
   for (const Person& person : desk.people()) {
-    // Who has no login was erased, or came with an import: a number in the statistics, nobody to be managed.
+    // Who has no login was erased, or came with an import: a number in the statistics, nobody to be
+    // managed.
     if (!person.login.empty()) {
       list.push_back({person, {}, false, false, admission_of(person, now)});
     }

@@ -1,4 +1,5 @@
-/// The people of the course: who they are, what they may do, and the one-time codes with which they come in.
+/// The people of the course: who they are, what they may do, and the one-time codes with which they
+/// come in.
 #pragma once
 
 #include <map>
@@ -16,9 +17,12 @@ namespace hallux::ui {
 
 /// Whether a person can come in.
 enum class Admission {
-  Active,     ///< with a password
-  Invited,    ///< a one-time code waits for them
-  NeedsCode,  ///< neither: the code ran out
+  /// With a password.
+  Active,
+  /// A one-time code waits for them.
+  Invited,
+  /// Neither: the code ran out.
+  NeedsCode,
   Disabled
 };
 Admission admission_of(const database::Person& person, std::string_view now_utc) noexcept;
@@ -34,8 +38,10 @@ class PeopleScreen : public Screen {
  private:
   struct Listed {
     database::Person person;
-    std::string cohorts;                             ///< names, "Autumn, Spring"
-    bool is_instructor = false, is_trainee = false;  ///< in at least one cohort
+    /// Names, "Autumn, Spring".
+    std::string cohorts;
+    /// In at least one cohort.
+    bool is_instructor = false, is_trainee = false;
     Admission admission = Admission::Active;
   };
   struct Asked {
@@ -79,12 +85,14 @@ class PeopleScreen : public Screen {
   std::string search_, now_utc_;
   int tab_ = 0;
   TableState table_;
-  std::string chosen_;  ///< login
+  /// Login.
+  std::string chosen_;
   DeskWork work_, adding_, erasing_;
   std::optional<AddedPersonWords> added_;
   std::optional<ShownCode> code_;
   std::optional<Asked> asked_;
-  std::optional<EraseWords> erased_;  ///< while the dialog is open
+  /// While the dialog is open.
+  std::optional<EraseWords> erased_;
 };
 
 }  // namespace hallux::ui

@@ -1,4 +1,5 @@
 /// How long what is kept, and what would go: two dialogs of an administrator, one after the other.
+/// Inside this corner only.
 ///
 ///     if (button(ui, "records.retention", ...)) retention_.open(ui, shell);
 ///     retention_.draw(ui, shell);   // last: it lies over everything
@@ -28,7 +29,8 @@ class RetentionDialogs {
   using Days = std::array<std::string, 4>;
   struct Plan {
     std::vector<database::RetentionPiece> pieces;
-    std::vector<std::string> lines;  ///< as they are shown, one for each
+    /// As they are shown, one for each.
+    std::vector<std::string> lines;
     std::string summary;
   };
 

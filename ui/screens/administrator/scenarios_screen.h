@@ -1,4 +1,5 @@
-/// The catalogue of operations: every version with its state and review, its sheet to read, import, publish, retire.
+/// The catalogue of operations: every version with its state and review, its sheet to read, import,
+/// publish, retire.
 #pragma once
 
 #include <optional>
@@ -21,13 +22,15 @@ class ScenariosScreen : public Screen {
  private:
   struct Asked {
     database::ScenarioVersion version;
-    bool is_publishing = true;  ///< else it is retired
+    /// Else it is retired.
+    bool is_publishing = true;
   };
 
   void read(Ui& ui, Shell& shell);
   void read_sheet(Ui& ui, Shell& shell);
   const database::ScenarioVersion* chosen() const;
-  /// The published version of the same operation, which publishing another would retire; null for none.
+  /// The published version of the same operation, which publishing another would retire; null for
+  /// none.
   const database::ScenarioVersion* published_beside(const database::ScenarioVersion& version) const;
   void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_table(Ui& ui, const Rect& content);
@@ -43,7 +46,8 @@ class ScenariosScreen : public Screen {
   std::optional<database::ScenarioVersionId> chosen_, sheet_of_;
   Reading<std::string> sheet_;
   TableState table_;
-  std::optional<std::string> file_;  ///< while one is imported
+  /// While one is imported.
+  std::optional<std::string> file_;
   std::optional<Asked> asked_;
   DeskWork work_, importing_;
 };

@@ -8,7 +8,8 @@ namespace hallux::ui {
 
 namespace {
 
-/// A course of years has a hundred thousand; older ones are on the pages of trainees and in histories.
+/// A course of years has a hundred thousand; older ones are on the pages of trainees and in
+/// histories.
 constexpr std::int32_t shown_most = 500;
 
 using database::AttemptHeader;

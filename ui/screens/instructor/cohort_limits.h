@@ -1,4 +1,5 @@
-/// The dialog of a cohort's screen in which its assessments are limited, and the change that it asks the desk for.
+/// The dialog of a cohort's screen in which its assessments are limited, and the change that it
+/// asks the desk for. Inside this corner only.
 #pragma once
 
 #include <functional>

@@ -35,7 +35,8 @@ class CohortScreen : public Screen {
   struct Glance {
     database::Cohort cohort;
     std::vector<TraineeProgress> trainees;
-    std::vector<std::string> operations;  ///< of the columns, by name
+    /// Of the columns, by name.
+    std::vector<std::string> operations;
     std::vector<LastAttempt> last_attempts;
     std::vector<database::HelpRequest> open_requests;
     std::vector<database::AttemptLimit> limits;
@@ -57,7 +58,8 @@ class CohortScreen : public Screen {
   std::array<std::string, FilterCount> pill_labels(const Texts& texts) const;
   void draw_pills(Ui& ui, Rect& page);
   void draw_grid(Ui& ui, const Rect& content);
-  /// As many operations as have room beside each other are a page; with more, cuts a line off `rest` that turns them.
+  /// As many operations as have room beside each other are a page; with more, cuts a line off
+  /// `rest` that turns them.
   void turn_pages(Ui& ui, Rect& rest, const std::vector<std::string>& heads);
   /// The person and all operations; those of other pages are left out and keep their number.
   std::vector<RowColumn<TraineeProgress>> columns_of(const Ui& ui,
@@ -73,13 +75,16 @@ class CohortScreen : public Screen {
   Places& places_;
   std::function<void()> open_inbox_;
   std::vector<database::Membership> taught_;
-  std::size_t cohort_ = 0;  ///< index into taught_
+  /// Index into taught_.
+  std::size_t cohort_ = 0;
   Reading<Glance> glance_;
   int filter_ = All;
-  int first_column_ = 0, page_columns_ = 1;  ///< the operations that are shown
+  /// The operations that are shown.
+  int first_column_ = 0, page_columns_ = 1;
   TableState table_;
   CohortLimits limits_;
-  std::optional<Point> menu_;  ///< its corner, while the cohorts are listed
+  /// Its corner, while the cohorts are listed.
+  std::optional<Point> menu_;
 };
 
 }  // namespace hallux::ui

@@ -1,4 +1,5 @@
-/// What trainees of the cohorts that one teaches ask about moments of their attempts: read, seen, answered.
+/// What trainees of the cohorts that one teaches ask about moments of their attempts: read, seen,
+/// answered.
 #pragma once
 
 #include <functional>
@@ -18,7 +19,8 @@ struct InboxRequest {
   database::CohortId cohort;
 };
 
-/// Those of all cohorts that are taught, each once: open first, oldest first; then the answered, newest first.
+/// Those of all cohorts that are taught, each once: open first, oldest first; then the answered,
+/// newest first.
 /// errors  DatabaseError
 std::vector<InboxRequest> read_inbox(database::Session& session);
 int count_open(const std::vector<InboxRequest>& inbox) noexcept;
@@ -28,7 +30,8 @@ class InboxScreen : public Screen {
   /// Told how many questions are open whenever they were read.
   using Counted = std::function<void(int open)>;
 
-  /// What was typed as an answer and not sent; it outlives the screen, so that nothing is lost on the way.
+  /// What was typed as an answer and not sent; it outlives the screen, so that nothing is lost on
+  /// the way.
   using Drafts = std::map<database::HelpRequestId, std::string>;
 
   /// `places` outlives the screen.
@@ -58,7 +61,8 @@ class InboxScreen : public Screen {
   Counted counted_;
   Reading<std::vector<InboxRequest>> inbox_;
   bool is_counted_ = false;
-  int filter_ = 0;  ///< 0 open, 1 all
+  /// 0 open, 1 all.
+  int filter_ = 0;
   bool is_filter_set_ = false;
   database::HelpRequestId chosen_;
   DeskWork work_;

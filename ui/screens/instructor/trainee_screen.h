@@ -28,7 +28,8 @@ class TraineeScreen : public Screen {
   struct File {
     std::string cohort_name;
     TraineeProgress progress;
-    std::vector<database::AttemptHeader> attempts;  ///< newest first
+    /// Newest first.
+    std::vector<database::AttemptHeader> attempts;
     std::string now_utc;
   };
 

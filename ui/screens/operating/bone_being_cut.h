@@ -1,10 +1,11 @@
-/// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never feeds anything back.
+/// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
+/// feeds anything back. Inside this corner only.
 ///
 ///     feed of the loop --> copy of the kerfs --> patch of the kerf at hand, on a mesh that stands still --> newest picture
 ///                              '--> after a piece was taken out, another kerf, a closed hinge: another mesh
 ///
-/// A patch shows a kerf on the bone without it. Where that bone cannot be had, because what the kerf freed was taken out
-/// already, the mesh itself is made anew twice a second instead.
+/// A patch shows a kerf on the bone without it. Where that bone cannot be had, because what the
+/// kerf freed was taken out already, the mesh itself is made anew twice a second instead.
 #pragma once
 
 #include <filesystem>
@@ -59,7 +60,8 @@ class BoneBeingCut {
   struct Shown {
     std::vector<Body> bodies;
     simulator::SolidPatch patch;
-    std::uint64_t patch_revision = 0;  ///< 0: no patch
+    /// 0: no patch.
+    std::uint64_t patch_revision = 0;
   };
   struct KerfAtHand;
 
@@ -77,7 +79,8 @@ class BoneBeingCut {
   std::shared_ptr<const BoneMesh> lit_mesh(const simulator::CutSolid& solid);
   void publish(std::vector<Body> bodies);
 
-  const std::string name_;  ///< of the attempt, for the names of its pictures
+  /// Of the attempt, for the names of its pictures.
+  const std::string name_;
   const RigidTransform world_from_bone_;
   const BonePicture picture_;
   simulator::AttemptWatch& watch_;
@@ -88,9 +91,12 @@ class BoneBeingCut {
   simulator::SolidPatch patch_;
   std::uint64_t next_revision_ = 1;
   int meshes_ = 0;
-  std::int32_t kerf_ = -1;     ///< in which the teeth were last
-  bool has_grown_ = false;     ///< since it was shown
-  bool is_solid_due_ = false;  ///< another mesh must be made
+  /// In which the teeth were last.
+  std::int32_t kerf_ = -1;
+  /// Since it was shown.
+  bool has_grown_ = false;
+  /// Another mesh must be made.
+  bool is_solid_due_ = false;
   std::int64_t solid_tick_ = 0, tick_ = 0;
   // between the two
   std::mutex turn_;
@@ -99,7 +105,8 @@ class BoneBeingCut {
   std::atomic<bool> is_up_to_date_{true}, has_failed_{false};
   // the window's
   Shown drawn_;
-  std::jthread thread_;  ///< last: joined before any of it goes
+  /// Last: joined before any of it goes.
+  std::jthread thread_;
 };
 
 }  // namespace hallux::ui

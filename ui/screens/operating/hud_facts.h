@@ -1,4 +1,5 @@
 /// The facts that the panels of an operation show, from its session and its loop.
+/// Inside this corner only.
 #pragma once
 
 #include "simulator/loop/attempt_watch.h"

@@ -1,4 +1,5 @@
 /// The saw as a person leads it: its target and its switches, told to the device that is steered.
+/// Inside this corner only.
 #pragma once
 
 #include <span>

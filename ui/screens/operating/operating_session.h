@@ -1,5 +1,5 @@
 /// The session of somebody who operates: phases, pauses, steps, questions and the end. Draws
-/// nothing, knows no window.
+/// nothing, knows no window. Inside this corner only.
 ///
 ///     preparing -> ready -> beginning -> operating -> sealing -> scoring -> over
 ///                    '<--stopped by person-'  |          |--------------> over, abandoned

@@ -1,5 +1,5 @@
 /// The picture of an operation: the camera and the eyes, the bone, the saw, its chips and the
-/// planned face.
+/// planned face. Inside this corner only.
 #pragma once
 
 #include <array>

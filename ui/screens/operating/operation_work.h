@@ -1,4 +1,5 @@
 /// Work of an operation beside the window, before and after it: preparing, beginning, scoring.
+/// Inside this corner only.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// Running, paused, or waiting for room on the disk.
+/// Running, paused, or waiting for room on the disk. Inside this corner only.
 ///
 ///     runs --pause--> paused --the disk is full--> waits for room
 ///       '<--go on-----' '<-------room again------------'

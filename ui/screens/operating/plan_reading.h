@@ -1,4 +1,5 @@
 /// Tilt and distance of the blade from a planned face, shown in practice and not in an assessment.
+/// Inside this corner only.
 #pragma once
 
 #include "scenarios/plan.h"

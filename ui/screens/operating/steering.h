@@ -1,4 +1,5 @@
-/// Motion of the saw and of the camera by pointer, wheel and keys; plain functions of what was done.
+/// Motion of the saw and of the camera by pointer, wheel and keys; plain functions of what was
+/// done. Inside this corner only.
 #pragma once
 
 #include <optional>

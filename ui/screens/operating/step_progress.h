@@ -1,4 +1,5 @@
 /// The step of an operation that is at hand, and the answer that a pressed step waits for.
+/// Inside this corner only.
 ///
 ///     at hand --pressed--> done at once
 ///        |   '--pressed--> waits for a piece or the hinge --event of the kernel--> done

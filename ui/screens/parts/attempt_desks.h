@@ -1,4 +1,5 @@
-/// From which desk a person does something with one attempt: their own, or that of a cohort they teach.
+/// From which desk a person does something with one attempt: their own, or that of a cohort they
+/// teach.
 #pragma once
 
 #include <optional>
@@ -7,8 +8,8 @@
 
 namespace hallux::ui {
 
-/// The desk of a cohort that the person teaches from which the table allows `action` on that attempt; nothing where none
-/// does.
+/// The desk of a cohort that the person teaches from which the table allows `action` on that
+/// attempt; nothing where none does.
 /// thread  work's
 std::optional<database::InstructorDesk> instructor_desk_for(database::Session& session,
                                                             database::Action action,

@@ -15,7 +15,8 @@ namespace hallux::ui {
 struct AttemptEvent {
   double time_s = 0.0;
   Meaning meaning = Meaning::Neutral;
-  std::string_view words;  ///< id of its text
+  /// Id of its text.
+  std::string_view words;
 };
 
 /// In their order; events that nobody reads about are left out.

@@ -2,10 +2,12 @@
 ///
 ///     DeskWork work_;
 ///     work_.start<IssuedCode>(shell, visit_, {label, failed},
-///                             [login](database::Session& session, WorkReport&) { return administrator_of(session).reset(login); },
-///                             [this](IssuedCode& issued) { show(std::move(issued)); });
+///                             [login](database::Session& session, WorkReport&) { return
+///                             administrator_of(session).reset(login); }, [this](IssuedCode&
+///                             issued) { show(std::move(issued)); });
 ///
-/// Where it fails nothing of the screen changes: what was typed stays, and the sentence of the fault is said.
+/// Where it fails nothing of the screen changes: what was typed stays, and the sentence of the
+/// fault is said.
 #pragma once
 
 #include <functional>
@@ -28,10 +30,12 @@ database::InstructorDesk instructor_of(database::Session& session, database::Coh
 database::TraineeDesk trainee_of(database::Session& session);
 
 struct DeskWords {
-  std::string label;  ///< while it runs
-  std::string
-      failed;  ///< the head of the message where it fails; "": the screen shows fault() itself
-  std::string stopped = {};  ///< said where the person stopped it; "": nothing
+  /// While it runs.
+  std::string label;
+  /// The head of the message where it fails; "": the screen shows fault() itself.
+  std::string failed;
+  /// Said where the person stopped it; "": nothing.
+  std::string stopped = {};
 };
 
 class DeskWork {

@@ -1,4 +1,5 @@
-/// Questions about a moment of an attempt, as they stand in a list: of the inbox and of the one who asked.
+/// Questions about a moment of an attempt, as they stand in a list: of the inbox and of the one who
+/// asked.
 #pragma once
 
 #include <functional>
@@ -12,9 +13,11 @@ namespace hallux::ui {
 
 /// How a list of questions names a row.
 struct HelpRowsSpec {
-  std::string_view id = {};  ///< of the table
+  /// Of the table.
+  std::string_view id = {};
   std::string_view label = {};
-  bool names_asker = false;  ///< the inbox; else who asked is the reader
+  /// The inbox; else who asked is the reader.
+  bool names_asker = false;
 };
 
 /// A table of questions with the chosen one lit. Returns the row that was opened, -1 for none.
@@ -25,8 +28,8 @@ int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& spec,
 /// "Akin, at 02:31".
 std::string help_moment(const Texts& texts, const database::HelpRequest& request);
 
-/// The question, what it is about, and the answer where there is one; cuts what it takes off `rest`.
-/// True where the moment should be shown; its button is `id.moment`.
+/// The question, what it is about, and the answer where there is one; cuts what it takes off
+/// `rest`. True where the moment should be shown; its button is `id.moment`.
 bool draw_help_request(Ui& ui, std::string_view id, Rect& rest,
                        const database::HelpRequest& request, bool names_asker);
 

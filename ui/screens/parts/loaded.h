@@ -1,8 +1,10 @@
-/// What a screen has to read before it can show it: bars while it is read, a sentence and a button where it failed.
+/// What a screen has to read before it can show it: bars while it is read, a sentence and a button
+/// where it failed.
 ///
 ///     Reading<std::vector<Person>> people_;
-///     if (people_.is_new()) people_.start(ui, shell, label, [visit = visit_](WorkReport&) { return ...; });
-///     if (people_.draw_until_ready(ui, "people.reading", inside, 8)) draw_people(ui, inside, people_.value());
+///     if (people_.is_new()) people_.start(ui, shell, label, [visit = visit_](WorkReport&) { return
+///     ...; }); if (people_.draw_until_ready(ui, "people.reading", inside, 8)) draw_people(ui,
+///     inside, people_.value());
 #pragma once
 
 #include <functional>
@@ -14,7 +16,8 @@
 
 namespace hallux::ui {
 
-/// The failed card of whatever could not be read; its button is `id.action`. True where it was pressed.
+/// The failed card of whatever could not be read; its button is `id.action`. True where it was
+/// pressed.
 bool draw_unread(Ui& ui, std::string_view id, const Rect& content, const std::string& reason);
 
 template <typename Value>
@@ -45,7 +48,8 @@ class Reading {
         });
   }
 
-  /// True where there is a value to draw. Else draws what stands in its place; after the button the next is_new is true.
+  /// True where there is a value to draw. Else draws what stands in its place; after the button the
+  /// next is_new is true.
   bool draw_until_ready(Ui& ui, std::string_view id, const Rect& content, int rows) {
     if (state_ == State::Failed) {
       if (draw_unread(ui, id, content, reason_)) {

@@ -1,4 +1,5 @@
-/// A form for a person's own words to somebody: a question, a note. Sent as work; what went wrong is said in the form.
+/// A form for a person's own words to somebody: a question, a note. Sent as work; what went wrong
+/// is said in the form.
 #pragma once
 
 #include <functional>
@@ -14,18 +15,24 @@
 namespace hallux::ui {
 
 struct WordsFormSpec {
-  std::string_view id = {};  ///< of its controls: "ask" gives "ask.words", "ask.act", "ask.keep"
+  /// Of its controls: "ask" gives "ask.words", "ask.act", "ask.keep".
+  std::string_view id = {};
   std::string_view title = {}, sentence = {};
-  std::string_view label = {};  ///< of the field
+  /// Of the field.
+  std::string_view label = {};
   std::string_view placeholder = {};
-  std::string_view act = {};                 ///< the verb
-  std::string_view toggle = {};              ///< a choice beside it, "ask.toggle"; empty: none
-  std::string_view sending = {}, sent = {};  ///< while it is sent; once it was
+  /// The verb.
+  std::string_view act = {};
+  /// A choice beside it, "ask.toggle"; empty: none.
+  std::string_view toggle = {};
+  /// While it is sent; once it was.
+  std::string_view sending = {}, sent = {};
 };
 
 class WordsForm {
  public:
-  /// What happens with the words and the choice, beside the window; it holds nothing of the screen's.
+  /// What happens with the words and the choice, beside the window; it holds nothing of the
+  /// screen's.
   using Send =
       std::function<void(database::Session& session, const std::string& words, bool is_on)>;
 

@@ -1,5 +1,5 @@
-/// How the pages of a course are laid out: a head with buttons at its right, cards beside or below each other, and the
-/// whole of it scrolling where the window is too low.
+/// How the pages of a course are laid out: a head with buttons at its right, cards beside or below
+/// each other, and the whole of it scrolling where the window is too low.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace hallux::ui {
 
-/// The page inside the content, with its margin; it scrolls where it would be lower than `least_height`.
+/// The page inside the content, with its margin; it scrolls where it would be lower than
+/// `least_height`.
 class Page {
  public:
   Page(Ui& ui, std::string_view id, std::string_view label, const Rect& content,
@@ -32,13 +33,17 @@ float page_margin(const Rect& content) noexcept;
 
 struct PageHead {
   std::string_view title = {}, sentence = {};
-  std::string_view mark = {};  ///< a pill beside the title ("Simulated course"); empty: none
-  float buttons_width = 0.0F;  ///< of what stands at its right; 0: nothing
-  bool has_back = false;       ///< a button `id.back` in front of the title
+  /// A pill beside the title ("Simulated course"); empty: none.
+  std::string_view mark = {};
+  /// Of what stands at its right; 0: nothing.
+  float buttons_width = 0.0F;
+  /// A button `id.back` in front of the title.
+  bool has_back = false;
 };
 
 struct PageHeadResponse {
-  Rect buttons = {};  ///< 36 high, at the right; below the words where the page is narrow
+  /// 36 high, at the right; below the words where the page is narrow.
+  Rect buttons = {};
   bool is_back_pressed = false;
 };
 
@@ -55,14 +60,20 @@ Panes panes_of(const Rect& page, float side_width, float stacked_side_height);
 
 /// Heights and widths of a page with a list.
 struct ListPageSpec {
-  float side_width = 0.0F;      ///< of the card beside the list
-  float side_share = 1.0F;      ///< of the page that the card takes at most
-  float side_height = 0.0F;     ///< of the card where it stands below the list
-  float list_height = 420.0F;   ///< of all above that card
-  float least_height = 480.0F;  ///< of the page where they stand beside each other
+  /// Of the card beside the list.
+  float side_width = 0.0F;
+  /// Of the page that the card takes at most.
+  float side_share = 1.0F;
+  /// Of the card where it stands below the list.
+  float side_height = 0.0F;
+  /// Of all above that card.
+  float list_height = 420.0F;
+  /// Of the page where they stand beside each other.
+  float least_height = 480.0F;
 };
 
-/// A page with a list and, beside or below it, what was chosen in it. What is drawn while it is in scope lies on it.
+/// A page with a list and, beside or below it, what was chosen in it. What is drawn while it is in
+/// scope lies on it.
 ///
 ///     const ListPage page(ui, "cohorts", head, content, spec);
 ///     if (button(ui, "cohorts.add", page.buttons(), add)) ...
@@ -85,7 +96,8 @@ class ListPage {
   Rect buttons_, list_, side_;
 };
 
-/// A card without a title whose first line is the head of a table or tabs; returns the place for it.
+/// A card without a title whose first line is the head of a table or tabs; returns the place for
+/// it.
 Rect list_card(Ui& ui, const Rect& rect);
 
 /// A name and its value on a line of a card, 28 high; the value may be shortened.

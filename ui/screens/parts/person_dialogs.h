@@ -1,4 +1,5 @@
-/// The dialogs about people: adding a person, the one-time code that is shown once, one's own new password.
+/// The dialogs about people: adding a person, the one-time code that is shown once, one's own new
+/// password.
 #pragma once
 
 #include <optional>
@@ -30,9 +31,11 @@ struct PasswordWords {
 /// Asks for the old password and twice for the new one. `fault` says why the last try failed.
 Answer draw_password_dialog(Ui& ui, PasswordWords& words, const std::string& fault, bool is_busy);
 
-/// A code that was just issued. It is drawn but not noted with the texts of the frame, and wiped with this.
+/// A code that was just issued. It is drawn but not noted with the texts of the frame, and wiped
+/// with this.
 struct ShownCode {
-  std::string whose;  ///< login
+  /// Login.
+  std::string whose;
   database::IssuedCode issued;
 };
 enum class CodeAnswer { Waiting, Copied, Done };

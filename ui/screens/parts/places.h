@@ -1,4 +1,5 @@
-/// Where a screen leads to. The screens know only this; which screen is behind a place is ui/app's to say, so that no screen
+/// Where a screen leads to. The screens know only this; which screen is behind a place is ui/app's
+/// to say, so that no screen
 /// needs to know another.
 ///
 /// Each shows the place over the screen that asks; Esc comes back to it.

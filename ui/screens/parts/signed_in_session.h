@@ -1,5 +1,5 @@
-/// Coming in: a data directory is opened, and somebody signs in to it. Each of these takes a while (a file may be migrated,
-/// a password is hashed) and runs beside the window.
+/// Coming in: a data directory is opened, and somebody signs in to it. Each of these takes a while
+/// (a file may be migrated, a password is hashed) and runs beside the window.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@
 
 namespace hallux::ui {
 
-/// A person who is signed in, on a connection of their own. Shared by the screens and by the work they start, so that
-/// work which outlives its screen, or the visit's end, still has it.
+/// A person who is signed in, on a connection of their own. Shared by the screens and by the work
+/// they start, so that work which outlives its screen, or the visit's end, still has it.
 class Visit {
  public:
   /// needs   opens signs in to the database it is given
@@ -31,12 +31,13 @@ class Visit {
   const std::vector<database::Membership>& memberships() const noexcept { return memberships_; }
   const std::vector<database::Notice>& notices() const noexcept { return notices_; }
   double idle_lock_s() const noexcept { return idle_lock_s_; }
-  bool is_simulated() const noexcept { return is_simulated_; }  ///< the course, with all in it
+  /// The course, with all in it.
+  bool is_simulated() const noexcept { return is_simulated_; }
   /// The cohorts that the person teaches.
   std::vector<database::Membership> taught() const;
 
-  /// Uses the connection while nobody else does: `use(session, database)`. Waits for its turn, so not in a frame, and
-  /// keeps others waiting, so for reading and writing only.
+  /// Uses the connection while nobody else does: `use(session, database)`. Waits for its turn, so
+  /// not in a frame, and keeps others waiting, so for reading and writing only.
   template <typename Use>
   auto in_turn(Use&& use) {
     const std::scoped_lock turn(turn_);
@@ -54,14 +55,16 @@ class Visit {
   bool is_simulated_ = false;
 };
 
-/// Whether nobody can sign in yet, so that the first administrator is asked for. Creates what is missing.
+/// Whether nobody can sign in yet, so that the first administrator is asked for. Creates what is
+/// missing.
 /// errors  DatabaseError
 bool is_without_people(const std::filesystem::path& data_directory);
 
 /// What a person wrote to come in. The secrets are wiped when it goes.
 struct EntryWords {
   std::string login, display_name;
-  std::optional<database::SecretText> code;  ///< a one-time code
+  /// A one-time code.
+  std::optional<database::SecretText> code;
   std::optional<database::SecretText> password;
 };
 

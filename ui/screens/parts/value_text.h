@@ -13,13 +13,15 @@ std::string points_text(std::int64_t milli);
 /// An ISO 8601 time in UTC as "3 Mar 2026, 14:02"; what is no such time is shown as it is.
 std::string moment_text(std::string_view utc);
 
-/// What an error says, which begins small behind the command's name, as a sentence of its own: "Could not open it."
+/// What an error says, which begins small behind the command's name, as a sentence of its own:
+/// "Could not open it."
 std::string sentence_of(std::string_view reason);
 
 /// A name as files write it, as words: "first_metatarsal" is "first metatarsal".
 std::string words_of(std::string_view file_name);
 
-/// The first letter or digit of the first and of the last word, for an avatar: "trainee-12" is "T1".
+/// The first letter or digit of the first and of the last word, for an avatar: "trainee-12" is
+/// "T1".
 std::string initials_of(std::string_view name);
 
 }  // namespace hallux::ui

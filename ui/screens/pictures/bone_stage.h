@@ -25,39 +25,48 @@ inline constexpr std::array<std::string_view, standard_view_count> standard_view
 /// From the eye through a place of the picture, in the world.
 struct SightRay {
   Vec3 from_mm{0.0, 0.0, 0.0};
-  Vec3 direction{0.0, 0.0, -1.0};  ///< unit
+  /// Unit.
+  Vec3 direction{0.0, 0.0, -1.0};
 };
 
 /// What a person did in the view.
 struct StageResponse {
-  Rect rect;                        ///< where it was drawn
-  std::optional<SightRay> pointed;  ///< clicked without having turned it
-  bool was_turned = false;          ///< by hand or key, in this frame
+  /// Where it was drawn.
+  Rect rect;
+  /// Clicked without having turned it.
+  std::optional<SightRay> pointed;
+  /// By hand or key, in this frame.
+  bool was_turned = false;
 };
 
 /// Which picture is shown: a screen passes another revision where the scene has changed.
 struct StagePicture {
   std::string_view id, label;
   std::uint64_t revision = 0;
-  float radius = 0.0F;  ///< of its corners
+  /// Of its corners.
+  float radius = 0.0F;
 };
 
 class BoneStage {
  public:
-  /// The view that R comes back to: a ball in the world wholly in sight. Takes effect with the next drawing.
+  /// The view that R comes back to: a ball in the world wholly in sight. Takes effect with the next
+  /// drawing.
   void look_at(const Vec3& middle_in_world_mm, double radius_mm, const Quat& world_from_view);
   void look_at(const Vec3& middle_in_world_mm, double radius_mm, StandardView view);
   void turn_to(StandardView view) noexcept { camera_ = standard_view(camera_, view); }
   void turn_back() noexcept { is_fitted_ = false; }
   bool has_view() const noexcept { return radius_mm_ > 0.0; }
 
-  /// Draws the scene where it changed and shows it; hears the pointer and, where `hears_keys`, the keys.
+  /// Draws the scene where it changed and shows it; hears the pointer and, where `hears_keys`, the
+  /// keys.
   /// needs   has_view
   StageResponse draw(Ui& ui, Shell& shell, const Rect& rect, const Scene& scene,
                      const StagePicture& picture, bool hears_keys = true);
-  /// Through a place of the picture last drawn, in shares of its width and height from the upper left.
+  /// Through a place of the picture last drawn, in shares of its width and height from the upper
+  /// left.
   SightRay ray_through(const Vec2& shares) const noexcept;
-  /// Where a point of the world is seen in the picture last drawn; nothing behind the eye or outside the rectangle.
+  /// Where a point of the world is seen in the picture last drawn; nothing behind the eye or
+  /// outside the rectangle.
   std::optional<Point> seen_at(const Vec3& point_in_world_mm) const noexcept;
 
  private:
@@ -69,7 +78,8 @@ class BoneStage {
   double radius_mm_ = 0.0;
   bool is_fitted_ = false;
   Rect rect_{0.0F, 0.0F, 1.0F, 1.0F};
-  std::uint64_t drawn_ = 0;  ///< what the picture was drawn from
+  /// What the picture was drawn from.
+  std::uint64_t drawn_ = 0;
 };
 
 }  // namespace hallux::ui

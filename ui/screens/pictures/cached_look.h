@@ -1,4 +1,5 @@
-/// How a bone looks, kept in the data directory's cache: each showing of the same bone would compute it again.
+/// How a bone looks, kept in the data directory's cache: each showing of the same bone would
+/// compute it again.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,8 @@
 
 namespace hallux::ui {
 
-/// What is kept of this very bone, else computed now, and kept. Where it cannot be kept it is only slower the next time.
-/// The same bone has the same look, with the same id, whoever shows it.
+/// What is kept of this very bone, else computed now, and kept. Where it cannot be kept it is only
+/// slower the next time. The same bone has the same look, with the same id, whoever shows it.
 /// errors  whatever `progress` throws
 /// thread  any; no graphics
 BoneLook kept_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,

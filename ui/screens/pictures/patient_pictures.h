@@ -1,5 +1,6 @@
-/// The patients of the course's operations, built once for all screens: the first that asks starts the work, and every
-/// screen shows them from then on. Nobody waits for it: until then there is no picture.
+/// The patients of the course's operations, built once for all screens: the first that asks starts
+/// the work, and every screen shows them from then on. Nobody waits for it: until then there is no
+/// picture.
 #pragma once
 
 #include <functional>
@@ -39,8 +40,8 @@ class PatientPictures {
   std::shared_ptr<Entries> entries_;
 };
 
-/// Draws the scene once, in twice the pixels of `rect` for smooth edges, and shows what was drawn from then on.
-/// `name` is another for what looks another way.
+/// Draws the scene once, in twice the pixels of `rect` for smooth edges, and shows what was drawn
+/// from then on. `name` is another for what looks another way.
 Picture still_picture(Ui& ui, Shell& shell, const std::string& name, const Rect& rect,
                       const Scene& scene, const Camera& camera);
 /// The ground that goes with the theme.

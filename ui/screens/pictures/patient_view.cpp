@@ -64,7 +64,8 @@ RigidTransform bone_from_face(const PlannedCut& cut, const scenarios::ReferenceC
   return {rotation_from_axes(feed, glm::cross(normal, feed)), cut.face.offset_mm * normal};
 }
 
-/// The part of the section in which the cut is made: a face along a shaft meets the bone's other end as well.
+/// The part of the section in which the cut is made: a face along a shaft meets the bone's other
+/// end as well.
 const simulator::SectionRegion* region_at(const simulator::Section& section, const Vec2& place) {
   const simulator::SectionRegion* nearest = nullptr;
   double nearest_mm = std::numeric_limits<double>::infinity();

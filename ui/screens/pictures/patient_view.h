@@ -1,4 +1,5 @@
-/// A scenario's patient as it is shown before it is operated on: the bone with its neighbour, the planned faces, the saw.
+/// A scenario's patient as it is shown before it is operated on: the bone with its neighbour, the
+/// planned faces, the saw. Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +20,20 @@ struct BoneInView {
   RigidTransform world_from_bone;
 };
 
-/// A planned face as far as it lies in the bone. Its frame: x where the blade goes, z the face's normal.
+/// A planned face as far as it lies in the bone. Its frame: x where the blade goes, z the face's
+/// normal.
 struct FaceInView {
   RigidTransform world_from_plane;
   Vec2 half_mm{15.0, 12.0};
-  Vec2 entry_mm{0.0, 0.0};  ///< the middle of its rim on the side that the blade comes from
+  /// The middle of its rim on the side that the blade comes from.
+  Vec2 entry_mm{0.0, 0.0};
 };
 
 struct PatientView {
   std::string scenario_name;
   BoneInView bone, neighbour;
-  std::vector<FaceInView> faces;  ///< by cut, as the scenario lists them
+  /// By cut, as the scenario lists them.
+  std::vector<FaceInView> faces;
   simulator::Blade blade;
 };
 
@@ -43,9 +47,12 @@ PatientView make_patient_view(const scenarios::Scenario& scenario, const Progres
                               double edge_mm = picture_edge_mm);
 
 enum class PatientPicture : std::uint8_t {
-  Card,   ///< near the planned faces, with the saw
-  Whole,  ///< all of the bone, without the saw
-  Pair    ///< both bones alike, without the saw
+  /// Near the planned faces, with the saw.
+  Card,
+  /// All of the bone, without the saw.
+  Whole,
+  /// Both bones alike, without the saw.
+  Pair
 };
 
 /// What the picture shows; borrows from the view.

@@ -6,7 +6,8 @@
 
 namespace hallux::ui {
 
-/// The middle of the face; z towards the waste, x from where the blade enters to where it comes out.
+/// The middle of the face; z towards the waste, x from where the blade enters to where it comes
+/// out.
 RigidTransform bone_from_planned(const scenarios::PlannedCut& cut) noexcept;
 
 }  // namespace hallux::ui

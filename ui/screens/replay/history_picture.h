@@ -1,4 +1,5 @@
 /// A bone's history as the renderer takes it: a mesh for each solid that stands still for a while.
+/// Inside this corner only.
 #pragma once
 
 #include <memory>

@@ -43,7 +43,8 @@ float said_height(const Ui& ui, std::string_view words, float width) {
   return line_height + ui.paragraph_height(Type::Small, words, width - face - edge) + 6.0F;
 }
 
-/// A face, a name and the words below it. `right` is what stands at the end of the name's line and takes room there.
+/// A face, a name and the words below it. `right` is what stands at the end of the name's line and
+/// takes room there.
 void draw_said(Ui& ui, Rect rest, const Said& said, float right) {
   Canvas& canvas = ui.canvas();
   avatar(ui, {rest.x + face / 2.0F, rest.y + face / 2.0F}, face / 2.0F, initials_of(said.name),

@@ -1,4 +1,5 @@
-/// What instructors and trainee say to each other about moments of an attempt: a list with replies, and a line to answer.
+/// What instructors and trainee say to each other about moments of an attempt: a list with replies,
+/// and a line to answer. Inside this corner only.
 #pragma once
 
 #include <memory>

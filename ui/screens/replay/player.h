@@ -1,4 +1,5 @@
 /// The moment that a replay shows: played, scrubbed, stepped, by mouse and by keys.
+/// Inside this corner only.
 #pragma once
 
 #include <vector>
@@ -36,7 +37,8 @@ class Player {
   double duration_s_ = 0.001, now_s_ = 0.0, last_frame_s_ = 0.0;
   std::vector<double> event_s_;
   bool is_playing_ = false;
-  int speed_ = 3;  ///< as it is listed; 3 is as it was
+  /// As it is listed; 3 is as it was.
+  int speed_ = 3;
 };
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-/// All that a replay shows of one attempt, loaded and computed once.
+/// All that a replay shows of one attempt, loaded and computed once. Inside this corner only.
 #pragma once
 
 #include <memory>
@@ -22,8 +22,10 @@ struct HandAtMoment {
   RigidTransform world_from_tool;
   bool is_saw_on = false, is_paused = false;
   double force_newton = 0.0, speed_mm_s = 0.0;
-  double to_plan_mm = 0.0;  ///< signed: positive is short of the planned face, on its waste
-  double tilt_rad = 0.0;    ///< between the blade and that face
+  /// Signed: positive is short of the planned face, on its waste.
+  double to_plan_mm = 0.0;
+  /// Between the blade and that face.
+  double tilt_rad = 0.0;
 };
 
 struct ReplayMaterial {
@@ -38,7 +40,8 @@ struct ReplayMaterial {
   std::vector<simulator::ToolSample> samples;
   std::vector<AttemptEvent> events;
   std::vector<TimelineStep> steps;
-  std::vector<ChartPoint> force_newton, to_plan_mm;  ///< thinned out, x in seconds
+  /// Thinned out, x in seconds.
+  std::vector<ChartPoint> force_newton, to_plan_mm;
   double duration_s = 0.001;
   std::shared_ptr<const HistoryPicture> bone;
 };

@@ -62,7 +62,8 @@ void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   player_.advance(ui);
   draw_replay(ui, content, shell);
   draw_forms(ui, shell);
-  // Who pressed something with the mouse means the arrows for the time again, not for what was pressed.
+  // Who pressed something with the mouse means the arrows for the time again, not for what was
+  // pressed.
   const bool is_writing = ui.focused() == "notes.reply" || ask_.is_open() || pin_.is_open();
   if (!ui.is_steered_by_keys() && !is_writing && !ui.focused().empty()) ui.focus({});
 }

@@ -1,4 +1,5 @@
-/// An attempt again: the bone and the saw at each moment, the timeline, and what people say about moments of it.
+/// An attempt again: the bone and the saw at each moment, the timeline, and what people say about
+/// moments of it.
 #pragma once
 
 #include <memory>
@@ -52,7 +53,8 @@ class ReplayScreen : public Screen {
   database::AttemptId attempt_;
   double first_moment_s_;
   Reading<std::shared_ptr<const ReplayMaterial>> material_;
-  std::unique_ptr<simulator::BoneMoment> bone_;  ///< of the material
+  /// Of the material.
+  std::unique_ptr<simulator::BoneMoment> bone_;
   BoneStage stage_;
   Player player_;
   NotesPanel notes_;

@@ -1,4 +1,5 @@
-/// How an instructor decides about a result: confirm, override or void, with a reason; voiding asks once more.
+/// How an instructor decides about a result: confirm, override or void, with a reason; voiding asks
+/// once more. Inside this corner only.
 #pragma once
 
 #include <memory>
@@ -20,7 +21,8 @@ class DecideForm {
 
   void open(const ResultFacts& facts);
   bool is_open() const noexcept { return is_open_; }
-  /// Draws the form while it is open. True in the frame after something was decided: the facts are old then.
+  /// Draws the form while it is open. True in the frame after something was decided: the facts are
+  /// old then.
   bool draw(Ui& ui, Shell& shell, const ResultFacts& facts);
 
  private:
@@ -34,7 +36,8 @@ class DecideForm {
 
   std::shared_ptr<Visit> visit_;
   bool is_open_ = false, is_asking_ = false, was_decided_ = false;
-  int chosen_ = 0;  ///< a DecisionKind
+  /// A DecisionKind.
+  int chosen_ = 0;
   std::string score_, reason_, error_;
   ScreenWork work_;
 };

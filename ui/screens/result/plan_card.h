@@ -1,5 +1,5 @@
-/// Plan against cut: the face that was cut in colours of its distance to the plan, to be turned and looked at; and the place
-/// that a line of the ledger is about.
+/// Plan against cut: the face that was cut in colours of its distance to the plan, to be turned and
+/// looked at; and the place that a line of the ledger is about. Inside this corner only.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,8 @@ class PlanCard {
  public:
   /// What is looked at: a cut of the plan, or the whole bone.
   void show_cut(std::size_t cut);
-  /// Marks the place of a ledger line; `cut` is the planned cut it is of, nothing: the whole bone is shown.
+  /// Marks the place of a ledger line; `cut` is the planned cut it is of, nothing: the whole bone
+  /// is shown.
   void show_place(const std::array<double, 3>& place_in_bone_mm, std::optional<std::size_t> cut);
 
   /// Draws the card's content.
@@ -32,11 +33,13 @@ class PlanCard {
   void draw_views(Ui& ui, const Rect& rect);
 
   BoneStage stage_;
-  int chosen_ = 0;  ///< a cut; the number of cuts: the whole bone
+  /// A cut; the number of cuts: the whole bone.
+  int chosen_ = 0;
   std::optional<int> aimed_;
   std::optional<Vec3> place_in_bone_mm_;
   std::uint64_t revision_ = 1;
-  bool shows_views_ = false;  ///< the menu of standard views
+  /// The menu of standard views.
+  bool shows_views_ = false;
 };
 
 }  // namespace hallux::ui

@@ -1,4 +1,5 @@
-/// How an attempt was recorded, and what an arm made of its force: for those who decide about the result.
+/// How an attempt was recorded, and what an arm made of its force: for those who decide about the
+/// result. Inside this corner only.
 #pragma once
 
 #include "ui/screens/result/result_material.h"

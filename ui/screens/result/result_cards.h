@@ -12,7 +12,8 @@ namespace hallux::ui {
 void draw_score_card(Ui& ui, const Rect& rect, const ResultFacts& facts);
 float score_card_height(const ResultFacts& facts) noexcept;
 
-/// The sentences; where they are fewer than three, what was kept as well. Returns the ledger line whose moment was asked for.
+/// The sentences; where they are fewer than three, what was kept as well. Returns the ledger line
+/// whose moment was asked for.
 std::optional<std::size_t> draw_sentences_card(Ui& ui, const Rect& rect, const ResultFacts& facts);
 float sentences_card_height(const Ui& ui, const ResultFacts& facts, float width);
 
@@ -20,7 +21,8 @@ float sentences_card_height(const Ui& ui, const ResultFacts& facts, float width)
 void draw_decisions_card(Ui& ui, const Rect& rect, const ResultFacts& facts);
 float decisions_card_height(const Ui& ui, const ResultFacts& facts, float width);
 
-/// One line that must not be overlooked, across the page: why it is void, that it scores differently now.
+/// One line that must not be overlooked, across the page: why it is void, that it scores
+/// differently now.
 void draw_notice(Ui& ui, const Rect& rect, Meaning meaning, std::string_view words);
 float notice_height(const Ui& ui, std::string_view words, float width);
 

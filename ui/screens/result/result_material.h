@@ -1,4 +1,5 @@
-/// What the result screen shows: what is stored, read at once, and the cut bone, which is computed again beside it.
+/// What the result screen shows: what is stored, read at once, and the cut bone, which is computed
+/// again beside it. Inside this corner only.
 #pragma once
 
 #include <memory>
@@ -22,11 +23,15 @@ namespace hallux::ui {
 /// As it is stored; nothing of it was computed now.
 struct ResultFacts {
   database::AttemptHeader header;
-  std::optional<scenarios::Scenario> scenario;  ///< nothing where this version cannot read its text
-  std::optional<database::StoredScore> score;   ///< in force; nothing: not scored yet
-  std::vector<database::Decision> decisions;    ///< newest first
+  /// Nothing where this version cannot read its text.
+  std::optional<scenarios::Scenario> scenario;
+  /// In force; nothing: not scored yet.
+  std::optional<database::StoredScore> score;
+  /// Newest first.
+  std::vector<database::Decision> decisions;
   AttemptRights rights;
-  std::optional<Quality> quality;  ///< of the recording; nothing: it was not closed
+  /// Of the recording; nothing: it was not closed.
+  std::optional<Quality> quality;
 
   /// The decision in force, or null.
   const database::Decision* decision() const noexcept;
@@ -41,16 +46,21 @@ ResultFacts read_result(Visit& visit, const database::AttemptId& id);
 /// A label on a line of equal distance to the plan.
 struct IsoPlace {
   int distance_mm = 0;
-  std::vector<Vec3> places_in_bone_mm;  ///< of samples near that line
+  /// Of samples near that line.
+  std::vector<Vec3> places_in_bone_mm;
 };
 
 /// One planned cut against what was cut.
 struct CutAgainstPlan {
-  RigidTransform bone_from_face;  ///< middle of the planned face, z towards the waste
-  Vec2 half_mm{12.0, 10.0};       ///< of its outline
-  bool is_cut = false;            ///< false: no face of this cut stands, the rest means nothing
+  /// Middle of the planned face, z towards the waste.
+  RigidTransform bone_from_face;
+  /// Of its outline.
+  Vec2 half_mm{12.0, 10.0};
+  /// False: no face of this cut stands, the rest means nothing.
+  bool is_cut = false;
   SignedMap map;
-  CutAway cut_away;  ///< so that the face is looked at
+  /// So that the face is looked at.
+  CutAway cut_away;
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 12.0;
   std::vector<IsoPlace> iso_places;
@@ -59,7 +69,8 @@ struct CutAgainstPlan {
 /// What the saw did beside the cut: by models, and nothing of it is scored.
 struct WoundFacts {
   Traces traces;
-  std::vector<ZoneContact> zones;  ///< none: none was watched
+  /// None: none was watched.
+  std::vector<ZoneContact> zones;
   std::vector<AttemptEvent> events;
   std::vector<TimelineStep> steps;
   double duration_s = 1.0;
@@ -68,18 +79,22 @@ struct WoundFacts {
 /// The bone as the attempt left it, computed from its recording.
 struct ExaminedAttempt {
   database::ScoreCard card;
-  bool was_stored = false;  ///< the card, because the store had none
+  /// The card, because the store had none.
+  bool was_stored = false;
   RigidTransform world_from_bone;
   BoneLook look;
-  std::vector<BoneMesh> pieces;      ///< largest first
-  std::vector<CutAgainstPlan> cuts;  ///< in the plan's order
+  /// Largest first.
+  std::vector<BoneMesh> pieces;
+  /// In the plan's order.
+  std::vector<CutAgainstPlan> cuts;
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;
   WoundFacts wound;
 };
 
-/// Loads the recording, rebuilds the bone, scores it, and makes what is drawn. A score that the store lacks is kept where
-/// the person may and the attempt is closed; one that is there is never touched.
+/// Loads the recording, rebuilds the bone, scores it, and makes what is drawn. A score that the
+/// store lacks is kept where the person may and the attempt is closed; one that is there is never
+/// touched.
 /// errors  DatabaseError, ScenarioError, MeshError; Cancelled
 /// thread  work's; seconds
 std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const database::AttemptId& id,
@@ -88,8 +103,8 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const datab
 /// Whether two cards of one attempt say the same score, item by item.
 bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) noexcept;
 
-/// Where both say the same score, `stored` says it in the words of `fresh`: an older program may have worded it otherwise.
-/// Returns whether any word changed; numbers never do.
+/// Where both say the same score, `stored` says it in the words of `fresh`: an older program may
+/// have worded it otherwise. Returns whether any word changed; numbers never do.
 bool adopt_words(database::ScoreCard& stored, const database::ScoreCard& fresh);
 
 }  // namespace hallux::ui

@@ -1,5 +1,5 @@
-/// The result of one attempt: the score by group, the ledger with its places and moments, what to take away, plan against
-/// cut, heat and danger zones, and what instructors decided.
+/// The result of one attempt: the score by group, the ledger with its places and moments, what to
+/// take away, plan against cut, heat and danger zones, and what instructors decided.
 #pragma once
 
 #include <memory>

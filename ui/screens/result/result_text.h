@@ -1,4 +1,5 @@
 /// What the result says in words: items, values against plan, moments, marks of a score.
+/// Inside this corner only.
 #pragma once
 
 #include <string>

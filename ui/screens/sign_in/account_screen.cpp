@@ -17,7 +17,8 @@ namespace hallux::ui {
 
 namespace {
 
-/// The home of whoever sits at this machine; the person adds the name of a new folder, or writes another place.
+/// The home of whoever sits at this machine; the person adds the name of a new folder, or writes
+/// another place.
 std::string home_folder() {
   const char* home = std::getenv("HOME");
   return std::string(home != nullptr ? home : "") + "/";

@@ -33,10 +33,13 @@ class AccountScreen : public Screen {
 
   std::shared_ptr<Visit> visit_;
   database::PasswordCost cost_;
-  std::optional<PasswordWords> typed_;  ///< while the dialog is open
-  std::optional<std::string> folder_;   ///< typed while the dialog of the export is open
+  /// While the dialog is open.
+  std::optional<PasswordWords> typed_;
+  /// Typed while the dialog of the export is open.
+  std::optional<std::string> folder_;
   DeskWork changing_, setting_, exporting_;
-  int lock_choice_ = -1;  ///< of the choices; below 0: as it was at the sign-in
+  /// Of the choices; below 0: as it was at the sign-in.
+  int lock_choice_ = -1;
 };
 
 }  // namespace hallux::ui

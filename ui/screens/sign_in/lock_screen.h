@@ -1,8 +1,9 @@
-/// The window while nobody touches it: who is signed in opens it with their password; somebody else may sign in where nothing
-/// is being recorded.
+/// The window while nobody touches it: who is signed in opens it with their password; somebody else
+/// may sign in where nothing is being recorded.
 ///
-/// In a laboratory a station must neither show what a trainee left open nor lose what they record. So the operation is paused and
-/// kept for the one who began it, and after twelve hours it ends as interrupted and the station is free.
+/// In a laboratory a station must neither show what a trainee left open nor lose what they record.
+/// So the operation is paused and kept for the one who began it, and after twelve hours it ends as
+/// interrupted and the station is free.
 /// source  OWASP ASVS 4.0.3, 3.3.2; docs/security.md
 #pragma once
 

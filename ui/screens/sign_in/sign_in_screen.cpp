@@ -14,7 +14,8 @@ namespace hallux::ui {
 
 namespace {
 
-// The form of a new password with all its messages; where it does not fit below the head it scrolls.
+// The form of a new password with all its messages; where it does not fit below the head it
+// scrolls.
 constexpr float longest_form = 600.0F;
 constexpr float form_width = 360.0F, side_share = 0.6F, narrow_below = 1000.0F;
 constexpr float field_gap = 14.0F, logo_size = 40.0F, welcome_inset = 48.0F;

@@ -1,4 +1,5 @@
-/// The first screen: sign in, come in with a one-time code, or, where there are no people yet, make the first administrator.
+/// The first screen: sign in, come in with a one-time code, or, where there are no people yet, make
+/// the first administrator.
 #pragma once
 
 #include <functional>
@@ -47,18 +48,25 @@ class EntryScreen : public Screen {
   Entered entered_;
   database::PasswordCost cost_;
   PatientPictures* pictures_;
-  scenarios::Scenario pictured_;  ///< whose patient is beside the form
+  /// Whose patient is beside the form.
+  scenarios::Scenario pictured_;
   Form form_ = Form::Opening;
-  double opening_since_s_ = -1.0;  ///< frame time; below 0: not begun
+  /// Frame time; below 0: not begun.
+  double opening_since_s_ = -1.0;
   bool is_without_people_ = false;
-  bool is_login_known_ = false;  ///< when the form appeared: then the next field has the focus
+  /// When the form appeared: then the next field has the focus.
+  bool is_login_known_ = false;
   bool is_busy_ = false;
   std::string login_, name_, code_, password_, password_again_;
-  std::string fault_;  ///< why it did not go; a sentence
-  SignInWait wait_;    ///< of `waiting_login_`: somebody else at the station need not wait
+  /// Why it did not go; a sentence.
+  std::string fault_;
+  /// Of `waiting_login_`: somebody else at the station need not wait.
+  SignInWait wait_;
   std::string waiting_login_;
-  EntryWords words_;  ///< of the work that runs
-  SignInWait told_;   ///< the work's, until it ends
+  /// Of the work that runs.
+  EntryWords words_;
+  /// The work's, until it ends.
+  SignInWait told_;
   std::shared_ptr<Visit> visit_;
 };
 

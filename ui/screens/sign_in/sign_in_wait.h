@@ -1,4 +1,5 @@
 /// After wrong passwords the next try has to wait: how long still, counted down where it is said.
+/// Inside this corner only.
 #pragma once
 
 #include <string>
@@ -29,7 +30,8 @@ class SignInWait {
 
  private:
   int told_s_ = 0;
-  double until_s_ = -1.0;  ///< frame time; below 0: no wait
+  /// Frame time; below 0: no wait.
+  double until_s_ = -1.0;
 };
 
 }  // namespace hallux::ui

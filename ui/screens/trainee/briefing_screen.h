@@ -1,4 +1,5 @@
-/// What an operation is about, before it is begun: why and what, the steps, what is scored; the bone with its planned faces.
+/// What an operation is about, before it is begun: why and what, the steps, what is scored; the
+/// bone with its planned faces.
 #pragma once
 
 #include <memory>
@@ -42,8 +43,10 @@ class BriefingScreen : public Screen {
   database::ScenarioVersionId scenario_;
   Reading<OwnOperation> operation_;
   int tab_ = 0, kind_ = 0;
-  int guidance_ = 0;           ///< of practice: none, soft, slot
-  float words_height_ = 0.0F;  ///< as they were drawn last
+  /// Of practice: none, soft, slot.
+  int guidance_ = 0;
+  /// As they were drawn last.
+  float words_height_ = 0.0F;
   BoneStage stage_;
 };
 

@@ -81,7 +81,8 @@ bool is_measured(const Scenario& scenario, const scenarios::RubricGroup& group) 
                      [&](const RubricItem& item) { return item.group == group.name; });
 }
 
-/// The group's line and those of its items, with what they can give of 100 points, as the result will say it.
+/// The group's line and those of its items, with what they can give of 100 points, as the result
+/// will say it.
 void draw_group(Ui& ui, Rect& rest, const Scenario& scenario,
                 const assessment::ShownWeights& weights, std::size_t index) {
   const scenarios::RubricGroup& group = scenario.rubric.groups[index];

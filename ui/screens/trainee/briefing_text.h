@@ -1,4 +1,5 @@
-/// The words of a briefing: what a scenario says of itself, laid out to be read. Each returns the height that it took.
+/// The words of a briefing: what a scenario says of itself, laid out to be read. Each returns the
+/// height that it took. Inside this corner only.
 #pragma once
 
 #include "scenarios/scenario.h"

@@ -1,4 +1,5 @@
-/// A person's own attempts at an operation: their scores over time, what to take from them, and each of them to open.
+/// A person's own attempts at an operation: their scores over time, what to take from them, and
+/// each of them to open.
 #pragma once
 
 #include <memory>

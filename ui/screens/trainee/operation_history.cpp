@@ -36,7 +36,8 @@ class RunningMedians {
   std::map<std::string, std::vector<double>> last_;
 };
 
-/// The points of the chart; the median runs over the scores that there are, those of a guided hand aside.
+/// The points of the chart; the median runs over the scores that there are, those of a guided hand
+/// aside.
 void count(OperationHistory& history) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   RunningMedians medians;

@@ -1,4 +1,5 @@
 /// A person's attempts at one operation, by time: what a history shows of them, without drawing.
+/// Inside this corner only.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace hallux::ui {
 
-/// The attempts at one operation, and what the chart shows of them. Void attempts do not count and have no number.
+/// The attempts at one operation, and what the chart shows of them. Void attempts do not count and
+/// have no number.
 struct OperationHistory {
   std::string scenario_name;
   /// Oldest first, the void ones too.
@@ -21,16 +23,19 @@ struct OperationHistory {
   std::vector<std::size_t> counted;
   /// Of the counted ones; a gap where there is none.
   std::vector<ChartPoint> scores;
-  /// Of the last five by the same device class; a gap where there is no score and where the planned plane guided the hand.
+  /// Of the last five by the same device class; a gap where there is no score and where the planned
+  /// plane guided the hand.
   std::vector<ChartPoint> medians;
   assessment::LearningState learning;
-  /// How the cohort stands, by the device class of the newest counted attempt; nothing where too few people are in it.
+  /// How the cohort stands, by the device class of the newest counted attempt; nothing where too
+  /// few people are in it.
   std::optional<database::CohortComparison> cohort = {};
 };
 
 /// By operation, that of the newest attempt first.
 std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& attempts);
-/// A line for each counted attempt, with a head: "attempt,begun_utc,for,device,guidance,score,median_of_5".
+/// A line for each counted attempt, with a head:
+/// "attempt,begun_utc,for,device,guidance,score,median_of_5".
 std::string csv_of(const OperationHistory& history);
 
 }  // namespace hallux::ui

@@ -1,4 +1,5 @@
-/// What is published, to choose from by pictures, with how the person stands in each; the next thing to do on top.
+/// What is published, to choose from by pictures, with how the person stands in each; the next
+/// thing to do on top.
 #pragma once
 
 #include <memory>
@@ -45,7 +46,8 @@ class OperationsScreen : public Screen {
   Places& places_;
   PatientPictures& pictures_;
   Reading<std::vector<OwnOperation>> operations_;
-  std::string now_utc_;  ///< of this frame
+  /// Of this frame.
+  std::string now_utc_;
   int segment_ = 0;
   std::string search_;
 };
@@ -55,8 +57,8 @@ Competence competence_of(const OwnOperation& operation, std::string_view now_utc
 /// The same in words: "Learning, 3 of 12".
 std::string standing_text(const Texts& texts, const OwnOperation& operation,
                           std::string_view now_utc);
-/// What the person should do next: the easiest operation they are not competent in, else the one they did longest ago.
-/// Nothing where there is none that can be begun.
+/// What the person should do next: the easiest operation they are not competent in, else the one
+/// they did longest ago. Nothing where there is none that can be begun.
 const OwnOperation* next_operation(const std::vector<OwnOperation>& operations,
                                    std::string_view now_utc);
 

@@ -9,7 +9,8 @@
 
 namespace hallux::ui {
 
-/// Values in steps of 1, 2 or 5 times a power of ten that cover [low, high] with at most `most` of them.
+/// Values in steps of 1, 2 or 5 times a power of ten that cover [low, high] with at most `most` of
+/// them.
 /// needs  low < high, most >= 2
 std::vector<double> nice_ticks(double low, double high, int most);
 
@@ -33,16 +34,17 @@ struct Plot {
 };
 
 struct ChartPoint {
-  double
-      x = 0.0,
-      y = 0.0;  ///< y is not a number where nothing was measured: a gap is drawn, never a line through it
+  double x = 0.0,
+         /// y is not a number where nothing was measured: a gap is drawn, never a line through it.
+      y = 0.0;
 };
 
-/// The points of a line in the plot, one run of them between two gaps. With more than one sample per pixel a column
-/// keeps its lowest and highest, so that no peak is lost.
+/// The points of a line in the plot, one run of them between two gaps. With more than one sample
+/// per pixel a column keeps its lowest and highest, so that no peak is lost.
 std::vector<std::vector<Point>> line_runs(const Plot& plot, std::span<const ChartPoint> points);
 
-/// The pieces of a line that are drawn when it is dashed: `on` long, `off` apart, measured along the line.
+/// The pieces of a line that are drawn when it is dashed: `on` long, `off` apart, measured along
+/// the line.
 std::vector<std::vector<Point>> dashes_along(std::span<const Point> line, float on, float off);
 
 }  // namespace hallux::ui

@@ -16,21 +16,28 @@ enum class SeriesRole { You, Median, Reference, Second, Cohort };
 
 struct Series {
   SeriesRole role = SeriesRole::You;
-  std::string name = {};                ///< in the legend
-  std::vector<ChartPoint> points = {};  ///< x ascending
+  /// In the legend.
+  std::string name = {};
+  /// x ascending.
+  std::vector<ChartPoint> points = {};
   bool has_line = true, has_marks = false;
 };
 
 struct LineChart {
-  std::string y_unit = {};  ///< above the axis: "Points"
-  std::string x_name = {};  ///< at the right end: "Attempt"
+  /// Above the axis: "Points".
+  std::string y_unit = {};
+  /// At the right end: "Attempt".
+  std::string x_name = {};
   double x_low = 0.0, x_high = 1.0, y_low = 0.0, y_high = 100.0;
   std::vector<Series> series = {};
-  std::optional<double> noise = {};  ///< half width of the band around the median, in units of y
+  /// Half width of the band around the median, in units of y.
+  std::optional<double> noise = {};
   std::string noise_name = {};
   std::optional<double> pass_mark = {};
-  std::string pass_name = {};                 ///< "pass 70"
-  std::optional<std::size_t> looked_at = {};  ///< the point of the first series that is pointed at
+  /// "pass 70".
+  std::string pass_name = {};
+  /// The point of the first series that is pointed at.
+  std::optional<std::size_t> looked_at = {};
 };
 
 /// Draws it into `rect`; its frame, legend and ticks take their room inside.

@@ -1,4 +1,5 @@
-/// The time of an attempt: its steps, events, notes and measured tracks over one axis, with the playhead.
+/// The time of an attempt: its steps, events, notes and measured tracks over one axis, with the
+/// playhead.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@ struct TimelineStep {
 
 struct TimelineEvent {
   double time_s = 0.0;
-  Meaning meaning = Meaning::Neutral;  ///< Neutral: a plain tick
+  /// Neutral: a plain tick.
+  Meaning meaning = Meaning::Neutral;
 };
 
 struct TimelineNote {
@@ -27,17 +29,22 @@ struct TimelineNote {
 };
 
 struct TimelineTrack {
-  std::string name = {}, unit = {};      ///< "Force" and "N, aim <= 15"
-  std::vector<ChartPoint> samples = {};  ///< x in seconds
+  /// "Force" and "N, aim <= 15".
+  std::string name = {}, unit = {};
+  /// x in seconds.
+  std::vector<ChartPoint> samples = {};
   std::vector<ChartPoint> reference = {};
-  double high = 1.0;               ///< the scale goes from `low` to this
-  std::optional<double> aim = {};  ///< good below it
+  /// The scale goes from `low` to this.
+  double high = 1.0;
+  /// Good below it.
+  std::optional<double> aim = {};
   double low = 0.0;
 };
 
 struct Timeline {
   double duration_s = 1.0;
-  std::optional<double> now_s = 0.0;  ///< the playhead; none where nothing is being played
+  /// The playhead; none where nothing is being played.
+  std::optional<double> now_s = 0.0;
   std::string steps_name = {}, events_name = {};
   std::vector<TimelineStep> steps = {};
   std::vector<TimelineEvent> events = {};

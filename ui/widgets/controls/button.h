@@ -14,15 +14,16 @@ struct ButtonSpec {
   ButtonLook look = ButtonLook::Secondary;
   Icon icon = Icon::None;
   bool is_enabled = true;
-  bool is_busy =
-      false;  ///< what it started still runs: a spinner stands for the icon, pressing does nothing
+  /// What it started still runs: a spinner stands for the icon, pressing does nothing.
+  bool is_busy = false;
 };
 
 /// Heights by place.
 inline constexpr float button_height = 38.0F, header_button_height = 36.0F,
                        large_button_height = 44.0F;
 
-/// True in the frame in which it was pressed. The first primary button of a screen is what Enter does.
+/// True in the frame in which it was pressed. The first primary button of a screen is what Enter
+/// does.
 bool button(Ui& ui, std::string_view id, const Rect& rect, const ButtonSpec& spec);
 /// The width its label needs: at least 88, padding 16.
 float button_width(const Ui& ui, const ButtonSpec& spec);
@@ -35,14 +36,16 @@ struct ControlState {
 void draw_button(Ui& ui, const Rect& rect, const ButtonSpec& spec, const ControlState& state);
 
 struct IconButtonSpec {
-  std::string_view label = {};  ///< read out and shown as a tooltip
+  /// Read out and shown as a tooltip.
+  std::string_view label = {};
   Icon icon = Icon::None;
   bool is_on = false, is_enabled = true;
 };
 /// 36 x 36.
 bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButtonSpec& spec);
 
-/// Words that lead somewhere, in the accent; `at` is the left (or right) end in the middle of the line.
+/// Words that lead somewhere, in the accent; `at` is the left (or right) end in the middle of the
+/// line.
 bool link(Ui& ui, std::string_view id, Point at, std::string_view label, Align align = Align::Left,
           Type type = Type::Small);
 

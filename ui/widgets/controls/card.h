@@ -14,7 +14,8 @@ Rect card(Ui& ui, const Rect& rect, std::string_view title, float padding = spac
 /// The page's name and one sentence below it, at the head of a screen.
 void page_title(Ui& ui, Point left_top, std::string_view title, std::string_view sentence);
 
-/// What a list shows while it is empty: an icon, a title, one sentence, one button (none where `action` is empty).
+/// What a list shows while it is empty: an icon, a title, one sentence, one button (none where
+/// `action` is empty).
 struct EmptyCard {
   Icon icon = Icon::Inbox;
   std::string_view title = {}, sentence = {}, action = {};
@@ -28,8 +29,8 @@ struct FailedCard {
 };
 bool failed_card(Ui& ui, std::string_view id, const Rect& content, const FailedCard& failed);
 
-/// One thing to take away: a shape, what happened in one line, why and what next below it, and at the right what it cost
-/// with a way on (either may be empty).
+/// One thing to take away: a shape, what happened in one line, why and what next below it, and at
+/// the right what it cost with a way on (either may be empty).
 struct MessageRow {
   Meaning meaning = Meaning::Good;
   std::string_view head = {}, body = {}, right = {}, action = {};
@@ -39,8 +40,8 @@ bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow
 /// The height in which the body has room at this width: 95 for two lines.
 float message_row_height(const Ui& ui, const MessageRow& row, float width);
 
-/// Bars in the shape of rows that are still being read; nothing before 150 ms, so that what is quick does not flicker.
-/// `since_s` is the frame time at which loading began.
+/// Bars in the shape of rows that are still being read; nothing before 150 ms, so that what is
+/// quick does not flicker. `since_s` is the frame time at which loading began.
 void loading_rows(Ui& ui, const Rect& content, int rows, double since_s);
 
 }  // namespace hallux::ui

@@ -1,4 +1,5 @@
-/// Charts on the screen: drawn with the canvas, pointed at with the mouse, walked along with the arrows.
+/// Charts on the screen: drawn with the canvas, pointed at with the mouse, walked along with the
+/// arrows.
 #pragma once
 
 #include <functional>
@@ -16,12 +17,13 @@ namespace hallux::ui {
 /// What a tooltip says about a point: the value, and attempt, date and the like below it.
 using PointWords = std::function<std::pair<std::string, std::string>(std::size_t point)>;
 
-/// Shows the chart; the point under the pointer, or the one the arrows walked to, is drawn large with a tooltip. Each
-/// point is a control `id.0`, `id.1` ... Returns the point that was pressed.
+/// Shows the chart; the point under the pointer, or the one the arrows walked to, is drawn large
+/// with a tooltip. Each point is a control `id.0`, `id.1` ... Returns the point that was pressed.
 std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& rect,
                                       LineChart chart, const PointWords& words);
 
-/// Shows the timeline as the area `id`. Returns the moment that the pointer was pressed or dragged to.
+/// Shows the timeline as the area `id`. Returns the moment that the pointer was pressed or dragged
+/// to.
 std::optional<double> timeline(Ui& ui, std::string_view id, const Rect& rect,
                                const Timeline& timeline);
 

@@ -11,13 +11,15 @@ namespace hallux::ui {
 
 inline constexpr float segmented_height = 36.0F, tabs_height = 40.0F, tab_gap = 28.0F;
 
-/// One of a few, side by side: a track with a thumb. True where `chosen` changed. Options are named `id.0`, `id.1` ...
+/// One of a few, side by side: a track with a thumb. True where `chosen` changed. Options are named
+/// `id.0`, `id.1` ...
 bool segmented(Ui& ui, std::string_view id, const Rect& rect,
                std::span<const std::string_view> labels, int& chosen);
 /// The width in which every label has 16 px on both sides.
 float segmented_width(const Ui& ui, std::span<const std::string_view> labels);
 
-/// One page of a card: underlined words over a hairline. True where `chosen` changed. Tabs are named `id.0`, `id.1` ...
+/// One page of a card: underlined words over a hairline. True where `chosen` changed. Tabs are
+/// named `id.0`, `id.1` ...
 bool tabs(Ui& ui, std::string_view id, const Rect& rect, std::span<const std::string_view> labels,
           int& chosen);
 

@@ -21,20 +21,27 @@ inline constexpr float dialog_width = 520.0F;
 
 struct Dialog {
   std::string_view title = {}, sentence = {};
-  std::string_view act = {};          ///< the verb: "Pin note"
-  std::string_view keep = {};         ///< the way out: "Cancel"; empty: only the verb, and Esc
-  std::string_view act_name = "act";  ///< what the id of the verb ends with
-  std::string_view error = {};        ///< why the last try failed; empty: nothing is wrong
-  float width = dialog_width;         ///< less where the window is narrower
-  float form_height = 0.0F;           ///< that the fields need
-  bool is_busy = false;               ///< the work that it began still runs
+  /// The verb: "Pin note".
+  std::string_view act = {};
+  /// The way out: "Cancel"; empty: only the verb, and Esc.
+  std::string_view keep = {};
+  /// What the id of the verb ends with.
+  std::string_view act_name = "act";
+  /// Why the last try failed; empty: nothing is wrong.
+  std::string_view error = {};
+  /// Less where the window is narrower.
+  float width = dialog_width;
+  /// That the fields need.
+  float form_height = 0.0F;
+  /// The work that it began still runs.
+  bool is_busy = false;
   bool is_dangerous = false;
 };
 
-/// Draws it with the fields that `draw_form` draws into the place it is given; it answers false where something is still
-/// missing, so that the verb cannot be pressed. Buttons are named `id.act`, which Enter presses (Ctrl+Enter in a field of
-/// several lines), and `id.keep`, which Esc presses. Where the window is too low all between title and buttons scrolls,
-/// named `id.form`.
+/// Draws it with the fields that `draw_form` draws into the place it is given; it answers false
+/// where something is still missing, so that the verb cannot be pressed. Buttons are named
+/// `id.act`, which Enter presses (Ctrl+Enter in a field of several lines), and `id.keep`, which Esc
+/// presses. Where the window is too low all between title and buttons scrolls, named `id.form`.
 Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
               const std::function<bool(const Rect& form)>& draw_form);
 

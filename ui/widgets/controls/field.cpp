@@ -41,7 +41,8 @@ class Shown {
   std::string dots_;
 };
 
-// The text broken into the lines of the field, with what is needed to go from a point to a place and back.
+// The text broken into the lines of the field, with what is needed to go from a point to a place
+// and back.
 struct Layout {
   std::vector<TextLine> lines;
   std::string_view text;

@@ -10,15 +10,22 @@
 namespace hallux::ui {
 
 struct FieldSpec {
-  std::string_view label = {};        ///< above the field, and its name for accessibility tools
-  std::string_view placeholder = {};  ///< inside while it is empty
-  std::string_view error = {};  ///< a sentence below it, with an example; empty: nothing is wrong
-  std::string_view hint = {};   ///< a sentence below it where there is no error
+  /// Above the field, and its name for accessibility tools.
+  std::string_view label = {};
+  /// Inside while it is empty.
+  std::string_view placeholder = {};
+  /// A sentence below it, with an example; empty: nothing is wrong.
+  std::string_view error = {};
+  /// A sentence below it where there is no error.
+  std::string_view hint = {};
   Icon icon = Icon::None;
-  bool is_label_shown = true;  ///< off: a search field whose placeholder says what it is
-  bool is_secret = false;      ///< dots stand for letters; an eye shows them while it is on
+  /// Off: a search field whose placeholder says what it is.
+  bool is_label_shown = true;
+  /// Dots stand for letters; an eye shows them while it is on.
+  bool is_secret = false;
   bool is_enabled = true;
-  int lines = 1;  ///< more: Enter makes a new line, Ctrl+Enter is the primary action
+  /// More: Enter makes a new line, Ctrl+Enter is the primary action.
+  int lines = 1;
   std::size_t max_bytes = 200;
 };
 
@@ -26,7 +33,8 @@ struct FieldSpec {
 inline constexpr float field_height = 42.0F, field_label_height = 26.0F,
                        field_message_height = 26.0F;
 
-/// Edits `text` in the box `rect` (without label and message). True where `text` changed in this frame.
+/// Edits `text` in the box `rect` (without label and message). True where `text` changed in this
+/// frame.
 bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text, const FieldSpec& spec);
 
 /// How it looks in a given state, with text and caret; for the gallery.

@@ -7,7 +7,8 @@
 
 namespace hallux::ui {
 
-/// 22 high, from its left end; a shape in front of the words unless Neutral without one. Returns the width drawn.
+/// 22 high, from its left end; a shape in front of the words unless Neutral without one. Returns
+/// the width drawn.
 float pill(Ui& ui, Point left_middle, std::string_view label, Meaning meaning,
            bool has_shape = true);
 float pill_width(const Ui& ui, std::string_view label, bool has_shape = true);
@@ -28,17 +29,23 @@ struct NamedBar {
   std::string_view name = {}, value = {}, maximum = {};
   float share = 0.0F;
 };
-/// The bars of lines that stand below each other begin and end together: `name_width` is that of the longest name.
+/// The bars of lines that stand below each other begin and end together: `name_width` is that of
+/// the longest name.
 void named_bar(Ui& ui, const Rect& line, const NamedBar& bar, float name_width);
 
-/// A score of 100 as a ring with its pass mark as a tick; the number and "of 100" inside. It fills once, in half a
-/// second, on first sight.
+/// A score of 100 as a ring with its pass mark as a tick; the number and "of 100" inside. It fills
+/// once, in half a second, on first sight.
 struct ScoreRing {
-  std::string_view id = {};      ///< what is filled once
-  std::string_view number = {};  ///< "76.8"
-  std::string_view below = {};   ///< "of 100"
-  float share = 0.0F;            ///< 0-1
-  float pass_share = -1.0F;      ///< 0-1; negative: no pass mark
+  /// What is filled once.
+  std::string_view id = {};
+  /// "76.8".
+  std::string_view number = {};
+  /// "of 100".
+  std::string_view below = {};
+  /// 0-1.
+  float share = 0.0F;
+  /// 0-1; negative: no pass mark.
+  float pass_share = -1.0F;
 };
 void score_ring(Ui& ui, Point centre, float radius, const ScoreRing& ring);
 

@@ -12,13 +12,15 @@ namespace hallux::ui {
 struct MenuItem {
   std::string_view label = {};
   Icon icon = Icon::None;
-  std::string_view key = {};  ///< a key that does the same; empty: none
-  bool is_dangerous = false;  ///< last, behind a hairline
+  /// A key that does the same; empty: none.
+  std::string_view key = {};
+  /// Last, behind a hairline.
+  bool is_dangerous = false;
   bool is_enabled = true;
 };
 
-/// -1 while it is open, `menu_closed` where it was closed by Esc or a press beside it, else the item pressed. Items are
-/// named `id.0`, `id.1` ...; the owner stops calling it once it answered.
+/// -1 while it is open, `menu_closed` where it was closed by Esc or a press beside it, else the
+/// item pressed. Items are named `id.0`, `id.1` ...; the owner stops calling it once it answered.
 inline constexpr int menu_open = -1, menu_closed = -2;
 int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> items,
          float width = 250.0F);
@@ -27,19 +29,24 @@ float menu_height(std::span<const MenuItem> items) noexcept;
 /// The panel alone, one row raised; for the gallery.
 void draw_menu(Ui& ui, const Rect& rect, std::span<const MenuItem> items, int raised);
 
-/// A question with a scrim over everything, only where there is no way back. The safe answer has the focus, Esc is it.
+/// A question with a scrim over everything, only where there is no way back. The safe answer has
+/// the focus, Esc is it.
 struct Question {
   std::string_view title = {};
-  std::string_view consequence = {};  ///< what will be gone
-  std::string_view act = {};          ///< the verb: "Erase 3 people"
-  std::string_view keep = {};         ///< the safe one: "Keep them"
+  /// What will be gone.
+  std::string_view consequence = {};
+  /// The verb: "Erase 3 people".
+  std::string_view act = {};
+  /// The safe one: "Keep them".
+  std::string_view keep = {};
   bool is_dangerous = true;
 };
 enum class Answer : std::uint8_t { Waiting, Keep, Act };
 /// Buttons are named `id.act` and `id.keep`.
 Answer question(Ui& ui, std::string_view id, const Question& question);
 
-/// A toast, 400 wide and at least 64 high: what happened, its detail, an action (may be empty) and a close.
+/// A toast, 400 wide and at least 64 high: what happened, its detail, an action (may be empty) and
+/// a close.
 struct Toast {
   Meaning meaning = Meaning::Good;
   std::string_view title = {}, detail = {}, action = {};

@@ -1,4 +1,5 @@
-/// The way between the screens of one role: at the left, 216 wide, or a rail of icons where the window is narrow.
+/// The way between the screens of one role: at the left, 216 wide, or a rail of icons where the
+/// window is narrow.
 #pragma once
 
 #include <optional>
@@ -10,10 +11,12 @@
 namespace hallux::ui {
 
 struct NavigationItem {
-  std::string_view id = {};  ///< of the control, "nav.history"
+  /// Of the control, "nav.history".
+  std::string_view id = {};
   std::string_view label = {};
   Icon icon = Icon::None;
-  int badge = 0;  ///< what waits there; 0 shows none
+  /// What waits there; 0 shows none.
+  int badge = 0;
 };
 
 /// Who is signed in; always visible at the foot.
@@ -33,7 +36,8 @@ enum class NavigationAction : std::uint8_t { None, Item, Help, Person };
 struct NavigationResponse {
   NavigationAction action = NavigationAction::None;
   int item = -1;
-  Rect person = {};  ///< the place a menu of the person opens above
+  /// The place a menu of the person opens above.
+  Rect person = {};
 };
 
 /// Draws the whole height of the display's left edge; Help is `nav.help`, the person `nav.person`.

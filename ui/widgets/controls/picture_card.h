@@ -12,16 +12,24 @@ inline constexpr float picture_card_width = 275.0F, picture_card_height = 332.0F
 
 struct PictureCardSpec {
   std::string_view name = {}, what = {};
-  Picture picture = {};  ///< nothing where none was drawn yet: a skeleton stands for it
-  int difficulty = 1;    ///< 1-5; 0: not known
+  /// Nothing where none was drawn yet: a skeleton stands for it.
+  Picture picture = {};
+  /// 1-5; 0: not known.
+  int difficulty = 1;
   std::string_view difficulty_word = {};
   Competence competence = Competence::NotStarted;
-  float progress = 0.0F;                       ///< 0-1, of Learning
-  std::string_view state = {};                 ///< "Learning, 6 of 12"
-  std::string_view best_word = {}, best = {};  ///< "best" and "81.4"; empty where there is none
-  std::string_view due = {};                   ///< "Due 7 Mar"; empty: not due
-  std::string_view group = {};                 ///< arrows move between the cards of one group
-  std::string_view mark = {};  ///< "Not surgeon-reviewed", over the picture; empty: none
+  /// 0-1, of Learning.
+  float progress = 0.0F;
+  /// "Learning, 6 of 12".
+  std::string_view state = {};
+  /// "best" and "81.4"; empty where there is none.
+  std::string_view best_word = {}, best = {};
+  /// "Due 7 Mar"; empty: not due.
+  std::string_view due = {};
+  /// Arrows move between the cards of one group.
+  std::string_view group = {};
+  /// "Not surgeon-reviewed", over the picture; empty: none.
+  std::string_view mark = {};
 };
 
 /// True where it was pressed.

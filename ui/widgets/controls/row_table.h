@@ -1,4 +1,5 @@
-/// Tables whose rows are values: one line a column says its head, what stands in its cells and how rows are sorted by it.
+/// Tables whose rows are values: one line a column says its head, what stands in its cells and how
+/// rows are sorted by it.
 ///
 ///     const RowTable<Person> people{ui.text("people.title"), &Person::login, &Person::display_name, {
 ///         {{ui.text("people.name"), 0.0F, 1.7F}, draw_name, {}, by(&Person::display_name)},
@@ -74,7 +75,8 @@ const Row& row_in(const Item& item) {
   }
 }
 
-/// Sorts by the column that `sort` names; where it names none, by `otherwise`, and not at all where that is none either.
+/// Sorts by the column that `sort` names; where it names none, by `otherwise`, and not at all where
+/// that is none either.
 template <typename Row, typename Rows>
 void sort_rows(Rows& rows, const std::vector<RowColumn<Row>>& columns, const TableSort& sort,
                int otherwise = -1) {

@@ -39,7 +39,8 @@ std::vector<ColumnPlace> columns_of(const Rect& line, const TableSpec& spec) {
   return places;
 }
 
-/// What the column had no room for, once the pointer rests on the head or the keyboard stands there.
+/// What the column had no room for, once the pointer rests on the head or the keyboard stands
+/// there.
 void say_whole_head(Ui& ui, const std::string& control, const Rect& place, std::string_view head,
                     bool is_steered_to) {
   const Rect under{place.x, place.mid_y() - 14.0F, place.w, 28.0F};

@@ -1,8 +1,9 @@
-/// Rows with columns: choose one or many, sort by a head, open by Enter or a double click. A narrow table leaves out the
-/// columns that say so.
+/// Rows with columns: choose one or many, sort by a head, open by Enter or a double click. A narrow
+/// table leaves out the columns that say so. Inside this corner only.
 ///
-/// Only what is in sight is laid out, so a table may have a hundred thousand rows. Arrows move, Space chooses,
-/// Shift+arrows extend, Enter opens, Ctrl+A chooses all. The row with the focus stays in sight.
+/// Only what is in sight is laid out, so a table may have a hundred thousand rows. Arrows move,
+/// Space chooses, Shift+arrows extend, Enter opens, Ctrl+A chooses all. The row with the focus
+/// stays in sight.
 #pragma once
 
 #include <functional>
@@ -18,11 +19,13 @@ namespace hallux::ui {
 
 struct TableColumn {
   std::string_view head = {};
-  float width = 0.0F;  ///< logical pixels; 0: a share of what the others leave, by `share`
+  /// Logical pixels; 0: a share of what the others leave, by `share`.
+  float width = 0.0F;
   float share = 1.0F;
-  Align align = Align::Left;  ///< numbers right, words left
-  /// Where the table is narrower the column is left out. The numbers of the others stay: in the sort, in `draw_cell` and in
-  /// ids.
+  /// Numbers right, words left.
+  Align align = Align::Left;
+  /// Where the table is narrower the column is left out. The numbers of the others stay: in the
+  /// sort, in `draw_cell` and in ids.
   float from_width = 0.0F;
   bool can_sort = false;
 };
@@ -34,18 +37,24 @@ struct TableSort {
 
 /// What a table remembers between frames; owned by the screen.
 struct TableState {
-  std::set<std::string> chosen;  ///< ids of rows
-  std::string anchor = {};       ///< where Shift extends from
+  /// Ids of rows.
+  std::set<std::string> chosen;
+  /// Where Shift extends from.
+  std::string anchor = {};
   TableSort sort;
 };
 
 struct TableSpec {
   std::span<const TableColumn> columns = {};
   int row_count = 0;
-  float row_height = 42.0F;     ///< 36-48
-  bool has_checkboxes = false;  ///< many may be chosen; else a press opens
-  std::string_view label = {};  ///< what the table lists
-  /// The id of a row, stable while rows come and go: "trainee-02". It becomes `id.row_id` of the control.
+  /// 36-48.
+  float row_height = 42.0F;
+  /// Many may be chosen; else a press opens.
+  bool has_checkboxes = false;
+  /// What the table lists.
+  std::string_view label = {};
+  /// The id of a row, stable while rows come and go: "trainee-02". It becomes `id.row_id` of the
+  /// control.
   std::function<std::string(int row)> row_id;
   /// What a person would call the row.
   std::function<std::string(int row)> row_label;
@@ -54,7 +63,8 @@ struct TableSpec {
 };
 
 struct TableResponse {
-  std::optional<int> opened;  ///< row
+  /// Row.
+  std::optional<int> opened;
   bool has_sort_changed = false;
   bool has_choice_changed = false;
 };
@@ -63,8 +73,8 @@ struct TableResponse {
 TableResponse table(Ui& ui, std::string_view id, const Rect& rect, const TableSpec& spec,
                     TableState& state);
 
-/// What can be done with the chosen rows, 40 high at the table's foot: "2 chosen", the actions as links named
-/// `id.0`, `id.1` ..., and a text at the right. Returns the action pressed, -1 none.
+/// What can be done with the chosen rows, 40 high at the table's foot: "2 chosen", the actions as
+/// links named `id.0`, `id.1` ..., and a text at the right. Returns the action pressed, -1 none.
 int action_bar(Ui& ui, std::string_view id, const Rect& rect, std::string_view chosen,
                std::span<const std::string_view> actions, std::string_view right);
 

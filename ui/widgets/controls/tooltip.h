@@ -7,8 +7,8 @@
 
 namespace hallux::ui {
 
-/// A small panel with a value first and its context below (may be empty), beside `point` and inside the display, never
-/// over the point itself.
+/// A small panel with a value first and its context below (may be empty), beside `point` and inside
+/// the display, never over the point itself.
 void tooltip(Ui& ui, Point point, std::string_view value, std::string_view context);
 
 /// The label of an icon, under the control, once the pointer has rested on it for half a second.

@@ -1,8 +1,10 @@
-/// Keeps every event of the window in order until a frame takes it, so that none is lost between two frames.
+/// Keeps every event of the window in order until a frame takes it, so that none is lost between
+/// two frames.
 ///
-/// Dear ImGui 1.86 samples keys once a frame: a key pressed and released in between is never seen. Here nothing is
-/// sampled: a frame takes events one after the other and stops behind the one that changes the screen, so that the
-/// next event meets the screen the person was looking at when the first had worked.
+/// Dear ImGui 1.86 samples keys once a frame: a key pressed and released in between is never seen.
+/// Here nothing is sampled: a frame takes events one after the other and stops behind the one that
+/// changes the screen, so that the next event meets the screen the person was looking at when the
+/// first had worked.
 #pragma once
 
 #include <deque>

@@ -8,13 +8,14 @@
 
 namespace hallux::ui {
 
-/// The id after (or before) `focus` in Tab order; the first (or last) where `focus` is nowhere, "" where nothing can
-/// have the focus. A group is visited once, at its chosen widget; disabled ones are left out.
+/// The id after (or before) `focus` in Tab order; the first (or last) where `focus` is nowhere, ""
+/// where nothing can have the focus. A group is visited once, at its chosen widget; disabled ones
+/// are left out.
 std::string next_in_tab_order(const FrameContent& content, const std::string& focus,
                               bool is_backwards);
 
-/// The widget of the same group that lies nearest in the direction of the arrow, Home or End; `focus` itself where
-/// there is none.
+/// The widget of the same group that lies nearest in the direction of the arrow, Home or End;
+/// `focus` itself where there is none.
 std::string next_by_arrow(const FrameContent& content, const std::string& focus, Key arrow);
 
 /// True where `widget` may have the focus now.

@@ -101,24 +101,31 @@ inline constexpr int mouse_button_count = 3;
 
 enum class EventKind : std::uint8_t {
   PointerMoved,
-  PointerLeft,  ///< the pointer is no longer over the window
+  /// The pointer is no longer over the window.
+  PointerLeft,
   ButtonPressed,
   ButtonReleased,
   Wheel,
-  KeyPressed,  ///< also each repeat of a held key
+  /// Also each repeat of a held key.
+  KeyPressed,
   KeyReleased,
-  Character,  ///< text, already with layout and dead keys applied
-  FocusLost,  ///< the window no longer gets keys: every held key counts as released
+  /// Text, already with layout and dead keys applied.
+  Character,
+  /// The window no longer gets keys: every held key counts as released.
+  FocusLost,
 };
 
 struct InputEvent {
   EventKind kind = EventKind::PointerMoved;
-  Point position;  ///< of the pointer, for all its events
+  /// Of the pointer, for all its events.
+  Point position;
   MouseButton button = MouseButton::Left;
   Key key = Key::None;
-  Modifiers modifiers;  ///< held while it happened
+  /// Held while it happened.
+  Modifiers modifiers;
   char32_t character = 0;
-  float wheel = 0.0F;  ///< notches, positive away from the person
+  /// Notches, positive away from the person.
+  float wheel = 0.0F;
 };
 
 }  // namespace hallux::ui

@@ -1,4 +1,5 @@
-/// What a frame consists of, as plain data: every control with its place, and every text that was drawn.
+/// What a frame consists of, as plain data: every control with its place, and every text that was
+/// drawn.
 #pragma once
 
 #include <cstdint>
@@ -11,54 +12,70 @@ namespace hallux::ui {
 
 enum class Role : std::uint8_t { Button, Field, Option, Checkbox, Row, Link, Area, Scroll };
 
-/// Layers from the bottom to the top. While something lies on Popup or Modal, what is below cannot be reached.
+/// Layers from the bottom to the top. While something lies on Popup or Modal, what is below cannot
+/// be reached.
 enum class Layer : std::uint8_t { Page, Popup, Modal, Toast, Tooltip };
 inline constexpr int layer_count = 5;
 
 struct Widget {
-  std::string id = {};     ///< unique in its frame: "sign_in.login"
-  std::string label = {};  ///< what a person would call it; never the content of a field
-  Rect rect = {};          ///< where it is laid out, in logical pixels
-  Rect visible =
-      {};  ///< the part of it inside every clip around it; empty where it is scrolled away
+  /// Unique in its frame: "sign_in.login".
+  std::string id = {};
+  /// What a person would call it; never the content of a field.
+  std::string label = {};
+  /// Where it is laid out, in logical pixels.
+  Rect rect = {};
+  /// The part of it inside every clip around it; empty where it is scrolled away.
+  Rect visible = {};
   Role role = Role::Button;
   Layer layer = Layer::Page;
   bool is_enabled = true;
   bool is_focusable = true;
-  bool is_primary = false;      ///< what Enter does on this screen
-  bool takes_new_line = false;  ///< a field in which Enter makes a new line
-  bool is_chosen = false;       ///< the place one is at; in a group the option that Tab goes to
-  std::string group = {};       ///< arrows move inside a group, Tab visits it once
-  bool is_in_sequence =
-      false;        ///< arrows follow the order of the group, not the places: points of a chart
-  int scroll = -1;  ///< the scroll region it lies in, as an index of the frame's widgets
+  /// What Enter does on this screen.
+  bool is_primary = false;
+  /// A field in which Enter makes a new line.
+  bool takes_new_line = false;
+  /// The place one is at; in a group the option that Tab goes to.
+  bool is_chosen = false;
+  /// Arrows move inside a group, Tab visits it once.
+  std::string group = {};
+  /// Arrows follow the order of the group, not the places: points of a chart.
+  bool is_in_sequence = false;
+  /// The scroll region it lies in, as an index of the frame's widgets.
+  int scroll = -1;
 };
 
 /// A text as it was drawn.
 struct SeenText {
   std::string text = {};
-  Rect rect = {};  ///< its ink's line box
-  Rect room = {};  ///< what it had to stay inside
+  /// Its ink's line box.
+  Rect rect = {};
+  /// What it had to stay inside.
+  Rect room = {};
   Layer layer = Layer::Page;
-  bool is_shortened = false;  ///< an ellipsis stands for the rest
+  /// An ellipsis stands for the rest.
+  bool is_shortened = false;
   bool may_be_shortened = false;
-  std::string whole = {};  ///< the text before it was shortened; empty where it was not
+  /// The text before it was shortened; empty where it was not.
+  std::string whole = {};
 };
 
 struct FrameContent {
-  std::vector<Widget> widgets = {};  ///< in the order of drawing, which is the order of Tab
+  /// In the order of drawing, which is the order of Tab.
+  std::vector<Widget> widgets = {};
   std::vector<SeenText> texts = {};
-  std::string focus = {};  ///< the widget that keys go to; "" for none
+  /// The widget that keys go to; "" for none.
+  std::string focus = {};
 };
 
 /// The widget with this id, or null.
 const Widget* find_widget(const FrameContent& content, std::string_view id) noexcept;
 
-/// The topmost enabled or disabled widget under `point` that is not a scroll region, on the layers that can be
-/// reached; null where there is none.
+/// The topmost enabled or disabled widget under `point` that is not a scroll region, on the layers
+/// that can be reached; null where there is none.
 const Widget* widget_at(const FrameContent& content, Point point) noexcept;
 
-/// The innermost scroll region or area under `point`, which a wheel turns; null where there is none.
+/// The innermost scroll region or area under `point`, which a wheel turns; null where there is
+/// none.
 const Widget* scrolled_at(const FrameContent& content, Point point) noexcept;
 
 /// The lowest layer that can be reached: Page, unless a menu or a question lies above it.

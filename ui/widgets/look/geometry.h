@@ -1,4 +1,5 @@
-/// Points and rectangles of the window, in logical pixels: px at content scale 1, from the top left corner.
+/// Points and rectangles of the window, in logical pixels: px at content scale 1, from the top left
+/// corner.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,8 @@ struct Rect {
   friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-/// `rect` made smaller by `across` at the left and right and by `down` at the top and bottom; negative grows it.
+/// `rect` made smaller by `across` at the left and right and by `down` at the top and bottom;
+/// negative grows it.
 constexpr Rect inset(const Rect& rect, float across, float down) noexcept {
   return {rect.x + across, rect.y + down, rect.w - 2.0F * across, rect.h - 2.0F * down};
 }
@@ -51,7 +53,8 @@ inline Rect intersection(const Rect& a, const Rect& b) noexcept {
           std::max(0.0F, std::min(a.bottom(), b.bottom()) - y)};
 }
 
-/// Cuts a strip off one side of `rest` and leaves `gap` between; a strip longer than `rest` takes all of it.
+/// Cuts a strip off one side of `rest` and leaves `gap` between; a strip longer than `rest` takes
+/// all of it.
 inline Rect take_top(Rect& rest, float height, float gap = 0.0F) noexcept {
   const Rect strip{rest.x, rest.y, rest.w, std::min(height, rest.h)};
   const float used = std::min(rest.h, height + gap);

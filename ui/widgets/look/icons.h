@@ -1,4 +1,4 @@
-/// The icons of the product: code points of Font Awesome 4.7.
+/// The icons of the product: code points of Font Awesome 4.7. Inside this corner only.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-/// The look in numbers: colours of the light and the dark theme, spaces, radii, and the meanings a colour may have.
+/// The look in numbers: colours of the light and the dark theme, spaces, radii, and the meanings a
+/// colour may have.
 #pragma once
 
 #include <array>
@@ -15,8 +16,8 @@ enum class Meaning { Good, Warn, Bad, Info, Neutral };
 /// How far a person is with an operation.
 enum class Competence { NotStarted, Learning, Competent, Slipped, Stale };
 
-/// Every colour of the product except the bone's. `on_...` is what may be written on it; `..._text` is for words, the
-/// plain one for fills and shapes.
+/// Every colour of the product except the bone's. `on_...` is what may be written on it; `..._text`
+/// is for words, the plain one for fills and shapes.
 struct Theme {
   ThemeName name = ThemeName::Dark;
   Color page, side, card, raise, chip, line, border;

@@ -13,8 +13,8 @@ namespace hallux::ui {
 /// Where a field is edited. Places are byte offsets between two letters of the text.
 struct TextCursor {
   std::size_t caret = 0;
-  std::size_t anchor =
-      0;  ///< the other end of the selection; equal to the caret where nothing is selected
+  /// The other end of the selection; equal to the caret where nothing is selected.
+  std::size_t anchor = 0;
 
   bool has_selection() const noexcept { return caret != anchor; }
   std::size_t begin() const noexcept { return caret < anchor ? caret : anchor; }
@@ -29,16 +29,21 @@ struct TextEdit {
   };
   TextCursor cursor;
   std::vector<Past> past = {}, undone = {};
-  bool is_typing = false;    ///< letters typed in a row are undone together
-  bool is_revealed = false;  ///< a secret whose letters are shown
+  /// Letters typed in a row are undone together.
+  bool is_typing = false;
+  /// A secret whose letters are shown.
+  bool is_revealed = false;
   float scrolled_x = 0.0F,
-        scrolled_y = 0.0F;  ///< logical pixels that the text is moved to keep the caret in sight
+        /// Logical pixels that the text is moved to keep the caret in sight.
+      scrolled_y = 0.0F;
 };
 
 struct EditRules {
   std::size_t max_bytes = 200;
-  bool is_multiline = false;  ///< Enter makes a new line
-  bool is_secret = false;  ///< nothing of it may be copied or undone, and no copy stays in memory
+  /// Enter makes a new line.
+  bool is_multiline = false;
+  /// Nothing of it may be copied or undone, and no copy stays in memory.
+  bool is_secret = false;
 };
 
 /// The text that the rest of the desktop shares with us.
@@ -49,7 +54,8 @@ class Clipboard {
   virtual void write(std::string_view text) = 0;
 };
 
-/// Puts the cursor inside `text` and at the beginning of a letter, whatever was done to the text meanwhile.
+/// Puts the cursor inside `text` and at the beginning of a letter, whatever was done to the text
+/// meanwhile.
 void keep_cursor_inside(TextEdit& edit, std::string_view text) noexcept;
 
 /// Types one character over the selection; controls and what exceeds `max_bytes` are left out.
@@ -60,8 +66,9 @@ void type_character(TextEdit& edit, std::string& text, char32_t character, const
 void insert_text(TextEdit& edit, std::string& text, std::string_view inserted,
                  const EditRules& rules);
 
-/// Does what the key means in a text: moving, selecting with Shift, deleting, Ctrl+A C X V Z Y. True where it means
-/// anything; Up and Down in a multi-line field are the caller's, who knows where the lines break.
+/// Does what the key means in a text: moving, selecting with Shift, deleting, Ctrl+A C X V Z Y.
+/// True where it means anything; Up and Down in a multi-line field are the caller's, who knows
+/// where the lines break.
 bool press_edit_key(TextEdit& edit, std::string& text, Chord chord, const EditRules& rules,
                     Clipboard& clipboard);
 

@@ -1,4 +1,5 @@
-/// Where the letters of a text stand: measuring, shortening and breaking into lines. Sizes are device pixels.
+/// Where the letters of a text stand: measuring, shortening and breaking into lines. Sizes are
+/// device pixels.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace hallux::ui {
 
-/// The code point that begins at `place` in UTF-8, and moves `place` behind it; U+FFFD for a broken one.
+/// The code point that begins at `place` in UTF-8, and moves `place` behind it; U+FFFD for a broken
+/// one.
 char32_t next_code_point(std::string_view text, std::size_t& place) noexcept;
 
 /// Byte offsets of the code points before and after `place`; 0 and the length at the ends.
@@ -28,13 +30,16 @@ std::string shortened(const FontFace& face, std::string_view text, float width);
 /// The byte offset between two letters that lies nearest to `x`.
 std::size_t place_at(const FontFace& face, std::string_view text, float x) noexcept;
 
-/// A line of a broken text: bytes [begin, end) of it; the space or newline it was broken at is left out.
+/// A line of a broken text: bytes [begin, end) of it; the space or newline it was broken at is left
+/// out.
 struct TextLine {
   std::size_t begin = 0, end = 0;
 };
 
-/// `text` broken at spaces and newlines so that no line is wider than `width`; a word that is, is broken inside.
-/// ensures at least one line, also for an empty text; the lines in order cover all but the breaking spaces
+/// `text` broken at spaces and newlines so that no line is wider than `width`; a word that is, is
+/// broken inside.
+/// ensures at least one line, also for an empty text; the lines in order cover all but the breaking
+///         spaces
 std::vector<TextLine> broken_lines(const FontFace& face, std::string_view text, float width);
 
 }  // namespace hallux::ui

@@ -1,8 +1,8 @@
 /// Every text people read, in one catalogue: an id gives a whole sentence, never a piece of one.
 ///
-/// The catalogue is a file of lines `id = text`; `#` begins a comment, `\n` in a text is a new line. A text may hold
-/// named places in braces, `{score} of 100`, which say() fills. A text that depends on a number comes as two lines,
-/// `id.one` and `id.other`, which say_count() chooses from.
+/// The catalogue is a file of lines `id = text`; `#` begins a comment, `\n` in a text is a new
+/// line. A text may hold named places in braces, `{score} of 100`, which say() fills. A text that
+/// depends on a number comes as two lines, `id.one` and `id.other`, which say_count() chooses from.
 #pragma once
 
 #include <functional>
@@ -19,10 +19,12 @@ using TextValues = std::vector<std::pair<std::string_view, std::string>>;
 
 class Texts {
  public:
-  /// errors  std::runtime_error naming line and fault: no `=`, an empty text, an id twice, a brace left open
+  /// errors  std::runtime_error naming line and fault: no `=`, an empty text, an id twice, a brace
+  ///         left open
   explicit Texts(std::string_view catalogue);
 
-  /// The text with this id; "[missing text]" where there is none, so that a fault is seen and found by the tests.
+  /// The text with this id; "[missing text]" where there is none, so that a fault is seen and found
+  /// by the tests.
   std::string_view text(std::string_view id) const;
   /// The text with its named places filled; a place without a value stays in braces.
   std::string say(std::string_view id, const TextValues& values) const;

@@ -15,7 +15,8 @@ namespace hallux::ui {
 /// thread  the work's own
 class WorkReport {
  public:
-  /// Says how far it is, 0-1. Returns false where the person pressed Cancel: the work should end soon.
+  /// Says how far it is, 0-1. Returns false where the person pressed Cancel: the work should end
+  /// soon.
   bool reached(double share) noexcept {
     share_.store(share, std::memory_order_relaxed);
     return !is_cancelled_.load(std::memory_order_relaxed);
@@ -43,15 +44,16 @@ class Background {
   /// Cancels what runs and waits for it; no Finish is called any more.
   ~Background();
 
-  /// Starts `work` on a thread of its own; `finish` is called by collect(), on the thread of the window. Work without a
-  /// label is not shown: nobody waits for it.
+  /// Starts `work` on a thread of its own; `finish` is called by collect(), on the thread of the
+  /// window. Work without a label is not shown: nobody waits for it.
   void start(std::string label, Work work, Finish finish);
   /// Calls the finish of what ended since.
   /// thread  the window's
   void collect();
 
   struct Running {
-    std::string id;  ///< of its controls, "work.3"
+    /// Of its controls, "work.3".
+    std::string id;
     std::string label;
     double share = 0.0, elapsed_s = 0.0;
   };

@@ -1,4 +1,4 @@
-/// F1: every shortcut that works on the screen, with its key.
+/// F1: every shortcut that works on the screen, with its key. Inside this corner only.
 #pragma once
 
 #include <string>

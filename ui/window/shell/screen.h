@@ -1,4 +1,5 @@
 /// One screen of the window: it fills it, one after the other, as in a game.
+/// Inside this corner only.
 #pragma once
 
 #include <string_view>
@@ -11,23 +12,29 @@ class Shell;
 
 /// What the shell draws around a screen.
 enum class Surround {
-  Nothing,     ///< sign-in: nobody is known yet
-  Navigation,  ///< the way to the other screens, and the person at its foot
-  Rail,        ///< the same as icons, for screens that need the width
-  Badge,       ///< only the person, in a corner; the screen draws its own ground, a scene behind
+  /// Sign-in: nobody is known yet.
+  Nothing,
+  /// The way to the other screens, and the person at its foot.
+  Navigation,
+  /// The same as icons, for screens that need the width.
+  Rail,
+  /// Only the person, in a corner; the screen draws its own ground, a scene behind.
+  Badge,
 };
 
 class Screen {
  public:
   virtual ~Screen() = default;
 
-  /// The navigation item it belongs to, "nav.history"; "" for that of the screen it was opened from.
+  /// The navigation item it belongs to, "nav.history"; "" for that of the screen it was opened
+  /// from.
   virtual std::string_view navigation_id() const { return {}; }
   virtual Surround surround() const { return Surround::Navigation; }
-  /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded. Finish or abandon
-  /// it."); "" where it may.
+  /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded.
+  /// Finish or abandon it."); "" where it may.
   virtual std::string_view why_not_leave() const { return {}; }
-  /// Called when it becomes the screen that is shown: for the first time, and when the one above it went.
+  /// Called when it becomes the screen that is shown: for the first time, and when the one above it
+  /// went.
   virtual void enter(Shell&) {}
   /// Called when another screen takes its place or lies above it.
   virtual void leave(Shell&) {}

@@ -1,4 +1,5 @@
-/// What stays while screens come and go: their stack, who is signed in, messages, running work, help, scale and theme.
+/// What stays while screens come and go: their stack, who is signed in, messages, running work,
+/// help, scale and theme.
 #pragma once
 
 #include <functional>
@@ -15,7 +16,8 @@ namespace hallux::ui {
 
 class ScenePainter;
 
-/// A message in the corner. It goes after six seconds; with Bad or Warn it stays until it is closed.
+/// A message in the corner. It goes after six seconds; with Bad or Warn it stays until it is
+/// closed.
 struct Message {
   Meaning meaning = Meaning::Good;
   std::string title = {}, detail = {}, action = {};
@@ -37,8 +39,8 @@ struct Visitor {
 /// What a person prefers; the window keeps it.
 struct Preferences {
   ThemeName theme = ThemeName::Dark;
-  float scale =
-      1.0F;  ///< from smallest_scale to largest_scale, of the person; the screen's own multiplies it
+  /// From smallest_scale to largest_scale, of the person; the screen's own multiplies it.
+  float scale = 1.0F;
   bool is_full_screen = false;
   bool is_motion_reduced = false;
   bool is_saw_heard = true;
@@ -58,7 +60,8 @@ class Shell {
   void pop();
   /// Leaves every screen for this one.
   void replace_all(std::unique_ptr<Screen> screen);
-  /// Whether the screen may be left now, also for the end of the window; where not, a message says why.
+  /// Whether the screen may be left now, also for the end of the window; where not, a message says
+  /// why.
   bool may_leave(Ui& ui);
   std::size_t depth() const noexcept { return screens_.size(); }
   Screen* top() const noexcept { return screens_.empty() ? nullptr : screens_.back().get(); }
@@ -71,9 +74,11 @@ class Shell {
   void on_navigate(std::function<void(const std::string&)> action) {
     on_navigate_ = std::move(action);
   }
-  /// Called when the person asked to sign out or to change; not while the screen says why it may not be left.
+  /// Called when the person asked to sign out or to change; not while the screen says why it may
+  /// not be left.
   void on_sign_out(std::function<void()> action) { on_sign_out_ = std::move(action); }
-  /// Called when the person asked for their own account; not while the screen says why it may not be left.
+  /// Called when the person asked for their own account; not while the screen says why it may not
+  /// be left.
   void on_account(std::function<void()> action) { on_account_ = std::move(action); }
 
   // -- the lock: one screen instead of all others, which stay as they are
@@ -82,7 +87,8 @@ class Shell {
     idle_s_ = idle_s;
     on_idle_ = std::move(action);
   }
-  /// Until unlock(), this screen alone is drawn and heard. The one below is told to leave(), as if it lay above it.
+  /// Until unlock(), this screen alone is drawn and heard. The one below is told to leave(), as if
+  /// it lay above it.
   void lock(std::unique_ptr<Screen> screen);
   /// After the frame in which it was asked for.
   void unlock() noexcept { is_unlocking_ = true; }
@@ -156,7 +162,8 @@ class Shell {
   float display_scale_ = 1.0F;
   std::optional<Rect> person_menu_;
   bool is_help_shown_ = false;
-  ScenePainter* scenes_ = nullptr;  ///< of the frame that is being drawn
+  /// Of the frame that is being drawn.
+  ScenePainter* scenes_ = nullptr;
   Background background_;
 };
 

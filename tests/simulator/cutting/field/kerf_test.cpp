@@ -96,8 +96,9 @@ TEST(Kerf, OrderAndRepetitionDoNotMatterToTheLastBit) {
   EXPECT_EQ(values_of(backward), values_of(KerfField(grid)));
 }
 
-// What a stamp passes over because earlier ones cover it must be what could not rise: the field is the greatest of the
-// stamps alone, bit for bit. A trembling saw that feeds, turns, and comes again elsewhere on the same lines.
+// What a stamp passes over because earlier ones cover it must be what could not rise: the field is
+// the greatest of the stamps alone, bit for bit. A trembling saw that feeds, turns, and comes again
+// elsewhere on the same lines.
 TEST(Kerf, IsTheGreatestOfItsStampsAloneToTheLastBit) {
   Random random(11);
   const Blade blade{.width_mm = 5.0, .depth_mm = 8.0};
@@ -138,7 +139,8 @@ TEST(Kerf, ASubdividedStraightMotionRaisesTheFieldAsTheWholeDoes) {
     for (int i = 0; i < count; ++i) parts.stamp(blade, at(i), at(i + 1), changed);
     const std::vector<float> expected_mm = values_of(whole), values_mm = values_of(parts);
     for (std::size_t k = 0; k < values_mm.size(); ++k) {
-      // Far outside both are the limit; the value of a part is never more than the whole's, but for rounding.
+      // Far outside both are the limit; the value of a part is never more than the whole's, but for
+      // rounding.
       ASSERT_NEAR(values_mm[k], expected_mm[k], 2e-8F) << "way " << way_mm.x << ' ' << way_mm.y;
     }
   }

@@ -1,4 +1,5 @@
-/// Fields that random blades opened: thick and thinner than a node's spacing, turned, in islands and around holes.
+/// Fields that random blades opened: thick and thinner than a node's spacing, turned, in islands
+/// and around holes.
 #pragma once
 
 #include "simulator/base/random.h"

@@ -1,5 +1,5 @@
-/// What must hold for the outline of any field. RapidCheck prints the seed of a failing case; RC_PARAMS="seed=..." repeats
-/// it.
+/// What must hold for the outline of any field. RapidCheck prints the seed of a failing case;
+/// RC_PARAMS="seed=..." repeats it.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

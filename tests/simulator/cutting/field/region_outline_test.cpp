@@ -46,9 +46,9 @@ std::size_t crossings_of(const KerfField& field) {
   return count;
 }
 
-// Marching squares sees a rectangle's corner only through the cell it lies in and those beside it: each corner is cut off
-// by less than a cell's area on each of them, and nowhere else is anything lost but the rounding of floats and the corner
-// level, 1e-8 mm along the sides.
+// Marching squares sees a rectangle's corner only through the cell it lies in and those beside it:
+// each corner is cut off by less than a cell's area on each of them, and nowhere else is anything
+// lost but the rounding of floats and the corner level, 1e-8 mm along the sides.
 constexpr double cut_corners_mm2 = 4.0 * 2.0 * spacing_mm * spacing_mm;
 
 TEST(RegionOutline, OfNothingHasNoLoops) {
@@ -70,7 +70,8 @@ TEST(RegionOutline, OfARectangleOffTheNodesHasItsAreaButForTheCorners) {
     EXPECT_EQ(outline.loop_ends.size(), 1U);
     EXPECT_LE(area_mm2(outline), expected_mm2 + 1e-6) << turn_rad;
     EXPECT_GE(area_mm2(outline), expected_mm2 - cut_corners_mm2 - 1e-6) << turn_rad;
-    // Sides of 120 and 140 nodes are single segments, but where one passes a node by less than the least share.
+    // Sides of 120 and 140 nodes are single segments, but where one passes a node by less than the
+    // least share.
     EXPECT_LE(outline.corners_mm.size(), 24U) << turn_rad;
   }
 }
@@ -153,7 +154,8 @@ TEST(RegionOutline, OfASubdividedStraightMotionHasTheSameArea) {
   }
 }
 
-// A side that sweeps about a point leaves a region that bends inwards; a corner's path bends outwards. Both keep their
+// A side that sweeps about a point leaves a region that bends inwards; a corner's path bends
+// outwards. Both keep their
 // shape to the slack, with far fewer corners than crossings.
 TEST(RegionOutline, SamplesCurvesSparsely) {
   KerfField field(grid);

@@ -86,7 +86,8 @@ TEST(RingFiller, RingsThatMeetInAPointAreFilledAsTheyAre) {
   EXPECT_EQ(border_of(triangles).size(), 6U);
 }
 
-// A face's border may run out to a point and back: a triangle over there and back would name a point twice.
+// A face's border may run out to a point and back: a triangle over there and back would name a
+// point twice.
 TEST(RingFiller, AWayThereAndBackLeavesNoTriangleThatNamesAPointTwice) {
   const std::vector<LatticeCorner> corners = flat({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {6, 2}, {8, 2}});
   for (const std::vector<std::uint32_t>& ring :
@@ -134,7 +135,8 @@ TEST(RingFiller, EveryViewSeesItsOwnFaceCounterClockwise) {
   };
   for (const Case& asked : cases) {
     EXPECT_EQ(view_along(asked.normal), asked.view);
-    // An L in the plane across the normal's greatest axis, turning left around the normal: its fourth corner is reflex.
+    // An L in the plane across the normal's greatest axis, turning left around the normal: its
+    // fourth corner is reflex.
     const Vec3 n = asked.normal;
     const Vec3 axis(std::abs(n.x) == 1.0 ? n.x : 0.0, std::abs(n.y) == 1.0 ? n.y : 0.0,
                     std::abs(n.z) == 1.0 ? n.z : 0.0);

@@ -41,7 +41,8 @@ std::vector<LatticePoint> star(Random& random, std::size_t count, double radius,
   return corners;
 }
 
-/// Loop edges used once; all others once each way; the areas add up, and where `is_simple` none is negative.
+/// Loop edges used once; all others once each way; the areas add up, and where `is_simple` none is
+/// negative.
 void expect_filled(const Figure& figure, bool is_simple) {
   const std::vector<Triangle> triangles = triangulate(figure.points, figure.loops);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
@@ -110,7 +111,8 @@ TEST(Triangulate, HolesThatTouchCornersAndEdgesClose) {
   expect_filled(figure, false);
 }
 
-/// The furthest that a triangle of the figure faces the wrong way: twice its area over its longest side, in steps.
+/// The furthest that a triangle of the figure faces the wrong way: twice its area over its longest
+/// side, in steps.
 std::int64_t deepest_fold(const Figure& figure) {
   std::int64_t deepest = 0;
   for (const Triangle& corners : triangulate(figure.points, figure.loops)) {

@@ -92,7 +92,8 @@ class FrameChecker {
                 " of at most " + std::to_string(1e6 * limit_mm3) + " 1e-6 mm3",
             frame.kerf, frame.frame);
     }
-    // Each of the two volumes is known to its own limit, and the outline may fall back by its slack.
+    // Each of the two volumes is known to its own limit, and the outline may fall back by its
+    // slack.
     const double fall_mm3 =
         limit_mm3 + removed_limit_mm3_ +
         outline_slack_mm * border_mm(frame.region) * frame.contact.plane.thickness_mm;

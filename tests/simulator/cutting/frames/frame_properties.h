@@ -9,8 +9,8 @@ namespace hallux::tests {
 bool has_walls_on_planes(const PlayedFrame& frame);
 /// No point of the patch stands in the open kerf, more than the lattice's steps from its border.
 bool has_empty_kerf(const PlayedFrame& frame);
-/// Each triangle of the skin lies on a hidden one and faces as it does, if it is wide enough to have a slope when its
-/// corners are a lattice step off.
+/// Each triangle of the skin lies on a hidden one and faces as it does, if it is wide enough to
+/// have a slope when its corners are a lattice step off.
 bool keeps_skin(const PlayedFrame& frame);
 /// Each new point of the skin lies on its parent: the parent's corners, weighted, give its place.
 bool interpolates_skin(const PlayedFrame& frame);

@@ -1,4 +1,5 @@
-/// Twenty thousand random frames. RapidCheck prints its seed, and a fault names the world it happened in.
+/// Twenty thousand random frames. RapidCheck prints its seed, and a fault names the world it
+/// happened in.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -28,7 +29,8 @@ TEST(KerfFrames, EveryRandomFrameIsClosedBalancedAndNoneIsRefused) {
   for (const std::string& complaint : complaints(count)) ADD_FAILURE() << complaint;
 }
 
-// Walls whose border ran there and back once held triangles that name a point twice, and their commit never ended.
+// Walls whose border ran there and back once held triangles that name a point twice, and their
+// commit never ended.
 TEST(KerfFrames, AWallWithABorderThereAndBackIsCommitted) {
   FrameCount count;
   count_world(5353960295403439220U, count);
@@ -36,7 +38,8 @@ TEST(KerfFrames, AWallWithABorderThereAndBackIsCommitted) {
   for (const std::string& fault : count.faults) ADD_FAILURE() << fault;
 }
 
-// Pairs of triangles over the same three points, back to back: to split their common edge made the next such pair.
+// Pairs of triangles over the same three points, back to back: to split their common edge made the
+// next such pair.
 TEST(KerfFrames, FacesThatLieBackToBackAreCommitted) {
   FrameCount count;
   count_world(7465036831818522997U, count);

@@ -1,5 +1,5 @@
-/// What must hold between two cuts: of the same bone moved, scaled or mirrored, of the same stamps in another order, of
-/// one sweep in few steps and in many.
+/// What must hold between two cuts: of the same bone moved, scaled or mirrored, of the same stamps
+/// in another order, of one sweep in few steps and in many.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -63,7 +63,8 @@ RC_GTEST_PROP(SweepProperty, ARigidMotionOfBoneAndPlaneChangesNothing, (std::uin
   RC_ASSERT(std::abs(count - count_there) <= 2.0 + 0.02 * count);
 }
 
-// The lattice reaches over 80 mm here and over 160 mm there: its step doubles too, and doubling is exact.
+// The lattice reaches over 80 mm here and over 160 mm there: its step doubles too, and doubling is
+// exact.
 RC_GTEST_PROP(SweepProperty, TwiceTheSizeIsTheSamePatchAndEightTimesTheVolume,
               (std::uint64_t seed)) {
   Random random(seed);
@@ -184,7 +185,8 @@ TEST(Sweep, TrianglesFollowTheOutlineAndNotTheNumberOfSteps) {
   EXPECT_NEAR(many, few, 0.1 * few);
 }
 
-// Across a straight tube bone ends everywhere at once: the section is gone in the frame in which the bodies part.
+// Across a straight tube bone ends everywhere at once: the section is gone in the frame in which
+// the bodies part.
 TEST(Sweep, TheSectionIsGoneInTheFrameInWhichTheBodiesPart) {
   for (const IndexedMesh& bone : {hollow_tube({.segments = 24, .rings = 3}),
                                   solid_block(Vec3(20.0, 12.0, 10.0)), hollow_tube({})}) {

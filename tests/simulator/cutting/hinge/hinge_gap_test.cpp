@@ -13,7 +13,8 @@ namespace {
 
 using namespace simulator;
 
-/// In the notch's plane x is the block's z + 7 and y is -y: the blade comes from x = 0, the far cortex is x = 14.
+/// In the notch's plane x is the block's z + 7 and y is -y: the blade comes from x = 0, the far
+/// cortex is x = 14.
 RegionOutline opened_to(double dorsal_z_mm, double plantar_z_mm) {
   return {{Vec2(-5.0, -8.0), Vec2(dorsal_z_mm + 7.0, -8.0), Vec2(plantar_z_mm + 7.0, 8.0),
            Vec2(-5.0, 8.0)},
@@ -96,7 +97,8 @@ TEST(HingeGap, BoneThatWasNeverTouchedIsWholeAndSaysSo) {
 }
 
 TEST(HingeGap, ARoundCortexIsMeasuredWhereItReachesFurthestOut) {
-  // A round bone of radius 7 along x. The tip stands at z = 6: in the rows beyond y = 3.6 the line lies outside.
+  // A round bone of radius 7 along x. The tip stands at z = 6: in the rows beyond y = 3.6 the line
+  // lies outside.
   const IndexedMesh round = hollow_tube(
       {.outer_radius_mm = 7.0, .inner_radius_mm = 0.0, .length_mm = 20.0, .segments = 512});
   const Section section = section_of(round, notch_plane());
@@ -136,7 +138,8 @@ TEST(HingeGap, APlaneAcrossTheHingeOrBesideTheBoneHasNone) {
 }
 
 TEST(HingeGap, InATiltedPlaneItIsStillMeasuredOutward) {
-  // The plane turned by 20 degrees about y: a tip at z = 6 lies 13 mm / cos 20 from the medial face in it.
+  // The plane turned by 20 degrees about y: a tip at z = 6 lies 13 mm / cos 20 from the medial face
+  // in it.
   const double tilt_rad = 0.3490658503988659;
   const KerfPlane plane{
       {rotation_about(Vec3(0.0, 1.0, 0.0), tilt_rad) * notch_plane().bone_from_kerf.rotation,

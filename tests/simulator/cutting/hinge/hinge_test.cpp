@@ -115,8 +115,9 @@ TEST(Hinge, TheFacesOfTheDivisionAreNotWallsOfAKerf) {
 TEST(Hinge, AWedgeClosesUntilItsFacesTouch) {
   const ClosedHinge hinge = closed({});
   ASSERT_EQ(hinge.outcome, HingeOutcome::Closed);
-  // The lower wall ends 13 mm from the joint and 0.25 mm below it; there the upper wall arrives. Seen from the joint
-  // its point at the same radius lies at (c, 0.25 + rise (c - 2.8)) with c^2 + n^2 = 13^2 + 0.25^2.
+  // The lower wall ends 13 mm from the joint and 0.25 mm below it; there the upper wall arrives.
+  // Seen from the joint its point at the same radius lies at (c, 0.25 + rise (c - 2.8)) with c^2 +
+  // n^2 = 13^2 + 0.25^2.
   const double rise = Notch{}.rise, radius_mm2 = 13.0 * 13.0 + 0.25 * 0.25;
   const double base_mm = 0.25 - rise * 2.8;
   const double b = rise * base_mm, a = 1.0 + rise * rise;
@@ -192,7 +193,8 @@ struct SawnTube {
   HingeRequest request;
 };
 
-/// The blade's middle plane half a kerf on the waste side (+1 along the normal) of the face through the hinge's line.
+/// The blade's middle plane half a kerf on the waste side (+1 along the normal) of the face through
+/// the hinge's line.
 KerfPlane kerf_beside_face(double tilt_rad, double lean_rad, double waste_side) {
   const Quat turn = rotation_about(Vec3(0.0, 0.0, 1.0), lean_rad) *
                     rotation_about(Vec3(0.0, 1.0, 0.0), -tilt_rad);
@@ -208,7 +210,8 @@ SawnTube sawn_tube(double lean_rad, double reach_mm = 8.0) {
   tube.request.second = kerf_beside_face(10.0 * pi / 180.0, lean_rad, -1.0);
   tube.request.line = notch_hinge();
   tube.request.line.point_in_bone_mm = Vec3(0.0, 0.0, 6.5);
-  // Feed ends at the hinge; from 2.5 to 4.5 mm before it the blade reached only to `reach_mm` on one side.
+  // Feed ends at the hinge; from 2.5 to 4.5 mm before it the blade reached only to `reach_mm` on
+  // one side.
   const RegionOutline opened{
       {Vec2(-20.0, -9.0), Vec2(0.0, -9.0), Vec2(0.0, 9.0), Vec2(-2.5, 9.0), Vec2(-2.5, reach_mm),
        Vec2(-4.5, reach_mm), Vec2(-4.5, 9.0), Vec2(-20.0, 9.0)},
@@ -236,8 +239,9 @@ TEST(Hinge, AWedgeSawnFromABoneWithACanalCloses) {
     expect_closed(hinge.moved);
     EXPECT_NEAR(volume_mm3(hinge.fixed) + volume_mm3(hinge.moved), volume_mm3(bone), 1e-9);
     EXPECT_NEAR(hinge.thickness_mm, 1.0, 0.01);
-    // The joint runs along the line in which the planes meet, so the faces come to lie flat on each other: at the angle
-    // between them, but that the joint stands half a kerf in the gap; 13 mm away that is less than 0.1 degree.
+    // The joint runs along the line in which the planes meet, so the faces come to lie flat on each
+    // other: at the angle between them, but that the joint stands half a kerf in the gap; 13 mm
+    // away that is less than 0.1 degree.
     const Vec3 up(0.0, 0.0, 1.0);
     const Vec3 first = tube.request.first.bone_from_kerf.rotation * up;
     const Vec3 second = tube.request.second.bone_from_kerf.rotation * up;

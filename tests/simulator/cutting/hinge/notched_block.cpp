@@ -9,7 +9,8 @@ using namespace simulator;
 
 CutSolid notched_block(const Notch& notch) {
   const double climb = notch.rise * (notch.kink_z_mm + 7.0);
-  // Counter-clockwise seen against y; the last three corners belong to the upper wall and lean with y.
+  // Counter-clockwise seen against y; the last three corners belong to the upper wall and lean with
+  // y.
   const std::array<Vec2, 9> outline{Vec2(-10.0, -7.0),
                                     Vec2(-10.0, 7.0),
                                     Vec2(10.0, 7.0),

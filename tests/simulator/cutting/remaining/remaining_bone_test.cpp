@@ -19,13 +19,16 @@ namespace {
 using namespace simulator;
 
 constexpr double half_mm = 0.25;
-/// Of the region's outline against the field's own rim, and of a kerf's plane in the record's quantum.
+/// Of the region's outline against the field's own rim, and of a kerf's plane in the record's
+/// quantum.
 constexpr double outline_mm = 3.0e-4;
 
-/// A point where a front ends at another surface is looked for 1 um behind the front: askew, some of them off.
+/// A point where a front ends at another surface is looked for 1 um behind the front: askew, some
+/// of them off.
 constexpr double border_mm = 5.0e-3;
-/// Such points are looked for along four lines from the nearest point of a segment of the rim, which is at most a node's
-/// spacing long: half of that is far more than what can lie nearer between the lines.
+/// Such points are looked for along four lines from the nearest point of a segment of the rim,
+/// which is at most a node's spacing long: half of that is far more than what can lie nearer
+/// between the lines.
 constexpr double askew_mm = 0.5 * 0.05;
 
 FieldGrid small_grid() { return {Vec2(-20.0, -20.0), 0.05, 801, 801}; }
@@ -71,8 +74,8 @@ struct Sawn {
   std::vector<const Bvh*> taken_out;
 };
 
-/// A block of 30 x 16 x 12 mm, sawn down from its upper face (y = 8) at x = 0 to y = 2: blade along -y, its teeth along z
-/// over +-5 mm of the block's +-6.
+/// A block of 30 x 16 x 12 mm, sawn down from its upper face (y = 8) at x = 0 to y = 2: blade along
+/// -y, its teeth along z over +-5 mm of the block's +-6.
 Sawn slotted_block() {
   Sawn sawn(solid_block(Vec3(30.0, 16.0, 12.0)));
   const Quat down = rotation_from_axes(Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, 1.0));

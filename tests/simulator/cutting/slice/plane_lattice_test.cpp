@@ -43,7 +43,8 @@ int winding_of_bone(const Corners& bone, const LatticePoint& corner) {
   return winding;
 }
 
-/// +1: the bone's edge from a to b goes to the left of the region's edge from r to s; -1: to its right; 0: no crossing.
+/// +1: the bone's edge from a to b goes to the left of the region's edge from r to s; -1: to its
+/// right; 0: no crossing.
 int crossing(const LatticePoint& a, const LatticePoint& b, const LatticePoint& r,
              const LatticePoint& s) {
   if (side_of_corner(a, b, r) == side_of_corner(a, b, s)) return 0;

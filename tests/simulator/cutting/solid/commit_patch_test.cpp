@@ -86,7 +86,8 @@ TEST(CutKerf, ARegionThatStaysRefusedLeavesTheSolidAsItIs) {
   EXPECT_EQ(refused.solid.mesh.triangles, block.mesh.triangles);
 }
 
-// The second kerf comes at 20 degrees to the first and meets it below the block's underside: a wedge falls off.
+// The second kerf comes at 20 degrees to the first and meets it below the block's underside: a
+// wedge falls off.
 TEST(CutKerf, TwoKerfsThatMeetSetAWedgeFree) {
   const CutSolid block = uncut_solid(solid_block(Vec3(20.0, 10.0, 8.0)));
   const KerfCut first = cut(block, axis_plane(0, -1.0, 0.5), whole_plane(), 0);

@@ -15,7 +15,8 @@ namespace {
 
 using namespace simulator;
 
-/// Rays square to the plane, `count` by `count` over the region's box: the height of bone on each, summed.
+/// Rays square to the plane, `count` by `count` over the region's box: the height of bone on each,
+/// summed.
 double sampled_mm3(const CutSolid& solid, const KerfPlane& plane, const RegionOutline& region,
                    int count) {
   const KerfAxes axes = axes_of(plane);
@@ -84,8 +85,9 @@ TEST(OpenedVolume, AgreesWithSamples) {
     const RegionOutline region =
         outline_from({{Vec2(-7.0, -6.1), Vec2(8.3, -3.2), Vec2(5.4, 9.7), Vec2(-6.2, 4.6)}});
     const double sampled = sampled_mm3(solid, plane, region, 40);
-    // A place stands for a cell of 0.4 mm. Along a border of some 50 mm the cells are off by up to half, one as often
-    // too large as the next too small: about 0.2 * 0.4 * sqrt(50 / 0.4) mm2 of some 100.
+    // A place stands for a cell of 0.4 mm. Along a border of some 50 mm the cells are off by up to
+    // half, one as often too large as the next too small: about 0.2 * 0.4 * sqrt(50 / 0.4) mm2 of
+    // some 100.
     EXPECT_NEAR(opened_volume_mm3(solid, plane, region), sampled, 0.02 * (1.0 + sampled));
   }
 }

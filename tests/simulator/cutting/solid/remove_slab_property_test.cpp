@@ -1,5 +1,5 @@
-/// What must hold for any bone and any planes. RapidCheck prints the seed of a failing case; RC_PARAMS="seed=..."
-/// repeats it.
+/// What must hold for any bone and any planes. RapidCheck prints the seed of a failing case;
+/// RC_PARAMS="seed=..." repeats it.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -30,7 +30,8 @@ RC_GTEST_PROP(CutProperty, RepeatedCutsStayClosedAndVolumesAddUp, (std::uint64_t
 
 RC_GTEST_PROP(CutProperty, LatticeCutsThroughCornersEdgesAndFacesStayClosed, (std::uint64_t seed)) {
   Random random(seed);
-  // Quarters of a millimetre, kerfs of half a millimetre, normals along axes and their diagonals: everything coincides.
+  // Quarters of a millimetre, kerfs of half a millimetre, normals along axes and their diagonals:
+  // everything coincides.
   const auto steps = [&](int reach) {
     return static_cast<double>(random.bits() % static_cast<std::uint64_t>(2 * reach + 1)) - reach;
   };

@@ -148,7 +148,8 @@ TEST(Cut, APlaneThatMissesChangesNothing) {
 }
 
 TEST(Cut, PlanesThroughCornersEdgesAndFacesClose) {
-  // With 0.5 mm kerfs at these offsets the planes meet the faces, and the middle planes the corners, exactly.
+  // With 0.5 mm kerfs at these offsets the planes meet the faces, and the middle planes the
+  // corners, exactly.
   for (const std::size_t axis : {0U, 1U, 2U}) {
     const double half_mm = std::array{15.0, 7.0, 6.0}[axis];
     const double across_mm2 = std::array{168.0, 360.0, 420.0}[axis];

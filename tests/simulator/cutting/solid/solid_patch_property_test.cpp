@@ -7,7 +7,8 @@
 namespace hallux::tests {
 namespace {
 
-/// Plays a bone, and a lattice every fourth time; each frame that reached bone must hold what is claimed.
+/// Plays a bone, and a lattice every fourth time; each frame that reached bone must hold what is
+/// claimed.
 void expect_of_frames(std::uint64_t seed, bool (*holds)(const PlayedFrame&)) {
   Random random(seed);
   const auto visit = [&](const PlayedFrame& frame) { RC_ASSERT(holds(frame)); };

@@ -13,16 +13,19 @@ namespace hallux::tests {
 
 /// Of length 1.
 Vec3 random_direction(Random& random);
-/// A wavy tube with a canal, a wavy sphere, full or hollow, a U or a block; none reaches 34 mm from the origin.
+/// A wavy tube with a canal, a wavy sphere, full or hollow, a U or a block; none reaches 34 mm from
+/// the origin.
 simulator::IndexedMesh random_bone(Random& random);
 /// A plane through the middle of such a bone, near enough to meet it.
 simulator::KerfPlane random_plane(Random& random);
 
 /// A multiple of `step` from -reach to +reach steps.
 double random_multiple(Random& random, int reach, double step);
-/// A solid whose corners lie on quarters of a millimetre, within 3 mm of the origin: a box, a U, or a box with a void.
+/// A solid whose corners lie on quarters of a millimetre, within 3 mm of the origin: a box, a U, or
+/// a box with a void.
 simulator::IndexedMesh lattice_bone(Random& random);
-/// A kerf of half a millimetre through quarters, with axes along the world's or a plane through a diagonal.
+/// A kerf of half a millimetre through quarters, with axes along the world's or a plane through a
+/// diagonal.
 simulator::KerfPlane lattice_plane(Random& random);
 
 /// A region that only grows, frame by frame.
@@ -32,7 +35,8 @@ class GrowingRegion {
   virtual simulator::RegionOutline next() = 0;
 };
 
-/// A blade that is pushed through the plane's origin, trembling and turning; the outline of its field.
+/// A blade that is pushed through the plane's origin, trembling and turning; the outline of its
+/// field.
 class StrokedRegion final : public GrowingRegion {
  public:
   /// `reach_mm`: from the plane's origin to where bone may begin.
@@ -52,8 +56,8 @@ class StrokedRegion final : public GrowingRegion {
   simulator::PlanarPose last_;
 };
 
-/// Rectangles, diamonds, rings and pairs with all corners on quarters of a millimetre: borders run along edges and through
-/// corners of a lattice bone.
+/// Rectangles, diamonds, rings and pairs with all corners on quarters of a millimetre: borders run
+/// along edges and through corners of a lattice bone.
 class LatticeRegion final : public GrowingRegion {
  public:
   explicit LatticeRegion(Random& random);

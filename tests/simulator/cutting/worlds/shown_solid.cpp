@@ -125,7 +125,8 @@ double patch_area_mm2(const CutSolid& solid, const SolidPatch& patch) {
 }
 
 double balance_limit_mm3(const CutSolid& solid, const SolidPatch& patch) {
-  // A step is 2^-20 mm as long as the slab's skin and the region stay within 64 mm; the doubling is for larger ones.
+  // A step is 2^-20 mm as long as the slab's skin and the region stay within 64 mm; the doubling is
+  // for larger ones.
   const double step_mm = 2.0 / 1048576.0;
   const double rounding_mm3 = 1e-12 * (1.0 + std::abs(signed_volume_mm3(solid.mesh)));
   return step_mm * patch_area_mm2(solid, patch) + rounding_mm3;

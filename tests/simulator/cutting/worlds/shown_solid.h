@@ -14,8 +14,8 @@ simulator::IndexedMesh shown_mesh(const simulator::CutSolid& solid,
 
 /// Whether each directed edge occurs as often as its opposite: the skin has no border.
 bool is_closed_as_chain(const simulator::IndexedMesh& mesh);
-/// Whether each directed edge occurs once, its opposite once, no triangle names a point twice, every point is used, and
-/// all places are finite.
+/// Whether each directed edge occurs once, its opposite once, no triangle names a point twice,
+/// every point is used, and all places are finite.
 bool is_strictly_closed(const simulator::IndexedMesh& mesh);
 
 /// The volume inside each connected shell, negative for a void [mm3]; by the shells' lowest points.
@@ -25,7 +25,8 @@ std::size_t body_count(const simulator::IndexedMesh& mesh);
 
 /// The area of the patch's triangles [mm2].
 double patch_area_mm2(const simulator::CutSolid& solid, const simulator::SolidPatch& patch);
-/// By how much a patch's volume may be off: the lattice moves a border by at most one step across the patch's faces.
+/// By how much a patch's volume may be off: the lattice moves a border by at most one step across
+/// the patch's faces.
 double balance_limit_mm3(const simulator::CutSolid& solid, const simulator::SolidPatch& patch);
 
 /// Whether two patches are the same to the last bit.

@@ -1,8 +1,10 @@
-// A random walker in every role, or in one, through the whole course: course_walk STEPS [SEED [ROLE]].
+// A random walker in every role, or in one, through the whole course: course_walk STEPS [SEED
+// [ROLE]].
 //
-// A step presses something that can be pressed, writes into a field, uses keys, drags, turns the wheel, changes the
-// window. After each, the frame is read: no other trainee's name on a trainee's screen, no text without its value. Now
-// and then it must find home from where it is. What it did last is printed where something is wrong.
+// A step presses something that can be pressed, writes into a field, uses keys, drags, turns the
+// wheel, changes the window. After each, the frame is read: no other trainee's name on a trainee's
+// screen, no text without its value. Now and then it must find home from where it is. What it did
+// last is printed where something is wrong.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,7 +125,8 @@ class Walker {
     if (window_.shell().is_locked()) throw Fault("the lock does not open");
   }
 
-  // Somebody who writes anything into the form for a new password has given wrong ones: the longest wait there is.
+  // Somebody who writes anything into the form for a new password has given wrong ones: the longest
+  // wait there is.
   void wait_for_the_guard() {
     constexpr int longest_wait_s = 61;
     std::this_thread::sleep_for(std::chrono::seconds(longest_wait_s));

@@ -1,4 +1,5 @@
-/// The whole course driven without a window: every screen behind its places, as the command opens it.
+/// The whole course driven without a window: every screen behind its places, as the command opens
+/// it.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +23,8 @@ class CourseWindow {
   Driver& driver() noexcept { return driver_; }
   Shell& shell() noexcept { return shell_; }
 
-  /// Makes frames until no work runs beside the window, at most `timeout_s` of real time. False where some still runs.
+  /// Makes frames until no work runs beside the window, at most `timeout_s` of real time. False
+  /// where some still runs.
   bool finish_work(double timeout_s = 60.0);
   /// From the form: signs in, and waits for the first place.
   void sign_in(const std::string& login, const std::string& password);

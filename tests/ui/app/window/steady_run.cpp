@@ -1,9 +1,11 @@
-// Operates, looks at the result, replays it and goes to the history, again and again, drawn with OpenGL:
+// Operates, looks at the result, replays it and goes to the history, again and again, drawn with
+// OpenGL:
 //
 //     steady_run SECONDS [ROUNDS]     so long, and at least so many rounds
 //
-// After each round it stands at the list of operations until pictures that nobody looks at were let go, and counts: of no
-// kind may there be more of OpenGL's objects than after the first round; resident memory may rise by what is allowed below.
+// After each round it stands at the list of operations until pictures that nobody looks at were let
+// go, and counts: of no kind may there be more of OpenGL's objects than after the first round;
+// resident memory may rise by what is allowed below.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -31,9 +33,10 @@ using Clock = std::chrono::steady_clock;
 constexpr PixelSize size{1280, 720};
 /// More than the painter keeps a picture that nobody looks at.
 constexpr int frames_until_let_go = 320;
-/// With one heap for all threads both came to the same tenth of a megabyte after each round but the first, which had 3 more
-/// (with a heap for each, threads that end leave up to 39 MiB of pages behind, up and down, while what is in use stays).
-/// Each round adds an attempt to the course, which its lists show.
+/// With one heap for all threads both came to the same tenth of a megabyte after each round but the
+/// first, which had 3 more (with a heap for each, threads that end leave up to 39 MiB of pages
+/// behind, up and down, while what is in use stays). Each round adds an attempt to the course,
+/// which its lists show.
 constexpr double allowed_in_use_mib = 4.0, allowed_resident_mib = 8.0;
 
 double resident_mib() {
@@ -84,7 +87,8 @@ class DrawnCourse {
     scenes_.finish_frame({page.red, page.green, page.blue}, [&](float columns) {
       painter_->draw(driver().ui().draw_data(), driver().ui().fonts_version(), columns);
     });
-    // As the swap of a window does: else the software renderer keeps what waits to be drawn, hundreds of megabytes of it.
+    // As the swap of a window does: else the software renderer keeps what waits to be drawn,
+    // hundreds of megabytes of it.
     glFinish();
   }
   void frames(int count) {

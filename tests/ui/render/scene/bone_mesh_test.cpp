@@ -25,7 +25,8 @@ TEST(BoneLook, DepthIsTheDistanceToTheSurface) {
   const ui::BoneLook look = ui::look_of(1, sphere(9.0, 24));
   for (const double radius_mm : {2.0, 5.0, 8.0, 9.0, 11.0}) {
     const Vec3 point_mm = radius_mm * glm::normalize(Vec3(1.0, 2.0, -0.5));
-    // The sphere's triangles lie up to 0.03 mm inside; trilinear over 0.75 mm errs by curvature: 0.75^2 / (8 r).
+    // The sphere's triangles lie up to 0.03 mm inside; trilinear over 0.75 mm errs by curvature:
+    // 0.75^2 / (8 r).
     EXPECT_NEAR(ui::depth_at(look.depth, point_mm), 9.0 - radius_mm, 0.03 + 0.07 / radius_mm);
   }
 }

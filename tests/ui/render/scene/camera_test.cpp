@@ -23,7 +23,8 @@ Camera some_camera() {
   return standard_view(camera, StandardView::Operator);
 }
 
-/// A point of the screen plane, `x` and `y` from its middle in the world's millimetres, `z` towards the viewer.
+/// A point of the screen plane, `x` and `y` from its middle in the world's millimetres, `z` towards
+/// the viewer.
 Vec3 at_screen(const Camera& camera, const Vec3& from_middle_mm) {
   return camera.target_mm +
          camera.world_from_view * (Vec3(0.0, 0.0, camera.target_depth_mm) + from_middle_mm);

@@ -173,7 +173,8 @@ TEST(CohortScreen, IsUsedByKeyboardAlone) {
   EXPECT_EQ(teacher.places.asked.size(), 3U);
 }
 
-/// Twelve operations are published, Operation 01 to Operation 12; ada tried the last, bob none of them.
+/// Twelve operations are published, Operation 01 to Operation 12; ada tried the last, bob none of
+/// them.
 struct ManyOperations {
   ManyOperations() {
     database::AdministratorDesk desk = course.administrator();

@@ -41,7 +41,8 @@ class DrawnOperation {
   OpenGlScenePainter scenes_;
   OperableCourse course_;
   Operator person_;
-  ImguiPainter painter_;  ///< once there is something of Dear ImGui
+  /// Once there is something of Dear ImGui.
+  ImguiPainter painter_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -5,8 +5,8 @@
 
 namespace hallux::tests {
 
-/// While it lives, no other thread than the one that made it gets more than `bytes` at once: what a full memory leaves are
-/// crumbs. One at a time.
+/// While it lives, no other thread than the one that made it gets more than `bytes` at once: what a
+/// full memory leaves are crumbs. One at a time.
 class FullMemory {
  public:
   explicit FullMemory(std::size_t bytes) noexcept;

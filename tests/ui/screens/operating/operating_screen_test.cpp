@@ -17,8 +17,8 @@ using database::AttemptState;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Leads the saw on by a key whenever it has come to rest, as a person does: a sawing blade takes its time, the more so on a
-/// machine that is busy, and must not be left a handbreadth behind.
+/// Leads the saw on by a key whenever it has come to rest, as a person does: a sawing blade takes
+/// its time, the more so on a machine that is busy, and must not be left a handbreadth behind.
 class LeadingHand {
  public:
   explicit LeadingHand(Operator& person) : person_(&person) {}
@@ -42,8 +42,8 @@ class LeadingHand {
   int still_frames_ = 0;
 };
 
-/// Dorsal approach, seen from medial: away from the person over the middle of the head, then down to it, until enough of
-/// it is cut to be seen.
+/// Dorsal approach, seen from medial: away from the person over the middle of the head, then down
+/// to it, until enough of it is cut to be seen.
 void saw_into_the_bone(Operator& person) {
   person.press(Key::Digit3);
   for (int step = 0; step < 7; ++step) person.press(Key::PageUp);
@@ -139,7 +139,8 @@ TEST(Operating, PracticeTellsHowHotTheBoneIs) {
   person.begin();
   EXPECT_TRUE(person.driver().sees("Bone 37 °C"));
   saw_into_the_bone(person);
-  // A saw that is led no further warms nothing, and what it warmed may be cool again before anybody looks.
+  // A saw that is led no further warms nothing, and what it warmed may be cool again before anybody
+  // looks.
   LeadingHand hand(person);
   EXPECT_TRUE(person.until([&] {
     hand.look();

@@ -1,6 +1,7 @@
 // Pictures of operating to look at: show_operating_pictures FOLDER
 //
-// Each mode of stereo, light and dark, what a pause and a refusal say, and what is left where the disk is full.
+// Each mode of stereo, light and dark, what a pause and a refusal say, and what is left where the
+// disk is full.
 #include <sqlite3.h>
 
 #include <cstdio>

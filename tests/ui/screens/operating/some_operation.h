@@ -1,5 +1,5 @@
-/// Operations of the window without a window: a course with coarse patients, a screen driven frame by frame, and a painter
-/// that keeps what it was asked to draw.
+/// Operations of the window without a window: a course with coarse patients, a screen driven frame
+/// by frame, and a painter that keeps what it was asked to draw.
 #pragma once
 
 #include <functional>
@@ -26,14 +26,15 @@ class NotedScenes : public NoScenePainter {
 
   int pictures = 0;
   std::size_t bones = 0, planes = 0, lines = 0, chips = 0;
-  std::size_t patch_triangles = 0;  ///< 0: no patch
+  /// 0: no patch.
+  std::size_t patch_triangles = 0;
   std::optional<SawInScene> saw;
   Camera camera;
   StereoSetting stereo;
 };
 
-/// A course in which a coarse patient of a shipped scenario is published. Ada comes through SQLite's file system
-/// `vfs_name`, where it names one.
+/// A course in which a coarse patient of a shipped scenario is published. Ada comes through
+/// SQLite's file system `vfs_name`, where it names one.
 class OperableCourse {
  public:
   explicit OperableCourse(const std::string& scenario, double edge_mm = 1.5,
@@ -60,8 +61,8 @@ bool soon(const std::function<bool()>& holds);
 /// For jobs of which nobody hears how far they are.
 Progress no_progress(const std::string& stage);
 
-/// Ada before the operating screen, over a screen to come back to. Another painter may stand in for the one that notes;
-/// it must have begun a frame whenever one is made.
+/// Ada before the operating screen, over a screen to come back to. Another painter may stand in for
+/// the one that notes; it must have begun a frame whenever one is made.
 class Operator {
  public:
   Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,

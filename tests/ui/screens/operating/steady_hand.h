@@ -1,5 +1,5 @@
-/// A person's hand on mouse and keyboard who sees where the saw is and corrects: whole pixels, notches and key presses, as a
-/// real mouse gives them, through the events of the window.
+/// A person's hand on mouse and keyboard who sees where the saw is and corrects: whole pixels,
+/// notches and key presses, as a real mouse gives them, through the events of the window.
 #pragma once
 
 #include "simulator/base/transform.h"
@@ -12,8 +12,8 @@ class SteadyHand {
   /// needs  the operation runs; the person sees what NotedScenes notes
   explicit SteadyHand(Operator& person);
 
-  /// Leads the saw there through the air, by pointer, wheel, right drag and keys. False where it does not come to rest
-  /// within 0.12 mm (half a notch of the wheel) and 0.3 degrees of it.
+  /// Leads the saw there through the air, by pointer, wheel, right drag and keys. False where it
+  /// does not come to rest within 0.12 mm (half a notch of the wheel) and 0.3 degrees of it.
   bool lead_to(const RigidTransform& world_from_tool);
   /// Where the saw is led, moved on, whatever holds the saw.
   void nudge(const Vec3& way_in_world_mm);
@@ -29,7 +29,8 @@ class SteadyHand {
   Operator& person_;
   Point pointer_;
   Modifiers modifiers_;
-  Vec3 owed_in_view_mm_{0.0, 0.0, 0.0};  ///< less than a pixel or a notch
+  /// Less than a pixel or a notch.
+  Vec3 owed_in_view_mm_{0.0, 0.0, 0.0};
 };
 
 }  // namespace hallux::ui

@@ -137,7 +137,8 @@ TEST(HistoryPicture, ARayMeetsTheSkinAndLooksThroughAnOpenKerf) {
   ASSERT_TRUE(hit.has_value());
   EXPECT_NEAR(simulator::Bvh(world.operation.bone.outer).signed_distance_mm(*hit), 0.0, 1.0e-9);
   EXPECT_FALSE(moment.first_hit(from, -down).has_value());
-  // Over the wedge, half way to the medial side: bone before it was taken out, nothing there afterwards.
+  // Over the wedge, half way to the medial side: bone before it was taken out, nothing there
+  // afterwards.
   const Vec3 over_wedge(7.3, 40.0, -4.0);
   EXPECT_TRUE(moment.first_hit(over_wedge, down).has_value());
   moment.move_to(world.operation.wedge_out_tick);
