@@ -85,8 +85,8 @@ class DepthBuffer {
     return triangle.depths[0] + triangle.depths[1] + triangle.depths[2] >= 3.0 * farthest;
   }
 
-  template <typename Visit>
-  void for_samples(const PageTriangle& triangle, Visit&& visit) {
+  template <typename SignedInSession>
+  void for_samples(const PageTriangle& triangle, SignedInSession&& visit) {
     const Box box = box_of(triangle);
     const auto index = [](double value) { return static_cast<std::size_t>(std::max(0.0, value)); };
     const std::size_t last_row = index((box.max.y - min_.y) / sample_px);

@@ -69,7 +69,7 @@ Digest key_of(const AttemptMaterial& material) {
 void keep(const AttemptMaterial& material, const std::filesystem::path& data_directory,
           const Digest& key, const OpenedFields& fields) {
   try {
-    database::store_cached(data_directory, kept_fields_name(material.header.id), key,
+    database::store_cached(data_directory, cached_fields_name(material.header.id), key,
                            bytes_of(fields));
   } catch (const database::DatabaseError& error) {
     if (!is_storage_failure(error.kind())) throw;
@@ -78,7 +78,7 @@ void keep(const AttemptMaterial& material, const std::filesystem::path& data_dir
 
 }  // namespace
 
-std::string kept_fields_name(const database::AttemptId& attempt) {
+std::string cached_fields_name(const database::AttemptId& attempt) {
   return attempt.text + ".fields";
 }
 
@@ -114,7 +114,7 @@ OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::p
   const simulator::Blade& blade = material.scenario.saw.blade;
   const RigidTransform& world_from_bone = material.bone.world_from_bone;
   if (const auto kept =
-          database::load_cached(data_directory, kept_fields_name(material.header.id), key)) {
+          database::load_cached(data_directory, cached_fields_name(material.header.id), key)) {
     std::optional<OpenedFields> fields = fields_from(*kept);
     if (fields && assessment::are_of(*fields, blade, world_from_bone, material.recording)) {
       report(progress, 1.0);

@@ -30,7 +30,7 @@ assessment::Examination examine_kept(const AttemptMaterial& material,
                                      const StageProgress& progress);
 
 /// The name under which an attempt's fields are kept.
-std::string kept_fields_name(const database::AttemptId& attempt);
+std::string cached_fields_name(const database::AttemptId& attempt);
 
 /// The form in which fields are kept: of this machine's byte order, checked by who keeps it.
 std::vector<std::byte> bytes_of(const assessment::OpenedFields& fields);

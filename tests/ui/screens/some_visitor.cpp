@@ -20,14 +20,14 @@ DriverSetting at_scale(float scale) {
 
 }  // namespace
 
-std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login,
-                                const database::OpenOptions& options) {
-  return std::make_shared<Visit>(database::Database::open(course.database().directory(), options),
-                                 [&](database::Database& database) {
-                                   return database::sign_in(
-                                       database, login, database::secret(database::good_password),
-                                       database::cheap);
-                                 });
+std::shared_ptr<SignedInSession> visit_of(database::SomeCourse& course, const std::string& login,
+                                          const database::OpenOptions& options) {
+  return std::make_shared<SignedInSession>(
+      database::Database::open(course.database().directory(), options),
+      [&](database::Database& database) {
+        return database::sign_in(database, login, database::secret(database::good_password),
+                                 database::cheap);
+      });
 }
 
 SomeVisitor::SomeVisitor(std::unique_ptr<Screen> screen, float scale)

@@ -10,8 +10,8 @@
 namespace hallux::ui {
 
 /// Somebody of the course, signed in.
-std::shared_ptr<Visit> visit_of(database::SomeCourse& course, const std::string& login,
-                                const database::OpenOptions& options = {});
+std::shared_ptr<SignedInSession> visit_of(database::SomeCourse& course, const std::string& login,
+                                          const database::OpenOptions& options = {});
 
 class SomeVisitor {
  public:

@@ -77,14 +77,14 @@ class Walker {
 
 TEST(StaffWalk, AnAdministratorWhoPressesAnythingComesToNoHarm) {
   database::SomeCourse course;
-  const std::shared_ptr<Visit> visit = visit_of(course, "root");
+  const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "root");
   Walker walker({"nav.people", "nav.cohorts", "nav.scenarios", "nav.records"},
                 [&](const std::string& place) -> std::unique_ptr<Screen> {
                   if (place == "nav.people")
-                    return std::make_unique<PeopleScreen>(visit, database::cheap);
-                  if (place == "nav.cohorts") return std::make_unique<CohortsScreen>(visit);
-                  if (place == "nav.scenarios") return std::make_unique<ScenariosScreen>(visit);
-                  return std::make_unique<RecordsScreen>(visit);
+                    return std::make_unique<PeopleScreen>(signed_in, database::cheap);
+                  if (place == "nav.cohorts") return std::make_unique<CohortsScreen>(signed_in);
+                  if (place == "nav.scenarios") return std::make_unique<ScenariosScreen>(signed_in);
+                  return std::make_unique<AuditScreen>(signed_in);
                 });
   for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
     walker.step();
@@ -99,15 +99,15 @@ TEST(StaffWalk, AnInstructorSeesNoStranger) {
   course.trainee("ada").ask_for_help({attempt, {2000}, "Why?"});
   course.trainee("eve").ask_for_help({of_eve, {2000}, "A question of another cohort"});
   SomePlaces places;
-  const std::shared_ptr<Visit> visit = visit_of(course, "kim");
+  const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   const auto drafts = std::make_shared<InboxScreen::Drafts>();
   Walker walker({"nav.cohort", "nav.inbox", "nav.questions"},
                 [&](const std::string& place) -> std::unique_ptr<Screen> {
                   if (place == "nav.cohort")
-                    return std::make_unique<CohortScreen>(visit, places, [] {});
+                    return std::make_unique<CohortScreen>(signed_in, places, [] {});
                   if (place == "nav.inbox")
-                    return std::make_unique<InboxScreen>(visit, places, drafts);
-                  return std::make_unique<QuestionsScreen>(visit, places);
+                    return std::make_unique<InboxScreen>(signed_in, places, drafts);
+                  return std::make_unique<QuestionsScreen>(signed_in, places);
                 });
   for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
     walker.step();

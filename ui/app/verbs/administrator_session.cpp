@@ -7,8 +7,8 @@
 
 namespace hallux::ui {
 
-AdministratorVisit visit_administrator(const VerbContext& context, database::Database& database,
-                                       std::string_view task) {
+AdministratorSession sign_in_administrator(const VerbContext& context, database::Database& database,
+                                           std::string_view task) {
   database::Session session = sign_in_as(context, database);
   std::optional<database::AdministratorDesk> desk = session.administrator();
   if (!desk) {

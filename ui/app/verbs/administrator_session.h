@@ -10,7 +10,7 @@
 namespace hallux::ui {
 
 /// The desk together with the session that it depends on.
-struct AdministratorVisit {
+struct AdministratorSession {
   database::Session session;
   database::AdministratorDesk desk;
 };
@@ -18,7 +18,7 @@ struct AdministratorVisit {
 /// `task` ends the sentence "only administrators ...".
 /// errors  DatabaseError Refused; VerbError Refused without --as, or where who signed in is no
 ///         administrator
-AdministratorVisit visit_administrator(const VerbContext& context, database::Database& database,
-                                       std::string_view task);
+AdministratorSession sign_in_administrator(const VerbContext& context, database::Database& database,
+                                           std::string_view task);
 
 }  // namespace hallux::ui

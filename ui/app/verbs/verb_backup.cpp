@@ -29,7 +29,7 @@ ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
   if (context.login.empty()) {
     if (auto open = database::OpenMaintenance::enter(database)) return work(*open);
   }
-  AdministratorVisit administrator = visit_administrator(context, database, task);
+  AdministratorSession administrator = sign_in_administrator(context, database, task);
   return work(administrator.desk);
 }
 

@@ -128,7 +128,7 @@ void say_imported(const VerbContext& context, const ImportReport& report) {
 
 ExitCode import_on(const VerbContext& context, const std::filesystem::path& folder) {
   database::Database database = open_kept(context);
-  AdministratorVisit administrator = visit_administrator(context, database, "import attempts");
+  AdministratorSession administrator = sign_in_administrator(context, database, "import attempts");
   const ImportReport report = import_attempts(administrator.desk, folder, stages_on(context));
   say_imported(context, report);
   return report.refused.empty() ? ExitCode::Done : ExitCode::BadInput;
@@ -136,7 +136,7 @@ ExitCode import_on(const VerbContext& context, const std::filesystem::path& fold
 
 ExitCode origins_on(const VerbContext& context, const OriginOptions& options) {
   database::Database database = open_kept(context);
-  AdministratorVisit administrator = visit_administrator(context, database, "see origins");
+  AdministratorSession administrator = sign_in_administrator(context, database, "see origins");
   if (!options.accepted.empty()) administrator.desk.set_accepted({options.accepted}, true);
   if (!options.unaccepted.empty()) administrator.desk.set_accepted({options.unaccepted}, false);
   ordered_json rows = ordered_json::array();

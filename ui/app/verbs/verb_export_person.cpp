@@ -26,8 +26,8 @@ database::PersonExport exported(const VerbContext& context, database::Database& 
                                 const ExportOptions& options) {
   const Progress progress = progress_on(context, "Exporting");
   if (options.login != context.login) {
-    AdministratorVisit administrator =
-        visit_administrator(context, database, "export what is kept of others");
+    AdministratorSession administrator =
+        sign_in_administrator(context, database, "export what is kept of others");
     return administrator.desk.export_person(options.login, options.directory, progress);
   }
   database::Session session = sign_in_as(context, database);

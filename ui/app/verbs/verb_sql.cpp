@@ -32,7 +32,7 @@ Report answer_to(const VerbContext& context, const std::string& statement) {
   if (context.login.empty()) {
     if (auto house = database::OpenHouse::enter(database)) return house->report(statement);
   }
-  return visit_administrator(context, database, "run reports").desk.report(statement);
+  return sign_in_administrator(context, database, "run reports").desk.report(statement);
 }
 
 std::string hex_of(const std::vector<std::byte>& bytes) {

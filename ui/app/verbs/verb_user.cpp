@@ -27,8 +27,8 @@ struct UserOptions {
   bool with_recordings = false;
 };
 
-AdministratorVisit visit(const VerbContext& context, database::Database& database) {
-  return visit_administrator(context, database, "manage people");
+AdministratorSession visit(const VerbContext& context, database::Database& database) {
+  return sign_in_administrator(context, database, "manage people");
 }
 
 void say(const VerbContext& context, const std::string& login, const std::string& what) {
@@ -69,7 +69,7 @@ ExitCode add_on(const VerbContext& context, const UserOptions& options) {
     add_first(context, person);
   } else {
     database::Database database = open_kept(context);
-    AdministratorVisit administrator = visit(context, database);
+    AdministratorSession administrator = visit(context, database);
     administrator.desk.add_person(person, ask_password(context, "Password for " + options.login));
   }
   say(context, options.login, "added");
@@ -118,7 +118,7 @@ ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
     database::Session session = database::sign_in(database, login, old_password);
     session.change_password(old_password, ask_password(own, "New password for " + login));
   } else {
-    AdministratorVisit administrator = visit(context, database);
+    AdministratorSession administrator = visit(context, database);
     administrator.desk.set_password(login, ask_password(context, "New password for " + login));
   }
   say(context, login, "password changed");
@@ -127,7 +127,7 @@ ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
 
 ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
   database::Database database = open_kept(context);
-  AdministratorVisit administrator = visit(context, database);
+  AdministratorSession administrator = visit(context, database);
   administrator.desk.set_disabled(options.login, !options.enable);
   say(context, options.login, options.enable ? "enabled" : "disabled");
   return ExitCode::Done;

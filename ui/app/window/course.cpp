@@ -29,11 +29,15 @@ namespace hallux::ui {
 
 namespace {
 
-bool administers(const Visit& visit) { return visit.person().is_administrator; }
-bool teaches(const Visit& visit) { return !visit.taught().empty(); }
-bool is_staff(const Visit& visit) { return administers(visit) || teaches(visit); }
-bool may_ask(const Visit& visit) { return !administers(visit) || !visit.memberships().empty(); }
-bool is_anybody(const Visit&) { return true; }
+bool administers(const SignedInSession& signed_in) { return signed_in.person().is_administrator; }
+bool teaches(const SignedInSession& signed_in) { return !signed_in.taught().empty(); }
+bool is_staff(const SignedInSession& signed_in) {
+  return administers(signed_in) || teaches(signed_in);
+}
+bool may_ask(const SignedInSession& signed_in) {
+  return !administers(signed_in) || !signed_in.memberships().empty();
+}
+bool is_anybody(const SignedInSession&) { return true; }
 
 }  // namespace
 
@@ -48,25 +52,26 @@ Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& 
 
 void Course::ask_who() {
   shell_.set_visitor(std::nullopt);
-  shell_.replace_all(std::make_unique<EntryScreen>(
-      data_directory_, [this](Shell&, std::shared_ptr<Visit> visit) { welcome(std::move(visit)); },
+  shell_.replace_all(std::make_unique<SignInScreen>(
+      data_directory_,
+      [this](Shell&, std::shared_ptr<SignedInSession> signed_in) { welcome(std::move(signed_in)); },
       cost_, &pictures_));
 }
 
-void Course::welcome(std::shared_ptr<Visit> visit) {
-  visit_ = std::move(visit);
-  shell_.set_visitor(visitor_of(*visit_));
+void Course::welcome(std::shared_ptr<SignedInSession> signed_in) {
+  signed_in_ = std::move(signed_in);
+  shell_.set_visitor(visitor_of(*signed_in_));
   answer_drafts_ = std::make_shared<InboxScreen::Drafts>();
   count_questions();
   show_place(shell_.visitor()->places.front().id);
-  shell_.on_idle(visit_->idle_lock_s(), [this] { lock(); });
+  shell_.on_idle(signed_in_->idle_lock_s(), [this] { lock(); });
   tell_notices();
 }
 
 void Course::lock() {
-  if (!visit_) return;
+  if (!signed_in_) return;
   shell_.lock(std::make_unique<LockScreen>(
-      visit_,
+      signed_in_,
       [this] {
         shell_.unlock();
         sign_out();
@@ -74,16 +79,16 @@ void Course::lock() {
       cost_));
 }
 
-Visitor Course::visitor_of(const Visit& visit) const {
-  const database::Person& person = visit.person();
+Visitor Course::visitor_of(const SignedInSession& signed_in) const {
+  const database::Person& person = signed_in.person();
   Visitor visitor;
   visitor.name = person.display_name.empty() ? person.login : person.display_name;
-  visitor.role = texts_.text(administers(visit) ? "role.administrator"
-                             : teaches(visit)   ? "role.instructor"
-                                                : "role.trainee");
+  visitor.role = texts_.text(administers(signed_in) ? "role.administrator"
+                             : teaches(signed_in)   ? "role.instructor"
+                                                    : "role.trainee");
   visitor.initials = initials_of(visitor.name);
   visitor.hue = static_cast<int>(person.id.number % 6);
-  visitor.places = places_of(visit);
+  visitor.places = places_of(signed_in);
   return visitor;
 }
 
@@ -92,42 +97,42 @@ std::span<const Course::Route> Course::routes() noexcept {
   using At = Course&;
   static constexpr std::array<Route, 10> all{{
       {"nav.people", "place.people", Icon::People, administers,
-       [](At at) -> Shown { return std::make_unique<PeopleScreen>(at.visit_, at.cost_); }},
+       [](At at) -> Shown { return std::make_unique<PeopleScreen>(at.signed_in_, at.cost_); }},
       {"nav.cohorts", "place.cohorts", Icon::Cohorts, administers,
-       [](At at) -> Shown { return std::make_unique<CohortsScreen>(at.visit_); }},
+       [](At at) -> Shown { return std::make_unique<CohortsScreen>(at.signed_in_); }},
       {"nav.scenarios", "place.scenarios", Icon::Scenarios, administers,
-       [](At at) -> Shown { return std::make_unique<ScenariosScreen>(at.visit_); }},
+       [](At at) -> Shown { return std::make_unique<ScenariosScreen>(at.signed_in_); }},
       {"nav.records", "place.records", Icon::Audit, administers,
-       [](At at) -> Shown { return std::make_unique<RecordsScreen>(at.visit_); }},
+       [](At at) -> Shown { return std::make_unique<AuditScreen>(at.signed_in_); }},
       {"nav.cohort", "place.cohort", Icon::Cohort, teaches, &Course::cohort_screen},
       {"nav.inbox", "place.inbox", Icon::Inbox, teaches, &Course::inbox_screen},
       {"nav.operations", "place.operations", Icon::Operations, is_anybody,
        [](At at) -> Shown {
-         return std::make_unique<OperationsScreen>(at.visit_, at, at.pictures_);
+         return std::make_unique<OperationsScreen>(at.signed_in_, at, at.pictures_);
        }},
       {"nav.history", "place.history", Icon::History, is_anybody,
-       [](At at) -> Shown { return std::make_unique<HistoryScreen>(at.visit_, at); }},
+       [](At at) -> Shown { return std::make_unique<HistoryScreen>(at.signed_in_, at); }},
       {"nav.attempts", "place.attempts", Icon::Ratings, is_staff,
-       [](At at) -> Shown { return std::make_unique<AttemptsScreen>(at.visit_, at); }},
+       [](At at) -> Shown { return std::make_unique<AttemptsScreen>(at.signed_in_, at); }},
       {"nav.questions", "place.questions", Icon::Messages, may_ask,
-       [](At at) -> Shown { return std::make_unique<QuestionsScreen>(at.visit_, at); }},
+       [](At at) -> Shown { return std::make_unique<QuestionsScreen>(at.signed_in_, at); }},
   }};
   return all;
 }
 
 Course::Shown Course::cohort_screen(Course& at) {
-  return std::make_unique<CohortScreen>(at.visit_, at, [&at] { at.show_place("nav.inbox"); });
+  return std::make_unique<CohortScreen>(at.signed_in_, at, [&at] { at.show_place("nav.inbox"); });
 }
 
 Course::Shown Course::inbox_screen(Course& at) {
-  return std::make_unique<InboxScreen>(at.visit_, at, at.answer_drafts_,
+  return std::make_unique<InboxScreen>(at.signed_in_, at, at.answer_drafts_,
                                        [&at](int open) { at.show_badge(open); });
 }
 
-std::vector<Visitor::Place> Course::places_of(const Visit& visit) const {
+std::vector<Visitor::Place> Course::places_of(const SignedInSession& signed_in) const {
   std::vector<Visitor::Place> places;
   for (const Route& route : routes()) {
-    if (!route.is_for(visit)) continue;
+    if (!route.is_for(signed_in)) continue;
     places.push_back({std::string(route.id), std::string(texts_.text(route.label)), route.icon});
   }
   return places;
@@ -139,79 +144,80 @@ void Course::show_place(std::string_view id) {
 }
 
 void Course::brief(database::ScenarioVersionId scenario) {
-  shell_.push(std::make_unique<BriefingScreen>(visit_, *this, pictures_, scenario));
+  shell_.push(std::make_unique<BriefingScreen>(signed_in_, *this, pictures_, scenario));
 }
 void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
                      simulator::Guidance guidance) {
   shell_.push(std::make_unique<OperatingScreen>(
-      visit_, *this, OperationChoice{scenario, kind, guidance},
+      signed_in_, *this, OperationChoice{scenario, kind, guidance},
       [](const RigidTransform& world_from_start) {
         return std::make_unique<simulator::MouseDevice>(world_from_start);
       }));
 }
 void Course::show_result(const database::AttemptId& attempt) {
-  shell_.push(std::make_unique<ResultScreen>(visit_, *this, attempt));
+  shell_.push(std::make_unique<ResultScreen>(signed_in_, *this, attempt));
 }
 void Course::show_trainee(database::CohortId cohort, database::PersonId trainee) {
-  shell_.push(std::make_unique<TraineeScreen>(visit_, *this, cohort, trainee));
+  shell_.push(std::make_unique<TraineeScreen>(signed_in_, *this, cohort, trainee));
 }
 void Course::show_replay(const database::AttemptId& attempt, double moment_s) {
-  shell_.push(std::make_unique<ReplayScreen>(visit_, attempt, moment_s));
+  shell_.push(std::make_unique<ReplayScreen>(signed_in_, attempt, moment_s));
 }
 
 void Course::show_account() {
   if (shell_.top()->navigation_id() == AccountScreen::account_place) return;
-  shell_.push(std::make_unique<AccountScreen>(visit_, cost_));
+  shell_.push(std::make_unique<AccountScreen>(signed_in_, cost_));
 }
 
 // The newest few; those that were not acknowledged are told again at the next sign-in.
 void Course::tell_notices() {
   constexpr std::size_t told_max = 3;
-  const std::vector<database::Notice>& notices = visit_->notices();
+  const std::vector<database::Notice>& notices = signed_in_->notices();
   for (std::size_t i = std::min(notices.size(), told_max); i > 0; --i) {
     const database::Notice notice = notices[i - 1];
     shell_.say({Meaning::Warn, notice_text(texts_, notice),
                 texts_.say("notice.at", {{"moment", moment_text(notice.at_utc)}}),
                 std::string(texts_.text("notice.seen")),
-                [this, notice, visit = visit_] { acknowledge(visit, notice); }});
+                [this, notice, signed_in = signed_in_] { acknowledge(signed_in, notice); }});
   }
 }
 
-void Course::acknowledge(std::shared_ptr<Visit> visit, const database::Notice& notice) {
+void Course::acknowledge(std::shared_ptr<SignedInSession> signed_in,
+                         const database::Notice& notice) {
   shell_.background().start(
       std::string(texts_.text("notice.noting")),
-      [visit = std::move(visit), notice](WorkReport&) {
-        visit->in_turn([&](database::Session& session, auto&) { session.acknowledge(notice); });
+      [signed_in = std::move(signed_in), notice](WorkReport&) {
+        signed_in->in_turn([&](database::Session& session, auto&) { session.acknowledge(notice); });
       },
       // Where that failed it is told again.
       [](WorkEnd, const std::string&) {});
 }
 
-// The end of the session is written beside the window: other work may hold the visit for a moment.
+// The end of the session is written beside the window: other work may hold the session for a moment.
 void Course::sign_out() {
   shell_.background().start(
       std::string(texts_.text("course.signing_out")),
-      [visit = std::exchange(visit_, nullptr)](WorkReport&) {
-        visit->in_turn([](database::Session& session, auto&) { session.sign_out(); });
+      [signed_in = std::exchange(signed_in_, nullptr)](WorkReport&) {
+        signed_in->in_turn([](database::Session& session, auto&) { session.sign_out(); });
       },
       [](WorkEnd, const std::string&) {});
   ask_who();
 }
 
 void Course::count_questions() {
-  if (visit_->taught().empty()) return;
+  if (signed_in_->taught().empty()) return;
   auto open = std::make_shared<int>(0);
   shell_.background().start(
       std::string(texts_.text("course.counting")),
-      [open, visit = visit_](WorkReport&) {
-        *open = visit->in_turn([](database::Session& session, database::Database&) {
+      [open, signed_in = signed_in_](WorkReport&) {
+        *open = signed_in->in_turn([](database::Session& session, database::Database&) {
           return count_open(read_inbox(session));
         });
       },
       // Somebody else may have come in meanwhile. A count that failed leaves no badge; the inbox
       // says why.
-      [this, open, visit = visit_](WorkEnd end, const std::string&) {
-        if (end == WorkEnd::Done && visit == visit_) show_badge(*open);
+      [this, open, signed_in = signed_in_](WorkEnd end, const std::string&) {
+        if (end == WorkEnd::Done && signed_in == signed_in_) show_badge(*open);
       });
 }
 

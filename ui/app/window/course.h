@@ -37,7 +37,7 @@ class Course : public Places {
     /// The text that names it.
     std::string_view label;
     Icon icon;
-    bool (*is_for)(const Visit& visit);
+    bool (*is_for)(const SignedInSession& signed_in);
     Shown (*screen)(Course& course);
   };
 
@@ -45,9 +45,9 @@ class Course : public Places {
   static Shown cohort_screen(Course& course);
   static Shown inbox_screen(Course& course);
   void ask_who();
-  void welcome(std::shared_ptr<Visit> visit);
-  Visitor visitor_of(const Visit& visit) const;
-  std::vector<Visitor::Place> places_of(const Visit& visit) const;
+  void welcome(std::shared_ptr<SignedInSession> signed_in);
+  Visitor visitor_of(const SignedInSession& signed_in) const;
+  std::vector<Visitor::Place> places_of(const SignedInSession& signed_in) const;
   /// Reads how many questions are open, for the inbox's badge.
   void count_questions();
   void show_badge(int open_questions);
@@ -56,7 +56,7 @@ class Course : public Places {
   void show_account();
   /// What the person was told since they were here last.
   void tell_notices();
-  void acknowledge(std::shared_ptr<Visit> visit, const database::Notice& notice);
+  void acknowledge(std::shared_ptr<SignedInSession> signed_in, const database::Notice& notice);
   void lock();
   void sign_out();
 
@@ -64,7 +64,7 @@ class Course : public Places {
   std::filesystem::path data_directory_;
   Shell& shell_;
   database::PasswordCost cost_;
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   std::shared_ptr<InboxScreen::Drafts> answer_drafts_;
   PatientPictures pictures_;
 };

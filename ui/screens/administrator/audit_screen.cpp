@@ -73,30 +73,33 @@ std::string bytes_text(std::int64_t bytes) {
   return text.data();
 }
 
-void RecordsScreen::read(Ui& ui, Shell& shell) {
+void AuditScreen::read(Ui& ui, Shell& shell) {
   database::AuditRequest request;
   request.before = before_.back();
   request.lines = lines_per_page;
   request.refused_only = filter_ == 1;
-  page_.start(ui, shell, ui.text("records.reading"), [visit = visit_, request](WorkReport&) {
-    return visit->in_turn([&](database::Session& session, auto&) {
-      return administrator_of(session).audit_page(request);
-    });
-  });
+  page_.start(ui, shell, ui.text("records.reading"),
+              [signed_in = signed_in_, request](WorkReport&) {
+                return signed_in->in_turn([&](database::Session& session, auto&) {
+                  return administrator_of(session).audit_page(request);
+                });
+              });
 }
 
-void RecordsScreen::read_last_backup(Ui& ui, Shell& shell) {
-  last_backup_.start(ui, shell, ui.text("records.backup.looking"), [visit = visit_](WorkReport&) {
-    return visit->in_turn([](database::Session& session, auto&) -> std::optional<LastBackup> {
-      const std::vector<database::Backup> backups = administrator_of(session).backups();
-      if (backups.empty()) return std::nullopt;
-      return LastBackup{backups.front().file, backups.front().made_utc, backups.front().bytes,
-                        static_cast<long>(backups.size()), backups.back().made_utc};
-    });
-  });
+void AuditScreen::read_last_backup(Ui& ui, Shell& shell) {
+  last_backup_.start(
+      ui, shell, ui.text("records.backup.looking"), [signed_in = signed_in_](WorkReport&) {
+        return signed_in->in_turn([](database::Session& session,
+                                     auto&) -> std::optional<LastBackup> {
+          const std::vector<database::Backup> backups = administrator_of(session).backups();
+          if (backups.empty()) return std::nullopt;
+          return LastBackup{backups.front().file, backups.front().made_utc, backups.front().bytes,
+                            static_cast<long>(backups.size()), backups.back().made_utc};
+        });
+      });
 }
 
-void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+void AuditScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (page_.is_new()) read(ui, shell);
   if (last_backup_.is_new()) read_last_backup(ui, shell);
   const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
@@ -104,7 +107,7 @@ void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
                       is_stacked ? 480.0F + stacked_height : 704.0F);
   Rect page = scrolled.rect();
   PageHead head{ui.text("records.title"), ui.text("records.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   page_head(ui, "records", page, head);
   const Panes panes = panes_of(page, side_width, stacked_height);
   draw_audit(ui, panes.main);
@@ -120,7 +123,7 @@ void RecordsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   page_.read_again();
 }
 
-void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
+void AuditScreen::draw_audit(Ui& ui, const Rect& rect) {
   Rect rest = card(ui, rect, {});
   Rect head = take_top(rest, segmented_height, 6.0F);
   const std::array<std::string_view, 2> filters{ui.text("records.all"), ui.text("records.refused")};
@@ -143,7 +146,7 @@ void RecordsScreen::draw_audit(Ui& ui, const Rect& rect) {
   draw_pager(ui, foot);
 }
 
-void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
+void AuditScreen::draw_table(Ui& ui, const Rect& content) {
   const std::vector<AuditLine>& lines = page_.value().lines;
   RowTable<AuditLine> shown{
       ui.text("records.audit"), [](const AuditLine& line) { return std::to_string(line.number); },
@@ -158,7 +161,7 @@ void RecordsScreen::draw_table(Ui& ui, const Rect& content) {
   if (response.opened) chosen_ = lines[static_cast<std::size_t>(*response.opened)].number;
 }
 
-void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
+void AuditScreen::draw_line(Ui& ui, const Rect& rect) const {
   const AuditLine* chosen = nullptr;
   if (page_.is_ready())
     for (const AuditLine& line : page_.value().lines)
@@ -186,7 +189,7 @@ void RecordsScreen::draw_line(Ui& ui, const Rect& rect) const {
   ui.end_scroll();
 }
 
-void RecordsScreen::draw_pager(Ui& ui, const Rect& line) {
+void AuditScreen::draw_pager(Ui& ui, const Rect& line) {
   const database::AuditPage& page = page_.value();
   const long first = static_cast<long>(before_.size() - 1) * lines_per_page;
   const auto count = static_cast<long>(page.lines.size());
@@ -215,7 +218,7 @@ void RecordsScreen::draw_pager(Ui& ui, const Rect& line) {
   }
 }
 
-void RecordsScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
+void AuditScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
   Rect rest = card(ui, rect, ui.text("records.backup"), space::side_card);
   words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.backup.sentence"),
              16.0F);
@@ -232,7 +235,7 @@ void RecordsScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
     draw_last_backup(ui, rest, shell);
 }
 
-void RecordsScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
+void AuditScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
   const std::optional<LastBackup>& last = last_backup_.value();
   if (!last) {
     words_line(ui, rest, Type::Small, ui.theme().warn_text, ui.text("records.backup.none"));
@@ -258,9 +261,9 @@ void RecordsScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
   }
 }
 
-void RecordsScreen::back_up(Ui& ui, Shell& shell) {
+void AuditScreen::back_up(Ui& ui, Shell& shell) {
   backing_up_.start<database::Backup>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("records.backup.running")),
        std::string(ui.text("records.backup.not_made")),
        std::string(ui.text("records.backup.stopped"))},

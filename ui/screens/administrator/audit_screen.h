@@ -14,10 +14,10 @@
 
 namespace hallux::ui {
 
-class RecordsScreen : public Screen {
+class AuditScreen : public Screen {
  public:
-  explicit RecordsScreen(std::shared_ptr<Visit> visit)
-      : visit_(visit), retention_(visit), origins_(std::move(visit)) {}
+  explicit AuditScreen(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(signed_in), retention_(signed_in), origins_(std::move(signed_in)) {}
 
   std::string_view navigation_id() const override { return "nav.records"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -44,9 +44,9 @@ class RecordsScreen : public Screen {
   void draw_last_backup(Ui& ui, Rect& rest, Shell& shell);
   void back_up(Ui& ui, Shell& shell);
 
-  std::shared_ptr<Visit> visit_;
-  Reading<database::AuditPage> page_;
-  Reading<std::optional<LastBackup>> last_backup_;
+  std::shared_ptr<SignedInSession> signed_in_;
+  Loaded<database::AuditPage> page_;
+  Loaded<std::optional<LastBackup>> last_backup_;
   /// Of each page so far.
   std::vector<std::optional<std::int64_t>> before_{std::nullopt};
   /// 0 all, 1 refused only.

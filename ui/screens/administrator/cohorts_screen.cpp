@@ -52,8 +52,8 @@ CohortsScreen::Everybody CohortsScreen::read(database::Session& session) {
 }
 
 void CohortsScreen::read_all(Ui& ui, Shell& shell) {
-  everybody_.start(ui, shell, ui.text("cohorts.reading"), [visit = visit_](WorkReport&) {
-    return visit->in_turn([](database::Session& session, auto&) { return read(session); });
+  everybody_.start(ui, shell, ui.text("cohorts.reading"), [signed_in = signed_in_](WorkReport&) {
+    return signed_in->in_turn([](database::Session& session, auto&) { return read(session); });
   });
 }
 
@@ -75,7 +75,7 @@ void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 void CohortsScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("cohorts.add"), ButtonLook::Primary, Icon::Add};
   PageHead head{ui.text("cohorts.title"), ui.text("cohorts.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   head.buttons_width = button_width(ui, add);
   const ListPage page(ui, "cohorts", head, content, page_spec);
   if (button(ui, "cohorts.add", page.buttons(), add)) {
@@ -217,7 +217,7 @@ void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
 
 void CohortsScreen::add(Ui& ui, Shell& shell) {
   adding_.start<database::CohortId>(
-      shell, visit_, {std::string(ui.text("people.changing")), {}},
+      shell, signed_in_, {std::string(ui.text("people.changing")), {}},
       [name = *new_name_](database::Session& session, WorkReport&) {
         return administrator_of(session).add_cohort(name);
       },
@@ -366,7 +366,7 @@ void CohortsScreen::change(DeskWork& work, Ui& ui, Shell& shell, std::string don
                            std::function<void()> after) {
   const bool is_said_here = &work != &work_;
   work.start<bool>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("people.changing")),
        is_said_here ? std::string() : std::string(ui.text("people.not_changed"))},
       [change = std::move(change)](database::Session& session, WorkReport&) {

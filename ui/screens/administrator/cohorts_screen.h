@@ -15,7 +15,8 @@ namespace hallux::ui {
 
 class CohortsScreen : public Screen {
  public:
-  explicit CohortsScreen(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit CohortsScreen(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
   std::string_view navigation_id() const override { return "nav.cohorts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -66,8 +67,8 @@ class CohortsScreen : public Screen {
               std::function<void(database::AdministratorDesk&)> change,
               std::function<void()> after = {});
 
-  std::shared_ptr<Visit> visit_;
-  Reading<Everybody> everybody_;
+  std::shared_ptr<SignedInSession> signed_in_;
+  Loaded<Everybody> everybody_;
   std::optional<database::CohortId> chosen_;
   /// Login of the chosen member.
   std::string member_;

@@ -21,10 +21,12 @@ constexpr std::size_t shown_digits = 8;
 
 float OriginsCard::height(Ui& ui, Shell& shell) {
   if (origins_.is_new()) {
-    origins_.start(ui, shell, ui.text("records.origins.reading"), [visit = visit_](WorkReport&) {
-      return visit->in_turn(
-          [](database::Session& session, auto&) { return administrator_of(session).origins(); });
-    });
+    origins_.start(ui, shell, ui.text("records.origins.reading"),
+                   [signed_in = signed_in_](WorkReport&) {
+                     return signed_in->in_turn([](database::Session& session, auto&) {
+                       return administrator_of(session).origins();
+                     });
+                   });
   }
   if (!origins_.has_value() || origins_.value().empty()) return 0.0F;
   return head_height +
@@ -66,7 +68,7 @@ void OriginsCard::draw_origin(Ui& ui, const Rect& line, const Origin& origin, Sh
 
 void OriginsCard::accept(Ui& ui, const Origin& origin, Shell& shell) {
   work_.start<bool>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("records.origins.changing")),
        std::string(ui.text("records.origins.failed"))},
       [directory = origin.directory, is_accepted = !origin.is_accepted](database::Session& session,

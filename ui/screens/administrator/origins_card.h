@@ -16,7 +16,8 @@ namespace hallux::ui {
 
 class OriginsCard {
  public:
-  explicit OriginsCard(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit OriginsCard(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
   /// 0 until they were read, and where there are none.
   float height(Ui& ui, Shell& shell);
@@ -26,8 +27,8 @@ class OriginsCard {
   void draw_origin(Ui& ui, const Rect& line, const database::Origin& origin, Shell& shell);
   void accept(Ui& ui, const database::Origin& origin, Shell& shell);
 
-  std::shared_ptr<Visit> visit_;
-  Reading<std::vector<database::Origin>> origins_;
+  std::shared_ptr<SignedInSession> signed_in_;
+  Loaded<std::vector<database::Origin>> origins_;
   DeskWork work_;
 };
 

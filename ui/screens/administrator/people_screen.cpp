@@ -84,8 +84,8 @@ std::string_view PeopleScreen::role_id(const Listed& listed) noexcept {
 
 void PeopleScreen::read_people(Ui& ui, Shell& shell) {
   now_utc_ = utc_now_text();
-  people_.start(ui, shell, ui.text("people.reading"), [visit = visit_](WorkReport&) {
-    return visit->in_turn([](database::Session& session, auto&) { return read(session); });
+  people_.start(ui, shell, ui.text("people.reading"), [signed_in = signed_in_](WorkReport&) {
+    return signed_in->in_turn([](database::Session& session, auto&) { return read(session); });
   });
 }
 
@@ -159,7 +159,7 @@ void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("people.add"), ButtonLook::Primary, Icon::Add};
   PageHead head{ui.text("people.title"), ui.text("people.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   head.buttons_width = search_width + 12.0F + button_width(ui, add);
   const ListPage page(ui, "people", head, content, page_spec);
   draw_head_buttons(ui, page.buttons(), add);
@@ -262,7 +262,7 @@ bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
 }  // namespace
 
 void PeopleScreen::draw_code_button(Ui& ui, Rect& rest, const Listed& listed) {
-  const bool is_self = listed.person.id == visit_->person().id;
+  const bool is_self = listed.person.id == signed_in_->person().id;
   ButtonSpec spec{ui.text("people.reset"), ButtonLook::Secondary, Icon::Lock};
   if (!wide_button(ui, "people.reset", rest, spec,
                    is_self ? ui.text("people.reset.own") : std::string_view()))
@@ -295,7 +295,7 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
              [login](database::AdministratorDesk& desk) { desk.set_disabled(login, false); });
     return;
   }
-  const bool is_self = listed.person.id == visit_->person().id;
+  const bool is_self = listed.person.id == signed_in_->person().id;
   const std::string_view why_not = is_last_administrator(listed.person)
                                        ? ui.text("people.last_administrator")
                                    : is_self ? ui.text("people.disable.own")
@@ -306,7 +306,7 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
 }
 
 void PeopleScreen::draw_erase_button(Ui& ui, Rect& rest, const Listed& listed) {
-  const bool is_self = listed.person.id == visit_->person().id;
+  const bool is_self = listed.person.id == signed_in_->person().id;
   const std::string_view why_not = is_self ? ui.text("people.erase.own") : std::string_view();
   if (!wide_button(ui, "people.erase", rest, {ui.text("people.erase"), ButtonLook::Danger},
                    why_not))
@@ -368,7 +368,7 @@ void PeopleScreen::draw_question(Ui& ui, Shell& shell) {
 void PeopleScreen::add(Ui& ui, Shell& shell) {
   const database::NewPerson person{added_->login, added_->display_name, added_->is_administrator};
   adding_.start<database::IssuedCode>(
-      shell, visit_, {std::string(ui.text("people.adding")), {}},
+      shell, signed_in_, {std::string(ui.text("people.adding")), {}},
       [person, cost = cost_](database::Session& session, WorkReport&) {
         return administrator_of(session).add_person_with_code(person, cost).issued;
       },
@@ -382,7 +382,7 @@ void PeopleScreen::add(Ui& ui, Shell& shell) {
 
 void PeopleScreen::reset(Ui& ui, Shell& shell, const std::string& login) {
   work_.start<database::IssuedCode>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
       [login, cost = cost_](database::Session& session, WorkReport&) {
         return administrator_of(session).reset(login, cost);
@@ -399,7 +399,7 @@ void PeopleScreen::erase(Ui& ui, Shell& shell) {
   const auto secret = std::make_shared<database::SecretText>(database::SecretText::take(typed));
   const database::EraseRequest request{erased_->login, erased_->reason, erased_->with_recordings};
   erasing_.start<database::ErasedPieces>(
-      shell, visit_, {std::string(ui.text("people.erase.running")), {}},
+      shell, signed_in_, {std::string(ui.text("people.erase.running")), {}},
       [secret, request, cost = cost_](database::Session& session, WorkReport& report) {
         const database::PasswordProof proof = session.prove(*secret, cost);
         return administrator_of(session).erase_person(
@@ -418,7 +418,7 @@ void PeopleScreen::erase(Ui& ui, Shell& shell) {
 void PeopleScreen::change(Ui& ui, Shell& shell, std::string done,
                           std::function<void(database::AdministratorDesk&)> change) {
   work_.start<bool>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
       [change = std::move(change)](database::Session& session, WorkReport&) {
         database::AdministratorDesk desk = administrator_of(session);

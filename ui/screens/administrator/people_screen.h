@@ -29,8 +29,9 @@ Admission admission_of(const database::Person& person, std::string_view now_utc)
 
 class PeopleScreen : public Screen {
  public:
-  explicit PeopleScreen(std::shared_ptr<Visit> visit, database::PasswordCost cost = {})
-      : visit_(std::move(visit)), cost_(cost) {}
+  explicit PeopleScreen(std::shared_ptr<SignedInSession> signed_in,
+                        database::PasswordCost cost = {})
+      : signed_in_(std::move(signed_in)), cost_(cost) {}
 
   std::string_view navigation_id() const override { return "nav.people"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -79,9 +80,9 @@ class PeopleScreen : public Screen {
   void change(Ui& ui, Shell& shell, std::string done,
               std::function<void(database::AdministratorDesk&)> change);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   database::PasswordCost cost_;
-  Reading<List> people_;
+  Loaded<List> people_;
   std::string search_, now_utc_;
   int tab_ = 0;
   TableState table_;

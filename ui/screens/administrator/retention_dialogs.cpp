@@ -73,7 +73,7 @@ RetentionDialogs::Plan RetentionDialogs::plan_of(const Texts& texts,
 void RetentionDialogs::open(Ui& ui, Shell& shell) {
   if (work_.is_running()) return;
   work_.start<RetentionRules>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("records.retention.reading")),
        std::string(ui.text("records.retention.failed"))},
       [](database::Session& session, WorkReport&) { return administrator_of(session).retention(); },
@@ -120,7 +120,7 @@ void RetentionDialogs::save(Ui& ui, Shell& shell) {
   const RetentionRules rules{days_in((*days_)[0]), days_in((*days_)[1]), days_in((*days_)[2]),
                              days_in((*days_)[3])};
   work_.start<std::vector<RetentionPiece>>(
-      shell, visit_, {std::string(ui.text("records.retention.reading")), {}},
+      shell, signed_in_, {std::string(ui.text("records.retention.reading")), {}},
       [rules](database::Session& session, WorkReport&) {
         database::AdministratorDesk desk = administrator_of(session);
         if (desk.retention() != rules) desk.set_retention(rules);
@@ -167,7 +167,7 @@ void RetentionDialogs::draw_plan(Ui& ui, Shell& shell) {
 
 void RetentionDialogs::let_go(Ui& ui, Shell& shell) {
   work_.start<database::RetentionDone>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("records.retention.running")),
        {},
        std::string(ui.text("records.retention.stopped"))},

@@ -17,7 +17,8 @@ namespace hallux::ui {
 
 class RetentionDialogs {
  public:
-  explicit RetentionDialogs(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit RetentionDialogs(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
   void open(Ui& ui, Shell& shell);
   bool is_running() const noexcept { return work_.is_running(); }
@@ -40,7 +41,7 @@ class RetentionDialogs {
   void let_go(Ui& ui, Shell& shell);
   static Plan plan_of(const Texts& texts, std::vector<database::RetentionPiece> pieces);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   std::optional<Days> days_;
   std::optional<Plan> plan_;
   bool has_changed_ = false;

@@ -125,21 +125,22 @@ void draw_sheet(Ui& ui, const Rect& content, const std::string& sheet) {
 }  // namespace
 
 void ScenariosScreen::read(Ui& ui, Shell& shell) {
-  versions_.start(ui, shell, ui.text("scenarios.reading"), [visit = visit_](WorkReport&) {
-    return visit->in_turn(
+  versions_.start(ui, shell, ui.text("scenarios.reading"), [signed_in = signed_in_](WorkReport&) {
+    return signed_in->in_turn(
         [](database::Session& session, auto&) { return administrator_of(session).scenarios(); });
   });
 }
 
 void ScenariosScreen::read_sheet(Ui& ui, Shell& shell) {
   sheet_of_ = chosen_;
-  sheet_.start(
-      ui, shell, ui.text("scenarios.reading_sheet"), [visit = visit_, id = *chosen_](WorkReport&) {
-        const database::ScenarioText text = visit->in_turn([&](database::Session& session, auto&) {
-          return administrator_of(session).scenario_text(id);
-        });
-        return scenario_sheet(scenarios::parse_scenario(text.json, text.name));
-      });
+  sheet_.start(ui, shell, ui.text("scenarios.reading_sheet"),
+               [signed_in = signed_in_, id = *chosen_](WorkReport&) {
+                 const database::ScenarioText text =
+                     signed_in->in_turn([&](database::Session& session, auto&) {
+                       return administrator_of(session).scenario_text(id);
+                     });
+                 return scenario_sheet(scenarios::parse_scenario(text.json, text.name));
+               });
 }
 
 const ScenarioVersion* ScenariosScreen::chosen() const {
@@ -166,7 +167,7 @@ void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec act{ui.text("scenarios.import"), ButtonLook::Primary, Icon::Import};
   PageHead head{ui.text("scenarios.title"), ui.text("scenarios.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   head.buttons_width = button_width(ui, act);
   const ListPage page(ui, "scenarios", head, content, page_spec);
   if (button(ui, "scenarios.import", page.buttons(), act)) {
@@ -273,7 +274,7 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
 
 void ScenariosScreen::import(Ui& ui, Shell& shell) {
   importing_.start<database::ScenarioVersionId>(
-      shell, visit_, {std::string(ui.text("scenarios.checking")), {}},
+      shell, signed_in_, {std::string(ui.text("scenarios.checking")), {}},
       [file = std::filesystem::path(*file_)](database::Session& session, WorkReport&) {
         database::AdministratorDesk desk = administrator_of(session);
         return import_scenario_file(desk, file);
@@ -318,7 +319,7 @@ void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
 
 void ScenariosScreen::change(Ui& ui, Shell& shell, const Asked& asked) {
   work_.start<bool>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
       [id = asked.version.id, is_publishing = asked.is_publishing](database::Session& session,
                                                                    WorkReport&) {

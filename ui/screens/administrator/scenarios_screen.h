@@ -14,7 +14,8 @@ namespace hallux::ui {
 
 class ScenariosScreen : public Screen {
  public:
-  explicit ScenariosScreen(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit ScenariosScreen(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
   std::string_view navigation_id() const override { return "nav.scenarios"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -41,10 +42,10 @@ class ScenariosScreen : public Screen {
   void import(Ui& ui, Shell& shell);
   void change(Ui& ui, Shell& shell, const Asked& asked);
 
-  std::shared_ptr<Visit> visit_;
-  Reading<std::vector<database::ScenarioVersion>> versions_;
+  std::shared_ptr<SignedInSession> signed_in_;
+  Loaded<std::vector<database::ScenarioVersion>> versions_;
   std::optional<database::ScenarioVersionId> chosen_, sheet_of_;
-  Reading<std::string> sheet_;
+  Loaded<std::string> sheet_;
   TableState table_;
   /// While one is imported.
   std::optional<std::string> file_;

@@ -54,8 +54,8 @@ std::vector<RowColumn<AttemptHeader>> columns_of(const Ui& ui) {
 
 void AttemptsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (attempts_.is_new()) {
-    attempts_.start(ui, shell, ui.text("attempts.reading"), [visit = visit_](WorkReport&) {
-      return visit->in_turn(
+    attempts_.start(ui, shell, ui.text("attempts.reading"), [signed_in = signed_in_](WorkReport&) {
+      return signed_in->in_turn(
           [](database::Session& session, auto&) { return session.attempts(shown_most); });
     });
   }

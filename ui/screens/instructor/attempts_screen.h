@@ -15,8 +15,8 @@ namespace hallux::ui {
 class AttemptsScreen : public Screen {
  public:
   /// `places` outlives the screen.
-  AttemptsScreen(std::shared_ptr<Visit> visit, Places& places)
-      : visit_(std::move(visit)), places_(places) {}
+  AttemptsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
+      : signed_in_(std::move(signed_in)), places_(places) {}
 
   std::string_view navigation_id() const override { return "nav.attempts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -25,9 +25,9 @@ class AttemptsScreen : public Screen {
   void draw_list(Ui& ui, const Rect& content);
   void draw_table(Ui& ui, const Rect& content);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
-  Reading<std::vector<database::AttemptHeader>> attempts_;
+  Loaded<std::vector<database::AttemptHeader>> attempts_;
   TableState table_;
 };
 

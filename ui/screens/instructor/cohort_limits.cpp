@@ -16,7 +16,7 @@ void CohortLimits::draw(Ui& ui, Shell& shell, std::function<void()> changed) {
   const std::optional<LimitChange> change = change_in(*form_);
   if (!change) return;
   work_.start<bool>(
-      shell, visit_, {std::string(ui.text("limits.changing")), {}},
+      shell, signed_in_, {std::string(ui.text("limits.changing")), {}},
       [cohort = cohort_, change = *change](database::Session& session, WorkReport&) {
         database::InstructorDesk desk = instructor_of(session, cohort);
         if (change.attempts_max) {

@@ -13,7 +13,8 @@ namespace hallux::ui {
 
 class CohortLimits {
  public:
-  explicit CohortLimits(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit CohortLimits(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
   /// Shows what limits there are; `cohort` is one that the person teaches.
   void open(database::CohortId cohort, LimitsForm form);
@@ -21,7 +22,7 @@ class CohortLimits {
   void draw(Ui& ui, Shell& shell, std::function<void()> changed);
 
  private:
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   database::CohortId cohort_;
   std::optional<LimitsForm> form_;
   DeskWork work_;

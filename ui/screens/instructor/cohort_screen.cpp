@@ -80,13 +80,13 @@ bool row_control(Ui& ui, const std::string& id, std::string_view label, std::str
 
 }  // namespace
 
-CohortScreen::CohortScreen(std::shared_ptr<Visit> visit, Places& places,
+CohortScreen::CohortScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
                            std::function<void()> open_inbox)
-    : visit_(std::move(visit)),
+    : signed_in_(std::move(signed_in)),
       places_(places),
       open_inbox_(std::move(open_inbox)),
-      taught_(visit_->taught()),
-      limits_(visit_) {
+      taught_(signed_in_->taught()),
+      limits_(signed_in_) {
   CHECK(!taught_.empty());
 }
 
@@ -153,8 +153,8 @@ void CohortScreen::show(std::size_t cohort) {
 
 void CohortScreen::read(Ui& ui, Shell& shell) {
   glance_.start(ui, shell, ui.text("cohort.reading"),
-                [visit = visit_, cohort = taught_[cohort_].cohort](WorkReport&) {
-                  return visit->in_turn(
+                [signed_in = signed_in_, cohort = taught_[cohort_].cohort](WorkReport&) {
+                  return signed_in->in_turn(
                       [&](database::Session& session, auto&) { return look(session, cohort); });
                 });
 }
@@ -190,7 +190,7 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
   PageHead head;
   head.title = is_ready ? glance_.value().cohort.name : taught_[cohort_].cohort_name;
   head.sentence = sentence;
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   const ButtonSpec other{ui.text("cohort.other"), ButtonLook::Secondary, Icon::SortDown};
   const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary, Icon::None, is_ready};
   const float limit_width = button_width(ui, limit);

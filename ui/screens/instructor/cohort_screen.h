@@ -19,7 +19,8 @@ class CohortScreen : public Screen {
  public:
   /// `places` outlives the screen. `open_inbox` leads to the inbox.
   /// needs   the person teaches a cohort
-  CohortScreen(std::shared_ptr<Visit> visit, Places& places, std::function<void()> open_inbox = {});
+  CohortScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+               std::function<void()> open_inbox = {});
 
   std::string_view navigation_id() const override { return "nav.cohort"; }
   /// What was decided and answered in the meantime is read anew.
@@ -71,13 +72,13 @@ class CohortScreen : public Screen {
   void draw_requests(Ui& ui, const Rect& rect);
   void draw_last_attempts(Ui& ui, const Rect& rect);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   std::function<void()> open_inbox_;
   std::vector<database::Membership> taught_;
   /// Index into taught_.
   std::size_t cohort_ = 0;
-  Reading<Glance> glance_;
+  Loaded<Glance> glance_;
   int filter_ = All;
   /// The operations that are shown.
   int first_column_ = 0, page_columns_ = 1;

@@ -43,8 +43,9 @@ int count_open(const std::vector<InboxRequest>& inbox) noexcept {
 
 void InboxScreen::read(Ui& ui, Shell& shell) {
   is_counted_ = false;
-  inbox_.start(ui, shell, ui.text("inbox.reading"), [visit = visit_](WorkReport&) {
-    return visit->in_turn([](database::Session& session, auto&) { return read_inbox(session); });
+  inbox_.start(ui, shell, ui.text("inbox.reading"), [signed_in = signed_in_](WorkReport&) {
+    return signed_in->in_turn(
+        [](database::Session& session, auto&) { return read_inbox(session); });
   });
 }
 
@@ -63,7 +64,7 @@ void InboxScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
                       is_stacked ? 440.0F + stacked_height : 600.0F);
   Rect page = scrolled.rect();
   PageHead head{ui.text("inbox.title"), ui.text("inbox.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   page_head(ui, "inbox", page, head);
   const Panes panes = panes_of(page, side_width, stacked_height);
   const Rect inside = card(ui, panes.main, {});
@@ -154,7 +155,7 @@ void InboxScreen::draw_answer(Ui& ui, Rect& rest, const InboxRequest& chosen, Sh
 void InboxScreen::answer(Ui& ui, Shell& shell, const InboxRequest& chosen) {
   const database::HelpRequestId id = chosen.request.id;
   work_.start<bool>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("inbox.sending")), std::string(ui.text("inbox.not_sent"))},
       [id, cohort = chosen.cohort, text = (*drafts_)[id]](database::Session& session, WorkReport&) {
         instructor_of(session, cohort).answer(id, text);

@@ -35,9 +35,9 @@ class InboxScreen : public Screen {
   using Drafts = std::map<database::HelpRequestId, std::string>;
 
   /// `places` outlives the screen.
-  InboxScreen(std::shared_ptr<Visit> visit, Places& places, std::shared_ptr<Drafts> drafts,
-              Counted counted = {})
-      : visit_(std::move(visit)),
+  InboxScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+              std::shared_ptr<Drafts> drafts, Counted counted = {})
+      : signed_in_(std::move(signed_in)),
         places_(places),
         drafts_(std::move(drafts)),
         counted_(std::move(counted)) {}
@@ -55,11 +55,11 @@ class InboxScreen : public Screen {
   void answer(Ui& ui, Shell& shell, const InboxRequest& chosen);
   const InboxRequest* chosen() const;
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   std::shared_ptr<Drafts> drafts_;
   Counted counted_;
-  Reading<std::vector<InboxRequest>> inbox_;
+  Loaded<std::vector<InboxRequest>> inbox_;
   bool is_counted_ = false;
   /// 0 open, 1 all.
   int filter_ = 0;

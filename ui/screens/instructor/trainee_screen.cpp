@@ -73,8 +73,8 @@ TraineeScreen::File TraineeScreen::read(database::Session& session, database::Co
 void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (file_.is_new()) {
     file_.start(ui, shell, ui.text("trainee.reading"),
-                [visit = visit_, cohort = cohort_, trainee = trainee_](WorkReport&) {
-                  return visit->in_turn([&](database::Session& session, auto&) {
+                [signed_in = signed_in_, cohort = cohort_, trainee = trainee_](WorkReport&) {
+                  return signed_in->in_turn([&](database::Session& session, auto&) {
                     return read(session, cohort, trainee);
                   });
                 });
@@ -104,7 +104,7 @@ bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
   }
   head.title = name.empty() ? ui.text("role.trainee") : std::string_view(name);
   head.sentence = sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence);
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   return page_head(ui, "trainee", page, head).is_back_pressed;
 }
 

@@ -15,9 +15,9 @@ namespace hallux::ui {
 class TraineeScreen : public Screen {
  public:
   /// `places` outlives the screen.
-  TraineeScreen(std::shared_ptr<Visit> visit, Places& places, database::CohortId cohort,
-                database::PersonId trainee)
-      : visit_(std::move(visit)), places_(places), cohort_(cohort), trainee_(trainee) {}
+  TraineeScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+                database::CohortId cohort, database::PersonId trainee)
+      : signed_in_(std::move(signed_in)), places_(places), cohort_(cohort), trainee_(trainee) {}
 
   std::string_view navigation_id() const override { return "nav.cohort"; }
   /// What was decided in the meantime is read anew.
@@ -40,11 +40,11 @@ class TraineeScreen : public Screen {
   void draw_standing(Ui& ui, const Rect& rect, std::size_t operation) const;
   void draw_attempts(Ui& ui, const Rect& content);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   database::CohortId cohort_;
   database::PersonId trainee_;
-  Reading<File> file_;
+  Loaded<File> file_;
   TableState table_;
 };
 

@@ -23,7 +23,7 @@ constexpr std::int64_t ticks_between_solids = 500;
 BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_directory,
                        const Progress& progress) {
   BonePicture picture;
-  picture.look = kept_look_of(data_directory, bone, progress);
+  picture.look = cached_look_of(data_directory, bone, progress);
   // The same bone has the same picture, whoever shows it.
   const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
   picture.mesh =

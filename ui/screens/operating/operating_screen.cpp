@@ -41,9 +41,9 @@ std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& step
 
 }  // namespace
 
-OperatingScreen::OperatingScreen(std::shared_ptr<Visit> visit, Places& places,
+OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
                                  const OperationChoice& choice, LendDevice lend_device)
-    : visit_(std::move(visit)),
+    : signed_in_(std::move(signed_in)),
       places_(places),
       choice_(choice),
       lend_device_(std::move(lend_device)),
@@ -70,8 +70,8 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
   ui.canvas().fill(ui.display(), ui.theme().page);
   if (prepared_.is_new()) {
     prepared_.start(ui, shell, ui.text("operate.preparing"),
-                    [visit = visit_, scenario = choice_.scenario](WorkReport& report) {
-                      return prepare_operation(*visit, scenario, report);
+                    [signed_in = signed_in_, scenario = choice_.scenario](WorkReport& report) {
+                      return prepare_operation(*signed_in, scenario, report);
                     });
   }
   const Rect inside =
@@ -87,7 +87,7 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
 LiveBegin OperatingScreen::what_to_begin() const {
   LiveBegin what;
   what.scenario = choice_.scenario;
-  what.person = visit_->person().id;
+  what.person = signed_in_->person().id;
   what.kind = choice_.kind;
   what.guidance = choice_.guidance;
   what.stereo_mode = name_of(viewport_.stereo_mode());
@@ -99,11 +99,11 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
   auto begun = std::make_shared<Running>();
   work_.start(
       shell, text_in(ui, "operate.beginning"),
-      [visit = visit_, table = prepared_.value().table, what = what_to_begin(),
+      [signed_in = signed_in_, table = prepared_.value().table, what = what_to_begin(),
        start = session_.saw().world_from_target(), lend = lend_device_, begun](WorkReport&) {
         std::unique_ptr<simulator::SteeredDevice> device = lend(start);
         begun->device = device.get();
-        begun->live = begin_operation(*visit, table, what, std::move(device));
+        begun->live = begin_operation(*signed_in, table, what, std::move(device));
       },
       [this, begun](WorkEnd end, const std::string& reason) {
         if (end == WorkEnd::Cancelled) return session_.take_back();
@@ -256,7 +256,7 @@ void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
 OperatingHud OperatingScreen::hud(const Ui& ui, Shell& shell) {
   const simulator::LoopView& loop = running_->loop;
   OperatingHud hud = hud_of(ui.texts(), session_, table(), loop, shown_cut());
-  hud.is_simulated = visit_->is_simulated();
+  hud.is_simulated = signed_in_->is_simulated();
   hud.tip = viewport_.place_of(transform_from(loop.sample.world_from_tool).translation_mm);
   hud.health = health(ui, shell);
   hud.is_health_open = panels_.is_health_open;
@@ -306,8 +306,8 @@ void OperatingScreen::follow_end(Ui& ui, Shell& shell) {
 void OperatingScreen::score(const Ui& ui, Shell& shell) {
   work_.start(
       shell, text_in(ui, "operate.scoring"),
-      [visit = visit_, attempt = running_->live->attempt()](WorkReport& report) {
-        score_operation(*visit, attempt, report);
+      [signed_in = signed_in_, attempt = running_->live->attempt()](WorkReport& report) {
+        score_operation(*signed_in, attempt, report);
       },
       [this, &shell, title = text_in(ui, "operate.unscored")](WorkEnd end,
                                                               const std::string& reason) {

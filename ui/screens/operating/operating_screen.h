@@ -32,8 +32,8 @@ using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
 
 class OperatingScreen : public Screen {
  public:
-  OperatingScreen(std::shared_ptr<Visit> visit, Places& places, const OperationChoice& choice,
-                  LendDevice lend_device);
+  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+                  const OperationChoice& choice, LendDevice lend_device);
 
   Surround surround() const override { return Surround::Badge; }
   std::string_view why_not_leave() const override;
@@ -90,13 +90,13 @@ class OperatingScreen : public Screen {
   void score(const Ui& ui, Shell& shell);
   void show_result(Shell& shell);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   OperationChoice choice_;
   LendDevice lend_device_;
   /// Of the last frame.
   const Texts* texts_ = nullptr;
-  Reading<PreparedOperation> prepared_;
+  Loaded<PreparedOperation> prepared_;
   ScreenWork work_;
   std::unique_ptr<Running> running_;
   OperatingSession session_;

@@ -30,11 +30,11 @@ database::TraineeDesk desk_of(database::Session& session) {
 
 }  // namespace
 
-PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId scenario,
-                                    WorkReport& report) {
+PreparedOperation prepare_operation(SignedInSession& signed_in,
+                                    database::ScenarioVersionId scenario, WorkReport& report) {
   std::filesystem::path directory;
   const database::ScenarioText text =
-      visit.in_turn([&](database::Session&, database::Database& database) {
+      signed_in.in_turn([&](database::Session&, database::Database& database) {
         directory = database.directory();
         return database::get_scenario_version(database, scenario);
       });
@@ -50,12 +50,12 @@ PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId sc
   return prepared;
 }
 
-std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
+std::unique_ptr<LiveAttempt> begin_operation(SignedInSession& signed_in,
                                              std::shared_ptr<const OperatingTable> table,
                                              LiveBegin what,
                                              std::unique_ptr<simulator::HapticDevice> device) {
   what.device_class = device->description().device_class;
-  return visit.in_turn([&](database::Session& session, database::Database& database) {
+  return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     database::TraineeDesk desk = desk_of(session);
     database::WriterLease lease = begin_live(database, desk, what, table->bone);
     return std::make_unique<LiveAttempt>(std::move(table), database, std::move(lease),
@@ -63,14 +63,15 @@ std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
   });
 }
 
-void score_operation(Visit& visit, const database::AttemptId& attempt, WorkReport& report) {
+void score_operation(SignedInSession& signed_in, const database::AttemptId& attempt,
+                     WorkReport& report) {
   const AttemptMaterial material =
-      visit.in_turn([&](database::Session& session, database::Database& database) {
+      signed_in.in_turn([&](database::Session& session, database::Database& database) {
         database::TraineeDesk desk = desk_of(session);
         return load_attempt(database, desk, attempt);
       });
   const database::ScoreCard card = score_attempt(material, stages_of(report, 1.0)).card;
-  visit.in_turn([&](database::Session& session, database::Database&) {
+  signed_in.in_turn([&](database::Session& session, database::Database&) {
     desk_of(session).store_score(attempt, card);
   });
 }

@@ -20,19 +20,20 @@ struct PreparedOperation {
 /// Reads the version, makes the patient, its plan and its picture.
 /// errors  DatabaseError, ScenarioError, MeshError; Cancelled
 /// thread  any but the window's; also of the others
-PreparedOperation prepare_operation(Visit& visit, database::ScenarioVersionId scenario,
-                                    WorkReport& report);
+PreparedOperation prepare_operation(SignedInSession& signed_in,
+                                    database::ScenarioVersionId scenario, WorkReport& report);
 
 /// Begins the attempt at the desk of who is signed in, and starts it. Its device class is what the
 /// device says.
 /// errors  DatabaseError
-std::unique_ptr<LiveAttempt> begin_operation(Visit& visit,
+std::unique_ptr<LiveAttempt> begin_operation(SignedInSession& signed_in,
                                              std::shared_ptr<const OperatingTable> table,
                                              LiveBegin what,
                                              std::unique_ptr<simulator::HapticDevice> device);
 
 /// Scores what was recorded and stores the score.
 /// errors  DatabaseError, ScenarioError; Cancelled
-void score_operation(Visit& visit, const database::AttemptId& attempt, WorkReport& report);
+void score_operation(SignedInSession& signed_in, const database::AttemptId& attempt,
+                     WorkReport& report);
 
 }  // namespace hallux::ui

@@ -43,7 +43,7 @@ class DeskWork {
   /// `act` holds nothing of the screen's. `done` is called in a frame while the screen is there.
   /// thread  the window's
   template <typename Result>
-  void start(Shell& shell, std::shared_ptr<Visit> visit, DeskWords words,
+  void start(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
              std::function<Result(database::Session&, WorkReport&)> act,
              std::function<void(Result&)> done) {
     fault_.clear();
@@ -51,8 +51,8 @@ class DeskWork {
     std::string label = words.label;
     work_.start(
         shell, std::move(label),
-        [result, visit = std::move(visit), act = std::move(act)](WorkReport& report) {
-          visit->in_turn([&](database::Session& session, database::Database&) {
+        [result, signed_in = std::move(signed_in), act = std::move(act)](WorkReport& report) {
+          signed_in->in_turn([&](database::Session& session, database::Database&) {
             result->emplace(act(session, report));
           });
         },

@@ -1,7 +1,7 @@
 /// What a screen has to read before it can show it: bars while it is read, a sentence and a button
 /// where it failed.
 ///
-///     Reading<std::vector<Person>> people_;
+///     Loaded<std::vector<Person>> people_;
 ///     if (people_.is_new()) people_.start(ui, shell, label, [visit = visit_](WorkReport&) { return
 ///     ...; }); if (people_.draw_until_ready(ui, "people.reading", inside, 8)) draw_people(ui,
 ///     inside, people_.value());
@@ -21,7 +21,7 @@ namespace hallux::ui {
 bool draw_unread(Ui& ui, std::string_view id, const Rect& content, const std::string& reason);
 
 template <typename Value>
-class Reading {
+class Loaded {
  public:
   bool is_new() const noexcept { return state_ == State::New; }
   bool is_ready() const noexcept { return state_ == State::Ready; }

@@ -15,20 +15,20 @@ constexpr float words_height = 104.0F, toggle_height = 24.0F, gap = 16.0F;
 
 }  // namespace
 
-void WordsForm::open() {
+void MessageForm::open() {
   is_open_ = true;
   is_on_ = false;
   words_.clear();
   error_.clear();
 }
 
-void WordsForm::start(Shell& shell, const std::shared_ptr<Visit>& visit, const WordsFormSpec& spec,
-                      const Send& send) {
+void MessageForm::start(Shell& shell, const std::shared_ptr<SignedInSession>& signed_in,
+                        const MessageFormSpec& spec, const Send& send) {
   error_.clear();
   work_.start(
       shell, std::string(spec.sending),
-      [visit, send, words = words_, is_on = is_on_](WorkReport&) {
-        visit->in_turn([&](database::Session& session, auto&) { send(session, words, is_on); });
+      [signed_in, send, words = words_, is_on = is_on_](WorkReport&) {
+        signed_in->in_turn([&](database::Session& session, auto&) { send(session, words, is_on); });
       },
       [this, &shell, sent = std::string(spec.sent)](WorkEnd end, const std::string& reason) {
         if (end != WorkEnd::Done) {
@@ -41,8 +41,8 @@ void WordsForm::start(Shell& shell, const std::shared_ptr<Visit>& visit, const W
       });
 }
 
-bool WordsForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit,
-                     const WordsFormSpec& spec, const Send& send) {
+bool MessageForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSession>& signed_in,
+                       const MessageFormSpec& spec, const Send& send) {
   if (std::exchange(was_sent_, false)) return true;
   if (!is_open_) return false;
   const std::string id(spec.id);
@@ -70,7 +70,7 @@ bool WordsForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit,
     return !words_.empty();
   });
   if (answer == Answer::Keep) is_open_ = false;
-  if (answer == Answer::Act && !work_.is_running()) start(shell, visit, spec, send);
+  if (answer == Answer::Act && !work_.is_running()) start(shell, signed_in, spec, send);
   return false;
 }
 

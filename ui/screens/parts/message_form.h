@@ -14,7 +14,7 @@
 
 namespace hallux::ui {
 
-struct WordsFormSpec {
+struct MessageFormSpec {
   /// Of its controls: "ask" gives "ask.words", "ask.act", "ask.keep".
   std::string_view id = {};
   std::string_view title = {}, sentence = {};
@@ -29,7 +29,7 @@ struct WordsFormSpec {
   std::string_view sending = {}, sent = {};
 };
 
-class WordsForm {
+class MessageForm {
  public:
   /// What happens with the words and the choice, beside the window; it holds nothing of the
   /// screen's.
@@ -39,12 +39,12 @@ class WordsForm {
   void open();
   bool is_open() const noexcept { return is_open_; }
   /// Draws the form while it is open. True in the frame after it was sent.
-  bool draw(Ui& ui, Shell& shell, const std::shared_ptr<Visit>& visit, const WordsFormSpec& spec,
-            const Send& send);
+  bool draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSession>& signed_in,
+            const MessageFormSpec& spec, const Send& send);
 
  private:
-  void start(Shell& shell, const std::shared_ptr<Visit>& visit, const WordsFormSpec& spec,
-             const Send& send);
+  void start(Shell& shell, const std::shared_ptr<SignedInSession>& signed_in,
+             const MessageFormSpec& spec, const Send& send);
 
   bool is_open_ = false, is_on_ = false, was_sent_ = false;
   std::string words_, error_;

@@ -1,7 +1,7 @@
 /// Work that a screen starts and may leave behind.
 ///
 /// Where the screen goes before the work ends, it ends unheard. The work runs on a thread of its
-/// own and may outlive the screen: it holds copies and the visit, never the screen or anything of
+/// own and may outlive the screen: it holds copies and the session, never the screen or anything of
 /// it.
 #pragma once
 

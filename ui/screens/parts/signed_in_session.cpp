@@ -11,8 +11,8 @@
 
 namespace hallux::ui {
 
-Visit::Visit(database::Database opened,
-             const std::function<database::Session(database::Database&)>& come_in)
+SignedInSession::SignedInSession(
+    database::Database opened, const std::function<database::Session(database::Database&)>& come_in)
     : database_(std::move(opened)),
       session_(come_in(database_)),
       person_(session_.person()),
@@ -21,7 +21,7 @@ Visit::Visit(database::Database opened,
       idle_lock_s_(60.0 * database::read_idle_lock_min(database_)),
       is_simulated_(database::is_simulated_course(database_)) {}
 
-Visit::~Visit() {
+SignedInSession::~SignedInSession() {
   try {
     session_.sign_out();
   } catch (const std::exception&) {
@@ -29,7 +29,7 @@ Visit::~Visit() {
   }
 }
 
-std::vector<database::Membership> Visit::taught() const {
+std::vector<database::Membership> SignedInSession::taught() const {
   std::vector<database::Membership> taught;
   std::copy_if(memberships_.begin(), memberships_.end(), std::back_inserter(taught),
                [](const auto& each) { return each.role == database::CohortRole::Instructor; });
@@ -41,10 +41,11 @@ bool is_without_people(const std::filesystem::path& data_directory) {
   return !database::has_people(opened);
 }
 
-std::shared_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
-                               const database::PasswordCost& cost) {
+std::shared_ptr<SignedInSession> sign_in(const std::filesystem::path& data_directory,
+                                         const SignInForm& words,
+                                         const database::PasswordCost& cost) {
   CHECK(words.password.has_value());
-  return std::make_shared<Visit>(
+  return std::make_shared<SignedInSession>(
       database::Database::open(data_directory), [&](database::Database& database) {
         return database::sign_in(database, words.login, *words.password, cost);
       });
@@ -52,7 +53,7 @@ std::shared_ptr<Visit> sign_in(const std::filesystem::path& data_directory, cons
 
 namespace {
 
-database::Session make_first_administrator(database::Database& database, const EntryWords& words,
+database::Session make_first_administrator(database::Database& database, const SignInForm& words,
                                            const database::PasswordCost& cost) {
   std::optional<database::OpenHouse> house = database::OpenHouse::enter(database);
   if (!house) {
@@ -70,19 +71,21 @@ database::Session make_first_administrator(database::Database& database, const E
 
 }  // namespace
 
-std::shared_ptr<Visit> begin_course(const std::filesystem::path& data_directory,
-                                    const EntryWords& words, const database::PasswordCost& cost) {
+std::shared_ptr<SignedInSession> begin_course(const std::filesystem::path& data_directory,
+                                              const SignInForm& words,
+                                              const database::PasswordCost& cost) {
   CHECK(words.password.has_value());
-  return std::make_shared<Visit>(database::Database::open(data_directory),
-                                 [&](database::Database& database) {
-                                   return make_first_administrator(database, words, cost);
-                                 });
+  return std::make_shared<SignedInSession>(database::Database::open(data_directory),
+                                           [&](database::Database& database) {
+                                             return make_first_administrator(database, words, cost);
+                                           });
 }
 
-std::shared_ptr<Visit> redeem(const std::filesystem::path& data_directory, const EntryWords& words,
-                              const database::PasswordCost& cost) {
+std::shared_ptr<SignedInSession> redeem(const std::filesystem::path& data_directory,
+                                        const SignInForm& words,
+                                        const database::PasswordCost& cost) {
   CHECK(words.password.has_value() && words.code.has_value());
-  return std::make_shared<Visit>(
+  return std::make_shared<SignedInSession>(
       database::Database::open(data_directory), [&](database::Database& database) {
         return database::redeem_code(database, words.login, *words.code, *words.password, cost);
       });

@@ -15,16 +15,16 @@
 namespace hallux::ui {
 
 /// A person who is signed in, on a connection of their own. Shared by the screens and by the work
-/// they start, so that work which outlives its screen, or the visit's end, still has it.
-class Visit {
+/// they start, so that work which outlives its screen, or the session's end, still has it.
+class SignedInSession {
  public:
   /// needs   opens signs in to the database it is given
-  Visit(database::Database opened,
-        const std::function<database::Session(database::Database&)>& come_in);
+  SignedInSession(database::Database opened,
+                  const std::function<database::Session(database::Database&)>& come_in);
   /// Ends the session in what is kept, too.
-  ~Visit();
-  Visit(const Visit&) = delete;
-  Visit& operator=(const Visit&) = delete;
+  ~SignedInSession();
+  SignedInSession(const SignedInSession&) = delete;
+  SignedInSession& operator=(const SignedInSession&) = delete;
 
   // As they were at the sign-in.
   const database::Person& person() const noexcept { return person_; }
@@ -61,7 +61,7 @@ class Visit {
 bool is_without_people(const std::filesystem::path& data_directory);
 
 /// What a person wrote to come in. The secrets are wiped when it goes.
-struct EntryWords {
+struct SignInForm {
   std::string login, display_name;
   /// A one-time code.
   std::optional<database::SecretText> code;
@@ -70,14 +70,16 @@ struct EntryWords {
 
 /// errors  DatabaseError: Refused, BadInput, and as database/desks/session.h
 /// thread  any
-std::shared_ptr<Visit> sign_in(const std::filesystem::path& data_directory, const EntryWords& words,
-                               const database::PasswordCost& cost = {});
+std::shared_ptr<SignedInSession> sign_in(const std::filesystem::path& data_directory,
+                                         const SignInForm& words,
+                                         const database::PasswordCost& cost = {});
 /// Makes the first administrator and signs them in.
-std::shared_ptr<Visit> begin_course(const std::filesystem::path& data_directory,
-                                    const EntryWords& words,
-                                    const database::PasswordCost& cost = {});
+std::shared_ptr<SignedInSession> begin_course(const std::filesystem::path& data_directory,
+                                              const SignInForm& words,
+                                              const database::PasswordCost& cost = {});
 /// Chooses a password with a one-time code, and signs in.
-std::shared_ptr<Visit> redeem(const std::filesystem::path& data_directory, const EntryWords& words,
-                              const database::PasswordCost& cost = {});
+std::shared_ptr<SignedInSession> redeem(const std::filesystem::path& data_directory,
+                                        const SignInForm& words,
+                                        const database::PasswordCost& cost = {});
 
 }  // namespace hallux::ui

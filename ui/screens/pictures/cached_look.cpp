@@ -70,10 +70,10 @@ void keep(const std::filesystem::path& data_directory, const Digest& bone, const
 
 }  // namespace
 
-std::string kept_look_name(const simulator::Bone& bone) { return name_of(digest_of_bone(bone)); }
+std::string cached_look_name(const simulator::Bone& bone) { return name_of(digest_of_bone(bone)); }
 
-BoneLook kept_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,
-                      const Progress& progress) {
+BoneLook cached_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,
+                        const Progress& progress) {
   const Digest digest = digest_of_bone(bone);
   const std::uint64_t id = picture_id("look " + hex_from_digest(digest));
   if (const auto kept = database::load_cached(data_directory, name_of(digest), key_of(digest))) {

@@ -14,10 +14,10 @@ namespace hallux::ui {
 /// slower the next time. The same bone has the same look, with the same id, whoever shows it.
 /// errors  whatever `progress` throws
 /// thread  any; no graphics
-BoneLook kept_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,
-                      const Progress& progress = {});
+BoneLook cached_look_of(const std::filesystem::path& data_directory, const simulator::Bone& bone,
+                        const Progress& progress = {});
 
 /// The name under which it is kept.
-std::string kept_look_name(const simulator::Bone& bone);
+std::string cached_look_name(const simulator::Bone& bone);
 
 }  // namespace hallux::ui

@@ -18,8 +18,8 @@ using database::NoteReply;
 constexpr float edge = 12.0F, face = 28.0F, line_height = 22.0F, reply_inset = 28.0F,
                 between = 8.0F, badge_radius = 9.0F;
 
-std::vector<Note> read_notes(Visit& visit, const database::AttemptId& id) {
-  return visit.in_turn([&](database::Session& session, auto&) {
+std::vector<Note> read_notes(SignedInSession& signed_in, const database::AttemptId& id) {
+  return signed_in.in_turn([&](database::Session& session, auto&) {
     const database::AttemptHeader header = header_for(session, id);
     if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
       return desk->notes(header.id);
@@ -100,8 +100,9 @@ void draw_note_badge(Ui& ui, Point centre, std::size_t number) {
 
 void NotesPanel::read(Ui& ui, Shell& shell) {
   if (!notes_.is_new()) return;
-  notes_.start(ui, shell, ui.text("notes.reading"),
-               [visit = visit_, id = attempt_](WorkReport&) { return read_notes(*visit, id); });
+  notes_.start(
+      ui, shell, ui.text("notes.reading"),
+      [signed_in = signed_in_, id = attempt_](WorkReport&) { return read_notes(*signed_in, id); });
 }
 
 const std::vector<Note>& NotesPanel::notes() const noexcept {
@@ -192,8 +193,8 @@ void NotesPanel::send(Ui& ui, Shell& shell, const database::AttemptHeader& heade
   error_.clear();
   work_.start(
       shell, std::string(ui.text("notes.sending")),
-      [visit = visit_, header, note, words = reply_](WorkReport&) {
-        visit->in_turn([&](database::Session& session, auto&) {
+      [signed_in = signed_in_, header, note, words = reply_](WorkReport&) {
+        signed_in->in_turn([&](database::Session& session, auto&) {
           reply_to_note(session, header, note, words);
         });
       },

@@ -16,8 +16,8 @@ namespace hallux::ui {
 
 class NotesPanel {
  public:
-  NotesPanel(std::shared_ptr<Visit> visit, database::AttemptId attempt)
-      : visit_(std::move(visit)), attempt_(std::move(attempt)) {}
+  NotesPanel(std::shared_ptr<SignedInSession> signed_in, database::AttemptId attempt)
+      : signed_in_(std::move(signed_in)), attempt_(std::move(attempt)) {}
 
   /// Reads the notes where they are new.
   void read(Ui& ui, Shell& shell);
@@ -37,9 +37,9 @@ class NotesPanel {
   void draw_reply(Ui& ui, Shell& shell, const Rect& rect, const database::AttemptHeader& header);
   void send(Ui& ui, Shell& shell, const database::AttemptHeader& header);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   database::AttemptId attempt_;
-  Reading<std::vector<database::Note>> notes_;
+  Loaded<std::vector<database::Note>> notes_;
   const std::vector<database::Note> none_;
   std::optional<std::size_t> chosen_;
   std::string reply_, error_;

@@ -82,27 +82,28 @@ void measure_bone(ReplayMaterial& material, const simulator::Bone& bone) {
   material.radius_mm = std::max(1.0, 0.5 * glm::length(high - low));
 }
 
-struct Loaded {
+struct LoadedAttempt {
   AttemptMaterial attempt;
   std::optional<database::StoredScore> score;
   AttemptRights rights;
   std::filesystem::path directory;
 };
 
-Loaded load_for(Visit& visit, const database::AttemptId& id) {
-  return visit.in_turn([&](database::Session& session, database::Database& database) {
+LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id) {
+  return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     const database::AttemptHeader header = header_for(session, id);
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, header.id);
-    return Loaded{load_attempt(database, *desk, header.id), desk->score(header.id),
-                  rights_to(session, header), database.directory()};
+    return LoadedAttempt{load_attempt(database, *desk, header.id), desk->score(header.id),
+                         rights_to(session, header), database.directory()};
   });
 }
 
 }  // namespace
 
-std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::AttemptId& id,
+std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
+                                                  const database::AttemptId& id,
                                                   WorkReport& report) {
-  Loaded loaded = load_for(visit, id);
+  LoadedAttempt loaded = load_for(signed_in, id);
   AttemptMaterial& attempt = loaded.attempt;
   auto material = std::make_shared<ReplayMaterial>();
   material->header = attempt.header;
@@ -119,7 +120,7 @@ std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::
     assessment::OpenedFields opened =
         fields_of(attempt, loaded.directory, part_of(reached, 0.0, follow_share));
     BoneLook look =
-        kept_look_of(loaded.directory, attempt.bone, part_of(reached, follow_share, look_share));
+        cached_look_of(loaded.directory, attempt.bone, part_of(reached, follow_share, look_share));
     auto history = simulator::build_history(
         {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material->plan)},
         part_of(reached, look_share, history_share));

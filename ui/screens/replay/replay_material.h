@@ -48,7 +48,8 @@ struct ReplayMaterial {
 
 /// errors  DatabaseError, ScenarioError, MeshError; Cancelled
 /// thread  work's; seconds
-std::shared_ptr<const ReplayMaterial> load_replay(Visit& visit, const database::AttemptId& id,
+std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
+                                                  const database::AttemptId& id,
                                                   WorkReport& report);
 
 /// The hand at the sample of that moment, or at the last one before it.

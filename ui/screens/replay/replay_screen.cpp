@@ -51,8 +51,8 @@ std::array<double, 3> array_of(const Vec3& point) { return {point.x, point.y, po
 void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (material_.is_new()) {
     material_.start(ui, shell, ui.text("replay.reading"),
-                    [visit = visit_, id = attempt_](WorkReport& report) {
-                      return load_replay(*visit, id, report);
+                    [signed_in = signed_in_, id = attempt_](WorkReport& report) {
+                      return load_replay(*signed_in, id, report);
                     });
   }
   if (!material_.draw_until_ready(ui, "replay.failed", inset(content, space::page), 10)) return;
@@ -110,7 +110,7 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
   std::string where =
       ui.texts().say("replay.crumb", {{"operation", material().scenario.title},
                                       {"number", grouped(static_cast<long>(header.order))}});
-  if (header.begun.person != visit_->person().id && !header.login.empty())
+  if (header.begun.person != signed_in_->person().id && !header.login.empty())
     where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
   canvas.text_in(take_top(rest, 20.0F), {Type::Small, ui.theme().text_caption}, where, true);
   const std::string_view title = ui.text("replay.title");
@@ -394,7 +394,7 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
     return ui.texts().say(picked_in_bone_mm_ ? with_place : without, {{"moment", clock}});
   };
   const std::string asked = about("replay.ask.placed", "replay.ask.unplaced");
-  WordsFormSpec ask;
+  MessageFormSpec ask;
   ask.id = "ask";
   ask.title = ui.text("replay.flag");
   ask.sentence = asked;
@@ -405,12 +405,12 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
   ask.sent = ui.text("result.ask.sent");
   const database::AttemptHeader& header = material().header;
   ask_.draw(
-      ui, shell, visit_, ask,
+      ui, shell, signed_in_, ask,
       [header, moment = moment_now()](database::Session& session, const std::string& words, bool) {
         ask_for_help(session, header, {header.id, moment, words});
       });
   const std::string pinned = about("replay.pin.placed", "replay.pin.unplaced");
-  WordsFormSpec pin;
+  MessageFormSpec pin;
   pin.id = "pin";
   pin.title = ui.text("replay.pin");
   pin.sentence = pinned;
@@ -421,7 +421,7 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
   pin.sending = ui.text("replay.pin.sending");
   pin.sent = ui.text("replay.pin.sent");
   const bool was_pinned =
-      pin_.draw(ui, shell, visit_, pin,
+      pin_.draw(ui, shell, signed_in_, pin,
                 [header, moment = moment_now()](database::Session& session,
                                                 const std::string& words, bool is_private) {
                   auto desk = instructor_desk_for(session, database::Action::WriteNote, header);

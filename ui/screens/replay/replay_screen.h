@@ -20,11 +20,12 @@ namespace hallux::ui {
 
 class ReplayScreen : public Screen {
  public:
-  ReplayScreen(std::shared_ptr<Visit> visit, database::AttemptId attempt, double moment_s)
-      : visit_(std::move(visit)),
+  ReplayScreen(std::shared_ptr<SignedInSession> signed_in, database::AttemptId attempt,
+               double moment_s)
+      : signed_in_(std::move(signed_in)),
         attempt_(std::move(attempt)),
         first_moment_s_(moment_s),
-        notes_(visit_, attempt_) {}
+        notes_(signed_in_, attempt_) {}
 
   Surround surround() const override { return Surround::Rail; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -49,16 +50,16 @@ class ReplayScreen : public Screen {
   void draw_forms(Ui& ui, Shell& shell);
   database::AttemptMoment moment_now() const;
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   database::AttemptId attempt_;
   double first_moment_s_;
-  Reading<std::shared_ptr<const ReplayMaterial>> material_;
+  Loaded<std::shared_ptr<const ReplayMaterial>> material_;
   /// Of the material.
   std::unique_ptr<simulator::BoneMoment> bone_;
   BoneStage stage_;
   Player player_;
   NotesPanel notes_;
-  WordsForm ask_, pin_;
+  MessageForm ask_, pin_;
   TableState ledger_, events_;
   std::optional<Vec3> picked_in_bone_mm_;
   int tab_ = 0, view_ = 0;

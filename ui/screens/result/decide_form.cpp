@@ -78,8 +78,8 @@ void DecideForm::start(Ui& ui, Shell& shell, const ResultFacts& facts) {
   error_.clear();
   work_.start(
       shell, std::string(ui.text("result.deciding")),
-      [visit = visit_, header = facts.header, decision](WorkReport&) {
-        visit->in_turn([&](database::Session& session, auto&) {
+      [signed_in = signed_in_, header = facts.header, decision](WorkReport&) {
+        signed_in->in_turn([&](database::Session& session, auto&) {
           auto desk = instructor_desk_for(session, database::Action::DecideResult, header);
           if (!desk) {
             throw database::DatabaseError(database::DatabaseErrorKind::Refused,

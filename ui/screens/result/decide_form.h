@@ -17,7 +17,8 @@ std::optional<std::int64_t> score_from(std::string_view words) noexcept;
 
 class DecideForm {
  public:
-  explicit DecideForm(std::shared_ptr<Visit> visit) : visit_(std::move(visit)) {}
+  explicit DecideForm(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
   void open(const ResultFacts& facts);
   bool is_open() const noexcept { return is_open_; }
@@ -34,7 +35,7 @@ class DecideForm {
   void start(Ui& ui, Shell& shell, const ResultFacts& facts);
   void draw_question(Ui& ui, Shell& shell, const ResultFacts& facts);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   bool is_open_ = false, is_asking_ = false, was_decided_ = false;
   /// A DecisionKind.
   int chosen_ = 0;

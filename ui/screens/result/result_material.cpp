@@ -50,19 +50,19 @@ StageProgress stages_on(WorkReport& report) {
   };
 }
 
-struct Loaded {
+struct LoadedAttempt {
   AttemptMaterial attempt;
   std::filesystem::path directory;
 };
 
-Loaded load_for(Visit& visit, const database::AttemptId& id) {
-  return visit.in_turn([&](database::Session& session, database::Database& database) {
+LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id) {
+  return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
     if (!desk) {
       throw database::DatabaseError(database::DatabaseErrorKind::Refused,
                                     "this account may not see attempts any more");
     }
-    return Loaded{load_attempt(database, *desk, id), database.directory()};
+    return LoadedAttempt{load_attempt(database, *desk, id), database.directory()};
   });
 }
 
@@ -70,10 +70,10 @@ bool is_to_be_scored(const database::AttemptHeader& header) {
   return !header.score_milli && header.state == AttemptState::Closed;
 }
 
-bool store_where_missing(Visit& visit, const database::AttemptHeader& header,
+bool store_where_missing(SignedInSession& signed_in, const database::AttemptHeader& header,
                          const database::ScoreCard& card) {
   if (!is_to_be_scored(header)) return false;
-  return visit.in_turn([&](database::Session& session, auto&) {
+  return signed_in.in_turn([&](database::Session& session, auto&) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::StoreScore, header.id);
     if (!desk || !desk->may(Action::StoreScore, header)) return false;
     desk->store_score(header.id, card);
@@ -148,13 +148,13 @@ void light_pieces(std::vector<BoneMesh>& pieces) {
   }
 }
 
-void add_pictures(ExaminedAttempt& examined, const Loaded& loaded, const Examination& examination,
-                  WorkReport& report) {
+void add_pictures(ExaminedAttempt& examined, const LoadedAttempt& loaded,
+                  const Examination& examination, WorkReport& report) {
   const AttemptMaterial& material = loaded.attempt;
   const std::string name = "result " + material.header.id.text + " " +
                            std::to_string(material.recording.samples.size()) + " ";
   examined.look = cancelled_as("stopped before the bone was drawn", [&] {
-    return kept_look_of(loaded.directory, material.bone, [&](double fraction) {
+    return cached_look_of(loaded.directory, material.bone, [&](double fraction) {
       return report.reached(wound_share + 0.2 * fraction);
     });
   });
@@ -200,8 +200,8 @@ std::optional<std::int64_t> ResultFacts::standing_milli() const noexcept {
   return std::nullopt;
 }
 
-ResultFacts read_result(Visit& visit, const database::AttemptId& id) {
-  return visit.in_turn([&](database::Session& session, database::Database& database) {
+ResultFacts read_result(SignedInSession& signed_in, const database::AttemptId& id) {
+  return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     ResultFacts facts;
     facts.header = header_for(session, id);
     std::optional<database::AttemptDesk> desk =
@@ -215,9 +215,10 @@ ResultFacts read_result(Visit& visit, const database::AttemptId& id) {
   });
 }
 
-std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const database::AttemptId& id,
+std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_in,
+                                                       const database::AttemptId& id,
                                                        WorkReport& report) {
-  const Loaded loaded = load_for(visit, id);
+  const LoadedAttempt loaded = load_for(signed_in, id);
   const AttemptMaterial& material = loaded.attempt;
   report.reached(read_share);
   // What was kept beside the recording serves to show, never to score.
@@ -232,7 +233,7 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const datab
   }
   examined->wound = wound_of(material, examination, report);
   add_pictures(*examined, loaded, examination, report);
-  examined->was_stored = store_where_missing(visit, material.header, examination.card);
+  examined->was_stored = store_where_missing(signed_in, material.header, examination.card);
   report.reached(1.0);
   return examined;
 }

@@ -41,7 +41,7 @@ struct ResultFacts {
 
 /// errors  DatabaseError: NotFound, Refused
 /// thread  work's
-ResultFacts read_result(Visit& visit, const database::AttemptId& id);
+ResultFacts read_result(SignedInSession& signed_in, const database::AttemptId& id);
 
 /// A label on a line of equal distance to the plan.
 struct IsoPlace {
@@ -97,7 +97,8 @@ struct ExaminedAttempt {
 /// touched.
 /// errors  DatabaseError, ScenarioError, MeshError; Cancelled
 /// thread  work's; seconds
-std::shared_ptr<const ExaminedAttempt> examine_attempt(Visit& visit, const database::AttemptId& id,
+std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_in,
+                                                       const database::AttemptId& id,
                                                        WorkReport& report);
 
 /// Whether two cards of one attempt say the same score, item by item.

@@ -42,12 +42,14 @@ bool draw_moment(Ui& ui, const LedgerLine& line, const Rect& cell) {
 void ResultScreen::read(Ui& ui, Shell& shell) {
   if (facts_.is_new()) {
     facts_.start(ui, shell, ui.text("result.reading"),
-                 [visit = visit_, id = attempt_](WorkReport&) { return read_result(*visit, id); });
+                 [signed_in = signed_in_, id = attempt_](WorkReport&) {
+                   return read_result(*signed_in, id);
+                 });
   }
   if (!facts_.is_ready() || !examined_.is_new()) return;
   examined_.start(ui, shell, ui.text("result.examining"),
-                  [visit = visit_, id = facts().header.id](WorkReport& report) {
-                    return examine_attempt(*visit, id, report);
+                  [signed_in = signed_in_, id = facts().header.id](WorkReport& report) {
+                    return examine_attempt(*signed_in, id, report);
                   });
 }
 
@@ -103,7 +105,7 @@ float ResultScreen::draw_head(Ui& ui, const Rect& place) {
   const database::AttemptHeader& header = facts().header;
   Canvas& canvas = ui.canvas();
   std::string where = scenario() != nullptr ? scenario()->title : header.scenario_name;
-  if (header.begun.person != visit_->person().id && !header.login.empty())
+  if (header.begun.person != signed_in_->person().id && !header.login.empty())
     where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
   std::string when = moment_text(header.started_utc);
   if (header.duration_ticks)
@@ -380,7 +382,7 @@ void ResultScreen::draw_forms(Ui& ui, Shell& shell) {
     facts_.read_again();
     ui.want_frame_in_s(0.0);
   }
-  WordsFormSpec spec;
+  MessageFormSpec spec;
   spec.id = "ask";
   spec.title = ui.text("result.ask");
   spec.sentence = ui.text("result.ask.sentence");
@@ -394,7 +396,7 @@ void ResultScreen::draw_forms(Ui& ui, Shell& shell) {
     const LedgerLine& line = facts().score->card.ledger[*chosen_line_];
     moment = {line.start_us, database::BonePoint{0, line.place_in_bone_mm}};
   }
-  ask_.draw(ui, shell, visit_, spec,
+  ask_.draw(ui, shell, signed_in_, spec,
             [header = facts().header, moment](database::Session& session, const std::string& words,
                                               bool) {
               ask_for_help(session, header, {header.id, moment, words});

@@ -21,8 +21,12 @@ namespace hallux::ui {
 class ResultScreen : public Screen {
  public:
   /// `places` outlives the screen.
-  ResultScreen(std::shared_ptr<Visit> visit, Places& places, database::AttemptId attempt)
-      : visit_(std::move(visit)), places_(places), attempt_(std::move(attempt)), decide_(visit_) {}
+  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+               database::AttemptId attempt)
+      : signed_in_(std::move(signed_in)),
+        places_(places),
+        attempt_(std::move(attempt)),
+        decide_(signed_in_) {}
 
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
@@ -55,14 +59,14 @@ class ResultScreen : public Screen {
   /// Of the ledger's line that is looked at.
   std::optional<double> chosen_moment_s() const;
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   database::AttemptId attempt_;
-  Reading<ResultFacts> facts_;
-  Reading<std::shared_ptr<const ExaminedAttempt>> examined_;
+  Loaded<ResultFacts> facts_;
+  Loaded<std::shared_ptr<const ExaminedAttempt>> examined_;
   PlanCard plan_;
   DecideForm decide_;
-  WordsForm ask_;
+  MessageForm ask_;
   TableState ledger_;
   std::optional<std::size_t> chosen_line_;
   float page_height_ = 0.0F;

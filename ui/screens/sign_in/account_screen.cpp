@@ -44,13 +44,13 @@ int lock_choice_of(std::int32_t minutes) {
 }  // namespace
 
 void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  const auto rows = static_cast<float>(std::max<std::size_t>(visit_->memberships().size(), 3));
+  const auto rows = static_cast<float>(std::max<std::size_t>(signed_in_->memberships().size(), 3));
   const float cohorts_height = 80.0F + row_height * rows;
   const Page scrolled(ui, "account", ui.text("account.title"), content,
                       140.0F + person_height + space::between_cards + cohorts_height);
   Rect page = scrolled.rect();
   PageHead head{ui.text("account.title"), ui.text("account.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   head.has_back = true;
   if (page_head(ui, "account", page, head).is_back_pressed) shell.pop();
   Panes panes = panes_of(page, side_width, cohorts_height);
@@ -70,8 +70,8 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 }
 
 void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
-  const auto minutes = static_cast<std::int32_t>(std::lround(visit_->idle_lock_s() / 60.0));
-  if (!visit_->person().is_administrator) {
+  const auto minutes = static_cast<std::int32_t>(std::lround(signed_in_->idle_lock_s() / 60.0));
+  if (!signed_in_->person().is_administrator) {
     return fact_line(ui, rest, ui.text("account.lock"),
                      ui.texts().say("account.lock.minutes", {{"count", std::to_string(minutes)}}));
   }
@@ -94,7 +94,7 @@ void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
 
 void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
   setting_.start<bool>(
-      shell, visit_,
+      shell, signed_in_,
       {std::string(ui.text("account.lock.changing")), std::string(ui.text("account.lock.failed"))},
       [minutes](database::Session& session, WorkReport&) {
         administrator_of(session).set_idle_lock_min(minutes);
@@ -107,7 +107,7 @@ void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
 }
 
 void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
-  const database::Person& person = visit_->person();
+  const database::Person& person = signed_in_->person();
   fact_line(ui, rest, ui.text("people.login"), person.login);
   fact_line(ui, rest, ui.text("account.name"),
             person.display_name.empty() ? person.login : person.display_name);
@@ -131,11 +131,11 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
 }
 
 void AccountScreen::draw_cohorts(Ui& ui, Rect rest) const {
-  if (visit_->memberships().empty()) {
+  if (signed_in_->memberships().empty()) {
     words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
     return;
   }
-  for (const database::Membership& each : visit_->memberships()) {
+  for (const database::Membership& each : signed_in_->memberships()) {
     Rect line = take_top(rest, row_height);
     const std::string_view role =
         ui.text(each.role == database::CohortRole::Instructor ? "role.instructor" : "role.trainee");
@@ -155,7 +155,7 @@ void AccountScreen::change_password(Ui& ui, Shell& shell) {
   const auto secrets = std::make_shared<Secrets>(
       Secrets{database::SecretText::take(old_password), database::SecretText::take(new_password)});
   changing_.start<bool>(
-      shell, visit_, {std::string(ui.text("account.password.changing")), {}},
+      shell, signed_in_, {std::string(ui.text("account.password.changing")), {}},
       [secrets, cost = cost_](database::Session& session, WorkReport&) {
         session.change_password(secrets->old_password, secrets->new_password, cost);
         return true;
@@ -192,7 +192,7 @@ void AccountScreen::draw_export(Ui& ui, Shell& shell) {
 void AccountScreen::export_own(Ui& ui, Shell& shell) {
   if (exporting_.is_running()) return;
   exporting_.start<database::PersonExport>(
-      shell, visit_, {std::string(ui.text("account.export.running")), {}},
+      shell, signed_in_, {std::string(ui.text("account.export.running")), {}},
       [folder = std::filesystem::path(*folder_)](database::Session& session, WorkReport& report) {
         return trainee_of(session).export_own(
             folder, [&report](double share) { return report.reached(share); });

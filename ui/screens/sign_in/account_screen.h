@@ -12,8 +12,9 @@ namespace hallux::ui {
 
 class AccountScreen : public Screen {
  public:
-  explicit AccountScreen(std::shared_ptr<Visit> visit, database::PasswordCost cost = {})
-      : visit_(std::move(visit)), cost_(cost) {}
+  explicit AccountScreen(std::shared_ptr<SignedInSession> signed_in,
+                         database::PasswordCost cost = {})
+      : signed_in_(std::move(signed_in)), cost_(cost) {}
 
   std::string_view navigation_id() const override { return account_place; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -31,7 +32,7 @@ class AccountScreen : public Screen {
   void draw_lock(Ui& ui, Rect& rest, Shell& shell);
   void set_lock(Ui& ui, Shell& shell, std::int32_t minutes);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   database::PasswordCost cost_;
   /// While the dialog is open.
   std::optional<PasswordWords> typed_;

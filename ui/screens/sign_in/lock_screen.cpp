@@ -23,9 +23,9 @@ struct Try {
 
 }  // namespace
 
-LockScreen::LockScreen(std::shared_ptr<Visit> visit, std::function<void()> sign_out,
+LockScreen::LockScreen(std::shared_ptr<SignedInSession> signed_in, std::function<void()> sign_out,
                        database::PasswordCost cost)
-    : visit_(std::move(visit)), sign_out_(std::move(sign_out)), cost_(cost) {}
+    : signed_in_(std::move(signed_in)), sign_out_(std::move(sign_out)), cost_(cost) {}
 
 LockScreen::~LockScreen() { wipe(password_); }
 
@@ -40,7 +40,7 @@ void LockScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 
 void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
   const Theme& theme = ui.theme();
-  const database::Person& person = visit_->person();
+  const database::Person& person = signed_in_->person();
   const bool is_recording = shell.top() != nullptr && !shell.top()->why_not_leave().empty();
   const std::string sentence =
       ui.texts().say(is_recording ? "lock.sentence.recording" : "lock.sentence",
@@ -84,9 +84,9 @@ void LockScreen::open(Ui& ui, Shell& shell) {
   fault_.clear();
   work_.start(
       shell, std::string(ui.text("lock.opening")),
-      [tried, visit = visit_, cost = cost_](WorkReport&) {
+      [tried, signed_in = signed_in_, cost = cost_](WorkReport&) {
         tried->wait.noting([&] {
-          visit->in_turn([&](database::Session& session, database::Database&) {
+          signed_in->in_turn([&](database::Session& session, database::Database&) {
             session.prove(tried->password, cost);
           });
         });

@@ -23,8 +23,8 @@ class LockScreen : public Screen {
  public:
   static constexpr double longest_s = 12.0 * 60.0 * 60.0;
 
-  /// `sign_out` ends the visit and unlocks.
-  LockScreen(std::shared_ptr<Visit> visit, std::function<void()> sign_out,
+  /// `sign_out` ends the session and unlocks.
+  LockScreen(std::shared_ptr<SignedInSession> signed_in, std::function<void()> sign_out,
              database::PasswordCost cost = {});
   ~LockScreen() override;
 
@@ -36,7 +36,7 @@ class LockScreen : public Screen {
   void draw_form(Ui& ui, Rect column, Shell& shell);
   void open(Ui& ui, Shell& shell);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   std::function<void()> sign_out_;
   database::PasswordCost cost_;
   std::string password_, fault_;

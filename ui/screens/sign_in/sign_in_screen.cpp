@@ -43,8 +43,8 @@ void draw_welcome(Ui& ui, const Rect& side) {
 
 }  // namespace
 
-EntryScreen::EntryScreen(std::filesystem::path data_directory, Entered entered,
-                         database::PasswordCost cost, PatientPictures* pictures)
+SignInScreen::SignInScreen(std::filesystem::path data_directory, Entered entered,
+                           database::PasswordCost cost, PatientPictures* pictures)
     : data_directory_(std::move(data_directory)),
       entered_(std::move(entered)),
       cost_(cost),
@@ -53,7 +53,7 @@ EntryScreen::EntryScreen(std::filesystem::path data_directory, Entered entered,
 }
 
 // The ground is there from the first frame on, so that nothing but the bone appears.
-void EntryScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
+void SignInScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
   ui.canvas().fill(side, ui.theme().side);
   if (pictures_ == nullptr) return;
   const PatientView* view = pictures_->find(shell, pictured_);
@@ -71,20 +71,20 @@ void EntryScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
   ui.canvas().picture(still_picture(ui, shell, name, side, scene, camera), side);
 }
 
-void EntryScreen::show(Form form) {
+void SignInScreen::show(Form form) {
   form_ = form;
   is_login_known_ = !login_.empty();
   fault_.clear();
   forget_secrets();
 }
 
-void EntryScreen::forget_secrets() {
+void SignInScreen::forget_secrets() {
   for (std::string* secret : {&code_, &password_, &password_again_}) {
     database::SecretText::take(*secret);  // wipes what it takes
   }
 }
 
-void EntryScreen::open(Ui& ui, Shell& shell) {
+void SignInScreen::open(Ui& ui, Shell& shell) {
   opening_since_s_ = ui.time_s();
   shell.background().start(
       std::string(ui.text("entry.opening")),
@@ -97,7 +97,7 @@ void EntryScreen::open(Ui& ui, Shell& shell) {
       });
 }
 
-void EntryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+void SignInScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   Rect rest = content;
   if (content.w >= narrow_below) {
     const Rect side = take_left(rest, content.w * side_share);
@@ -120,7 +120,7 @@ void EntryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (is_scrolled) ui.end_scroll();
 }
 
-void EntryScreen::draw_opening(Ui& ui, const Rect& column, Shell& shell) {
+void SignInScreen::draw_opening(Ui& ui, const Rect& column, Shell& shell) {
   if (form_ == Form::Opening) {
     if (opening_since_s_ < 0.0) open(ui, shell);
     loading_rows(ui, column, 4, opening_since_s_);
@@ -132,14 +132,14 @@ void EntryScreen::draw_opening(Ui& ui, const Rect& column, Shell& shell) {
   opening_since_s_ = -1.0;
 }
 
-void EntryScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
+void SignInScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
   if (form_ == Form::SignIn) draw_sign_in(ui, column, shell);
   if (form_ == Form::Code) draw_code(ui, column, shell);
   if (form_ == Form::FirstAdministrator) draw_first_administrator(ui, column, shell);
 }
 
-void EntryScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
-                            std::string_view sentence) const {
+void SignInScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
+                             std::string_view sentence) const {
   const Theme& theme = ui.theme();
   ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text}, title);
   const float height = ui.paragraph_height(Type::Body, sentence, column.w);
@@ -169,7 +169,7 @@ void draw_entry_field(Ui& ui, Rect& column, std::string& text, const EntryField&
 
 }  // namespace
 
-void EntryScreen::draw_fault(Ui& ui, Rect& column) {
+void SignInScreen::draw_fault(Ui& ui, Rect& column) {
   if (login_ != waiting_login_ && wait_.left_s(ui) > 0) {
     wait_ = {};
     fault_.clear();
@@ -183,8 +183,8 @@ void EntryScreen::draw_fault(Ui& ui, Rect& column) {
                         {Type::Small, ui.theme().bad_text}, fault_);
 }
 
-bool EntryScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                              bool is_ready) {
+bool SignInScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
+                               bool is_ready) {
   take_top(column, 6.0F);
   ButtonSpec spec{label, ButtonLook::Primary};
   spec.is_enabled = is_ready && wait_.left_s(ui) == 0;
@@ -192,7 +192,7 @@ bool EntryScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::st
   return button(ui, id, take_top(column, large_button_height, 20.0F), spec);
 }
 
-void EntryScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
+void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.sign_in"), ui.text("entry.sign_in.sentence"));
   draw_entry_field(ui, column, login_, {"entry.login", ui.text("entry.login")}, !is_busy_);
   draw_entry_field(ui, column, password_, {"entry.password", ui.text("entry.password"), {}, true},
@@ -213,7 +213,7 @@ void EntryScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
   ui.canvas().paragraph(foot, {Type::Small, ui.theme().text_caption}, shared);
 }
 
-void EntryScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
+void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.code.title"), ui.text("entry.code.sentence"));
   draw_entry_field(ui, column, login_, {"entry.login", ui.text("entry.login")}, !is_busy_);
   draw_entry_field(ui, column, code_, {"entry.code", ui.text("entry.code"), {}, true}, !is_busy_);
@@ -235,7 +235,7 @@ void EntryScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
   }
 }
 
-void EntryScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) {
+void SignInScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.first.title"), ui.text("entry.first.sentence"));
   draw_entry_field(ui, column, login_,
                    {"entry.login", ui.text("entry.login"), ui.text("entry.login.rule")}, !is_busy_);
@@ -254,13 +254,13 @@ void EntryScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) {
   }
 }
 
-void EntryScreen::come_in_with_new_password(Ui& ui, Shell& shell, Work work) {
+void SignInScreen::come_in_with_new_password(Ui& ui, Shell& shell, Work work) {
   if (password_ == password_again_) return come_in(ui, shell, work);
   fault_ = ui.text("entry.passwords_differ");
 }
 
 /// The words are kept by the screen until the work ends, and a screen stays until its work ended.
-void EntryScreen::come_in(Ui& ui, Shell& shell, Work work) {
+void SignInScreen::come_in(Ui& ui, Shell& shell, Work work) {
   words_.login = login_;
   words_.display_name = name_;
   words_.code = database::SecretText::take(code_);
@@ -271,14 +271,14 @@ void EntryScreen::come_in(Ui& ui, Shell& shell, Work work) {
   shell.background().start(
       std::string(ui.text("entry.signing_in")),
       [this, work](WorkReport&) {
-        told_.noting([&] { visit_ = work(data_directory_, words_, cost_); });
+        told_.noting([&] { signed_in_ = work(data_directory_, words_, cost_); });
       },
       [this, &shell](WorkEnd end, const std::string& reason) {
         is_busy_ = false;
         waiting_login_ = std::exchange(words_, {}).login;
         wait_ = std::exchange(told_, {});
-        if (end == WorkEnd::Done) return entered_(shell, std::move(visit_));
-        visit_.reset();
+        if (end == WorkEnd::Done) return entered_(shell, std::move(signed_in_));
+        signed_in_.reset();
         fault_ = sentence_of(reason);
       });
 }

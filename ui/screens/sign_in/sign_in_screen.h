@@ -11,22 +11,22 @@
 
 namespace hallux::ui {
 
-class EntryScreen : public Screen {
+class SignInScreen : public Screen {
  public:
   /// Called once somebody came in.
-  using Entered = std::function<void(Shell& shell, std::shared_ptr<Visit> visit)>;
+  using Entered = std::function<void(Shell& shell, std::shared_ptr<SignedInSession> signed_in)>;
 
   /// `pictures`, where there are any, outlive the screen: the bone beside the form comes from them.
-  EntryScreen(std::filesystem::path data_directory, Entered entered,
-              database::PasswordCost cost = {}, PatientPictures* pictures = nullptr);
+  SignInScreen(std::filesystem::path data_directory, Entered entered,
+               database::PasswordCost cost = {}, PatientPictures* pictures = nullptr);
 
   Surround surround() const override { return Surround::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
   enum class Form { Opening, Unusable, SignIn, Code, FirstAdministrator };
-  using Work = std::shared_ptr<Visit> (*)(const std::filesystem::path&, const EntryWords&,
-                                          const database::PasswordCost&);
+  using Work = std::shared_ptr<SignedInSession> (*)(const std::filesystem::path&, const SignInForm&,
+                                                    const database::PasswordCost&);
 
   void draw_bone(Ui& ui, const Rect& side, Shell& shell);
   void open(Ui& ui, Shell& shell);
@@ -64,10 +64,10 @@ class EntryScreen : public Screen {
   SignInWait wait_;
   std::string waiting_login_;
   /// Of the work that runs.
-  EntryWords words_;
+  SignInForm words_;
   /// The work's, until it ends.
   SignInWait told_;
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
 };
 
 }  // namespace hallux::ui

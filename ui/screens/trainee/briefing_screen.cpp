@@ -37,8 +37,8 @@ std::array<std::string_view, 3> tab_labels(const Ui& ui) {
 void BriefingScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (operation_.is_new()) {
     operation_.start(
-        ui, shell, ui.text("brief.reading"), [visit = visit_, id = scenario_](WorkReport&) {
-          return visit->in_turn([&](database::Session& session, database::Database& database) {
+        ui, shell, ui.text("brief.reading"), [signed_in = signed_in_, id = scenario_](WorkReport&) {
+          return signed_in->in_turn([&](database::Session& session, database::Database& database) {
             return own_operation(session, database, id);
           });
         });
@@ -61,7 +61,7 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   const std::string sentence =
       ui.texts().say("brief.sentence", {{"version", std::to_string(operation.published.version)}});
   PageHead head{operation.title(), sentence};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   head.has_back = true;
   const Page page(ui, "brief", head.title, content,
                   head_room + (is_stacked ? stacked : std::max(least_body, start + 200.0F)));

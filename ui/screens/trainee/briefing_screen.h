@@ -16,9 +16,12 @@ namespace hallux::ui {
 class BriefingScreen : public Screen {
  public:
   /// `places` and `pictures` outlive the screen.
-  BriefingScreen(std::shared_ptr<Visit> visit, Places& places, PatientPictures& pictures,
-                 database::ScenarioVersionId scenario)
-      : visit_(std::move(visit)), places_(places), pictures_(pictures), scenario_(scenario) {}
+  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+                 PatientPictures& pictures, database::ScenarioVersionId scenario)
+      : signed_in_(std::move(signed_in)),
+        places_(places),
+        pictures_(pictures),
+        scenario_(scenario) {}
 
   std::string_view navigation_id() const override { return "nav.operations"; }
   /// An assessment may have been used up since.
@@ -37,11 +40,11 @@ class BriefingScreen : public Screen {
   float draw_words(Ui& ui, const Rect& rect) const;
   void draw_words_card(Ui& ui, const Rect& rect);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   PatientPictures& pictures_;
   database::ScenarioVersionId scenario_;
-  Reading<OwnOperation> operation_;
+  Loaded<OwnOperation> operation_;
   int tab_ = 0, kind_ = 0;
   /// Of practice: none, soft, slot.
   int guidance_ = 0;

@@ -187,8 +187,8 @@ const OperationHistory& HistoryScreen::history() const {
 }
 
 void HistoryScreen::start_reading(Ui& ui, Shell& shell) {
-  histories_.start(ui, shell, ui.text("history.reading"), [visit = visit_](WorkReport&) {
-    return visit->in_turn([](database::Session& session, auto&) {
+  histories_.start(ui, shell, ui.text("history.reading"), [signed_in = signed_in_](WorkReport&) {
+    return signed_in->in_turn([](database::Session& session, auto&) {
       std::vector<OperationHistory> histories = histories_of(own_attempts(session));
       database::TraineeDesk desk = trainee_of(session);
       for (OperationHistory& history : histories) compare(desk, history);
@@ -200,7 +200,7 @@ void HistoryScreen::start_reading(Ui& ui, Shell& shell) {
 void HistoryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (histories_.is_new()) start_reading(ui, shell);
   PageHead head{ui.text("history.title"), ui.text("history.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   const bool has_attempts = histories_.has_value() && !histories_.value().empty();
   if (has_attempts) head.buttons_width = controls_width(ui, histories_.value());
   const bool is_narrow = are_panes_stacked(content.w - 2.0F * page_margin(content));

@@ -16,8 +16,8 @@ namespace hallux::ui {
 class HistoryScreen : public Screen {
  public:
   /// `places` outlives the screen.
-  HistoryScreen(std::shared_ptr<Visit> visit, Places& places)
-      : visit_(std::move(visit)), places_(places) {}
+  HistoryScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
+      : signed_in_(std::move(signed_in)), places_(places) {}
 
   std::string_view navigation_id() const override { return "nav.history"; }
   void enter(Shell&) override { histories_.read_again(); }
@@ -33,9 +33,9 @@ class HistoryScreen : public Screen {
   void copy(Ui& ui, Shell& shell) const;
   const OperationHistory& history() const;
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
-  Reading<std::vector<OperationHistory>> histories_;
+  Loaded<std::vector<OperationHistory>> histories_;
   int chosen_ = 0;
   TableState table_;
 };

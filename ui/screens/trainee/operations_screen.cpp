@@ -118,15 +118,16 @@ OperationsScreen::Grid OperationsScreen::grid_of(float width) const {
 
 void OperationsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (operations_.is_new()) {
-    operations_.start(ui, shell, ui.text("operations.reading"), [visit = visit_](WorkReport&) {
-      return visit->in_turn([](database::Session& session, database::Database& database) {
-        return own_operations(session, database);
-      });
-    });
+    operations_.start(
+        ui, shell, ui.text("operations.reading"), [signed_in = signed_in_](WorkReport&) {
+          return signed_in->in_turn([](database::Session& session, database::Database& database) {
+            return own_operations(session, database);
+          });
+        });
   }
   now_utc_ = utc_now_text();
   PageHead head{ui.text("operations.title"), ui.text("operations.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   head.buttons_width = segmented_width(ui, segment_labels(ui)) + control_gap + search_width;
   const float width = content.w - 2.0F * page_margin(content);
   const float cards = has_operations() ? grid_of(width).height : least_cards;

@@ -17,8 +17,9 @@ namespace hallux::ui {
 class OperationsScreen : public Screen {
  public:
   /// `places` and `pictures` outlive the screen.
-  OperationsScreen(std::shared_ptr<Visit> visit, Places& places, PatientPictures& pictures)
-      : visit_(std::move(visit)), places_(places), pictures_(pictures) {}
+  OperationsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+                   PatientPictures& pictures)
+      : signed_in_(std::move(signed_in)), places_(places), pictures_(pictures) {}
 
   std::string_view navigation_id() const override { return "nav.operations"; }
   /// Back from an attempt, the person stands elsewhere.
@@ -42,10 +43,10 @@ class OperationsScreen : public Screen {
   Picture picture_of(Ui& ui, const Rect& card, const OwnOperation& operation, Shell& shell);
   std::vector<const OwnOperation*> shown() const;
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
   PatientPictures& pictures_;
-  Reading<std::vector<OwnOperation>> operations_;
+  Loaded<std::vector<OwnOperation>> operations_;
   /// Of this frame.
   std::string now_utc_;
   int segment_ = 0;

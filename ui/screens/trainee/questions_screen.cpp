@@ -14,17 +14,19 @@ constexpr float side_width = 440.0F, stacked_height = 380.0F;
 
 void QuestionsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (questions_.is_new()) {
-    questions_.start(ui, shell, ui.text("questions.reading"), [visit = visit_](WorkReport&) {
-      return visit->in_turn(
-          [](database::Session& session, auto&) { return trainee_of(session).help_requests(); });
-    });
+    questions_.start(ui, shell, ui.text("questions.reading"),
+                     [signed_in = signed_in_](WorkReport&) {
+                       return signed_in->in_turn([](database::Session& session, auto&) {
+                         return trainee_of(session).help_requests();
+                       });
+                     });
   }
   const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
   const Page scrolled(ui, "questions", ui.text("questions.title"), content,
                       is_stacked ? 440.0F + stacked_height : 480.0F);
   Rect page = scrolled.rect();
   PageHead head{ui.text("questions.title"), ui.text("questions.sentence")};
-  if (visit_->is_simulated()) head.mark = ui.text("course.simulated");
+  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
   page_head(ui, "questions", page, head);
   const bool is_empty = questions_.is_ready() && questions_.value().empty();
   const Panes panes = is_empty ? Panes{page, {}} : panes_of(page, side_width, stacked_height);

@@ -12,8 +12,8 @@ namespace hallux::ui {
 class QuestionsScreen : public Screen {
  public:
   /// `places` outlives the screen.
-  QuestionsScreen(std::shared_ptr<Visit> visit, Places& places)
-      : visit_(std::move(visit)), places_(places) {}
+  QuestionsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
+      : signed_in_(std::move(signed_in)), places_(places) {}
 
   std::string_view navigation_id() const override { return "nav.questions"; }
   /// What was answered in the meantime is read anew.
@@ -24,9 +24,9 @@ class QuestionsScreen : public Screen {
   void draw_list(Ui& ui, const Rect& content);
   void draw_chosen(Ui& ui, const Rect& content);
 
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Places& places_;
-  Reading<std::vector<database::HelpRequest>> questions_;
+  Loaded<std::vector<database::HelpRequest>> questions_;
   database::HelpRequestId chosen_;
 };
 

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-class KeptPreferences : public testing::Test {
+class WindowPreferences : public testing::Test {
  protected:
-  KeptPreferences() {
+  WindowPreferences() {
     fs::create_directory(directory());
     std::ofstream(directory() / "hallux.db") << "a course";
   }
@@ -40,19 +40,19 @@ class KeptPreferences : public testing::Test {
 
 Preferences unusual() { return {ThemeName::Light, 1.3F, true, true, false}; }
 
-TEST_F(KeptPreferences, AreTheUsualOnesWhereNothingIsKept) {
+TEST_F(WindowPreferences, AreTheUsualOnesWhereNothingIsKept) {
   EXPECT_EQ(read_preferences(directory()), Preferences{});
   EXPECT_EQ(read_preferences(directory() / "missing"), Preferences{});
 }
 
-TEST_F(KeptPreferences, ComeBackAsTheyWere) {
+TEST_F(WindowPreferences, ComeBackAsTheyWere) {
   keep_preferences(directory(), unusual());
   EXPECT_EQ(read_preferences(directory()), unusual());
   keep_preferences(directory(), Preferences{});
   EXPECT_EQ(read_preferences(directory()), Preferences{});
 }
 
-TEST_F(KeptPreferences, MakeNothingWhereNoCourseIs) {
+TEST_F(WindowPreferences, MakeNothingWhereNoCourseIs) {
   fs::remove(directory() / "hallux.db");
   keep_preferences(directory(), unusual());
   EXPECT_TRUE(fs::is_empty(directory()));
@@ -60,7 +60,7 @@ TEST_F(KeptPreferences, MakeNothingWhereNoCourseIs) {
   EXPECT_FALSE(fs::exists(directory() / "missing"));
 }
 
-TEST_F(KeptPreferences, AFileThatIsNoneIsNamed) {
+TEST_F(WindowPreferences, AFileThatIsNoneIsNamed) {
   for (const char* damaged : {"", "[1, 2", "[]", "7"}) {
     write(damaged);
     EXPECT_THAT([&] { read_preferences(directory()); },
@@ -69,7 +69,7 @@ TEST_F(KeptPreferences, AFileThatIsNoneIsNamed) {
   }
 }
 
-TEST_F(KeptPreferences, AValueThatIsNotOursIsTheUsualOne) {
+TEST_F(WindowPreferences, AValueThatIsNotOursIsTheUsualOne) {
   write(R"({"theme": 7, "scale": "large", "full_screen": "yes", "saw_sound": false})");
   Preferences expected;
   expected.is_saw_heard = false;
@@ -81,7 +81,7 @@ TEST_F(KeptPreferences, AValueThatIsNotOursIsTheUsualOne) {
 }
 
 /// A window without a screen in it.
-class KeptByTheWindow : public KeptPreferences {
+class KeptByTheWindow : public WindowPreferences {
  protected:
   bool settle(const std::function<bool()>& holds) {
     for (int frame = 0; frame < 500 && !holds(); ++frame) {

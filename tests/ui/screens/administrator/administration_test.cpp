@@ -279,23 +279,23 @@ TEST(ScenariosScreen, NothingIsCutOffAnywhere) {
 
 // -- records
 
-TEST(RecordsScreen, SaysWhatWasDoneInWords) {
+TEST(AuditScreen, SaysWhatWasDoneInWords) {
   database::SomeCourse course;
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   for (const char* words :
        {"Signed in", "Published a scenario", "silver version 1", "Refused only"})
     EXPECT_TRUE(desk.driver().sees(words)) << words;
   EXPECT_THAT(desk.driver().faults(), IsEmpty());
 }
 
-TEST(RecordsScreen, ShowsRefusalsAloneAndTheWholeOfALine) {
+TEST(AuditScreen, ShowsRefusalsAloneAndTheWholeOfALine) {
   database::SomeCourse course;
   try {
     course.instructor("kim", course.autumn()).attempts_of(course.id_of("eve"));
   } catch (const database::DatabaseError&) {  // refused, as it should be
   }
   const std::int64_t number = database::read_audit(course.database()).back().number;
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   desk.press("records.filter.1");
   EXPECT_TRUE(desk.driver().sees("List attempts"));
   EXPECT_FALSE(desk.driver().sees("Signed in"));
@@ -303,12 +303,12 @@ TEST(RecordsScreen, ShowsRefusalsAloneAndTheWholeOfALine) {
   EXPECT_TRUE(desk.driver().sees("Entry " + std::to_string(number)));
 }
 
-TEST(RecordsScreen, TurnsPages) {
+TEST(AuditScreen, TurnsPages) {
   database::SomeCourse course;
   for (int count = 0; count < 60; ++count)
     database::append_audit(course.database(),
                            {course.id_of("ada"), "signed_in", "session", "1", false, {}, ""});
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   const auto all = static_cast<long>(database::read_audit(course.database()).size());
   EXPECT_TRUE(desk.driver().sees("1 to 50 of " + grouped(all)));
   EXPECT_FALSE(desk.driver().widget("records.newer").is_enabled);
@@ -318,9 +318,9 @@ TEST(RecordsScreen, TurnsPages) {
   EXPECT_TRUE(desk.driver().sees("1 to 50 of"));
 }
 
-TEST(RecordsScreen, ABackupIsWrittenAndItsPlaceIsSaid) {
+TEST(AuditScreen, ABackupIsWrittenAndItsPlaceIsSaid) {
   database::SomeCourse course;
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   EXPECT_TRUE(desk.driver().sees("There is no backup"));
   desk.driver().press(Key::Enter);  // the primary button
   desk.visitor.finish_work();
@@ -334,20 +334,20 @@ TEST(RecordsScreen, ABackupIsWrittenAndItsPlaceIsSaid) {
   EXPECT_TRUE(std::filesystem::is_regular_file(file));
 }
 
-TEST(RecordsScreen, ABackupThatCannotBeWrittenSaysWhy) {
+TEST(AuditScreen, ABackupThatCannotBeWrittenSaysWhy) {
   database::SomeCourse course;
   std::ofstream(course.database().directory() / "backups") << "a file stands in its place";
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   desk.press("records.backup");
   EXPECT_TRUE(desk.driver().sees("No backup was made"));
 }
 
-TEST(RecordsScreen, WhatWouldGoIsListedBeforeItGoes) {
+TEST(AuditScreen, WhatWouldGoIsListedBeforeItGoes) {
   database::SomeCourse course;
   course.database().pretend_it_is("2020-01-10T10:00:00.000Z");
   const database::AttemptId old = course.recorded_by("ada");
   course.database().pretend_it_is("");
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   desk.press("records.retention");
   EXPECT_TRUE(desk.driver().sees("kept for ever unless"));
   desk.type("30");
@@ -362,15 +362,15 @@ TEST(RecordsScreen, WhatWouldGoIsListedBeforeItGoes) {
   EXPECT_THAT(desk.driver().faults(), IsEmpty());
 }
 
-TEST(RecordsScreen, AnOriginIsAcceptedAndNoLonger) {
+TEST(AuditScreen, AnOriginIsAcceptedAndNoLonger) {
   database::SomeCourse course;
   const database::DirectoryId elsewhere{std::string(32, 'e')};
   {
-    Desk<RecordsScreen> desk(course);
+    Desk<AuditScreen> desk(course);
     EXPECT_FALSE(desk.driver().sees("Imported from elsewhere")) << "nothing was";
   }
   database::note_origin(course.database(), elsewhere);
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   EXPECT_TRUE(desk.driver().sees("eeeeeeee: 0 attempts"));
   desk.press("records.origins.eeeeeeee");
   desk.visitor.finish_work();
@@ -382,10 +382,10 @@ TEST(RecordsScreen, AnOriginIsAcceptedAndNoLonger) {
   EXPECT_THAT(desk.driver().faults(), IsEmpty());
 }
 
-TEST(RecordsScreen, WhatIsKeptForEverIsSaidAndWhatIsNoNumberIsNotTaken) {
+TEST(AuditScreen, WhatIsKeptForEverIsSaidAndWhatIsNoNumberIsNotTaken) {
   database::SomeCourse course;
   course.recorded_by("ada");
-  Desk<RecordsScreen> desk(course);
+  Desk<AuditScreen> desk(course);
   desk.press("records.retention");
   desk.type("soon");
   EXPECT_FALSE(desk.driver().widget("records.retention.days.act").is_enabled);
@@ -394,9 +394,9 @@ TEST(RecordsScreen, WhatIsKeptForEverIsSaidAndWhatIsNoNumberIsNotTaken) {
   EXPECT_TRUE(desk.driver().sees("Nothing would go now"));
 }
 
-TEST(RecordsScreen, NothingIsCutOffAnywhere) {
+TEST(AuditScreen, NothingIsCutOffAnywhere) {
   database::SomeCourse course;
-  const auto make = [&] { return std::make_unique<RecordsScreen>(visit_of(course, "root")); };
+  const auto make = [&] { return std::make_unique<AuditScreen>(visit_of(course, "root")); };
   const auto choose_newest = [&](SomeVisitor& visitor) {
     const std::int64_t number = database::read_audit(course.database()).back().number;
     visitor.driver().click("records.row." + std::to_string(number));
@@ -405,7 +405,7 @@ TEST(RecordsScreen, NothingIsCutOffAnywhere) {
   EXPECT_THAT(faults_at_every_size(make, choose_newest), IsEmpty());
 }
 
-TEST(RecordsScreen, ABackupsNameTellsItsMoment) {
+TEST(AuditScreen, ABackupsNameTellsItsMoment) {
   EXPECT_EQ(backup_moment("hallux-20260303-140210.db"), "2026-03-03T14:02");
   EXPECT_EQ(backup_moment("hallux-20260303-140210-2.db"), "2026-03-03T14:02");
   EXPECT_EQ(backup_moment("hallux.db"), "");

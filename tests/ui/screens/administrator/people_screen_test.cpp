@@ -240,11 +240,11 @@ TEST(PeopleScreen, WhoIsNoAdministratorSeesNobody) {
 
 TEST(PeopleScreen, ShowsNoListWhileItIsRead) {
   database::SomeCourse course;
-  const std::shared_ptr<Visit> visit = visit_of(course, "root");
+  const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "root");
   std::promise<void> may_go_on;
   std::promise<void> has_turn;
   const std::jthread other([&] {
-    visit->in_turn([&](auto&, auto&) {
+    signed_in->in_turn([&](auto&, auto&) {
       has_turn.set_value();
       may_go_on.get_future().wait();
     });
@@ -254,7 +254,7 @@ TEST(PeopleScreen, ShowsNoListWhileItIsRead) {
     Shell shell;
     const Texts texts = english_texts();
     Driver driver(texts, [&](Ui& ui) { shell.draw(ui); });
-    shell.push(std::make_unique<PeopleScreen>(visit, cheap));
+    shell.push(std::make_unique<PeopleScreen>(signed_in, cheap));
     driver.frame();
     driver.wait(0.4);
     EXPECT_FALSE(driver.has("people.row.ada"));

@@ -299,9 +299,9 @@ TEST(CohortScreen, OfManyOperationsNothingIsCutOffAnywhere) {
 TEST(CohortScreen, WhoDoesNotTeachItAnyMoreSeesWhy) {
   database::SomeCourse course;
   SomePlaces places;
-  const std::shared_ptr<Visit> visit = visit_of(course, "kim");
+  const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   course.administrator().remove_from_cohort(course.autumn(), "kim");
-  SomeVisitor visitor(std::make_unique<CohortScreen>(visit, places));
+  SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, places));
   EXPECT_TRUE(visitor.driver().sees("You do not teach this cohort any more"));
   EXPECT_FALSE(visitor.driver().sees("ada"));
 }
@@ -451,10 +451,10 @@ TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
 TEST(TraineeScreen, GoesBackByItsButton) {
   database::SomeCourse course;
   SomePlaces places;
-  const std::shared_ptr<Visit> visit = visit_of(course, "kim");
-  SomeVisitor visitor(std::make_unique<CohortScreen>(visit, places));
+  const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
+  SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, places));
   visitor.shell().push(
-      std::make_unique<TraineeScreen>(visit, places, course.autumn(), course.id_of("ada")));
+      std::make_unique<TraineeScreen>(signed_in, places, course.autumn(), course.id_of("ada")));
   visitor.driver().frame();
   visitor.finish_work();
   EXPECT_TRUE(visitor.driver().sees("No attempts yet"));

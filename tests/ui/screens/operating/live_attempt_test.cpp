@@ -34,18 +34,18 @@ class LiveAttempts : public testing::Test {
  protected:
   LiveAttempts() {
     what_.scenario = course_.version();
-    what_.person = visit_->person().id;
+    what_.person = signed_in_->person().id;
   }
 
   OperableCourse course_{"silver"};
-  const std::shared_ptr<Visit> visit_ = course_.visit_of_ada();
-  const std::shared_ptr<const OperatingTable> table_ = course_.table(*visit_);
+  const std::shared_ptr<SignedInSession> signed_in_ = course_.visit_of_ada();
+  const std::shared_ptr<const OperatingTable> table_ = course_.table(*signed_in_);
   LiveBegin what_;
 };
 
 TEST_F(LiveAttempts, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
-  const std::unique_ptr<LiveAttempt> live =
-      begin_operation(*visit_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
+  const std::unique_ptr<LiveAttempt> live = begin_operation(
+      *signed_in_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
   bool was_said = false;
   ASSERT_TRUE(soon([&] {
     const simulator::LoopView& view = live->view();
@@ -78,7 +78,7 @@ TEST_F(LiveAttempts, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
   RigidTransform beside = start_pose(*table_);
   beside.translation_mm += Vec3(20.0, 20.0, 20.0);
   const std::unique_ptr<LiveAttempt> live =
-      begin_operation(*visit_, table_, what_, std::make_unique<LooseCable>(beside));
+      begin_operation(*signed_in_, table_, what_, std::make_unique<LooseCable>(beside));
   ASSERT_TRUE(soon([&] { return live->view().sample.tick > end_tick; }));
   live->finish();
   ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
@@ -95,7 +95,7 @@ TEST_F(LiveAttempts, OfAnAssessmentIsNotBegunWithAGuide) {
   what_.kind = database::AttemptKind::Assessment;
   what_.guidance = simulator::Guidance::Soft;
   try {
-    begin_operation(*visit_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
+    begin_operation(*signed_in_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
     ADD_FAILURE() << "was begun";
   } catch (const database::DatabaseError& error) {
     EXPECT_EQ(error.kind(), database::DatabaseErrorKind::BadInput);

@@ -90,15 +90,15 @@ TEST(RecentLimits, AreReadForASecondAndGoAfterTwo) {
 /// An attempt that ada makes with a modelled arm of 8 N, held still over the bone.
 struct ArmAttempt {
   ArmAttempt() {
-    const std::shared_ptr<Visit> visit = course.visit_of_ada();
-    table = course.table(*visit);
+    const std::shared_ptr<SignedInSession> signed_in = course.visit_of_ada();
+    table = course.table(*signed_in);
     LiveBegin what;
     what.scenario = course.version();
-    what.person = visit->person().id;
+    what.person = signed_in->person().id;
     simulator::HandMotion motion;
     motion.keys = {{0, start_pose(*table), 0}};
     live = begin_operation(
-        *visit, table, what,
+        *signed_in, table, what,
         std::make_unique<simulator::ModelledArm>(motion, simulator::ModelledArmSetup{}));
   }
 

@@ -63,7 +63,7 @@ OperableCourse::OperableCourse(const std::string& scenario, double edge_mm, std:
   desk.publish_scenario(version_);
 }
 
-std::shared_ptr<Visit> OperableCourse::visit_of_ada() {
+std::shared_ptr<SignedInSession> OperableCourse::visit_of_ada() {
   database::OpenOptions options;
   options.vfs_name = vfs_name_;
   return visit_of(course_, "ada", options);
@@ -84,8 +84,8 @@ database::AttemptHeader OperableCourse::newest_attempt() {
   return newest == all.end() ? database::AttemptHeader{} : *newest;
 }
 
-std::shared_ptr<const OperatingTable> OperableCourse::table(Visit& visit) {
-  return visit.in_turn([&](database::Session&, database::Database& database) {
+std::shared_ptr<const OperatingTable> OperableCourse::table(SignedInSession& signed_in) {
+  return signed_in.in_turn([&](database::Session&, database::Database& database) {
     const database::ScenarioText text = database::get_scenario_version(database, version_);
     return std::make_shared<const OperatingTable>(
         lay_table(scenarios::parse_scenario(text.json, text.name), no_progress));

@@ -42,13 +42,13 @@ class OperableCourse {
 
   database::SomeCourse& course() noexcept { return course_; }
   database::ScenarioVersionId version() const noexcept { return version_; }
-  std::shared_ptr<Visit> visit_of_ada();
+  std::shared_ptr<SignedInSession> visit_of_ada();
   /// The one attempt there is, as it is stored now.
   database::AttemptHeader attempt();
   /// Where there are several.
   database::AttemptHeader newest_attempt();
   /// Bone and plan, laid out as for whoever operates.
-  std::shared_ptr<const OperatingTable> table(Visit& visit);
+  std::shared_ptr<const OperatingTable> table(SignedInSession& signed_in);
 
  private:
   database::SomeCourse course_;

@@ -16,18 +16,18 @@ class WorkingScreen : public Screen {
  public:
   using Act = std::function<int(database::Session&, WorkReport&)>;
 
-  WorkingScreen(std::shared_ptr<Visit> visit, Act act)
-      : visit_(std::move(visit)), act_(std::move(act)) {}
+  WorkingScreen(std::shared_ptr<SignedInSession> signed_in, Act act)
+      : signed_in_(std::move(signed_in)), act_(std::move(act)) {}
   void draw(Ui&, const Rect&, Shell& shell) override {
     if (std::exchange(is_begun_, true)) return;
-    work_.start<int>(shell, visit_, {"Working", "It did not go", "It was stopped"}, act_,
+    work_.start<int>(shell, signed_in_, {"Working", "It did not go", "It was stopped"}, act_,
                      [this](int& result) { done_ = result; });
   }
   int done() const { return done_; }
   const DeskWork& work() const { return work_; }
 
  private:
-  std::shared_ptr<Visit> visit_;
+  std::shared_ptr<SignedInSession> signed_in_;
   Act act_;
   DeskWork work_;
   bool is_begun_ = false;

@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct World {
-  BoneLook look() const { return kept_look_of(temporary.data(), bone); }
-  fs::path kept() const { return temporary.data() / "cache" / kept_look_name(bone); }
+  BoneLook look() const { return cached_look_of(temporary.data(), bone); }
+  fs::path kept() const { return temporary.data() / "cache" / cached_look_name(bone); }
 
   database::TemporaryDirectory temporary;
   simulator::Bone bone = some_operation().bone;
@@ -33,21 +33,21 @@ void expect_same(const BoneLook& a, const BoneLook& b) {
   EXPECT_EQ(a.cortex.has_value(), b.cortex.has_value());
 }
 
-TEST(KeptLook, IsComputedOnceAndReadAgainBitForBit) {
+TEST(CachedLook, IsComputedOnceAndReadAgainBitForBit) {
   const World world;
   const BoneLook computed = world.look();
   ASSERT_TRUE(fs::exists(world.kept()));
   const auto written = fs::last_write_time(world.kept());
   double reached = 0.0;
-  expect_same(kept_look_of(world.temporary.data(), world.bone,
-                           [&](double fraction) { reached = fraction; }),
+  expect_same(cached_look_of(world.temporary.data(), world.bone,
+                             [&](double fraction) { reached = fraction; }),
               computed);
   EXPECT_EQ(reached, 1.0);
   EXPECT_EQ(fs::last_write_time(world.kept()), written);
   expect_same(look_of(computed.id, world.bone), computed);
 }
 
-TEST(KeptLook, AnotherBoneHasAnother) {
+TEST(CachedLook, AnotherBoneHasAnother) {
   World world;
   const BoneLook before = world.look();
   for (Vec3& point_mm : world.bone.outer.points_mm) point_mm.x += 1.0;
@@ -56,7 +56,7 @@ TEST(KeptLook, AnotherBoneHasAnother) {
   EXPECT_NE(moved.depth.origin_in_bone_mm, before.depth.origin_in_bone_mm);
 }
 
-TEST(KeptLook, ADeletedOrDamagedFileIsMadeAgain) {
+TEST(CachedLook, ADeletedOrDamagedFileIsMadeAgain) {
   const World world;
   const BoneLook computed = world.look();
   fs::resize_file(world.kept(), fs::file_size(world.kept()) / 2);
@@ -66,19 +66,19 @@ TEST(KeptLook, ADeletedOrDamagedFileIsMadeAgain) {
   EXPECT_TRUE(fs::exists(world.kept()));
 }
 
-TEST(KeptLook, WhereItCannotBeKeptTheBoneIsShownAllTheSame) {
+TEST(CachedLook, WhereItCannotBeKeptTheBoneIsShownAllTheSame) {
   const World world;
   fs::create_directories(world.temporary.data());
   std::ofstream(world.temporary.data() / "cache") << "a file";
   EXPECT_FALSE(world.look().depth.nodes.empty());
 }
 
-TEST(KeptLook, NothingIsKeptOfOneThatWasStopped) {
+TEST(CachedLook, NothingIsKeptOfOneThatWasStopped) {
   const World world;
-  EXPECT_THROW(kept_look_of(world.temporary.data(), world.bone,
-                            [](double fraction) {
-                              if (fraction > 0.2) throw Cancelled("stopped");
-                            }),
+  EXPECT_THROW(cached_look_of(world.temporary.data(), world.bone,
+                              [](double fraction) {
+                                if (fraction > 0.2) throw Cancelled("stopped");
+                              }),
                Cancelled);
   EXPECT_FALSE(fs::exists(world.kept()));
 }

@@ -97,11 +97,11 @@ TEST(PatientPictures, TheFormNeverWaitsForTheBoneBesideIt) {
   database::SomeCourse course;
   HeldBuild held;
   PatientPictures pictures{held.build()};
-  std::shared_ptr<Visit> visit;
-  Gallery gallery(std::make_unique<EntryScreen>(
+  std::shared_ptr<SignedInSession> signed_in;
+  Gallery gallery(std::make_unique<SignInScreen>(
       course.database().directory(),
-      [&](Shell&, std::shared_ptr<Visit> in) { visit = std::move(in); }, database::cheap,
-      &pictures));
+      [&](Shell&, std::shared_ptr<SignedInSession> in) { signed_in = std::move(in); },
+      database::cheap, &pictures));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (!gallery.driver.has("entry.login") && std::chrono::steady_clock::now() < end) {
     gallery.driver.frame();
@@ -116,11 +116,11 @@ TEST(PatientPictures, TheFormNeverWaitsForTheBoneBesideIt) {
   gallery.driver.press(Key::Tab);
   gallery.driver.type(database::good_password);
   gallery.driver.press(Key::Enter);
-  while (visit == nullptr && std::chrono::steady_clock::now() < end) {
+  while (signed_in == nullptr && std::chrono::steady_clock::now() < end) {
     gallery.driver.frame();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  EXPECT_NE(visit, nullptr);
+  EXPECT_NE(signed_in, nullptr);
   held.may_end = true;
   gallery.finish_work();
   EXPECT_THAT(gallery.painter.drawn_names, ElementsAre("entry.ground.dark", "entry.bone.dark"));
@@ -150,10 +150,11 @@ TEST(PatientPictures, OneBuildServesAllScreens) {
     ++builds;
     return no_patient(scenario, progress);
   }};
-  const auto visit = visit_of(published.course(), "ada");
-  Gallery gallery(std::make_unique<OperationsScreen>(visit, places, pictures));
+  const auto signed_in = visit_of(published.course(), "ada");
+  Gallery gallery(std::make_unique<OperationsScreen>(signed_in, places, pictures));
   gallery.finish_work();
-  gallery.shell.push(std::make_unique<BriefingScreen>(visit, places, pictures, published.akin()));
+  gallery.shell.push(
+      std::make_unique<BriefingScreen>(signed_in, places, pictures, published.akin()));
   gallery.driver.frame();
   gallery.finish_work();
   EXPECT_TRUE(gallery.driver.has("brief.picture"));

@@ -26,7 +26,7 @@ struct World {
   }
 
   fs::path kept() const {
-    return temporary.data() / "cache" / kept_fields_name(material.header.id);
+    return temporary.data() / "cache" / cached_fields_name(material.header.id);
   }
 
   database::TemporaryDirectory temporary;
@@ -41,7 +41,7 @@ void expect_same(const assessment::OpenedFields& a, const assessment::OpenedFiel
   }
 }
 
-TEST(KeptFields, AreMadeOnceAndReadAgainBitForBit) {
+TEST(CachedFields, AreMadeOnceAndReadAgainBitForBit) {
   const World world;
   const assessment::OpenedFields made = fields_of(world.material, world.temporary.data());
   ASSERT_EQ(made.size(), 2U);
@@ -52,7 +52,7 @@ TEST(KeptFields, AreMadeOnceAndReadAgainBitForBit) {
   EXPECT_LT(fs::file_size(world.kept()), 400000U);
 }
 
-TEST(KeptFields, AnotherRecordingIsNotShownFromThem) {
+TEST(CachedFields, AnotherRecordingIsNotShownFromThem) {
   World world;
   const assessment::OpenedFields made = fields_of(world.material, world.temporary.data());
   world.material.recording.samples.resize(world.material.recording.samples.size() / 2);
@@ -64,7 +64,7 @@ TEST(KeptFields, AnotherRecordingIsNotShownFromThem) {
                                               world.material.recording));
 }
 
-TEST(KeptFields, ADeletedOrDamagedFileIsMadeAgain) {
+TEST(CachedFields, ADeletedOrDamagedFileIsMadeAgain) {
   const World world;
   const assessment::OpenedFields made = fields_of(world.material, world.temporary.data());
   fs::resize_file(world.kept(), fs::file_size(world.kept()) / 2);
@@ -74,14 +74,14 @@ TEST(KeptFields, ADeletedOrDamagedFileIsMadeAgain) {
   EXPECT_TRUE(fs::exists(world.kept()));
 }
 
-TEST(KeptFields, WhereTheyCannotBeKeptTheAttemptIsShownAllTheSame) {
+TEST(CachedFields, WhereTheyCannotBeKeptTheAttemptIsShownAllTheSame) {
   const World world;
   fs::create_directories(world.temporary.data());
   std::ofstream(world.temporary.data() / "cache") << "a file";
   EXPECT_EQ(fields_of(world.material, world.temporary.data()).size(), 2U);
 }
 
-TEST(KeptFields, GiveTheScoreThatTheRecordingGives) {
+TEST(CachedFields, GiveTheScoreThatTheRecordingGives) {
   const World world;
   fields_of(world.material, world.temporary.data());
   const auto no_progress = [](const std::string&) { return Progress(); };
@@ -93,14 +93,14 @@ TEST(KeptFields, GiveTheScoreThatTheRecordingGives) {
   EXPECT_EQ(kept.rebuilt.piece_volumes_mm3, fresh.rebuilt.piece_volumes_mm3);
 }
 
-TEST(KeptFields, StopWhereThatIsAsked) {
+TEST(CachedFields, StopWhereThatIsAsked) {
   const World world;
   EXPECT_THROW(fields_of(world.material, world.temporary.data(), [](double) { return false; }),
                Cancelled);
   EXPECT_FALSE(fs::exists(world.kept()));
 }
 
-TEST(KeptFields, BytesThatAreNoFieldsAreRefused) {
+TEST(CachedFields, BytesThatAreNoFieldsAreRefused) {
   const World world;
   const assessment::OpenedFields made = fields_of(world.material, world.temporary.data());
   const std::vector<std::byte> whole = bytes_of(made);

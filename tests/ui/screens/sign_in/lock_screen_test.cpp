@@ -31,10 +31,10 @@ class KeptScreen : public Screen {
 struct LockedStation {
   explicit LockedStation(database::SomeCourse& course, std::string recorded = "")
       : reason(std::move(recorded)),
-        visit(visit_of(course, "ada")),
+        signed_in(visit_of(course, "ada")),
         visitor(std::make_unique<KeptScreen>(reason)) {
     visitor.shell().lock(std::make_unique<LockScreen>(
-        visit, [this] { is_signed_out = true; }, cheap));
+        signed_in, [this] { is_signed_out = true; }, cheap));
     visitor.driver().frame();
     visitor.driver().settle();
   }
@@ -47,7 +47,7 @@ struct LockedStation {
 
   std::string reason;
   bool is_signed_out = false;
-  std::shared_ptr<Visit> visit;
+  std::shared_ptr<SignedInSession> signed_in;
   SomeVisitor visitor;
 };
 

@@ -21,9 +21,11 @@ using testing::IsEmpty;
 /// A person in front of the first screen of a data directory.
 struct Arrival {
   explicit Arrival(const std::filesystem::path& directory, float scale = 1.0F)
-      : visitor(std::make_unique<EntryScreen>(
+      : visitor(std::make_unique<SignInScreen>(
                     directory,
-                    [this](Shell&, std::shared_ptr<Visit> entered) { visit = std::move(entered); },
+                    [this](Shell&, std::shared_ptr<SignedInSession> entered) {
+                      signed_in = std::move(entered);
+                    },
                     cheap),
                 scale) {}
 
@@ -37,11 +39,11 @@ struct Arrival {
     visitor.finish_work();
   }
 
-  std::shared_ptr<Visit> visit;
+  std::shared_ptr<SignedInSession> signed_in;
   SomeVisitor visitor;
 };
 
-TEST(EntryScreen, TheFirstPersonBecomesTheAdministrator) {
+TEST(SignInScreen, TheFirstPersonBecomesTheAdministrator) {
   const database::TemporaryDirectory temporary;
   Arrival arrival(temporary.data());
   EXPECT_TRUE(arrival.driver().sees("Begin a course"));
@@ -51,12 +53,12 @@ TEST(EntryScreen, TheFirstPersonBecomesTheAdministrator) {
   arrival.fill("entry.password", good_password);
   arrival.fill("entry.password_again", good_password);
   arrival.press("entry.begin");
-  ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->person().login, "admin-1");
-  EXPECT_TRUE(arrival.visit->person().is_administrator);
+  ASSERT_NE(arrival.signed_in, nullptr);
+  EXPECT_EQ(arrival.signed_in->person().login, "admin-1");
+  EXPECT_TRUE(arrival.signed_in->person().is_administrator);
 }
 
-TEST(EntryScreen, PasswordsThatDifferMakeNobody) {
+TEST(SignInScreen, PasswordsThatDifferMakeNobody) {
   const database::TemporaryDirectory temporary;
   Arrival arrival(temporary.data());
   arrival.fill("entry.login", "admin-1");
@@ -64,11 +66,11 @@ TEST(EntryScreen, PasswordsThatDifferMakeNobody) {
   arrival.fill("entry.password_again", "a long enough phrasE");
   arrival.press("entry.begin");
   EXPECT_TRUE(arrival.driver().sees("The two passwords differ"));
-  EXPECT_EQ(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.signed_in, nullptr);
   EXPECT_TRUE(is_without_people(temporary.data()));
 }
 
-TEST(EntryScreen, AWeakPasswordIsSaidAndMakesNobody) {
+TEST(SignInScreen, AWeakPasswordIsSaidAndMakesNobody) {
   const database::TemporaryDirectory temporary;
   Arrival arrival(temporary.data());
   arrival.fill("entry.login", "admin-1");
@@ -76,11 +78,11 @@ TEST(EntryScreen, AWeakPasswordIsSaidAndMakesNobody) {
   arrival.fill("entry.password_again", "short");
   arrival.press("entry.begin");
   EXPECT_TRUE(arrival.driver().sees("12"));
-  EXPECT_EQ(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.signed_in, nullptr);
   EXPECT_TRUE(is_without_people(temporary.data()));
 }
 
-TEST(EntryScreen, SignsInByKeyboardAlone) {
+TEST(SignInScreen, SignsInByKeyboardAlone) {
   database::SomeCourse course;
   Arrival arrival(course.database().directory());
   EXPECT_EQ(arrival.driver().focused(), "entry.login");
@@ -89,11 +91,11 @@ TEST(EntryScreen, SignsInByKeyboardAlone) {
   arrival.driver().type(good_password);
   arrival.driver().press(Key::Enter);
   arrival.visitor.finish_work();
-  ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->person().login, "ada");
+  ASSERT_NE(arrival.signed_in, nullptr);
+  EXPECT_EQ(arrival.signed_in->person().login, "ada");
 }
 
-TEST(EntryScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
+TEST(SignInScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
   database::SomeCourse course;
   std::vector<std::string> seen;
   for (const std::string login : {"ada", "eva"}) {  // nobody is called eva
@@ -101,7 +103,7 @@ TEST(EntryScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
     arrival.fill("entry.login", login);
     arrival.fill("entry.password", "not the right phrase");
     arrival.press("entry.sign_in");
-    EXPECT_EQ(arrival.visit, nullptr);
+    EXPECT_EQ(arrival.signed_in, nullptr);
     EXPECT_FALSE(arrival.driver().widget("entry.sign_in").is_enabled) << "the password stayed";
     std::string& all = seen.emplace_back();
     for (const std::string& text : arrival.driver().texts()) all += text + "\n";
@@ -112,7 +114,7 @@ TEST(EntryScreen, AWrongPasswordIsSaidLikeAnUnknownLogin) {
   EXPECT_EQ(seen[0], seen[1]);
 }
 
-TEST(EntryScreen, CountsDownAfterWrongPasswords) {
+TEST(SignInScreen, CountsDownAfterWrongPasswords) {
   database::SomeCourse course;
   Arrival arrival(course.database().directory());
   arrival.fill("entry.login", "ada");
@@ -122,7 +124,7 @@ TEST(EntryScreen, CountsDownAfterWrongPasswords) {
   database::tamper(course.database(), "UPDATE sign_in_guard SET failures = 6");
   arrival.fill("entry.password", good_password);
   arrival.press("entry.sign_in");
-  EXPECT_EQ(arrival.visit, nullptr);
+  EXPECT_EQ(arrival.signed_in, nullptr);
   EXPECT_TRUE(arrival.driver().sees("You can try again in"));
   arrival.fill("entry.password", good_password);
   EXPECT_FALSE(arrival.driver().widget("entry.sign_in").is_enabled);
@@ -130,7 +132,7 @@ TEST(EntryScreen, CountsDownAfterWrongPasswords) {
   EXPECT_TRUE(arrival.driver().widget("entry.sign_in").is_enabled);
 }
 
-TEST(EntryScreen, LetsSomebodyElseSignInWhileOneWaits) {
+TEST(SignInScreen, LetsSomebodyElseSignInWhileOneWaits) {
   database::SomeCourse course;
   Arrival arrival(course.database().directory());
   arrival.fill("entry.login", "ada");
@@ -145,11 +147,11 @@ TEST(EntryScreen, LetsSomebodyElseSignInWhileOneWaits) {
   arrival.driver().type("bob");
   arrival.fill("entry.password", good_password);
   arrival.press("entry.sign_in");
-  ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->person().login, "bob");
+  ASSERT_NE(arrival.signed_in, nullptr);
+  EXPECT_EQ(arrival.signed_in->person().login, "bob");
 }
 
-TEST(EntryScreen, LeavesNoPasswordInMemory) {
+TEST(SignInScreen, LeavesNoPasswordInMemory) {
   database::SomeCourse course;
   const PlantedSecret planted;
   std::string spelled = planted.spelled();
@@ -163,11 +165,11 @@ TEST(EntryScreen, LeavesNoPasswordInMemory) {
   arrival.fill("entry.password", spelled);
   wipe(spelled);
   arrival.press("entry.sign_in");
-  ASSERT_NE(arrival.visit, nullptr);
+  ASSERT_NE(arrival.signed_in, nullptr);
   EXPECT_EQ(planted.places_in_memory(), 0U);
 }
 
-TEST(EntryScreen, AOneTimeCodeChoosesAPassword) {
+TEST(SignInScreen, AOneTimeCodeChoosesAPassword) {
   database::SomeCourse course;
   const auto added = course.administrator().add_person_with_code({"trainee-9", "", false}, cheap);
   Arrival arrival(course.database().directory());
@@ -177,11 +179,11 @@ TEST(EntryScreen, AOneTimeCodeChoosesAPassword) {
   arrival.fill("entry.password", good_password);
   arrival.fill("entry.password_again", good_password);
   arrival.press("entry.redeem");
-  ASSERT_NE(arrival.visit, nullptr);
-  EXPECT_EQ(arrival.visit->person().login, "trainee-9");
+  ASSERT_NE(arrival.signed_in, nullptr);
+  EXPECT_EQ(arrival.signed_in->person().login, "trainee-9");
 }
 
-TEST(EntryScreen, ACourseThatCannotBeOpenedSaysWhyAndTriesAgain) {
+TEST(SignInScreen, ACourseThatCannotBeOpenedSaysWhyAndTriesAgain) {
   const database::TemporaryDirectory temporary;
   std::ofstream(temporary.data()) << "a file stands where the folder should be";
   Arrival arrival(temporary.data());
@@ -191,7 +193,7 @@ TEST(EntryScreen, ACourseThatCannotBeOpenedSaysWhyAndTriesAgain) {
   EXPECT_TRUE(arrival.driver().sees("Begin a course"));
 }
 
-TEST(EntryScreen, NothingIsCutOffAtAnyScale) {
+TEST(SignInScreen, NothingIsCutOffAtAnyScale) {
   database::SomeCourse course;
   const database::TemporaryDirectory temporary;
   for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {

@@ -169,11 +169,11 @@ TEST(OperationsScreen, AfterAnAttemptItIsReadAnew) {
 
 TEST(OperationsScreen, APersonDisabledSinceIsToldSo) {
   SomePublished published;
-  auto visit = visit_of(published.course(), "ada");
+  auto signed_in = visit_of(published.course(), "ada");
   published.course().administrator().set_disabled("ada", true);
   SomePlaces places;
   PatientPictures pictures{no_patient};
-  SomeVisitor visitor(std::make_unique<OperationsScreen>(visit, places, pictures));
+  SomeVisitor visitor(std::make_unique<OperationsScreen>(signed_in, places, pictures));
   EXPECT_TRUE(visitor.driver().sees("This could not be read"));
   EXPECT_TRUE(visitor.driver().has("operations.failed.action"));
   EXPECT_THAT(visitor.driver().faults(), IsEmpty());
