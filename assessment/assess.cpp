@@ -10,9 +10,9 @@
 
 namespace hallux::assessment {
 
-Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                    const simulator::Recording& recording, const Progress& progress,
-                    const OpenedFields* opened) {
+Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                         const simulator::Recording& recording, const Progress& progress,
+                         const OpenedFields* opened) {
   // The plan comes first: a scenario that does not fit the bone is refused before the long work.
   scenarios::Plan plan = plan_on(scenario, bone);
   Examination examination{
@@ -30,7 +30,7 @@ Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& 
     std::move(made.begin(), made.end(), std::back_inserter(examination.measurements));
   }
   database::ScoreCard& card = examination.card;
-  card = balance(scenario.rubric, examination.measurements);
+  card = score_rubric(scenario.rubric, examination.measurements);
   card.scenario = scenario.name;
   card.scenario_version = scenario.version;
   card.engine = recording.engine;
@@ -41,7 +41,7 @@ Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& 
 
 database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                            const simulator::Recording& recording, const Progress& progress) {
-  return examine(scenario, bone, recording, progress).card;
+  return assess_fully(scenario, bone, recording, progress).card;
 }
 
 }  // namespace hallux::assessment

@@ -30,9 +30,9 @@ struct Examination {
 /// recording.
 /// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
 /// thread  any; the same arguments give the same card
-Examination examine(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                    const simulator::Recording& recording, const Progress& progress = {},
-                    const OpenedFields* opened = nullptr);
+Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                         const simulator::Recording& recording, const Progress& progress = {},
+                         const OpenedFields* opened = nullptr);
 
 /// The card alone.
 database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,

@@ -196,7 +196,7 @@ std::vector<std::int64_t> scale_to_total(std::span<const std::int64_t> parts, st
   return scaled_parts;
 }
 
-ScoreCard balance(const Rubric& rubric, std::span<const Measurement> measurements) {
+ScoreCard score_rubric(const Rubric& rubric, std::span<const Measurement> measurements) {
   ScoreCard card;
   card.rubric_version = rubric.version;
   for (const scenarios::RubricGroup& group : rubric.groups) {

@@ -30,8 +30,8 @@ namespace hallux::assessment {
 /// needs   the rubric's weights are not negative; measurements are rounded (see rounded_to_micro)
 /// ensures earned + sum of losses = measured; the shown losses add up to 100 000 - score, except
 ///         where nothing was measured: then score and losses are 0
-database::ScoreCard balance(const scenarios::Rubric& rubric,
-                            std::span<const Measurement> measurements);
+database::ScoreCard score_rubric(const scenarios::Rubric& rubric,
+                                 std::span<const Measurement> measurements);
 
 /// The measurement that an item or gate asks for; nothing (null) where that metric is not measured
 /// yet.

@@ -4,7 +4,7 @@ namespace hallux::simulator {
 
 GrowingKerf::GrowingKerf(const SolidWithTree& stands, const KerfPlane& plane, std::int32_t number,
                          const FieldGrid& grid)
-    : contact_(slice_contact(stands.solid, stands.bvh, plane, number, grid)),
+    : contact_(slice_slab(stands.solid, stands.bvh, plane, number, grid)),
       builder_(contact_),
       tracker_(grid) {}
 

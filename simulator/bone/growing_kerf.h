@@ -3,7 +3,7 @@
 
 #include "simulator/bone/cut_bone.h"
 #include "simulator/cutting/field/region_outline.h"
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 #include "simulator/cutting/solid/solid_patch.h"
 
 namespace hallux::simulator {
@@ -30,7 +30,7 @@ class GrowingKerf {
   const RegionOutline& region() const noexcept { return tracker_.outline(); }
 
  private:
-  KerfContact contact_;
+  SlabSlice contact_;
   PatchBuilder builder_;
   OutlineTracker tracker_;
 };

@@ -62,7 +62,7 @@ double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)
 /// One search over the blade's points; counts what is dear.
 class ContactSearch {
  public:
-  explicit ContactSearch(const StandingBone& bone) noexcept : bone_(bone) {}
+  explicit ContactSearch(const RemainingTissue& bone) noexcept : bone_(bone) {}
 
   /// The surface within the distance, or around a point less than a millimetre inside; the memory
   /// learns what was asked.
@@ -139,13 +139,13 @@ class ContactSearch {
                        side * found->distance_mm};
   }
 
-  const StandingBone& bone_;
+  const RemainingTissue& bone_;
   int dear_count_ = 0;
 };
 
 }  // namespace
 
-BladeContacts find_contacts(const RigidTransform& bone_from_tool, const StandingBone& bone,
+BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                             double reach_mm, BladeMemory& memory) noexcept {
   BladeContacts contacts;
   ContactSearch search(bone);

@@ -62,7 +62,7 @@ constexpr bool is_tooth(const BladeContact& contact) noexcept {
 /// bone, which have no way out.
 /// errors  none: total, allocates nothing
 /// thread  haptic
-BladeContacts find_contacts(const RigidTransform& bone_from_tool, const StandingBone& bone,
+BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                             double reach_mm, BladeMemory& memory) noexcept;
 
 }  // namespace hallux::simulator

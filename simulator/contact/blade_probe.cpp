@@ -27,7 +27,7 @@ std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
 }
 
 std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
-                                                const StandingBone& bone, double ahead_mm,
+                                                const RemainingTissue& bone, double ahead_mm,
                                                 TeethMemory& teeth) noexcept {
   const Blade& blade = bone.kerfs.blade();
   std::array<Tissue, tooth_count> hardest{};
@@ -42,7 +42,7 @@ std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_
   return hardest;
 }
 
-Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& bone,
+Engagement engagement(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                       double ahead_mm, TeethMemory& teeth) noexcept {
   const double share_mm = bone.kerfs.blade().width_mm / static_cast<double>(tooth_count);
   Engagement engaged;
@@ -53,7 +53,7 @@ Engagement engagement(const RigidTransform& bone_from_tool, const StandingBone& 
   return engaged;
 }
 
-bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& bone,
+bool edge_meets_bone(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                      double side) noexcept {
   const Blade& blade = bone.kerfs.blade();
   for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
@@ -69,7 +69,7 @@ bool edge_meets_bone(const RigidTransform& bone_from_tool, const StandingBone& b
   return false;
 }
 
-bool blade_is_in_bone(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
+bool blade_is_in_bone(const RigidTransform& bone_from_tool, const RemainingTissue& bone) noexcept {
   const Blade& blade = bone.kerfs.blade();
   for (const double side : {0.0, -0.5, 0.5}) {
     for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {

@@ -34,7 +34,7 @@ RigidTransform blade_in_plane(const KerfPlane& plane, const PlanarPose& pose) no
          RigidTransform{rotation_from_axes(ahead, along), Vec3{pose.tip_mm, 0.0}};
 }
 
-Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const StandingBone& bone,
+Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const RemainingTissue& bone,
                     std::array<TissueMemory, tooth_count>& memory) noexcept {
   Teeth teeth;
   const auto points = tooth_points(bone_from_blade, bone.kerfs.blade(), probe_ahead_mm);
@@ -104,7 +104,7 @@ double HeatField::hottest_now_celsius() const noexcept {
   return *std::max_element(hottest_celsius_.begin(), hottest_celsius_.end());
 }
 
-void HeatField::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
+void HeatField::apply(const ToolSample& sample, const RemainingTissue& bone) noexcept {
   const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
   last_tick_ = sample.tick;
   if (!has(sample.status, ToolStatus::Running)) {
@@ -118,7 +118,8 @@ void HeatField::apply(const ToolSample& sample, const StandingBone& bone) noexce
   cool(has(sample.status, ToolStatus::Irrigated) ? sample.kerf : -1);
 }
 
-void HeatField::heat(const ToolSample& sample, const StandingBone& bone, double span_s) noexcept {
+void HeatField::heat(const ToolSample& sample, const RemainingTissue& bone,
+                     double span_s) noexcept {
   const bool is_same_kerf = sample.kerf >= 0 && sample.kerf == last_kerf_;
   last_kerf_ = sample.kerf;
   if (sample.kerf < 0) return;
@@ -138,7 +139,7 @@ void HeatField::heat(const ToolSample& sample, const StandingBone& bone, double 
 }
 
 /// The heat of each engaged tooth goes to the walls behind it.
-void HeatField::rub(const Stroke& stroke, const StandingBone& bone) noexcept {
+void HeatField::rub(const Stroke& stroke, const RemainingTissue& bone) noexcept {
   const PlanarPose& pose = stroke.pose;
   const RigidTransform bone_from_blade = blade_in_plane(bone.kerfs.plane(stroke.kerf), pose);
   const Teeth teeth = teeth_in_bone(bone_from_blade, bone, teeth_);
@@ -162,7 +163,7 @@ void HeatField::rub(const Stroke& stroke, const StandingBone& bone) noexcept {
 
 /// Along the tooth line the heat is shared by the two nearest cells, else teeth that stand closer
 /// than cells would warm some of them twice as much as others. What rubs in air warms nothing.
-void HeatField::add_heat(std::int32_t kerf, const StandingBone& bone, const Vec2& place_mm,
+void HeatField::add_heat(std::int32_t kerf, const RemainingTissue& bone, const Vec2& place_mm,
                          double joule) noexcept {
   const double v_cells = (place_mm.y + reach_mm) / heat_cell_mm - 0.5;
   const double upper_share = v_cells - std::floor(v_cells);
@@ -178,7 +179,7 @@ void HeatField::add_heat(std::int32_t kerf, const StandingBone& bone, const Vec2
 }
 
 bool HeatField::is_bone_cell(std::int32_t kerf, std::int32_t number,
-                             const StandingBone& bone) noexcept {
+                             const RemainingTissue& bone) noexcept {
   if (number < 0) return false;
   Place& place = cell(kerf, number).place;
   if (place == Place::Unknown) {

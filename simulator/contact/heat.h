@@ -63,7 +63,7 @@ class HeatField {
   /// needs   samples in their order; `bone` as it stands after the sample
   /// errors  none: total, allocates nothing
   /// thread  haptic (and, on its own copy, assessment)
-  void apply(const ToolSample& sample, const StandingBone& bone) noexcept;
+  void apply(const ToolSample& sample, const RemainingTissue& bone) noexcept;
 
   /// The next mark that waits, no sooner than `ticks_per_heat_mark` after the one before.
   bool take_mark(HeatMark& mark) noexcept;
@@ -105,12 +105,12 @@ class HeatField {
     double advance_mm = 0.0;
   };
 
-  void heat(const ToolSample& sample, const StandingBone& bone, double span_s) noexcept;
-  void rub(const Stroke& stroke, const StandingBone& bone) noexcept;
-  void add_heat(std::int32_t kerf, const StandingBone& bone, const Vec2& place_mm,
+  void heat(const ToolSample& sample, const RemainingTissue& bone, double span_s) noexcept;
+  void rub(const Stroke& stroke, const RemainingTissue& bone) noexcept;
+  void add_heat(std::int32_t kerf, const RemainingTissue& bone, const Vec2& place_mm,
                 double joule) noexcept;
   void add_to_cell(std::int32_t kerf, std::int32_t number, double joule) noexcept;
-  bool is_bone_cell(std::int32_t kerf, std::int32_t number, const StandingBone& bone) noexcept;
+  bool is_bone_cell(std::int32_t kerf, std::int32_t number, const RemainingTissue& bone) noexcept;
   void cool(std::int32_t rinsed_kerf) noexcept;
   void follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                    double span_s) noexcept;

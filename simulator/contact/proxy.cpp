@@ -32,11 +32,11 @@ struct Search {
   double grip2_mm2;
 
   void push(const BladeContact& contact, const Vec3& by_mm) noexcept {
-    motion.way_mm += by_mm;
-    motion.turn_rad += glm::cross(contact.arm_mm, by_mm) / grip2_mm2;
+    motion.translation_mm += by_mm;
+    motion.rotation_rad += glm::cross(contact.arm_mm, by_mm) / grip2_mm2;
   }
   Vec3 motion_at(const BladeContact& contact) const noexcept {
-    return motion.way_mm + glm::cross(motion.turn_rad, contact.arm_mm);
+    return motion.translation_mm + glm::cross(motion.rotation_rad, contact.arm_mm);
   }
   /// How far the contact moves for a load of one along the unit direction.
   double give(const BladeContact& contact, const Vec3& direction) const noexcept {
@@ -48,24 +48,25 @@ struct Search {
 /// One contact's turn; how much its loads changed.
 double relax(Search& search, const BladeContact& contact, double friction,
              ProxyLoad& load) noexcept {
-  double& push_mm = load.push_mm[contact.point];
-  Vec3& hold_mm = load.hold_mm[contact.point];
+  double& normal_mm = load.normal_mm[contact.point];
+  Vec3& tangential_mm = load.tangential_mm[contact.point];
   const double short_mm =
       -allowed_gap_mm(contact) - glm::dot(contact.normal, search.motion_at(contact));
-  const double wanted_mm = std::max(0.0, push_mm + short_mm / search.give(contact, contact.normal));
-  const double pushed_mm = wanted_mm - push_mm;
-  push_mm = wanted_mm;
+  const double wanted_mm =
+      std::max(0.0, normal_mm + short_mm / search.give(contact, contact.normal));
+  const double pushed_mm = wanted_mm - normal_mm;
+  normal_mm = wanted_mm;
   search.push(contact, pushed_mm * contact.normal);
 
   const Vec3 motion = search.motion_at(contact);
   const Vec3 across = motion - glm::dot(motion, contact.normal) * contact.normal;
   const double arm2_mm2 = glm::dot(contact.arm_mm, contact.arm_mm);
-  Vec3 held = hold_mm - across / (1.0 + arm2_mm2 / search.grip2_mm2);
+  Vec3 held = tangential_mm - across / (1.0 + arm2_mm2 / search.grip2_mm2);
   held -= glm::dot(held, contact.normal) * contact.normal;
-  const double most_mm = friction * push_mm, length = length_mm(held);
+  const double most_mm = friction * normal_mm, length = length_mm(held);
   if (length > most_mm) held *= length > 0.0 ? most_mm / length : 0.0;
-  const Vec3 more_mm = held - hold_mm;
-  hold_mm = held;
+  const Vec3 more_mm = held - tangential_mm;
+  tangential_mm = held;
   search.push(contact, more_mm);
   return std::abs(pushed_mm) + length_mm(more_mm);
 }
@@ -76,8 +77,8 @@ void forget_others(ProxyLoad& load, std::span<const BladeContact> contacts) noex
   for (const BladeContact& contact : contacts) is_near[contact.point] = true;
   for (std::size_t point = 0; point < contact_point_count; ++point) {
     if (is_near[point]) continue;
-    load.push_mm[point] = 0.0;
-    load.hold_mm[point] = Vec3{0.0, 0.0, 0.0};
+    load.normal_mm[point] = 0.0;
+    load.tangential_mm[point] = Vec3{0.0, 0.0, 0.0};
   }
 }
 
@@ -90,9 +91,9 @@ ProxyMotion motion_between(const RigidTransform& from, const RigidTransform& to)
 }
 
 RigidTransform moved_by(const RigidTransform& pose, const ProxyMotion& motion) noexcept {
-  const Vec3 half = 0.5 * motion.turn_rad;
+  const Vec3 half = 0.5 * motion.rotation_rad;
   const Quat turn = normalised(Quat{1.0, half.x, half.y, half.z});
-  return {normalised(turn * pose.rotation), pose.translation_mm + motion.way_mm};
+  return {normalised(turn * pose.rotation), pose.translation_mm + motion.translation_mm};
 }
 
 ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact> contacts,
@@ -101,13 +102,14 @@ ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact>
   Search search{wanted, grip_mm * grip_mm};
   for (const BladeContact& contact : contacts) {
     search.push(contact,
-                load.push_mm[contact.point] * contact.normal + load.hold_mm[contact.point]);
+                load.normal_mm[contact.point] * contact.normal + load.tangential_mm[contact.point]);
   }
-  const double share = load.slides ? friction.slide_share : 1.0;
+  const double share = load.slides ? friction.kinetic_ratio : 1.0;
   for (int sweep = 0; sweep < sweep_limit; ++sweep) {
     double changed_mm = 0.0;
     for (const BladeContact& contact : contacts) {
-      const double most = share * (is_tooth(contact) ? friction.tooth_hold : friction.hold);
+      const double most =
+          share * (is_tooth(contact) ? friction.tooth_friction : friction.static_friction);
       changed_mm = std::max(changed_mm, relax(search, contact, most, load));
     }
     if (changed_mm < settled_mm) break;
@@ -116,15 +118,16 @@ ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact>
   double most_mm = 0.0;
   Vec3 held_mm{0.0, 0.0, 0.0};
   for (const BladeContact& contact : contacts) {
-    const double push_mm = load.push_mm[contact.point];
-    const Vec3 hold_mm = load.hold_mm[contact.point];
-    result.push_mm += push_mm;
-    held_mm += hold_mm;
-    most_mm += share * (is_tooth(contact) ? friction.tooth_hold : friction.hold) * push_mm;
-    if (is_tooth(contact)) result.tooth_mm += push_mm * contact.normal + hold_mm;
+    const double normal_mm = load.normal_mm[contact.point];
+    const Vec3 tangential_mm = load.tangential_mm[contact.point];
+    result.normal_mm += normal_mm;
+    held_mm += tangential_mm;
+    most_mm += share * (is_tooth(contact) ? friction.tooth_friction : friction.static_friction) *
+               normal_mm;
+    if (is_tooth(contact)) result.tooth_mm += normal_mm * contact.normal + tangential_mm;
   }
   const double limit = load.slides ? rest_share : slip_share;
-  load.slides = result.push_mm > 0.0 && length_mm(held_mm) >= limit * most_mm;
+  load.slides = result.normal_mm > 0.0 && length_mm(held_mm) >= limit * most_mm;
   return result;
 }
 

@@ -18,8 +18,8 @@ namespace hallux::simulator {
 
 /// A small rigid motion of the tool in the bone frame; the turn is about the tool's origin.
 struct ProxyMotion {
-  Vec3 way_mm{0.0, 0.0, 0.0};
-  Vec3 turn_rad{0.0, 0.0, 0.0};
+  Vec3 translation_mm{0.0, 0.0, 0.0};
+  Vec3 rotation_rad{0.0, 0.0, 0.0};
 };
 
 /// From one pose to another; exact for small turns, and the right way round for all.
@@ -28,18 +28,18 @@ RigidTransform moved_by(const RigidTransform& pose, const ProxyMotion& motion) n
 
 struct ProxyFriction {
   /// A contact at rest slides where it is pulled by more than this share of the push.
-  double hold = 0.3;
+  double static_friction = 0.3;
   /// Of it, once it slides.
-  double slide_share = 0.6;
+  double kinetic_ratio = 0.6;
   /// As hold, of the teeth.
-  double tooth_hold = 0.3;
+  double tooth_friction = 0.3;
 };
 
 /// What each point of the blade bears [mm of stretch], kept from tick to tick: the search goes on
 /// from there.
 struct ProxyLoad {
-  std::array<double, contact_point_count> push_mm{};
-  std::array<Vec3, contact_point_count> hold_mm{};
+  std::array<double, contact_point_count> normal_mm{};
+  std::array<Vec3, contact_point_count> tangential_mm{};
   bool slides = false;
 };
 
@@ -48,7 +48,7 @@ struct ProxyResult {
   /// What the teeth bear of the stretch, on the tool.
   Vec3 tooth_mm{0.0, 0.0, 0.0};
   /// Of all contacts together.
-  double push_mm = 0.0;
+  double normal_mm = 0.0;
 };
 
 /// The motion towards `wanted` that brings no contact's gap below zero; a face that is in by more

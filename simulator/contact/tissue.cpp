@@ -56,14 +56,14 @@ bool TissueMap::is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) co
   return memory.canal_mm > 0.0;
 }
 
-Tissue StandingBone::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
+Tissue RemainingTissue::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   if (kerfs.is_open(point_in_bone_mm)) return Tissue::None;
   const Tissue tissue = original.at(point_in_bone_mm, memory);
   const bool is_gone = tissue != Tissue::None && remaining().is_taken_out(point_in_bone_mm);
   return is_gone ? Tissue::None : tissue;
 }
 
-Tissue StandingBone::at(const Vec3& point_in_bone_mm) const noexcept {
+Tissue RemainingTissue::at(const Vec3& point_in_bone_mm) const noexcept {
   TissueMemory nothing;
   return at(point_in_bone_mm, nothing);
 }

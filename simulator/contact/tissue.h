@@ -53,7 +53,7 @@ class TissueMap {
 
 /// What still stands: the original bone outside every open kerf and every piece taken out. Borrows
 /// all it names.
-struct StandingBone {
+struct RemainingTissue {
   const TissueMap& original;
   const KerfSet& kerfs;
   std::span<const Bvh* const> removed_pieces;

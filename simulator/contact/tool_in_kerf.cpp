@@ -59,7 +59,7 @@ struct Push {
 /// Advances along the tool's x: freely until the teeth stand on bone, then by the feed law of the
 /// whole push.
 double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& input,
-            const StandingBone& bone, const ContactSettings& settings, TeethMemory& teeth,
+            const RemainingTissue& bone, const ContactSettings& settings, TeethMemory& teeth,
             ToolOutcome& outcome) noexcept {
   const Vec3 ahead = axis_x(bone_from_tool);
   const double free_mm = std::min({push.wanted_mm, push.reach_mm, push.room_mm});
@@ -91,7 +91,7 @@ Vec2 after_friction(const Vec2& pull_mm, double push_mm, const ContactSettings& 
                     bool& slides) noexcept {
   const double length_mm = std::sqrt(glm::dot(pull_mm, pull_mm));
   const double hold_mm = settings.friction * push_mm;
-  const double slide_mm = settings.friction_slide_share * hold_mm;
+  const double slide_mm = settings.kinetic_ratio * hold_mm;
   slides = length_mm > (slides ? rest_share * slide_mm : hold_mm);
   if (!slides) return {0.0, 0.0};
   return (std::max(0.0, length_mm - slide_mm) / length_mm) * pull_mm;
@@ -203,7 +203,7 @@ Steps steps_of(double way, double step, double reach) noexcept {
 /// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would
 /// meet bone.
 void turn_aside(PlanarPose& planar, const Vec2& wanted, double reach_mm, const KerfPlane& plane,
-                const StandingBone& bone, TeethMemory& teeth) noexcept {
+                const RemainingTissue& bone, TeethMemory& teeth) noexcept {
   const double turn = planar.direction.x * wanted.y - planar.direction.y * wanted.x;
   if (std::abs(turn) < turn_worth_asking) return;
   const double depth_mm = bone.kerfs.blade().depth_mm;
@@ -225,7 +225,7 @@ void turn_aside(PlanarPose& planar, const Vec2& wanted, double reach_mm, const K
 
 /// Shifts the blade along its tooth line, step by step, until the edge in front would meet bone.
 void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
-                 const KerfPlane& plane, const StandingBone& bone) noexcept {
+                 const KerfPlane& plane, const RemainingTissue& bone) noexcept {
   const Vec2 along{-planar.direction.y, planar.direction.x};
   const double shift_mm = glm::dot(wanted_tip_mm - planar.tip_mm, along);
   if (std::abs(shift_mm) < shift_worth_asking_mm) return;
@@ -242,7 +242,7 @@ void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
 
 /// A way that the blade may go at least before its collar, thicker than a kerf, stands on the
 /// original surface; asked anew where that is below `enough_mm`.
-double collar_room_mm(const RigidTransform& bone_from_tool, const StandingBone& bone,
+double collar_room_mm(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                       double enough_mm, CollarMemory& memory) noexcept {
   const Blade& blade = bone.kerfs.blade();
   double room_mm = std::numeric_limits<double>::infinity(), side = -0.5;
@@ -261,7 +261,7 @@ double collar_room_mm(const RigidTransform& bone_from_tool, const StandingBone& 
   return room_mm;
 }
 
-bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone& bone) noexcept {
+bool teeth_are_outside(const RigidTransform& bone_from_tool, const RemainingTissue& bone) noexcept {
   for (const Vec3& point : tooth_points(bone_from_tool, bone.kerfs.blade(), 0.0)) {
     if (bone.original.clearance_mm(point) <= 0.0) return false;
   }
@@ -272,7 +272,7 @@ bool teeth_are_outside(const RigidTransform& bone_from_tool, const StandingBone&
 /// last tooth in bone need not be the last within the bone: beside an earlier stroke the others
 /// still stand in its kerf, deeper where the bone is.
 bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
-                    const RigidTransform& bone_from_flat, const StandingBone& bone) noexcept {
+                    const RigidTransform& bone_from_flat, const RemainingTissue& bone) noexcept {
   if (is_engaged) {
     tool.may_break_through = true;
     tool.drawn_back_mm = 0.0;
@@ -290,7 +290,7 @@ bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
 
 /// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before
 /// it: a hand lays the blade back into the line of its cut, also where the bone begins deeper.
-std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const StandingBone& bone,
+std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                              std::int32_t kerf) noexcept {
   const KerfPlane& plane = bone.kerfs.plane(kerf);
   const RigidTransform flat = flat_pose(plane, planar_pose(plane, bone_from_tool));
@@ -304,7 +304,7 @@ std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const Standin
 
 }  // namespace
 
-void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                   const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept {
   const KerfPlane& plane = bone.kerfs.plane(tool.kerf);
   const RigidTransform kerf_from_handle =
@@ -342,7 +342,7 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& b
   }
 }
 
-std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
+std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                                const ContactSettings& settings) noexcept {
   for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
     const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * bone_from_tool;

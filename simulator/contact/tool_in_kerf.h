@@ -8,7 +8,7 @@
 namespace hallux::simulator {
 
 /// Moves the tool along the kerf's plane; through air, open kerf and aside by at most `reach_mm`.
-void move_in_kerf(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                   const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept;
 
 }  // namespace hallux::simulator

@@ -20,7 +20,7 @@ double reach_mm(ToolState& tool, const ToolInput& input, const Blade& blade,
                 const ContactSettings& settings) noexcept {
   const ProxyMotion hand = motion_between(tool.bone_from_handle, input.bone_from_handle);
   const bool is_free = tool.stage == ToolStage::Free && !tool.is_held;
-  const double follows_mm = reach_of(hand, blade) + settings.give_mm_s * input.duration_s;
+  const double follows_mm = reach_of(hand, blade) + settings.release_speed_mm_s * input.duration_s;
   const bool is_gentle = tool.knows_handle && !is_free;
   tool.bone_from_handle = input.bone_from_handle;
   tool.knows_handle = true;
@@ -37,11 +37,11 @@ double share_within(const Vec3& value, double limit) noexcept {
 void pull_hand(const ToolState& tool, const ToolInput& input, const ContactSettings& settings,
                ToolOutcome& outcome) noexcept {
   const ProxyMotion stretch = motion_between(input.bone_from_handle, tool.bone_from_tool);
-  const Vec3 force_newton = settings.coupling_newton_per_mm * stretch.way_mm;
+  const Vec3 force_newton = settings.coupling_newton_per_mm * stretch.translation_mm;
   const double force_share = share_within(force_newton, settings.force_limit_newton);
   outcome.force_in_bone_newton = force_share * force_newton;
   outcome.is_force_limited = force_share < 1.0;
-  const Vec3 torque_newton_mm = settings.torsion_newton_mm_per_rad * stretch.turn_rad;
+  const Vec3 torque_newton_mm = settings.torsion_newton_mm_per_rad * stretch.rotation_rad;
   outcome.torque_in_bone_newton_mm =
       share_within(torque_newton_mm, settings.torque_limit_newton_mm) * torque_newton_mm;
 }
@@ -77,7 +77,7 @@ void guide_hand(ToolState& tool, const ToolInput& input, const ContactSettings& 
 }
 
 /// Why the saw kicks in this tick; `side` becomes the one to which it does.
-KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                         const ContactSettings& settings, const ToolOutcome& outcome,
                         double& side) noexcept {
   if (!input.saw_runs) return KickCause::None;
@@ -95,7 +95,7 @@ KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const StandingB
 }
 
 /// What the teeth's reaction adds to it.
-void kick_hand(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+void kick_hand(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                const ContactSettings& settings, ToolOutcome& outcome) noexcept {
   double side = 1.0;
   const KickCause cause = cause_of_kick(tool, input, bone, settings, outcome, side);
@@ -109,7 +109,7 @@ void kick_hand(ToolState& tool, const ToolInput& input, const StandingBone& bone
 
 }  // namespace
 
-ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                       const ContactSettings& settings) noexcept {
   ToolOutcome outcome;
   const double reach = reach_mm(tool, input, bone.kerfs.blade(), settings);

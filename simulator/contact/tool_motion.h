@@ -41,11 +41,11 @@ struct ContactSettings {
   /// Blade on bone, from rest.
   double friction = 0.3;
   /// Of it while the blade slides.
-  double friction_slide_share = 0.6;
+  double kinetic_ratio = 0.6;
   /// As friction, of running teeth that are not in a kerf yet.
-  double tooth_grip = 2.0;
+  double tooth_friction = 2.0;
   /// Faster than the hand, the tool comes after it where bone gives way.
-  double give_mm_s = 200.0;
+  double release_speed_mm_s = 200.0;
   /// A shallower touch is a scratch.
   double freeze_depth_mm = 0.3;
   /// Out of the plane, before the slot holds the blade.
@@ -144,12 +144,12 @@ struct ToolOutcome {
 /// needs   0 < duration_s <= 0.003
 /// errors  none: total, allocates nothing
 /// thread  haptic
-ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                       const ContactSettings& settings) noexcept;
 
 /// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or
 /// enough teeth over what was swept there within capture limits.
-std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const StandingBone& bone,
+std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
                                const ContactSettings& settings) noexcept;
 
 /// Holds the tool to a kerf's plane from now on; it comes there gently.

@@ -22,11 +22,11 @@ constexpr double slack_mm = 0.001;
 double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
 
 ProxyMotion scaled(const ProxyMotion& motion, double share) noexcept {
-  return {share * motion.way_mm, share * motion.turn_rad};
+  return {share * motion.translation_mm, share * motion.rotation_rad};
 }
 
 Vec3 motion_at(const ProxyMotion& motion, const BladeContact& contact) noexcept {
-  return motion.way_mm + glm::cross(motion.turn_rad, contact.arm_mm);
+  return motion.translation_mm + glm::cross(motion.rotation_rad, contact.arm_mm);
 }
 
 /// What a tick's way came to: the contacts at its end, and how the teeth stood to the bone.
@@ -53,12 +53,12 @@ void move_contacts(BladeContacts& contacts, const ProxyMotion& motion) noexcept 
   }
 }
 
-Walk walk(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+Walk walk(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
           const ContactSettings& settings, double reach_mm) noexcept {
   const double grip_mm =
       std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
-  const ProxyFriction friction{settings.friction, settings.friction_slide_share,
-                               input.saw_runs ? settings.tooth_grip : settings.friction};
+  const ProxyFriction friction{settings.friction, settings.kinetic_ratio,
+                               input.saw_runs ? settings.tooth_friction : settings.friction};
   const Blade& blade = bone.kerfs.blade();
   Walk walked;
   double left_mm = reach_mm;
@@ -141,14 +141,14 @@ void go_on_touching(ToolState& tool, const ToolInput& input, const Walk& walked,
 }  // namespace
 
 double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept {
-  return length_mm(motion.way_mm) + blade.depth_mm * length_mm(motion.turn_rad);
+  return length_mm(motion.translation_mm) + blade.depth_mm * length_mm(motion.rotation_rad);
 }
 
-void move_outside(ToolState& tool, const ToolInput& input, const StandingBone& bone,
+void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                   const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept {
   const Walk walked = walk(tool, input, bone, settings, reach_mm);
   outcome.engaged = engagement(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth);
-  const bool is_pushed = walked.proxy.push_mm > 0.0 || tool.stage == ToolStage::Touching;
+  const bool is_pushed = walked.proxy.normal_mm > 0.0 || tool.stage == ToolStage::Touching;
   const ProxyMotion left = motion_between(tool.bone_from_tool, input.bone_from_handle);
   tool.is_held = is_pushed || (tool.is_held && reach_of(left, bone.kerfs.blade()) > slack_mm);
   if (tool.stage == ToolStage::Touching) {

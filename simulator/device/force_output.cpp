@@ -97,7 +97,7 @@ DeviceForce output_force(ForceOutputState& state, const ForceOutputSettings& set
   warm(state.thermal, settings.thermal, length(state.sent_newton), duration_s);
   const bool is_sane = is_finite(input.simulated_in_world_newton) &&
                        is_finite(input.handle_in_world_mm) &&
-                       is_finite(input.tremble_in_world_newton);
+                       is_finite(input.vibration_in_world_newton);
   if (!input.is_live || !is_sane) return stop(state, ForceLimit::Stopped);
   const HandleMotion motion{
       state.has_handle ? input.handle_in_world_mm - state.handle_in_world_mm : Vec3(0.0, 0.0, 0.0),
@@ -113,12 +113,12 @@ DeviceForce output_force(ForceOutputState& state, const ForceOutputSettings& set
   const Vec3 wanted_newton = started(state, settings, scaled_newton, duration_s, output.limits);
   Vec3 force_newton = kept_passive(state.account, settings.passivity, motion, wanted_newton);
   if (force_newton != wanted_newton) output.limits |= bit(ForceLimit::Passivity);
-  const Vec3 tremble_newton = state.started_share * input.tremble_in_world_newton;
-  force_newton += tremble_newton;
+  const Vec3 vibration_newton = state.started_share * input.vibration_in_world_newton;
+  force_newton += vibration_newton;
   limit(force_newton, state, settings, duration_s, output.limits);
   if (!is_finite(force_newton)) return stop(state, ForceLimit::Stopped);
   state.sent_newton = output.force_in_world_newton = force_newton;
-  note_made(state.account, force_newton - tremble_newton);
+  note_made(state.account, force_newton - vibration_newton);
   return output;
 }
 

@@ -64,7 +64,7 @@ struct ForceInput {
   Vec3 handle_in_world_mm{0.0, 0.0, 0.0};
   /// Open loop, in newtons of the device: softly started and limited like the rest, but no matter
   /// of passivity.
-  Vec3 tremble_in_world_newton{0.0, 0.0, 0.0};
+  Vec3 vibration_in_world_newton{0.0, 0.0, 0.0};
   /// Since the tick before.
   double duration_s = 0.001;
   /// Neither fault nor pause.

@@ -73,8 +73,8 @@ BoneStretch stretch_from(BoneAtTick& bone, const std::vector<KerfGrowth>& kerfs,
   if (turn.kerf < 0) return stretch;
   const OpenedField& opened = kerfs[static_cast<std::size_t>(turn.kerf)].opened;
   const Bvh bvh(stretch.solid.mesh);
-  stretch.contact = std::make_unique<const KerfContact>(
-      slice_contact(stretch.solid, bvh, opened.plane, turn.kerf, opened.grid));
+  stretch.contact = std::make_unique<const SlabSlice>(
+      slice_slab(stretch.solid, bvh, opened.plane, turn.kerf, opened.grid));
   return stretch;
 }
 

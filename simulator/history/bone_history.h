@@ -23,7 +23,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/bone/planned_bridge.h"
 #include "simulator/cutting/field/opened_field.h"
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 
@@ -57,7 +57,7 @@ struct BoneStretch {
   /// The bone with the other kerfs as they are.
   CutSolid solid;
   /// Of the growing kerf; null for none.
-  std::unique_ptr<const KerfContact> contact;
+  std::unique_ptr<const SlabSlice> contact;
   /// Per piece that is taken out its triangles of the solid, ascending; empty where it is taken out
   /// later.
   std::vector<std::vector<std::uint32_t>> of_piece;

@@ -9,7 +9,7 @@ namespace hallux::simulator {
 namespace {
 
 /// The mean of the section's areas on the kerf's two planes.
-double section_area_mm2(const KerfContact& contact) {
+double section_area_mm2(const SlabSlice& contact) {
   double doubled_mm2 = 0.0;
   for (const StripEdge& edge : contact.edges) {
     if (edge.level == 0) continue;
@@ -57,7 +57,7 @@ std::unique_ptr<const JobResult> AttemptGeometry::run(const JobRequest& request)
     return result;
   }
   CHECK(request.kerf >= 0 && request.kerf < kerfs_.count());
-  if (request.kind == JobKind::Contact) {
+  if (request.kind == JobKind::Section) {
     run_contact(*result);
   } else {
     run_pieces(*result);
@@ -69,7 +69,7 @@ void AttemptGeometry::run_contact(JobResult& result) {
   const std::int32_t kerf = result.request.kerf;
   const SolidWithTree stands = bone_.before(kerf);
   result.section_mm2 = section_area_mm2(
-      slice_contact(stands.solid, stands.bvh, kerfs_.plane(kerf), kerf, kerfs_.field(kerf).grid()));
+      slice_slab(stands.solid, stands.bvh, kerfs_.plane(kerf), kerf, kerfs_.field(kerf).grid()));
 }
 
 void AttemptGeometry::run_pieces(JobResult& result) {

@@ -19,7 +19,7 @@ namespace hallux::simulator {
 
 enum class JobKind : std::int32_t {
   /// Slice the bone along a kerf that was just frozen.
-  Contact,
+  Section,
   /// Commit what the blade has opened and see what comes free.
   Pieces,
   /// Close the wedge beside the planned bridge.
@@ -28,7 +28,7 @@ enum class JobKind : std::int32_t {
 
 struct JobRequest {
   std::int32_t id = -1;
-  JobKind kind = JobKind::Contact;
+  JobKind kind = JobKind::Section;
   /// The one that asked; none for Hinge.
   std::int32_t kerf = -1;
   /// The state after this tick is what the job sees.
@@ -38,7 +38,7 @@ struct JobRequest {
 /// Never changes once made; the step borrows it for the rest of the attempt.
 struct JobResult {
   JobRequest request;
-  /// Contact: of the solid as it stood, at the kerf's planes.
+  /// Section: of the solid as it stood, at the kerf's planes.
   double section_mm2 = 0.0;
   /// Pieces: without debris, largest first.
   std::vector<PieceBody> pieces;

@@ -43,7 +43,7 @@ class JobNames {
       if (command.kind != CommandKind::ApplyJob) continue;
       RecordedJob job{{command.argument, JobKind::Pieces, -1, command.detail}, tick};
       if (const std::optional<std::int32_t> kerf = section_of(command.detail, said)) {
-        job.request.kind = JobKind::Contact;
+        job.request.kind = JobKind::Section;
         job.request.kerf = *kerf;
       } else if (has_unnamed_hinge) {
         job.request.kind = JobKind::Hinge;

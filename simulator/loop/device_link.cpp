@@ -59,22 +59,22 @@ void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
   }
   const bool is_live =
       has(sample.status, ToolStatus::Running) && !has(sample.status, ToolStatus::Faulted);
-  if (!is_live) historic_ = {};
+  if (!is_live) thesis_law_ = {};
   // A guide leads in air too, and a kick outlasts its touch: they are no surface.
   const bool is_touching = has(sample.status, ToolStatus::InContact);
-  const Vec3 felt_newton = law_ == ForceLaw::Historic
-                               ? historic_newton(simulated_newton, is_touching, ticks)
+  const Vec3 felt_newton = law_ == ForceLaw::Thesis
+                               ? thesis_law_newton(simulated_newton, is_touching, ticks)
                                : simulated_newton;
   const double duration_s = static_cast<double>(ticks) * step_s;
   const double push_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
-  force_ =
-      output_force(output_, *settings_,
-                   {felt_newton, watchdog_.last_good().translation_mm,
-                    tremble_newton(output, push_newton, duration_s, is_live), duration_s, is_live});
+  force_ = output_force(
+      output_, *settings_,
+      {felt_newton, watchdog_.last_good().translation_mm,
+       vibration_newton(output, push_newton, duration_s, is_live), duration_s, is_live});
 }
 
-Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, double duration_s,
-                                bool is_live) noexcept {
+Vec3 DeviceLink::vibration_newton(const StepOutput& output, double push_newton, double duration_s,
+                                  bool is_live) noexcept {
   if (!(vibration_scale_ > 0.0)) return {0.0, 0.0, 0.0};
   const ToolSample& sample = output.sample;
   VibrationInput input;
@@ -91,14 +91,14 @@ Vec3 DeviceLink::tremble_newton(const StepOutput& output, double push_newton, do
   return vibration_scale_ * vibrate(vibration_, input) * along_teeth;
 }
 
-Vec3 DeviceLink::historic_newton(const Vec3& simulated_newton, bool is_touching,
-                                 std::int64_t ticks) noexcept {
+Vec3 DeviceLink::thesis_law_newton(const Vec3& simulated_newton, bool is_touching,
+                                   std::int64_t ticks) noexcept {
   const double touch_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
   std::optional<Vec3> normal;
   if (is_touching && touch_newton > least_touch_newton) normal = simulated_newton / touch_newton;
-  const HistoricSettings settings{.force_limit_newton = settings_->force_newton};
+  const ThesisLawSettings settings{.force_limit_newton = settings_->force_newton};
   const Vec3 handle_mm = watchdog_.last_good().translation_mm;
-  return historic_force(historic_, settings, handle_mm, normal, ticks) / settings_->scale;
+  return thesis_law_force(thesis_law_, settings, handle_mm, normal, ticks) / settings_->scale;
 }
 
 void DeviceLink::let_go() noexcept {

@@ -14,7 +14,7 @@
 #include "simulator/contact/vibration.h"
 #include "simulator/device/force_output.h"
 #include "simulator/device/haptic_device.h"
-#include "simulator/device/historic_law.h"
+#include "simulator/device/thesis_law.h"
 #include "simulator/loop/watchdog.h"
 #include "simulator/record/record.h"
 #include "simulator/step/simulation.h"
@@ -26,7 +26,7 @@ enum class ForceLaw {
   /// The scaled force of the simulation.
   Simulated,
   /// The thesis's law where teeth touch bone: for the lesson.
-  Historic
+  Thesis
 };
 
 class DeviceLink {
@@ -58,12 +58,13 @@ class DeviceLink {
  private:
   /// What the thesis's law makes of the handle's motion at the surface that the simulated force
   /// comes from, in newtons of the simulation: the output scales them.
-  Vec3 historic_newton(const Vec3& simulated_newton, bool is_touching, std::int64_t ticks) noexcept;
+  Vec3 thesis_law_newton(const Vec3& simulated_newton, bool is_touching,
+                         std::int64_t ticks) noexcept;
 
   /// How the running saw trembles along its teeth, for an arm that can render it; newtons of the
   /// device.
-  Vec3 tremble_newton(const StepOutput& output, double push_newton, double duration_s,
-                      bool is_live) noexcept;
+  Vec3 vibration_newton(const StepOutput& output, double push_newton, double duration_s,
+                        bool is_live) noexcept;
 
   HapticDevice& device_;
   Saw saw_;
@@ -72,7 +73,7 @@ class DeviceLink {
   /// 0: the device renders none.
   double vibration_scale_;
   VibrationState vibration_;
-  HistoricState historic_;
+  ThesisLawState thesis_law_;
   std::optional<ForceOutputSettings> settings_;
   DeviceWatchdog watchdog_;
   ForceOutputState output_;

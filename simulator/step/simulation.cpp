@@ -140,7 +140,7 @@ void Simulation::end(CutEventKind how, StepOutput& output) noexcept {
 
 void Simulation::apply_job(const JobResult& result, StepOutput& output) noexcept {
   switch (result.request.kind) {
-    case JobKind::Contact:
+    case JobKind::Section:
       note(output, CutEventKind::SectionKnown, result.request.kerf,
            thousandths(result.section_mm2));
       break;
@@ -290,7 +290,7 @@ void Simulation::freeze(StepOutput& output) noexcept {
     }
     note(output, CutEventKind::PlaneFrozen, kerf);
     guide_.note_own_kerf();
-    ask(JobKind::Contact, kerf, output);
+    ask(JobKind::Section, kerf, output);
   }
   enter_kerf(tool_, kerf);
 }

@@ -109,7 +109,7 @@ class Simulation {
   std::int32_t kerf_of_tool() const noexcept {
     return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
   }
-  StandingBone standing() const noexcept { return {tissue_, kerfs_, pieces_.removed()}; }
+  RemainingTissue standing() const noexcept { return {tissue_, kerfs_, pieces_.removed()}; }
 
   const TissueMap& tissue_;
   RigidTransform world_from_bone_, bone_from_world_;

@@ -26,7 +26,7 @@ ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const SawInHand&
       heat_(hand.saw, world_from_bone),
       danger_(world_from_bone, hand.saw.blade, watched(danger_zones)) {}
 
-void ToolEffects::apply(const ToolSample& sample, const StandingBone& bone) noexcept {
+void ToolEffects::apply(const ToolSample& sample, const RemainingTissue& bone) noexcept {
   tick_ = sample.tick;
   bone_from_tool_ = quantise(bone_from_world_ * transform_from(sample.world_from_tool));
   heat_.apply(sample, bone);
@@ -34,7 +34,7 @@ void ToolEffects::apply(const ToolSample& sample, const StandingBone& bone) noex
   bend(sample, bone);
 }
 
-void ToolEffects::bend(const ToolSample& sample, const StandingBone& bone) noexcept {
+void ToolEffects::bend(const ToolSample& sample, const RemainingTissue& bone) noexcept {
   const bool tells_of_bend = !is_guided_ || has(sample.status, ToolStatus::InKerf);
   if (!has(sample.status, ToolStatus::InContact) || !tells_of_bend) {
     flex_ = {};

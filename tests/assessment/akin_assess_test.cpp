@@ -25,8 +25,8 @@ constexpr AkinAttempt novice{8.2, 5.2, -6.5, 15.4, -2.4, 7.6, 10.6, 10.6};
 
 Examination examination_of(const AkinAttempt& attempt, double kerf_mm = 0.5,
                            const simulator::Bone& bone = testing::oval_bone()) {
-  return examine(testing::akin_scenario(kerf_mm), bone,
-                 testing::akin_recording(attempt, bone, kerf_mm));
+  return assess_fully(testing::akin_scenario(kerf_mm), bone,
+                      testing::akin_recording(attempt, bone, kerf_mm));
 }
 
 const Measurement& measured(const Examination& examination, const char* metric,
@@ -163,7 +163,7 @@ TEST(AkinAssess, OneCutAloneIsNoWedgeButItsPlungeCounts) {
 
 TEST(AkinAssess, NoCutMeasuresNothing) {
   const simulator::Bone bone = testing::oval_bone();
-  const Examination examination = examine(testing::akin_scenario(), bone, {});
+  const Examination examination = assess_fully(testing::akin_scenario(), bone, {});
   EXPECT_EQ(examination.card.score_milli, 0);
   EXPECT_EQ(examination.card.measured_milli, 58000);
   for (const Measurement& each : examination.measurements) EXPECT_FALSE(each.is_measured);

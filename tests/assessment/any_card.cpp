@@ -60,7 +60,7 @@ database::ScoreCard any_card() {
     rubric.gates.push_back(gate(metric, any_value(), *rc::gen::inRange(0, 100001)));
     measurements.push_back(measured(metric, any_value()));
   }
-  return balance(rubric, measurements);
+  return score_rubric(rubric, measurements);
 }
 
 }  // namespace hallux::assessment

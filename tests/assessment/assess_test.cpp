@@ -22,7 +22,7 @@ Examination examination_of(const std::vector<Stroke>& strokes) {
   const simulator::Bone bone = testing::block_bone();
   Recording recording;
   for (const Stroke& stroke : strokes) add_stroke(recording, bone, stroke);
-  return examine(testing::block_scenario(), bone, recording);
+  return assess_fully(testing::block_scenario(), bone, recording);
 }
 
 double value_of(const Examination& examination, const char* metric) {

@@ -37,7 +37,7 @@ std::int64_t sum_of_shown_losses(const ScoreCard& card) {
 
 TEST(Ledger, ScoresWhatWasEarnedOfWhatCouldBeMeasured) {
   const std::vector<Measurement> measurements{measured("a_mm", 0.25)};
-  const ScoreCard card = balance(two_groups(), measurements);
+  const ScoreCard card = score_rubric(two_groups(), measurements);
   EXPECT_EQ(card.rubric_milli, 100000);
   EXPECT_EQ(card.measured_milli, 60000);
   EXPECT_EQ(card.earned_milli, 45000);
@@ -49,7 +49,7 @@ TEST(Ledger, ScoresWhatWasEarnedOfWhatCouldBeMeasured) {
 TEST(Ledger, AnItemWhoseCutWasNotMadeLosesAllOfIt) {
   std::vector<Measurement> measurements{measured("a_mm", 0.0)};
   measurements[0].is_measured = false;
-  const ScoreCard card = balance(two_groups(), measurements);
+  const ScoreCard card = score_rubric(two_groups(), measurements);
   EXPECT_EQ(card.measured_milli, 60000);
   EXPECT_EQ(card.score_milli, 0);
   EXPECT_EQ(sum_of_losses(card), 60000);
@@ -58,11 +58,11 @@ TEST(Ledger, AnItemWhoseCutWasNotMadeLosesAllOfIt) {
 TEST(Ledger, AnUnfinishedCutEarnsTheShareThatWasCut) {
   std::vector<Measurement> measurements{measured("a_mm", 0.5)};
   measurements[0].done_fraction = 0.1;
-  EXPECT_EQ(balance(two_groups(), measurements).earned_milli, 3000);
+  EXPECT_EQ(score_rubric(two_groups(), measurements).earned_milli, 3000);
 }
 
 TEST(Ledger, NothingMeasuredIsScoreNoughtWithoutLosses) {
-  const ScoreCard card = balance(two_groups(), {});
+  const ScoreCard card = score_rubric(two_groups(), {});
   EXPECT_EQ(card.measured_milli, 0);
   EXPECT_EQ(card.score_milli, 0);
   EXPECT_TRUE(card.ledger.empty());
@@ -70,7 +70,7 @@ TEST(Ledger, NothingMeasuredIsScoreNoughtWithoutLosses) {
 
 TEST(Ledger, SpeedEarnsNothingWithoutAccuracy) {
   const std::vector<Measurement> measurements{measured("a_mm", 1.0), measured("e_mm", 0.0)};
-  const ScoreCard card = balance(two_groups(), measurements);
+  const ScoreCard card = score_rubric(two_groups(), measurements);
   EXPECT_EQ(card.score_milli, 0);
   ASSERT_EQ(card.ledger.size(), 3U);
   EXPECT_EQ(card.ledger[2].kind, LedgerKind::Damping);
@@ -79,7 +79,7 @@ TEST(Ledger, SpeedEarnsNothingWithoutAccuracy) {
 
 TEST(Ledger, HalfOfTheNeededAccuracyHalvesEfficiency) {
   const std::vector<Measurement> measurements{measured("a_mm", 0.7), measured("e_mm", 0.5)};
-  const ScoreCard card = balance(two_groups(), measurements);
+  const ScoreCard card = score_rubric(two_groups(), measurements);
   EXPECT_EQ(card.ledger[2].points_lost_milli, 10000);
   EXPECT_EQ(card.earned_milli, 18000 + 10000);
   EXPECT_EQ(card.groups[1].earned_milli, 10000);
@@ -87,7 +87,7 @@ TEST(Ledger, HalfOfTheNeededAccuracyHalvesEfficiency) {
 
 TEST(Ledger, SixTenthsOfTheAccuracyDampNothing) {
   const std::vector<Measurement> measurements{measured("a_mm", 0.4), measured("e_mm", 0.0)};
-  const ScoreCard card = balance(two_groups(), measurements);
+  const ScoreCard card = score_rubric(two_groups(), measurements);
   EXPECT_EQ(card.ledger[2].points_lost_milli, 0);
   EXPECT_EQ(card.earned_milli, 36000 + 40000);
 }
@@ -97,7 +97,7 @@ TEST(Ledger, TheLowestTriggeredCapTakesWhatStandsAboveIt) {
   rubric.gates = {gate("g_mm", 1.0, 69000), gate("h_mm", 1.0, 59000), gate("i_mm", 1.0, 10000)};
   const std::vector<Measurement> measurements{measured("a_mm", 0.0), measured("g_mm", 1.5),
                                               measured("h_mm", 1.5), measured("i_mm", 1.0)};
-  const ScoreCard card = balance(rubric, measurements);
+  const ScoreCard card = score_rubric(rubric, measurements);
   EXPECT_EQ(card.score_milli, 59000);
   EXPECT_TRUE(card.gates[0].is_triggered);
   EXPECT_TRUE(card.gates[1].is_triggered);
@@ -113,7 +113,7 @@ TEST(Ledger, AGateOfACutThatWasNotMadeStaysShut) {
   rubric.gates = {gate("g_mm", 1.0, 0)};
   std::vector<Measurement> measurements{measured("a_mm", 0.0), measured("g_mm", 9.0)};
   measurements[1].is_measured = false;
-  EXPECT_EQ(balance(rubric, measurements).score_milli, 100000);
+  EXPECT_EQ(score_rubric(rubric, measurements).score_milli, 100000);
 }
 
 TEST(Ledger, ScalingGivesTheRestToTheLargestRemainders) {

@@ -46,7 +46,7 @@ Measurement measured(const std::string& metric, double value, const std::string&
 }
 
 ScoreCard explained(const Scenario& scenario, const std::vector<Measurement>& measurements) {
-  ScoreCard card = balance(scenario.rubric, measurements);
+  ScoreCard card = score_rubric(scenario.rubric, measurements);
   explain(card, scenario, measurements);
   return card;
 }

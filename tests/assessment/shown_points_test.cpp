@@ -45,7 +45,7 @@ ScoreCard silver_card(double angle_mm) {
   Rubric rubric;
   rubric.groups = {{"accuracy", "Accuracy", 50000, ""}, {"safety", "Safety", 50000, ""}};
   rubric.items = {item("A1", "accuracy", 16000), item("A2", "accuracy", 34000)};
-  return balance(rubric, std::vector{measured("A1_mm", angle_mm), measured("A2_mm", 0.0)});
+  return score_rubric(rubric, std::vector{measured("A1_mm", angle_mm), measured("A2_mm", 0.0)});
 }
 
 TEST(ShownPoints, AreOfAHundredAlthoughHalfOfTheRubricIsMeasured) {
@@ -69,7 +69,7 @@ TEST(ShownPoints, ALossTooSmallToShowIsStillSaid) {
 }
 
 TEST(ShownPoints, WithNothingMeasuredThereIsNothingToShow) {
-  const ShownPoints shown = shown_points(balance(Rubric{}, {}));
+  const ShownPoints shown = shown_points(score_rubric(Rubric{}, {}));
   EXPECT_EQ(shown.score_milli, 0);
   EXPECT_TRUE(shown.lines.empty());
 }
@@ -80,7 +80,7 @@ TEST(ShownPoints, OfThreeThirdsTheOneThatIsLostEarnsNothing) {
     rubric.groups.push_back({name, name, 10000, ""});
     rubric.items.push_back(item(name, name, 10000));
   }
-  const ScoreCard card = balance(
+  const ScoreCard card = score_rubric(
       rubric, std::vector{measured("a_mm", 1.0), measured("b_mm", 0.0), measured("c_mm", 0.0)});
   const ShownPoints shown = shown_points(card);
   EXPECT_EQ(shown.score_milli, 66700);
@@ -96,7 +96,7 @@ TEST(ShownPoints, WeightsBeforeAnAttemptAreThoseAfterIt) {
                   item("H1", "safety", 8000)};
   const ShownWeights weights = shown_weights(rubric);
   EXPECT_EQ(weights.groups_milli, (std::vector<std::int64_t>{86200, 0, 13800}));
-  const ShownPoints shown = shown_points(balance(
+  const ShownPoints shown = shown_points(score_rubric(
       rubric, std::vector{measured("A1_mm", 0.5), measured("A2_mm", 0.2), measured("H1_mm", 0.1)}));
   for (std::size_t line = 0; line < 3; ++line)
     EXPECT_EQ(shown.lines[line].possible_milli, weights.items_milli[line]);

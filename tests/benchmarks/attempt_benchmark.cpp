@@ -74,7 +74,7 @@ Costs retrace(const RecordedSilver& recorded) {
     const double jobs_ms = 0.001 * microseconds_since(before_jobs);
     for (const simulator::JobRequest& request : output.requests) {
       double& longest_ms =
-          request.kind == simulator::JobKind::Contact ? costs.contact_ms : costs.pieces_ms;
+          request.kind == simulator::JobKind::Section ? costs.contact_ms : costs.pieces_ms;
       longest_ms = std::max(longest_ms, jobs_ms);
     }
   }

@@ -79,7 +79,7 @@ struct Taken {
 
 Taken take(const CutSolid& solid, const KerfPlane& plane, const RegionOutline& region) {
   const Bvh bvh(solid.mesh);
-  const KerfContact contact = slice_contact(solid, bvh, plane, 0, FieldGrid{});
+  const SlabSlice contact = slice_slab(solid, bvh, plane, 0, FieldGrid{});
   SolidPatch patch;
   EXPECT_TRUE(PatchBuilder(contact).build(region, patch));
   Taken taken{commit_patch(solid, patch), 0.0};

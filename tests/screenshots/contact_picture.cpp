@@ -16,7 +16,7 @@ constexpr double kerf_mm = 1.5;  // three times a real one, so that the strip is
 constexpr double apart_mm = 7.0;
 
 /// Skin that no plane touches, by the side of the kerf on which it lies.
-void add_untouched(Scene& scene, const CutSolid& solid, const KerfContact& contact) {
+void add_untouched(Scene& scene, const CutSolid& solid, const SlabSlice& contact) {
   IndexedMesh above, below;
   above.points_mm = below.points_mm = solid.mesh.points_mm;
   std::size_t next = 0;
@@ -34,7 +34,7 @@ void add_untouched(Scene& scene, const CutSolid& solid, const KerfContact& conta
 }
 
 /// Outer parts as PatchBuilder fans them where no region crosses their edge.
-void add_outer_parts(Scene& scene, const CutSolid& solid, const KerfContact& contact) {
+void add_outer_parts(Scene& scene, const CutSolid& solid, const SlabSlice& contact) {
   for (const OuterPart& part : contact.outer_parts) {
     const StripEdge& edge = contact.edges[part.edge];
     const Vec3 shift_mm = edge.level * apart_mm * contact.axes.z;
@@ -47,7 +47,7 @@ void add_outer_parts(Scene& scene, const CutSolid& solid, const KerfContact& con
   }
 }
 
-void add_strip(Scene& scene, const KerfContact& contact) {
+void add_strip(Scene& scene, const SlabSlice& contact) {
   IndexedMesh strip;
   for (const StripPoint& point : contact.points) strip.points_mm.push_back(point.point_in_bone_mm);
   for (const StripTriangle& triangle : contact.triangles)
@@ -55,7 +55,7 @@ void add_strip(Scene& scene, const KerfContact& contact) {
   scene.add(strip, std::vector<Paint>(strip.triangles.size(), Paint::Strip));
 }
 
-void draw_in_space(SvgPage& page, const CutSolid& solid, const KerfContact& contact) {
+void draw_in_space(SvgPage& page, const CutSolid& solid, const SlabSlice& contact) {
   Scene scene;
   add_untouched(scene, solid, contact);
   add_outer_parts(scene, solid, contact);
@@ -67,7 +67,7 @@ void draw_in_space(SvgPage& page, const CutSolid& solid, const KerfContact& cont
   draw(scene, camera, page, Lines::Triangles, Shows::OpenSurfaces);
 }
 
-void draw_in_plane(SvgPage& page, const KerfContact& contact) {
+void draw_in_plane(SvgPage& page, const SlabSlice& contact) {
   const PlaneView view{Vec2(0.0, 0.0), Vec2(655.0, 225.0), 18.0};
   page.path(section_path(view, contact, -1), "bonefill");
   std::string d;
@@ -89,8 +89,7 @@ std::string draw_contact() {
   const PlannedBone bone = akin_phalanx(1.2);
   const KerfPlane plane =
       plane_through(Vec3(15.0, 0.5, 0.5), Vec3(-0.84, 0.38, 0.4), kerf_mm, Vec3(0.0, 0.0, 1.0));
-  const KerfContact contact =
-      slice_contact(bone.solid, Bvh(bone.solid.mesh), plane, 0, wide_grid());
+  const SlabSlice contact = slice_slab(bone.solid, Bvh(bone.solid.mesh), plane, 0, wide_grid());
   CHECK(contact.skin_count == 2);
   SvgPage page(Vec2(880.0, 450.0), "The contact slice of an oblique plane");
   draw_in_space(page, bone.solid, contact);

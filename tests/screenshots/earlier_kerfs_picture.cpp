@@ -44,7 +44,7 @@ void draw_wedge(SvgPage& page, const CutSolid& cut) {
             "middle");
 }
 
-void draw_meeting(SvgPage& page, const KerfContact& contact, const RegionOutline& region) {
+void draw_meeting(SvgPage& page, const SlabSlice& contact, const RegionOutline& region) {
   const PlaneView view{Vec2(-8.5, 0.0), Vec2(670.0, 115.0), 9.0};
   page.begin_window(Vec2(480.0, 15.0), Vec2(385.0, 190.0));
   page.path(section_path(view, contact, 1), "bonefill");

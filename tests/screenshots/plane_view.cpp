@@ -14,7 +14,7 @@ double turn_of(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-Vec2 place_of(const KerfContact& contact, std::uint32_t point) {
+Vec2 place_of(const SlabSlice& contact, std::uint32_t point) {
   return place_mm(contact.axes, contact.points[point].point_in_bone_mm);
 }
 
@@ -40,7 +40,7 @@ std::string region_path(const PlaneView& view, const RegionOutline& region) {
   return d;
 }
 
-std::string contour_path(const PlaneView& view, const KerfContact& contact, int level,
+std::string contour_path(const PlaneView& view, const SlabSlice& contact, int level,
                          std::int32_t kerf) {
   std::string d;
   for (const StripEdge& edge : contact.edges) {
@@ -50,7 +50,7 @@ std::string contour_path(const PlaneView& view, const KerfContact& contact, int 
   return d;
 }
 
-std::string section_path(const PlaneView& view, const KerfContact& contact, int level) {
+std::string section_path(const PlaneView& view, const SlabSlice& contact, int level) {
   std::map<std::uint32_t, std::uint32_t> next;
   for (const StripEdge& edge : contact.edges) {
     if (edge.level == level) next[edge.a] = edge.b;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulator/cutting/field/region_outline.h"
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 #include "tests/screenshots/svg_page.h"
 
 namespace hallux::tests {
@@ -25,10 +25,10 @@ struct PlaneView {
 std::string region_path(const PlaneView& view, const simulator::RegionOutline& region);
 /// The section's contours on the upper (+1) or lower (-1) plane, edge by edge; closed loops where
 /// `kerf` is left out, else only the edges on walls of that kerf.
-std::string contour_path(const PlaneView& view, const simulator::KerfContact& contact, int level,
+std::string contour_path(const PlaneView& view, const simulator::SlabSlice& contact, int level,
                          std::int32_t kerf);
 /// All contours of a plane as areas, holes taken out by the even-odd rule.
-std::string section_path(const PlaneView& view, const simulator::KerfContact& contact, int level);
+std::string section_path(const PlaneView& view, const simulator::SlabSlice& contact, int level);
 
 /// A blade's rectangle at a pose, counter-clockwise.
 std::vector<Vec2> blade_corners_mm(const simulator::Blade& blade,

@@ -72,7 +72,7 @@ void saw(KerfField& field, const Blade& blade, const std::vector<PlanarPose>& po
 SawnFrame frame_of(const CutSolid& solid, const KerfPlane& plane, const KerfField& field,
                    std::int32_t kerf) {
   SawnFrame frame;
-  frame.contact = slice_contact(solid, Bvh(solid.mesh), plane, kerf, field.grid());
+  frame.contact = slice_slab(solid, Bvh(solid.mesh), plane, kerf, field.grid());
   frame.region = outline_of(field);
   CHECK(PatchBuilder(frame.contact).build(frame.region, frame.patch));
   return frame;

@@ -46,7 +46,7 @@ void saw(simulator::KerfField& field, const simulator::Blade& blade,
 
 /// A frame of a kerf in a solid, with all that led to it.
 struct SawnFrame {
-  simulator::KerfContact contact;
+  simulator::SlabSlice contact;
   simulator::RegionOutline region;
   simulator::SolidPatch patch;
 };

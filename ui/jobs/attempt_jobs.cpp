@@ -141,8 +141,8 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
 assessment::Examination score_attempt(const AttemptMaterial& material,
                                       const StageProgress& progress) {
   return cancelled_as("stopped while scoring; nothing was changed", [&] {
-    return assessment::examine(material.scenario, material.bone, material.recording,
-                               progress("Scoring"));
+    return assessment::assess_fully(material.scenario, material.bone, material.recording,
+                                    progress("Scoring"));
   });
 }
 

@@ -135,8 +135,8 @@ assessment::Examination examine_kept(const AttemptMaterial& material,
   return cancelled_as("stopped while examining; nothing was changed", [&] {
     const OpenedFields fields =
         fields_of(material, data_directory, part_of(reached, 0.0, follow_share));
-    return assessment::examine(material.scenario, material.bone, material.recording,
-                               part_of(reached, follow_share, 1.0), &fields);
+    return assessment::assess_fully(material.scenario, material.bone, material.recording,
+                                    part_of(reached, follow_share, 1.0), &fields);
   });
 }
 

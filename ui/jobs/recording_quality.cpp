@@ -71,11 +71,11 @@ Quality quality_of(const simulator::LoopStatistics& loop,
 }
 
 const char* name_of(simulator::ForceLaw law) noexcept {
-  return law == simulator::ForceLaw::Historic ? "historic" : "simulated";
+  return law == simulator::ForceLaw::Thesis ? "historic" : "simulated";
 }
 
 std::optional<simulator::ForceLaw> force_law_from(const std::string& name) noexcept {
-  for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Historic}) {
+  for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Thesis}) {
     if (name == name_of(law)) return law;
   }
   return std::nullopt;

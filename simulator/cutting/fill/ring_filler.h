@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulator/cutting/fill/triangulate.h"
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 
 namespace hallux::simulator {
 

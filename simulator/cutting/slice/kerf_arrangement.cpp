@@ -5,7 +5,7 @@
 
 namespace hallux::simulator {
 
-KerfArrangement::KerfArrangement(const KerfContact& contact)
+KerfArrangement::KerfArrangement(const SlabSlice& contact)
     : contact_(contact),
       search_(contact),
       asked_by_(contact.edges.size(), no_index),
@@ -113,7 +113,7 @@ std::int32_t KerfArrangement::winding_around(const LatticePoint& bone) const noe
 
 /// The first point of a skin is asked directly; from there the state changes with each crossing.
 bool KerfArrangement::open_points() {
-  for (const KerfContact::TreeEdge& step : contact_.tree) {
+  for (const SlabSlice::TreeEdge& step : contact_.tree) {
     std::int32_t winding = 0;
     if (step.parent == no_index) {
       winding = winding_around(contact_.points[step.point].place);
@@ -233,7 +233,7 @@ void KerfArrangement::mark_reached() {
   const auto mark = [this](std::uint32_t touched) {
     is_reached_[contact_.touched[touched].skin] = 1;
   };
-  for (const KerfContact::TreeEdge& step : contact_.tree) {
+  for (const SlabSlice::TreeEdge& step : contact_.tree) {
     if (is_open_[step.point] != 0) is_reached_[step.skin] = 1;
   }
   for (const StripCrossing& crossing : crossings_) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "simulator/cutting/field/region_outline.h"
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 #include "simulator/cutting/slice/strip_search.h"
 
 namespace hallux::simulator {
@@ -51,7 +51,7 @@ struct CornerHit {
 class KerfArrangement {
  public:
   /// Borrows the contact.
-  explicit KerfArrangement(const KerfContact& contact);
+  explicit KerfArrangement(const SlabSlice& contact);
 
   /// Takes up a region.
   /// ensures false where the outline winds around a point of the strip more than once, or the strip
@@ -59,7 +59,7 @@ class KerfArrangement {
   /// thread  worker or geometry; allocates nothing once it has seen as large a region
   bool arrange(const RegionOutline& region);
 
-  const KerfContact& contact() const noexcept { return contact_; }
+  const SlabSlice& contact() const noexcept { return contact_; }
   std::span<const RegionCorner> corners() const noexcept { return corners_; }
   /// Ascending by region edge.
   std::span<const StripCrossing> crossings() const noexcept { return crossings_; }
@@ -99,7 +99,7 @@ class KerfArrangement {
   void mark_reached();
   std::int32_t winding_around(const LatticePoint& bone) const noexcept;
 
-  const KerfContact& contact_;
+  const SlabSlice& contact_;
   StripSearch search_;
   std::vector<RegionCorner> corners_;
   std::vector<std::uint32_t> loop_starts_;

@@ -6,7 +6,7 @@
 
 namespace hallux::simulator {
 
-StripSearch::StripSearch(const KerfContact& contact) : min_(contact.min) {
+StripSearch::StripSearch(const SlabSlice& contact) : min_(contact.min) {
   if (contact.points.empty()) return;
   // About two cells an edge: edges lie along curves, so most cells stay empty.
   const auto width = static_cast<double>(contact.max.u - contact.min.u + 1);

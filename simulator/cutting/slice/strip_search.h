@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 
 namespace hallux::simulator {
 
 class StripSearch {
  public:
-  explicit StripSearch(const KerfContact& contact);
+  explicit StripSearch(const SlabSlice& contact);
 
   /// Calls visit(edge) at least once for every strip edge that the straight line from r to s meets.
   template <typename Visit>

@@ -43,7 +43,7 @@ KerfCut cut_kerf(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane, 
   KerfCut cut;
   KerfPlane tried = plane;
   for (; cut.nudges <= nudges_at_most; ++cut.nudges) {
-    const KerfContact contact = slice_contact(solid, bvh, tried, kerf, grid);
+    const SlabSlice contact = slice_slab(solid, bvh, tried, kerf, grid);
     PatchBuilder builder(contact);
     SolidPatch patch;
     if (builder.build(region, patch)) {

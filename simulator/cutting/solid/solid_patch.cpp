@@ -24,7 +24,7 @@ Vec3 point_at(const KerfAxes& axes, const Vec2& place_in_kerf_mm, double height_
 
 }  // namespace
 
-PatchBuilder::PatchBuilder(const KerfContact& contact)
+PatchBuilder::PatchBuilder(const SlabSlice& contact)
     : contact_(contact), arrangement_(contact), newest_hit_on_(contact.triangles.size(), no_index) {
   for (const StripPoint& point : contact.points) {
     corners_.push_back({point.place, point.height});

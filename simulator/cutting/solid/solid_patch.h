@@ -34,7 +34,7 @@ struct SolidPatch {
 class PatchBuilder {
  public:
   /// Borrows the contact.
-  explicit PatchBuilder(const KerfContact& contact);
+  explicit PatchBuilder(const SlabSlice& contact);
 
   /// Replaces the patch by that of a region.
   /// ensures true: mesh and patch together are closed; a pure function of contact and region
@@ -108,7 +108,7 @@ class PatchBuilder {
   FaceView view_of(std::uint32_t triangle) const noexcept;
   FaceView view_of_front(std::uint32_t region_edge) const noexcept;
 
-  const KerfContact& contact_;
+  const SlabSlice& contact_;
   KerfArrangement arrangement_;
   RingFiller filler_;
   std::uint64_t refusals_ = 0;

@@ -8,7 +8,7 @@
 
 #include "database/desks/session.h"
 #include "simulator/base/random.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/database/big_course.h"
 
@@ -41,7 +41,7 @@ struct Desks {
 
 /// By the clock, not the processor: what somebody waits for, the disk and the other programs of the
 /// machine with it.
-Spread waited_ms(int times, const std::function<void()>& ask) {
+Percentiles waited_ms(int times, const std::function<void()>& ask) {
   std::vector<double> waits_ms;
   ask();
   for (int i = 0; i < times; ++i) {
@@ -49,7 +49,7 @@ Spread waited_ms(int times, const std::function<void()>& ask) {
     ask();
     waits_ms.push_back(watch.milliseconds());
   }
-  return spread_of(std::move(waits_ms));
+  return percentiles_of(std::move(waits_ms));
 }
 
 class Asking {
@@ -57,7 +57,7 @@ class Asking {
   explicit Asking(Table& table) : table_(table) {}
 
   void ask(const char* what, const std::function<void()>& question) {
-    const Spread spread = waited_ms(100, question);
+    const Percentiles spread = waited_ms(100, question);
     table_.rows.push_back(
         {what, static_cast<double>(spread.count), spread.median, spread.p99, spread.greatest});
     greatest_p99_ms_ = std::max(greatest_p99_ms_, spread.p99);

@@ -14,7 +14,7 @@
 #include "tests/benchmarks/display_buffers/sections.h"
 #include "tests/benchmarks/display_buffers/workloads.h"
 #include "tests/benchmarks/report/chart.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "ui/render/gl/display_buffer.h"
 #include "ui/render/scene/bone_mesh.h"
 
@@ -69,7 +69,7 @@ Appended median_of(std::size_t initial, const std::vector<AppendStep>& steps, do
     result = append_all<Element>(initial, steps, factor);
     times_ms.push_back(result.worked_ms);
   }
-  result.worked_ms = spread_of(times_ms).median;
+  result.worked_ms = percentiles_of(times_ms).median;
   return result;
 }
 

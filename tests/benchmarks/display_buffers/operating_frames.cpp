@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/ui/render/operating_world.h"
 #include "ui/render/gl/headless_context.h"
@@ -76,7 +76,7 @@ int run(double edge_mm) {
       times_ms.push_back(time.on_clock_ms);
       worked_ms.push_back(time.worked_ms);
     }
-    const Spread spread = spread_of(times_ms), worked = spread_of(worked_ms);
+    const Percentiles spread = percentiles_of(times_ms), worked = percentiles_of(worked_ms);
     table.rows.push_back({what.name, static_cast<double>(renderer.counts().triangles), spread.least,
                           spread.median, spread.p99, worked.least, worked.median,
                           1000.0 / spread.median});

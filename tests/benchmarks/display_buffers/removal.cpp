@@ -16,7 +16,7 @@
 #include "tests/benchmarks/display_buffers/sections.h"
 #include "tests/benchmarks/display_buffers/workloads.h"
 #include "tests/benchmarks/report/chart.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 
 namespace hallux::benchmarks {
 
@@ -70,8 +70,8 @@ std::vector<std::uint32_t> shuffled(std::size_t count) {
 }
 
 /// Microseconds a triangle, of frames that each remove one batch.
-Spread remove_batches(const Method& method, const std::vector<Triangle>& triangles,
-                      const std::vector<std::uint32_t>& order, std::size_t frames) {
+Percentiles remove_batches(const Method& method, const std::vector<Triangle>& triangles,
+                           const std::vector<std::uint32_t>& order, std::size_t frames) {
   PlacedBuffer<Triangle> buffer(blank, method.removal);
   buffer.append(triangles);
   buffer.upload();
@@ -94,7 +94,7 @@ Spread remove_batches(const Method& method, const std::vector<Triangle>& triangl
     glFinish();
     times_us.push_back(1000.0 * watch.worked_milliseconds() / static_cast<double>(batch));
   }
-  return spread_of(times_us);
+  return percentiles_of(times_us);
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ void measure_removal(const BufferEffort& effort, BufferResults& results) {
     const std::size_t frames = std::min<std::size_t>(triangles.size() / batch, 60);
     chart.groups.push_back(model.name + " " + std::to_string(triangles.size()));
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Spread spread = remove_batches(all[i], triangles, order, frames);
+      const Percentiles spread = remove_batches(all[i], triangles, order, frames);
       table.rows.push_back({all[i].name, chart.groups.back(), spread.mean, spread.deviation,
                             spread.median, spread.p99});
       chart.series[i].values.push_back(spread.median);

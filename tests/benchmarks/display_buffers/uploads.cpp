@@ -9,7 +9,7 @@
 #include "simulator/base/random.h"
 #include "tests/benchmarks/display_buffers/sections.h"
 #include "tests/benchmarks/display_buffers/workloads.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "ui/render/gl/display_buffer.h"
 #include "ui/render/gl/render_target.h"
 #include "ui/render/gl/shader_program.h"
@@ -56,7 +56,8 @@ Table joining_table(const BufferModel& model) {
     const ui::BufferCounts& after = buffer.counts();
     table.rows.push_back(
         {join > 1'000'000 ? Cell{std::string("all")} : Cell{static_cast<double>(join)},
-         spread_of(times_us).median, static_cast<double>(after.uploads - before.uploads) / frames,
+         percentiles_of(times_us).median,
+         static_cast<double>(after.uploads - before.uploads) / frames,
          static_cast<double>(after.uploaded_bytes - before.uploaded_bytes) / frames / 1000.0});
   }
   return table;
@@ -94,7 +95,7 @@ double draw_ms(const std::vector<ui::BoneVertex>& points, const std::vector<Tria
     glFinish();
     times_ms.push_back(watch.worked_milliseconds());
   }
-  return spread_of(times_ms).median;
+  return percentiles_of(times_ms).median;
 }
 
 /// Half of the triangles removed: as blanks among the others, and taken out.

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "simulator/device/modelled/modelled_arm.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/screenshots/haptics/haptic_pictures.h"
 #include "tests/simulator/device/wall_experiments.h"
@@ -57,7 +57,7 @@ Table laws_at_a_plate() {
   const std::pair<PlateLaw, std::string> laws[] = {
       {PlateLaw::Proxy, "spring to a proxy"},
       {PlateLaw::Penalty, "spring to the nearest face"},
-      {PlateLaw::Historic, "historic"}};
+      {PlateLaw::Thesis, "historic"}};
   for (const auto& [law, name] : laws) {
     for (const std::int64_t ticks : {17, 1}) {
       const tests::PlateResult result = tests::press_plate(law, ticks);
@@ -87,7 +87,7 @@ Table cost_of_a_tick() {
     }
     times_us.push_back(watch.worked_milliseconds());  // of a thousand: microseconds of one
   }
-  const Spread spread = spread_of(times_us);
+  const Percentiles spread = percentiles_of(times_us);
   Table table{.name = "haptic_cost",
               .title = "What the device's force costs a tick, processor time, means of a thousand",
               .columns = {"p50 us", "p99 us", "greatest us"},

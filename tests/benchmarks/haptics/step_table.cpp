@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "simulator/base/elementary.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 #include "tests/simulator/step/simulation_run.h"
@@ -74,7 +74,7 @@ simulator::Recording laid(const Bone& bone) {
 }
 
 /// Each call once more through a step of its own.
-Spread cost_us(const Bone& bone, const simulator::Recording& recording) {
+Percentiles cost_us(const Bone& bone, const simulator::Recording& recording) {
   const simulator::TissueMap tissue(bone);
   simulator::Simulation simulation(tissue, {bone});
   simulator::ImmediateJobs jobs(bone, {});
@@ -91,7 +91,7 @@ Spread cost_us(const Bone& bone, const simulator::Recording& recording) {
     times_us.push_back(1000.0 * watch.worked_milliseconds());
     jobs.follow(output);
   }
-  return spread_of(std::move(times_us));
+  return percentiles_of(std::move(times_us));
 }
 
 Table cost_of_a_step(const std::vector<std::size_t>& sizes) {
@@ -107,7 +107,7 @@ Table cost_of_a_step(const std::vector<std::size_t>& sizes) {
     const std::pair<std::string, simulator::Recording> runs[] = {{"sawn", sawn(bone)},
                                                                  {"laid on", laid(bone)}};
     for (const auto& [what, recording] : runs) {
-      const Spread spread = cost_us(bone, recording);
+      const Percentiles spread = cost_us(bone, recording);
       table.rows.push_back({static_cast<double>(bone.outer.triangles.size()), what,
                             static_cast<double>(spread.count), spread.median, spread.p99,
                             spread.greatest});

@@ -9,7 +9,7 @@
 #include "database/maintenance/restore.h"
 #include "database/maintenance/retention.h"
 #include "database/people/people.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/database/some_database.h"
 

@@ -10,7 +10,7 @@
 #include "tests/benchmarks/kernel/results.h"
 #include "tests/benchmarks/kernel/strokes.h"
 #include "tests/benchmarks/report/chart.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 
 namespace hallux::benchmarks {
@@ -75,7 +75,7 @@ Series course_of(const Cut& cut) {
     parts[std::min(part, part_count - 1)].push_back(cut.worked_ms[i]);
   }
   Series series{cut.bone + ", " + std::to_string(cut.steps) + " steps", {}};
-  for (std::vector<double>& part : parts) series.values.push_back(spread_of(part).median);
+  for (std::vector<double>& part : parts) series.values.push_back(percentiles_of(part).median);
   return series;
 }
 
@@ -93,7 +93,7 @@ Table table_of(const std::vector<Cut>& cuts) {
           "A frame is everything that makes the changed bone ready for upload, on one thread.",
           "The contact is made once, by a job."}};
   for (const Cut& cut : cuts) {
-    const Spread spread = spread_of(cut.frame_ms), worked = spread_of(cut.worked_ms);
+    const Percentiles spread = percentiles_of(cut.frame_ms), worked = percentiles_of(cut.worked_ms);
     const bool is_50k = cut.bone == "50k hollow", is_500k = cut.bone.rfind("500k", 0) == 0;
     table.rows.push_back(
         {cut.bone, static_cast<double>(cut.steps), static_cast<double>(spread.count),
@@ -118,7 +118,7 @@ Table table_of_parts(const std::vector<Cut>& cuts) {
     const auto median_us = [&](double FrameParts::*part) {
       std::vector<double> times_us;
       for (const FrameParts& parts : cut.parts) times_us.push_back(1000.0 * parts.*part);
-      return spread_of(times_us).median;
+      return percentiles_of(times_us).median;
     };
     table.rows.push_back({cut.bone, static_cast<double>(cut.steps),
                           median_us(&FrameParts::field_ms), median_us(&FrameParts::outline_ms),
@@ -129,8 +129,9 @@ Table table_of_parts(const std::vector<Cut>& cuts) {
 
 /// The same end reached in few steps and in many: the ratio of cost and of triangles.
 void compare(const Cut& few, const Cut& many, Table& table, Results& results) {
-  const double cost = spread_of(many.worked_ms).median / spread_of(few.worked_ms).median;
-  const double triangles = spread_of(many.hundredths).mean / spread_of(few.hundredths).mean;
+  const double cost = percentiles_of(many.worked_ms).median / percentiles_of(few.worked_ms).median;
+  const double triangles =
+      percentiles_of(many.hundredths).mean / percentiles_of(few.hundredths).mean;
   table.notes.push_back(
       few.bone + ", " + std::to_string(many.steps) + " against " + std::to_string(few.steps) +
       " steps: median work of a frame x " + text_of(cost) +

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/kernel/our_cut.h"
 
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 
 namespace hallux::benchmarks {
 
@@ -9,7 +9,7 @@ using namespace simulator;
 OurCut::OurCut(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane, KerfField& field,
                std::int32_t kerf)
     : field_(field),
-      contact_(slice_contact(solid, bvh, plane, kerf, field.grid())),
+      contact_(slice_slab(solid, bvh, plane, kerf, field.grid())),
       builder_(contact_),
       tracker_(field.grid()) {}
 

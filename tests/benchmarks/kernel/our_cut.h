@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulator/cutting/field/region_outline.h"
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 #include "simulator/cutting/solid/solid_patch.h"
 
 namespace hallux::benchmarks {
@@ -39,7 +39,7 @@ class OurCut {
   /// ensures true where this opened something and bone is taken away
   bool advance(const simulator::Blade& blade, const simulator::PlanarPose& to);
 
-  const simulator::KerfContact& contact() const noexcept { return contact_; }
+  const simulator::SlabSlice& contact() const noexcept { return contact_; }
   const simulator::SolidPatch& patch() const noexcept { return patch_; }
   const simulator::RegionOutline& outline() const noexcept { return tracker_.outline(); }
   const FrameParts& parts() const noexcept { return parts_; }
@@ -49,7 +49,7 @@ class OurCut {
   void fill_buffers();
 
   simulator::KerfField& field_;
-  simulator::KerfContact contact_;
+  simulator::SlabSlice contact_;
   simulator::PatchBuilder builder_;
   simulator::OutlineTracker tracker_;
   simulator::SolidPatch patch_;

@@ -29,8 +29,8 @@ Repetitions more(const Repetitions& repetitions) {
 /// Times work on what `make` gives; the last result stays in `result`, and results are freed
 /// outside the clock.
 template <typename Result, typename Make, typename Work>
-Spread time_kept(const Repetitions& repetitions, std::optional<Result>& result, Make make,
-                 Work work) {
+Percentiles time_kept(const Repetitions& repetitions, std::optional<Result>& result, Make make,
+                      Work work) {
   return time_ms(
       repetitions,
       [&] {
@@ -126,17 +126,17 @@ void run_ours(const BoneWorld& world, Outcomes& outcomes) {
   const Bvh bvh(bone.mesh);
   const RegionOutline region = whole_plane();
   const auto slice = [&] {
-    return slice_contact(bone, bvh, world.plane, 0, region.corners_mm[0], region.corners_mm[2]);
+    return slice_slab(bone, bvh, world.plane, 0, region.corners_mm[0], region.corners_mm[2]);
   };
   const Repetitions repetitions = more(repetitions_for(world));
-  std::optional<KerfContact> contact;
+  std::optional<SlabSlice> contact;
   outcomes[Method::OurContact].time_ms =
       time_kept(repetitions, contact, nothing, [&](int) { return slice(); });
 
   SolidPatch patch;
   Outcome& slab = outcomes[Method::OurSlab];
   slab.time_ms = time_kept(repetitions, contact, nothing, [&](int) {
-    KerfContact made = slice();
+    SlabSlice made = slice();
     PatchBuilder builder(made);
     if (!builder.build(region, patch)) throw std::runtime_error("the kernel refused a whole slab");
     return made;
@@ -144,7 +144,7 @@ void run_ours(const BoneWorld& world, Outcomes& outcomes) {
   std::optional<CutSolid> committed;
   Outcome& compacted = outcomes[Method::OurCompacted];
   compacted.time_ms = time_kept(repetitions_for(world), committed, nothing, [&](int) {
-    const KerfContact made = slice();
+    const SlabSlice made = slice();
     PatchBuilder(made).build(region, patch);
     return commit_patch(bone, patch);
   });

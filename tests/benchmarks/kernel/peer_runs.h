@@ -9,7 +9,7 @@
 
 #include "simulator/cutting/field/kerf.h"
 #include "simulator/mesh/indexed_mesh.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 
 namespace hallux::benchmarks {
 
@@ -52,7 +52,7 @@ struct BoneWorld {
 };
 
 struct Outcome {
-  Spread time_ms;
+  Percentiles time_ms;
   /// Where the method removes the slab.
   std::optional<double> removed_mm3;
   /// Where it was looked at.

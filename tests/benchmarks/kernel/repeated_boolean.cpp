@@ -10,7 +10,7 @@
 #include "tests/benchmarks/kernel/strokes.h"
 #include "tests/benchmarks/peers/cgal_solid.h"
 #include "tests/benchmarks/report/chart.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 
 namespace hallux::benchmarks {
@@ -77,11 +77,11 @@ std::vector<Cell> row_of(const std::string& method, const std::vector<Step>& ste
   for (const Step& step : steps) times_ms.push_back(step.time_ms);
   const std::size_t fifth = std::max<std::size_t>(1, steps.size() / 5);
   const auto part = [&](std::size_t first) {
-    return spread_of({times_ms.begin() + static_cast<std::ptrdiff_t>(first),
-                      times_ms.begin() + static_cast<std::ptrdiff_t>(first + fifth)})
+    return percentiles_of({times_ms.begin() + static_cast<std::ptrdiff_t>(first),
+                           times_ms.begin() + static_cast<std::ptrdiff_t>(first + fifth)})
         .median;
   };
-  const Spread spread = spread_of(times_ms);
+  const Percentiles spread = percentiles_of(times_ms);
   return {method,
           std::to_string(steps.size()) + " of " + std::to_string(wanted),
           spread.median,

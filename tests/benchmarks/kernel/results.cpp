@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/benchmarks/calibration_work.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 
 namespace hallux::benchmarks {
 
@@ -17,7 +17,7 @@ void expect_volume(Results& results, const std::string& what, double expected_mm
 
 void measure_calibration(const Effort&, Results& results) {
   double sink = 0.0;
-  const Spread spread = time_ms(
+  const Percentiles spread = time_ms(
       {.least = 50, .most = 50}, [] { return 0; }, [&](int) { sink += million_square_roots(); });
   if (!(sink > 0.0)) results.faults.emplace_back("calibration: a square root went wrong");
   results.tables.push_back(

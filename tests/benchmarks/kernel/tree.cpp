@@ -8,7 +8,7 @@
 #include "tests/benchmarks/kernel/results.h"
 #include "tests/benchmarks/peers/half_space.h"
 #include "tests/benchmarks/report/chart.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 
 namespace hallux::benchmarks {
@@ -39,7 +39,7 @@ std::vector<Vec3> tooth_places(std::size_t count) {
 
 template <typename Ask>
 double microseconds_each(const std::vector<Vec3>& places_mm, Ask ask) {
-  const Spread spread = time_ms(
+  const Percentiles spread = time_ms(
       {.least = 3, .most = 9, .limit_s = 1.0}, [] { return 0; },
       [&](int) {
         for (const Vec3& place_mm : places_mm) ask(place_mm);

@@ -14,7 +14,7 @@
 #include "tests/benchmarks/kernel/results.h"
 #include "tests/benchmarks/kernel/strokes.h"
 #include "tests/benchmarks/peers/thesis_mesh.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 #include "tests/support/worlds.h"
 
@@ -153,10 +153,10 @@ Frames cut_with_thesis(const Model& model) {
   return frames;
 }
 
-Spread rates_of(const std::vector<double>& times_ms) {
+Percentiles rates_of(const std::vector<double>& times_ms) {
   std::vector<double> rates_per_s;
   for (const double time_ms : times_ms) rates_per_s.push_back(1000.0 / time_ms);
-  return spread_of(rates_per_s);
+  return percentiles_of(rates_per_s);
 }
 
 double share_above_20(const std::vector<double>& times_ms) {
@@ -166,8 +166,8 @@ double share_above_20(const std::vector<double>& times_ms) {
 }
 
 std::vector<Cell> row_of(const std::string& who, const std::vector<double>& times_ms) {
-  const Spread rates = rates_of(times_ms);
-  const double mean_ms = spread_of(times_ms).mean;
+  const Percentiles rates = rates_of(times_ms);
+  const double mean_ms = percentiles_of(times_ms).mean;
   return {who,
           static_cast<double>(times_ms.size()),
           rates.mean,

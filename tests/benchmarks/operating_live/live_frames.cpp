@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "simulator/loop/priority.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/ui/screens/operating/drawn_operation.h"
 #include "ui/render/gl/software_renderer.h"
@@ -42,7 +42,7 @@ std::vector<Cell> measure(DrawnOperation& window, const std::string& name, bool 
     const double time_ms = window.frame();
     if (i >= frames_before) times_ms.push_back(time_ms);
   }
-  const Spread spread = spread_of(times_ms);
+  const Percentiles spread = percentiles_of(times_ms);
   return {name,         static_cast<double>(window.triangles()),
           spread.least, spread.median,
           spread.p99,   1000.0 / spread.median};

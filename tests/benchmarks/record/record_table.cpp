@@ -12,7 +12,7 @@
 #include "database/reports/report_connection.h"
 #include "simulator/base/random.h"
 #include "tests/benchmarks/record/rows_store.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/database/some_database.h"
 
@@ -131,8 +131,8 @@ Table side_by_side() {
 }
 
 /// Pushes a recording at 1 kHz; how long each tick's pushes took.
-Spread produce_in_real_time(const simulator::Recording& recording,
-                            simulator::AttemptChannels& channels) {
+Percentiles produce_in_real_time(const simulator::Recording& recording,
+                                 simulator::AttemptChannels& channels) {
   std::vector<double> push_us;
   auto next = std::chrono::steady_clock::now();
   std::size_t event = 0;
@@ -150,7 +150,7 @@ Spread produce_in_real_time(const simulator::Recording& recording,
     push_us.push_back(1000.0 * watch.milliseconds());
   }
   channels.closed.store(true);
-  return spread_of(std::move(push_us));
+  return percentiles_of(std::move(push_us));
 }
 
 Table real_time() {
@@ -160,7 +160,7 @@ Table real_time() {
   simulator::AttemptChannels channels;
   database::Recorder recorder{
       database, database::create_attempt(database, database::some_attempt(database)), channels};
-  const Spread push_us = produce_in_real_time(recording, channels);
+  const Percentiles push_us = produce_in_real_time(recording, channels);
   const auto statistics = recorder.finish("{}");
   Table table{.name = "record_real_time",
               .title = "Ten seconds recorded as they happen",
@@ -189,8 +189,8 @@ void add_times(Table& table, const char* what, std::size_t times, Work work) {
     wall_ms.push_back(watch.milliseconds());
     worked_ms.push_back(watch.worked_milliseconds());
   }
-  const Spread wall = spread_of(std::move(wall_ms));
-  const Spread worked = spread_of(std::move(worked_ms));
+  const Percentiles wall = percentiles_of(std::move(wall_ms));
+  const Percentiles worked = percentiles_of(std::move(worked_ms));
   table.rows.push_back(
       {what, static_cast<double>(times), wall.least, wall.median, wall.p99, worked.median});
 }

@@ -8,7 +8,7 @@
 #include "scenarios/planned_bridge.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/random.h"
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 #include "ui/jobs/cached_fields.h"
@@ -40,12 +40,12 @@ struct Attempt {
   simulator::Recording recording;
 };
 
-void add_row(Table& table, const char* what, const Spread& spread) {
+void add_row(Table& table, const char* what, const Percentiles& spread) {
   table.rows.push_back(
       {what, static_cast<double>(spread.count), spread.median, spread.p99, spread.greatest});
 }
 
-Spread scrubbing_ms(const Attempt& attempt) {
+Percentiles scrubbing_ms(const Attempt& attempt) {
   const auto history = attempt.history(attempt.followed());
   simulator::BoneMoment moment(*history);
   Random random(1, "scrubbing");
@@ -58,7 +58,7 @@ Spread scrubbing_ms(const Attempt& attempt) {
     moment.move_to(tick);
     times_ms.push_back(watch.worked_milliseconds());
   }
-  return spread_of(std::move(times_ms));
+  return percentiles_of(std::move(times_ms));
 }
 
 Table table_of(const std::string& name) {

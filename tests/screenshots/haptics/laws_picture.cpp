@@ -31,7 +31,7 @@ struct Law {
 };
 constexpr std::array<Law, 3> laws{{{PlateLaw::Proxy, {"spring", "to a proxy"}},
                                    {PlateLaw::Penalty, {"penalty: spring", "to nearest face"}},
-                                   {PlateLaw::Historic, {"historic:", "the thesis"}}}};
+                                   {PlateLaw::Thesis, {"historic:", "the thesis"}}}};
 
 /// Into the plate is down.
 double y_of(double place_mm, double row_top) {

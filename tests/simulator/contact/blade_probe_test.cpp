@@ -15,7 +15,7 @@ struct UncutBlock {
   Bone bone = tests::cortical_bone(tests::solid_block({40.0, 20.0, 6.0}));
   TissueMap tissue{bone};
   KerfSet kerfs{{}, bone.world_from_bone};
-  StandingBone standing{tissue, kerfs, {}};
+  RemainingTissue standing{tissue, kerfs, {}};
 };
 
 TEST(BladeProbe, TeethSpreadEvenlyOverTheWidthOfTheBlade) {

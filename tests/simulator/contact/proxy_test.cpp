@@ -15,7 +15,7 @@ const Vec3 up{0.0, 1.0, 0.0};
 
 /// Again and again from the same pose, as a tool does that rests.
 ProxyResult settled(const ProxyMotion& wanted, std::span<const BladeContact> contacts,
-                    ProxyLoad& load, const ProxyFriction& friction = {.hold = 0.0}) {
+                    ProxyLoad& load, const ProxyFriction& friction = {.static_friction = 0.0}) {
   ProxyResult result;
   for (int i = 0; i < 200; ++i) result = solve_proxy(wanted, contacts, grip_mm, friction, load);
   return result;
@@ -25,19 +25,19 @@ TEST(Proxy, FollowsTheHandWhereNothingIsNear) {
   ProxyLoad load;
   const ProxyMotion wanted{{1.0, -2.0, 3.0}, {0.1, 0.0, -0.2}};
   const ProxyResult result = solve_proxy(wanted, {}, grip_mm, {}, load);
-  EXPECT_EQ(result.motion.way_mm, wanted.way_mm);
-  EXPECT_EQ(result.motion.turn_rad, wanted.turn_rad);
-  EXPECT_EQ(result.push_mm, 0.0);
+  EXPECT_EQ(result.motion.translation_mm, wanted.translation_mm);
+  EXPECT_EQ(result.motion.rotation_rad, wanted.rotation_rad);
+  EXPECT_EQ(result.normal_mm, 0.0);
 }
 
 TEST(Proxy, GoesToThePlaneAndSlidesOnIt) {
   ProxyLoad load;
   const BladeContact contact{face, {0.0, 0.0, 0.0}, up, 0.1};
   const ProxyResult result = settled({{1.0, -2.0, 3.0}, {}}, {&contact, 1}, load);
-  EXPECT_NEAR(result.motion.way_mm.x, 1.0, 1e-6);
-  EXPECT_NEAR(result.motion.way_mm.y, -0.1, 1e-6);
-  EXPECT_NEAR(result.motion.way_mm.z, 3.0, 1e-6);
-  EXPECT_NEAR(result.push_mm, 1.9, 1e-6);
+  EXPECT_NEAR(result.motion.translation_mm.x, 1.0, 1e-6);
+  EXPECT_NEAR(result.motion.translation_mm.y, -0.1, 1e-6);
+  EXPECT_NEAR(result.motion.translation_mm.z, 3.0, 1e-6);
+  EXPECT_NEAR(result.normal_mm, 1.9, 1e-6);
 }
 
 TEST(Proxy, TwoPlanesLeaveALineAndThreeAPoint) {
@@ -49,11 +49,12 @@ TEST(Proxy, TwoPlanesLeaveALineAndThreeAPoint) {
   // Against the sum of the three normals.
   const ProxyMotion wanted{{-0.6, -2.4, 0.8}, {}};
   const ProxyResult line = settled(wanted, {contacts.data(), 2}, load);
-  EXPECT_NEAR(line.motion.way_mm.x, 0.0, 1e-6);
-  EXPECT_NEAR(line.motion.way_mm.y, 0.0, 1e-6);
-  EXPECT_NEAR(line.motion.way_mm.z, 0.8, 1e-6);
+  EXPECT_NEAR(line.motion.translation_mm.x, 0.0, 1e-6);
+  EXPECT_NEAR(line.motion.translation_mm.y, 0.0, 1e-6);
+  EXPECT_NEAR(line.motion.translation_mm.z, 0.8, 1e-6);
   const ProxyResult corner = settled(wanted, contacts, load);
-  EXPECT_NEAR(std::sqrt(glm::dot(corner.motion.way_mm, corner.motion.way_mm)), 0.0, 1e-5);
+  EXPECT_NEAR(std::sqrt(glm::dot(corner.motion.translation_mm, corner.motion.translation_mm)), 0.0,
+              1e-5);
 }
 
 TEST(Proxy, APushBesideTheOriginTurnsTheTool) {
@@ -61,27 +62,29 @@ TEST(Proxy, APushBesideTheOriginTurnsTheTool) {
   const BladeContact contact{face, {0.0, 0.0, 10.0}, up, 0.0};
   const ProxyResult result = settled({{0.0, -1.0, 0.0}, {}}, {&contact, 1}, load);
   // The point stays; the least of way^2 + grip^2 turn^2 shares the millimetre as 1 to (10 / 40)^2.
-  EXPECT_NEAR(result.push_mm, 1.0 / (1.0 + 0.0625), 1e-6);
-  EXPECT_NEAR(result.motion.turn_rad.x, -result.push_mm * 10.0 / 1600.0, 1e-6);
-  const Vec3 at_point = result.motion.way_mm + glm::cross(result.motion.turn_rad, contact.arm_mm);
+  EXPECT_NEAR(result.normal_mm, 1.0 / (1.0 + 0.0625), 1e-6);
+  EXPECT_NEAR(result.motion.rotation_rad.x, -result.normal_mm * 10.0 / 1600.0, 1e-6);
+  const Vec3 at_point =
+      result.motion.translation_mm + glm::cross(result.motion.rotation_rad, contact.arm_mm);
   EXPECT_NEAR(at_point.y, 0.0, 1e-6);
 }
 
 TEST(Proxy, AFaceThatIsInIsLedOutAndAToothIsNot) {
   ProxyLoad load;
   const BladeContact deep_face{face, {0.0, 0.0, 0.0}, up, -0.1};
-  EXPECT_NEAR(settled({}, {&deep_face, 1}, load).motion.way_mm.y, 0.1, 0.003);
+  EXPECT_NEAR(settled({}, {&deep_face, 1}, load).motion.translation_mm.y, 0.1, 0.003);
   load = {};
   const BladeContact deep_tooth{0, {0.0, 0.0, 0.0}, up, -0.1};
-  EXPECT_EQ(settled({}, {&deep_tooth, 1}, load).motion.way_mm.y, 0.0);
-  EXPECT_NEAR(settled({{0.0, -1.0, 0.0}, {}}, {&deep_tooth, 1}, load).motion.way_mm.y, 0.0, 1e-6);
+  EXPECT_EQ(settled({}, {&deep_tooth, 1}, load).motion.translation_mm.y, 0.0);
+  EXPECT_NEAR(settled({{0.0, -1.0, 0.0}, {}}, {&deep_tooth, 1}, load).motion.translation_mm.y, 0.0,
+              1e-6);
 }
 
 TEST(ProxyFriction, HoldsUntilThePullIsThreeTenthsOfThePush) {
   ProxyLoad load;
   const BladeContact contact{face, {0.0, 0.0, 0.0}, up, 0.0};
   const auto slip_mm = [&](double pull_mm) {
-    return settled({{pull_mm, -1.0, 0.0}, {}}, {&contact, 1}, load, {}).motion.way_mm.x;
+    return settled({{pull_mm, -1.0, 0.0}, {}}, {&contact, 1}, load, {}).motion.translation_mm.x;
   };
   EXPECT_NEAR(slip_mm(0.29), 0.0, 1e-6);
   EXPECT_FALSE(load.slides);
@@ -98,7 +101,7 @@ TEST(ProxyFriction, WithoutAPushThereIsNone) {
   ProxyLoad load;
   const BladeContact contact{face, {0.0, 0.0, 0.0}, up, 0.0};
   const ProxyResult result = settled({{0.5, 1.0, 0.0}, {}}, {&contact, 1}, load, {});
-  EXPECT_EQ(result.motion.way_mm, Vec3(0.5, 1.0, 0.0));
+  EXPECT_EQ(result.motion.translation_mm, Vec3(0.5, 1.0, 0.0));
   EXPECT_FALSE(load.slides);
 }
 
@@ -107,8 +110,8 @@ TEST(ProxyMotion, LeadsFromOnePoseToTheOther) {
   const RigidTransform to = tests::blade_down({1.5, 1.0, 3.2}, 0.401);
   const RigidTransform reached = moved_by(from, motion_between(from, to));
   const ProxyMotion left = motion_between(reached, to);
-  EXPECT_LT(std::sqrt(glm::dot(left.way_mm, left.way_mm)), 1e-12);
-  EXPECT_LT(std::sqrt(glm::dot(left.turn_rad, left.turn_rad)), 1e-9);
+  EXPECT_LT(std::sqrt(glm::dot(left.translation_mm, left.translation_mm)), 1e-12);
+  EXPECT_LT(std::sqrt(glm::dot(left.rotation_rad, left.rotation_rad)), 1e-9);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(Tissue, StandsNoMoreInAnOpenKerfNorInAPieceTakenOut) {
   kerfs.follow(sample);
   const Bvh piece{tests::moved(tests::solid_block({10.0, 20.0, 20.0}), {{}, {15.0, 0.0, 0.0}})};
   const std::array<const Bvh*, 1> removed{&piece};
-  const StandingBone standing{map, kerfs, removed};
+  const RemainingTissue standing{map, kerfs, removed};
   EXPECT_EQ(standing.at({0.0, 0.0, 0.0}), Tissue::None);       // within the blade and the slab
   EXPECT_EQ(standing.at({0.0, -5.0, 0.0}), Tissue::Cortical);  // below the teeth
   EXPECT_EQ(standing.at({0.3, 0.0, 0.0}), Tissue::Cortical);   // beside the slab

@@ -187,8 +187,8 @@ TEST(ToolInKerf, ACapturedBladeComesToItsSlotAtTwoTenthsOfAMetreASecond) {
   double most_mm = 0.0;
   for (std::size_t tick = first; tick < run.recording().samples.size(); ++tick) {
     const ProxyMotion hand = motion_between(handle_at(tick - 1), handle_at(tick));
-    const double hand_mm = std::sqrt(glm::dot(hand.way_mm, hand.way_mm)) +
-                           depth_mm * std::sqrt(glm::dot(hand.turn_rad, hand.turn_rad));
+    const double hand_mm = std::sqrt(glm::dot(hand.translation_mm, hand.translation_mm)) +
+                           depth_mm * std::sqrt(glm::dot(hand.rotation_rad, hand.rotation_rad));
     const RigidTransform before = pose_at(tick - 1), after = pose_at(tick);
     const double aside_mm = std::abs(after.translation_mm.x - before.translation_mm.x);
     const Vec3 turned =

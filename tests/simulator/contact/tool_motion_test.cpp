@@ -41,7 +41,7 @@ class SoftBlock {
   Bone bone_ = tests::cancellous_bone(tests::solid_block({40.0, 20.0, 6.0}));
   TissueMap tissue_{bone_};
   KerfSet kerfs_{{}, bone_.world_from_bone};
-  StandingBone standing_{tissue_, kerfs_, {}};
+  RemainingTissue standing_{tissue_, kerfs_, {}};
 };
 
 RigidTransform handle_at(double y_mm, double x_mm = 0.0) {

@@ -52,7 +52,7 @@ class World {
     }
     return outcome;
   }
-  StandingBone standing() const { return {tissue_, kerfs_, gone}; }
+  RemainingTissue standing() const { return {tissue_, kerfs_, gone}; }
   const Bone& bone() const { return bone_; }
   Vec3 tip_mm() const { return tool.bone_from_tool.translation_mm; }
   /// How deep the deepest face or edge is in bone.
@@ -114,21 +114,21 @@ TEST(LaidBlade, ATiltedHandIsTurnedTowardsTheSurface) {
   world.hold(tilted, 50);
   EXPECT_LT(world.depth_mm(), 0.005);
   const ProxyMotion stretch = motion_between(tilted, world.tool.bone_from_tool);
-  EXPECT_LT(stretch.turn_rad.z, -0.002);  // towards lying flat
+  EXPECT_LT(stretch.rotation_rad.z, -0.002);  // towards lying flat
   EXPECT_NEAR(outcome.torque_in_bone_newton_mm.z,
-              world.settings.torsion_newton_mm_per_rad * stretch.turn_rad.z, 0.5);
+              world.settings.torsion_newton_mm_per_rad * stretch.rotation_rad.z, 0.5);
 }
 
 TEST(LaidBlade, FrictionHoldsItAndThenLetsItSlide) {
   World world = block_below(flat_at({10.0, top_mm + 2.0, 0.0}));
   world.glide(flat_at({10.0, top_mm - 3.0, 0.0}), 200);
-  const double push_mm = 3.0 + half_blade_mm;
-  ToolOutcome outcome = world.glide(flat_at({10.0, top_mm - 3.0, 0.28 * push_mm}), 100);
+  const double normal_mm = 3.0 + half_blade_mm;
+  ToolOutcome outcome = world.glide(flat_at({10.0, top_mm - 3.0, 0.28 * normal_mm}), 100);
   EXPECT_NEAR(world.tip_mm().z, 0.0, 0.001);
-  EXPECT_NEAR(outcome.force_in_bone_newton.z, -2.0 * 0.28 * push_mm, 0.01);
+  EXPECT_NEAR(outcome.force_in_bone_newton.z, -2.0 * 0.28 * normal_mm, 0.01);
   outcome = world.glide(flat_at({10.0, top_mm - 3.0, 3.0}), 300);
-  EXPECT_NEAR(world.tip_mm().z, 3.0 - 0.18 * push_mm, 0.01);
-  EXPECT_NEAR(outcome.force_in_bone_newton.z, -2.0 * 0.18 * push_mm, 0.02);
+  EXPECT_NEAR(world.tip_mm().z, 3.0 - 0.18 * normal_mm, 0.01);
+  EXPECT_NEAR(outcome.force_in_bone_newton.z, -2.0 * 0.18 * normal_mm, 0.02);
 }
 
 TEST(LaidBlade, BoneThatIsGoneLetsItComeAtTwoTenthsOfAMetreASecond) {

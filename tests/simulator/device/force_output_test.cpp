@@ -37,7 +37,7 @@ rc::Gen<ForceInput> any_input() {
     input.simulated_in_world_newton = {part(30, 1.0), part(30, 1.0), part(30, 1.0)};
     input.handle_in_world_mm = {part(5, 0.1), part(5, 0.1),
                                 part(5, 0.1)};  // the way, summed up below
-    input.tremble_in_world_newton = {part(5, 0.1), part(5, 0.1), part(5, 0.1)};
+    input.vibration_in_world_newton = {part(5, 0.1), part(5, 0.1), part(5, 0.1)};
     input.duration_s = 0.001 * *rc::gen::inRange(1, 4);
     const int mishap = *rc::gen::inRange(0, 60);
     input.is_live = mishap != 0;
@@ -45,7 +45,7 @@ rc::Gen<ForceInput> any_input() {
     if (mishap == 2) input.simulated_in_world_newton *= 1.0e300;
     if (mishap == 3) input.handle_in_world_mm.z = infinity;
     if (mishap == 4) input.duration_s = nan;
-    if (mishap == 5) input.tremble_in_world_newton.x = nan;
+    if (mishap == 5) input.vibration_in_world_newton.x = nan;
     return input;
   });
 }
@@ -102,7 +102,7 @@ TEST(ForceOutput, AFaultOrNoNumberIsNoForceAtOnce) {
       const Vec3& force = input.simulated_in_world_newton;
       const bool is_number = std::isfinite(force.x) && std::isfinite(force.y) &&
                              std::isfinite(force.z) && std::isfinite(input.handle_in_world_mm.z) &&
-                             std::isfinite(input.tremble_in_world_newton.x);
+                             std::isfinite(input.vibration_in_world_newton.x);
       if (input.is_live && is_number) return;
       RC_ASSERT(given.force_in_world_newton == Vec3(0.0, 0.0, 0.0));
       RC_ASSERT(has(given.limits, ForceLimit::Stopped));

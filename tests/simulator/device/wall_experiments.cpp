@@ -5,7 +5,7 @@
 
 #include "simulator/base/elementary.h"
 #include "simulator/base/units.h"
-#include "simulator/device/historic_law.h"
+#include "simulator/device/thesis_law.h"
 
 namespace hallux::tests {
 
@@ -46,17 +46,17 @@ WallLaw penalty() {
 }
 
 WallLaw historic(std::int64_t ticks_per_update) {
-  return [state = simulator::HistoricState{}, ticks_per_update](double place_mm) mutable {
+  return [state = simulator::ThesisLawState{}, ticks_per_update](double place_mm) mutable {
     std::optional<Vec3> normal;
     if (place_mm >= 0.0 && place_mm <= plate_mm) normal = Vec3(-1.0, 0.0, 0.0);
-    const simulator::HistoricSettings settings{.frame_ticks = ticks_per_update};
-    return historic_force(state, settings, {place_mm, 0.0, 0.0}, normal, ticks_per_update).x;
+    const simulator::ThesisLawSettings settings{.frame_ticks = ticks_per_update};
+    return thesis_law_force(state, settings, {place_mm, 0.0, 0.0}, normal, ticks_per_update).x;
   };
 }
 
 WallLaw law_of(PlateLaw law, std::int64_t ticks_per_update) {
   if (law == PlateLaw::Penalty) return penalty();
-  if (law == PlateLaw::Historic) return historic(ticks_per_update);
+  if (law == PlateLaw::Thesis) return historic(ticks_per_update);
   return spring_wall(plate_stiffness_newton_per_mm);
 }
 

@@ -44,7 +44,7 @@ enum class PlateLaw {
   /// A spring to the nearest face.
   Penalty,
   /// The thesis's.
-  Historic
+  Thesis
 };
 inline constexpr double plate_mm = 5.0;
 inline constexpr double plate_stiffness_newton_per_mm = 1.0;

@@ -70,10 +70,10 @@ TEST(ThreeLaws, APenaltyLetsTheHandThroughAThinPlateAtAnyRate) {
 }
 
 TEST(ThreeLaws, TheHistoricLawNeverSettles) {
-  const PlateResult frames = press_plate(PlateLaw::Historic, 17);
+  const PlateResult frames = press_plate(PlateLaw::Thesis, 17);
   EXPECT_GT(frames.range_mm, 5.0);
   EXPECT_GT(frames.switches, 30);
-  const PlateResult fast = press_plate(PlateLaw::Historic, 1);
+  const PlateResult fast = press_plate(PlateLaw::Thesis, 1);
   EXPECT_GT(fast.switches, 300) << "at a kilohertz it chatters";
   EXPECT_GT(fast.speed_mm_s, 30.0);
 }

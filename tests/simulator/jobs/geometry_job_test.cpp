@@ -38,7 +38,7 @@ void sweep(AttemptGeometry& geometry, const Bone& bone, std::int32_t kerf, doubl
 std::unique_ptr<const JobResult> cut(AttemptGeometry& geometry, const Bone& bone, std::int32_t kerf,
                                      double x_mm) {
   freeze(geometry, kerf, x_mm);
-  geometry.run({2 * kerf, JobKind::Contact, kerf, 0});
+  geometry.run({2 * kerf, JobKind::Section, kerf, 0});
   sweep(geometry, bone, kerf, x_mm, -4.0);
   return geometry.run({2 * kerf + 1, JobKind::Pieces, kerf, 0});
 }
@@ -47,7 +47,7 @@ TEST(ContactJob, FindsTheSection) {
   const Bone bone = block();
   AttemptGeometry geometry(bone, {});
   freeze(geometry, 0, 3.0);
-  const auto result = geometry.run({7, JobKind::Contact, 0, 11});
+  const auto result = geometry.run({7, JobKind::Section, 0, 11});
   EXPECT_EQ(result->request.id, 7);
   EXPECT_EQ(result->request.tick, 11);
   EXPECT_NEAR(result->section_mm2, section_mm2, 1e-4);
@@ -57,7 +57,7 @@ TEST(ContactJob, ChangesNothing) {
   const Bone bone = block();
   AttemptGeometry geometry(bone, {});
   freeze(geometry, 0, 3.0);
-  geometry.run({0, JobKind::Contact, 0, 0});
+  geometry.run({0, JobKind::Section, 0, 0});
   EXPECT_EQ(geometry.solid().mesh, solid_of(bone));
 }
 
@@ -89,7 +89,7 @@ TEST(PiecesJob, AKerfThatStopsInTheBoneIsCutAndFreesNothing) {
   const Bone bone = block();
   AttemptGeometry geometry(bone, {});
   freeze(geometry, 0, 5.0);
-  geometry.run({0, JobKind::Contact, 0, 0});
+  geometry.run({0, JobKind::Section, 0, 0});
   // The block's top is at 2: the teeth are 3.5 deep.
   sweep(geometry, bone, 0, 5.0, -1.5);
   const auto result = geometry.run({1, JobKind::Pieces, 0, 0});
@@ -180,7 +180,7 @@ TEST(PiecesJob, TheSameHistoryGivesTheSameBits) {
 TEST(JobDeathTest, AJobForAKerfThatIsNotThereIsABrokenPromise) {
   const Bone bone = block();
   AttemptGeometry geometry(bone, {});
-  EXPECT_DEATH(geometry.run({0, JobKind::Contact, 0, 0}), "request.kerf");
+  EXPECT_DEATH(geometry.run({0, JobKind::Section, 0, 0}), "request.kerf");
 }
 
 }  // namespace

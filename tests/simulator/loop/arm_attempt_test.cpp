@@ -217,7 +217,7 @@ TEST(ArmAttempt, IsLetGoWhereItEndsInTheMidstOfBone) {
 }
 
 TEST(ArmAttempt, TheHistoricLawIsFeltAndTheSimulatedForceIsRecorded) {
-  const ArmAttempt attempt(says_nothing_wrong, 0, 1, {}, ForceLaw::Historic);
+  const ArmAttempt attempt(says_nothing_wrong, 0, 1, {}, ForceLaw::Thesis);
   const auto& samples = attempt.run.recording.samples;
   std::size_t pushed = 0, equal = 0;
   double most_newton = 0.0;
@@ -346,7 +346,7 @@ TEST(GuidedArm, HeldFastIsDrawnAsideAndRestsWhereTheForcesAreEqual) {
 
 TEST(GuidedArm, FeelsNothingInAirUnderTheHistoricLaw) {
   // The guide is no surface, and that law knows surfaces only.
-  const LedArm led(LedArm::held_arm(1, 0.3), ForceLaw::Historic);
+  const LedArm led(LedArm::held_arm(1, 0.3), ForceLaw::Thesis);
   const auto is_pushed = [](const ToolSample& sample) { return sample.force_mn[0] != 0; };
   const auto& samples = led.run.recording.samples;
   EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), is_pushed)) << "the step was guided";

@@ -58,7 +58,7 @@ struct TwoArms {
     return motion;
   }
   /// Along the tooth line, at the exchange after that tick.
-  double tremble_newton(std::size_t tick) const {
+  double vibration_newton(std::size_t tick) const {
     const Vec3 difference = trembling.given_newton[tick + 1] - still.given_newton[tick + 1];
     const Vec3 along = transform_direction(
         transform_from(of_trembling.samples[tick].world_from_tool), Vec3(0.0, 1.0, 0.0));
@@ -71,7 +71,7 @@ struct TwoArms {
     for (std::size_t tick = started_tick; tick + 1 < of_still.samples.size(); ++tick) {
       const std::uint32_t bits = of_still.samples[tick].status;
       if (has(bits, ToolStatus::SawOn) && has(bits, status) == is_set)
-        most = std::max(most, std::abs(tremble_newton(tick)));
+        most = std::max(most, std::abs(vibration_newton(tick)));
     }
     return most;
   }
@@ -102,7 +102,7 @@ TEST(ArmVibration, HasHalfTheRateOfTheSaw) {
   const TwoArms arms(8.0);
   int crossings = 0;
   for (std::size_t tick = 1001; tick < 2001; ++tick) {
-    if (arms.tremble_newton(tick - 1) < 0.0 && arms.tremble_newton(tick) >= 0.0) ++crossings;
+    if (arms.vibration_newton(tick - 1) < 0.0 && arms.vibration_newton(tick) >= 0.0) ++crossings;
   }
   EXPECT_NEAR(crossings, vibration_hz(12000.0), 2.0);
 }
@@ -111,10 +111,10 @@ TEST(ArmVibration, IsStillSoonAfterTheSawIs) {
   const TwoArms arms(8.0, 1500);
   double before_newton = 0.0;
   for (std::size_t tick = 1400; tick < 1490; ++tick) {
-    before_newton = std::max(before_newton, std::abs(arms.tremble_newton(tick)));
+    before_newton = std::max(before_newton, std::abs(arms.vibration_newton(tick)));
   }
   EXPECT_GT(before_newton, 0.05);
-  for (std::size_t tick = 1525; tick < 2900; ++tick) EXPECT_EQ(arms.tremble_newton(tick), 0.0);
+  for (std::size_t tick = 1525; tick < 2900; ++tick) EXPECT_EQ(arms.vibration_newton(tick), 0.0);
 }
 
 TEST(ArmVibration, TakesAtMostItsShareOfASmallArm) {

@@ -50,7 +50,7 @@ TEST(StepJobs, AStrokeThroughTheBoneGoesFromContactToAFreePiece) {
   // The pieces are asked for as the teeth leave the bone and, as the kerf has grown since, when the
   // blade leaves it.
   ASSERT_EQ(run.requests().size(), 3U);
-  EXPECT_EQ(run.requests()[0].kind, JobKind::Contact);
+  EXPECT_EQ(run.requests()[0].kind, JobKind::Section);
   EXPECT_EQ(run.requests()[1].kind, JobKind::Pieces);
   EXPECT_EQ(run.requests()[2].kind, JobKind::Pieces);
 }

@@ -77,7 +77,7 @@ TEST(RecordingQuality, OfAnOlderProgramSaysThatNobodyWasPushedBack) {
 }
 
 TEST(RecordingQuality, KeepsTheForceLawThatTheHandFelt) {
-  for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Historic}) {
+  for (const auto law : {simulator::ForceLaw::Simulated, simulator::ForceLaw::Thesis}) {
     simulator::LoopStatistics loop;
     loop.force_law = law;
     const auto read = quality_from_json(quality_json(quality_of(loop, {})));

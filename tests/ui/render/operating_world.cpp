@@ -29,11 +29,11 @@ struct Sawing {
   KerfPlane plane;
   KerfField field{grid_of_kerf()};
   OutlineTracker tracker{grid_of_kerf()};
-  KerfContact contact;
+  SlabSlice contact;
   PatchBuilder builder;
 
   Sawing(const CutSolid& solid, const Bvh& bvh, const KerfPlane& at, int kerf)
-      : plane(at), contact(slice_contact(solid, bvh, at, kerf, grid_of_kerf())), builder(contact) {}
+      : plane(at), contact(slice_slab(solid, bvh, at, kerf, grid_of_kerf())), builder(contact) {}
   bool saw(const Vec2& from_mm, const Vec2& to_mm, SolidPatch& patch) {
     FieldWindow changed;
     field.stamp(blade, {from_mm, Vec2(1.0, 0.0)}, {to_mm, Vec2(1.0, 0.0)}, changed);

@@ -16,7 +16,7 @@ using namespace hallux::ui;
 class GalleryScreen : public Screen {
  public:
   GalleryScreen(GalleryState& state, Window& window) : state_(state), window_(window) {}
-  Surround surround() const override { return Surround::Nothing; }
+  WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect&, Shell&) override {
     draw_components(ui, state_);
     if (ui.shortcut({Key::F2}, "Larger parts")) state_.page = 1 - state_.page;

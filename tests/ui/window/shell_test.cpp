@@ -19,11 +19,11 @@ using Events = std::vector<std::string>;
 /// A screen that says when it comes and goes, with a way on and a reason to stay.
 class PlainScreen : public Screen {
  public:
-  PlainScreen(std::string name, Events& events, Surround around = Surround::Navigation)
+  PlainScreen(std::string name, Events& events, WindowChrome around = WindowChrome::Navigation)
       : name_(std::move(name)), events_(events), around_(around) {}
 
   std::string_view navigation_id() const override { return "nav.home"; }
-  Surround surround() const override { return around_; }
+  WindowChrome surround() const override { return around_; }
   std::string_view why_not_leave() const override { return reason; }
   void enter(Shell&) override { events_.push_back("enter " + name_); }
   void leave(Shell&) override { events_.push_back("leave " + name_); }
@@ -42,7 +42,7 @@ class PlainScreen : public Screen {
  private:
   std::string name_;
   Events& events_;
-  Surround around_;
+  WindowChrome around_;
 };
 
 class ShellJourney : public testing::Test {
@@ -140,7 +140,7 @@ TEST_F(ShellJourney, ScreensComeAndGoInOrder) {
 }
 
 TEST_F(ShellJourney, WhoIsSignedInIsSeenOnEveryScreen) {
-  for (const Surround around : {Surround::Navigation, Surround::Badge}) {
+  for (const WindowChrome around : {WindowChrome::Navigation, WindowChrome::Badge}) {
     shell_.replace_all(std::make_unique<PlainScreen>("other", events_, around));
     driver_.frame();
     driver_.settle();

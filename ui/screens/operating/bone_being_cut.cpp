@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "scenarios/planned_bridge.h"
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 
 namespace hallux::ui {
@@ -140,7 +140,7 @@ void BoneBeingCut::take(const CutEvent& event) {
 
 /// The same jobs at the same places as the loop's own: so pieces have the same numbers here.
 void BoneBeingCut::take(const JobRequest& request) {
-  if (request.kind == JobKind::Contact) return;
+  if (request.kind == JobKind::Section) return;
   std::unique_ptr<const JobResult> result = geometry_.run(request);
   if (request.kind == JobKind::Hinge) hinge_ = std::move(result);
 }

@@ -35,7 +35,7 @@ class OperatingScreen : public Screen {
   OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
                   const OperationChoice& choice, LendDevice lend_device);
 
-  Surround surround() const override { return Surround::Badge; }
+  WindowChrome surround() const override { return WindowChrome::Badge; }
   std::string_view why_not_leave() const override;
   /// Covered by another screen, or by the lock: nobody holds the saw.
   void leave(Shell&) override { session_.pause(PausedBy::Locked); }

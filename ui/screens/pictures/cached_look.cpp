@@ -7,7 +7,7 @@
 #include "database/store/database_error.h"
 #include "simulator/base/digest.h"
 #include "ui/jobs/files/byte_form.h"
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 
 namespace hallux::ui {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 
 namespace hallux::ui {
 

@@ -9,7 +9,7 @@
 #include "ui/screens/parts/message_form.h"
 #include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/replay/notes_panel.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
@@ -27,7 +27,7 @@ class ReplayScreen : public Screen {
         first_moment_s_(moment_s),
         notes_(signed_in_, attempt_) {}
 
-  Surround surround() const override { return Surround::Rail; }
+  WindowChrome surround() const override { return WindowChrome::Rail; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
@@ -56,7 +56,7 @@ class ReplayScreen : public Screen {
   Loaded<std::shared_ptr<const ReplayMaterial>> material_;
   /// Of the material.
   std::unique_ptr<simulator::BoneMoment> bone_;
-  BoneStage stage_;
+  BoneViewport stage_;
   Player player_;
   NotesPanel notes_;
   MessageForm ask_, pin_;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/result/result_material.h"
 
 namespace hallux::ui {
@@ -32,7 +32,7 @@ class PlanCard {
   void draw_legend(Ui& ui, const Rect& rect) const;
   void draw_views(Ui& ui, const Rect& rect);
 
-  BoneStage stage_;
+  BoneViewport stage_;
   /// A cut; the number of cuts: the whole bone.
   int chosen_ = 0;
   std::optional<int> aimed_;

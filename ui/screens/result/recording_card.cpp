@@ -56,7 +56,7 @@ void add_arm_lines(std::vector<RecordingLine>& lines, const Texts& texts, const 
   lines.push_back({scale, grouped(std::lround(100.0 * quality.force_scale)) + " %"});
   lines.push_back(
       {texts.text("result.recording.limits"), limits_text(texts, quality.force_limits)});
-  const bool is_historic = quality.force_law == simulator::ForceLaw::Historic;
+  const bool is_historic = quality.force_law == simulator::ForceLaw::Thesis;
   lines.push_back({texts.text("result.recording.law"),
                    std::string(texts.text(is_historic ? "result.recording.law.historic"
                                                       : "result.recording.law.simulated"))});

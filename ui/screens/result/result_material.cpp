@@ -9,7 +9,7 @@
 #include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/cached_fields.h"
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 #include "ui/screens/pictures/planned_frame.h"
 

@@ -28,7 +28,7 @@ class LockScreen : public Screen {
              database::PasswordCost cost = {});
   ~LockScreen() override;
 
-  Surround surround() const override { return Surround::Nothing; }
+  WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

@@ -20,7 +20,7 @@ class SignInScreen : public Screen {
   SignInScreen(std::filesystem::path data_directory, Entered entered,
                database::PasswordCost cost = {}, PatientPictures* pictures = nullptr);
 
-  Surround surround() const override { return Surround::Nothing; }
+  WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

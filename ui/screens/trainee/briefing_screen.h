@@ -8,7 +8,7 @@
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/patient_pictures.h"
 
 namespace hallux::ui {
@@ -50,7 +50,7 @@ class BriefingScreen : public Screen {
   int guidance_ = 0;
   /// As they were drawn last.
   float words_height_ = 0.0F;
-  BoneStage stage_;
+  BoneViewport stage_;
 };
 
 }  // namespace hallux::ui

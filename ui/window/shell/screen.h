@@ -11,7 +11,7 @@ namespace hallux::ui {
 class Shell;
 
 /// What the shell draws around a screen.
-enum class Surround {
+enum class WindowChrome {
   /// Sign-in: nobody is known yet.
   Nothing,
   /// The way to the other screens, and the person at its foot.
@@ -29,7 +29,7 @@ class Screen {
   /// The navigation item it belongs to, "nav.history"; "" for that of the screen it was opened
   /// from.
   virtual std::string_view navigation_id() const { return {}; }
-  virtual Surround surround() const { return Surround::Navigation; }
+  virtual WindowChrome surround() const { return WindowChrome::Navigation; }
   /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded.
   /// Finish or abandon it."); "" where it may.
   virtual std::string_view why_not_leave() const { return {}; }

@@ -131,12 +131,12 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
     scenes_ = nullptr;
     return;
   }
-  if (top() == nullptr || top()->surround() != Surround::Badge)
+  if (top() == nullptr || top()->surround() != WindowChrome::Badge)
     ui.canvas().fill(ui.display(), ui.theme().page);
   if (top() != nullptr) {
     const Rect content = draw_surround(ui);
     top()->draw(ui, content, *this);
-    if (top()->surround() == Surround::Badge) draw_badge(ui);
+    if (top()->surround() == WindowChrome::Badge) draw_badge(ui);
   }
   draw_person_menu(ui);
   if (is_help_shown_) draw_help(ui);
@@ -156,7 +156,7 @@ void Shell::draw(Ui& ui) {
 Rect Shell::draw_surround(Ui& ui) {
   const Screen& screen = *top();
   const bool has_navigation =
-      screen.surround() == Surround::Navigation || screen.surround() == Surround::Rail;
+      screen.surround() == WindowChrome::Navigation || screen.surround() == WindowChrome::Rail;
   return has_navigation && visitor_ ? draw_navigation(ui, screen) : ui.display();
 }
 
@@ -176,7 +176,7 @@ Rect Shell::draw_navigation(Ui& ui, const Screen& screen) {
   }
   spec.items = items;
   spec.who = {visitor_->name, visitor_->role, visitor_->initials, visitor_->hue};
-  spec.is_rail = screen.surround() == Surround::Rail;
+  spec.is_rail = screen.surround() == WindowChrome::Rail;
   const NavigationResponse response = side_navigation(ui, spec);
   if (response.action == NavigationAction::Help) is_help_shown_ = true;
   if (response.action == NavigationAction::Person) person_menu_ = response.person;
@@ -280,7 +280,7 @@ void Shell::draw_help(Ui& ui) {
 }
 
 void Shell::hear_shortcuts(Ui& ui) {
-  if (visitor_ && top() != nullptr && top()->surround() != Surround::Nothing)
+  if (visitor_ && top() != nullptr && top()->surround() != WindowChrome::Nothing)
     for (std::size_t number = 0; number < std::min<std::size_t>(visitor_->places.size(), 6);
          ++number) {
       const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + static_cast<int>(number));

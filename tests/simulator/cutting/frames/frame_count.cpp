@@ -17,7 +17,7 @@ namespace {
 constexpr double outline_slack_mm = 2e-4;
 
 /// Per skin of a contact: whether it runs around a hole on either plane.
-std::vector<bool> skins_around_holes(const KerfContact& contact) {
+std::vector<bool> skins_around_holes(const SlabSlice& contact) {
   std::vector<std::array<double, 2>> area(contact.skin_count, {0.0, 0.0});
   for (const StripEdge& edge : contact.edges) {
     if (edge.level == 0) continue;

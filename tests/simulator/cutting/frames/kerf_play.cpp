@@ -24,8 +24,8 @@ struct Play {
 void play_kerf(Play& play, const KerfPlane& plane, std::int32_t kerf, Random& random,
                const FrameVisitor& visit) {
   const Bvh bvh(play.solid.mesh);
-  const KerfContact contact =
-      slice_contact(play.solid, bvh, plane, kerf, Vec2(-region_reach_mm), Vec2(region_reach_mm));
+  const SlabSlice contact =
+      slice_slab(play.solid, bvh, plane, kerf, Vec2(-region_reach_mm), Vec2(region_reach_mm));
   PatchBuilder builder(contact);
   SolidPatch patch;
   const std::unique_ptr<GrowingRegion> growing = play.draw_region(random);

@@ -16,7 +16,7 @@ inline constexpr std::int32_t frames_of_kerf = 5;
 struct PlayedFrame {
   /// As the kerfs before left it.
   const simulator::CutSolid& solid;
-  const simulator::KerfContact& contact;
+  const simulator::SlabSlice& contact;
   const simulator::RegionOutline& region;
   const simulator::SolidPatch& patch;
   const simulator::PatchBuilder& builder;

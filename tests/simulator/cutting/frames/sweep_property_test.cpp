@@ -29,8 +29,8 @@ struct Built {
 Built build_on(IndexedMesh mesh, const KerfPlane& plane, const RegionOutline& region,
                double scale = 1.0) {
   Built built{uncut_solid(std::move(mesh)), {}, 0.0};
-  const KerfContact contact = slice_contact(built.solid, Bvh(built.solid.mesh), plane, 0,
-                                            Vec2(-scale * reach_mm), Vec2(scale * reach_mm));
+  const SlabSlice contact = slice_slab(built.solid, Bvh(built.solid.mesh), plane, 0,
+                                       Vec2(-scale * reach_mm), Vec2(scale * reach_mm));
   PatchBuilder builder(contact);
   RC_ASSERT(builder.build(region, built.patch));
   const IndexedMesh shown = shown_mesh(built.solid, built.patch);
@@ -159,7 +159,7 @@ RC_GTEST_PROP(SweepProperty, AStraightMotionInPartsTakesTheSameVolume, (std::uin
 std::size_t most_triangles(int step_count) {
   const CutSolid tube = uncut_solid(hollow_tube({.segments = 64, .rings = 8}));
   const KerfPlane plane = plane_through(Vec3(1.0, 0.0, 0.0), Vec3(1.0, 0.2, 0.1), 0.5);
-  const KerfContact contact = slice_contact(tube, Bvh(tube.mesh), plane, 0, grid);
+  const SlabSlice contact = slice_slab(tube, Bvh(tube.mesh), plane, 0, grid);
   PatchBuilder builder(contact);
   KerfField field(grid);
   OutlineTracker tracker(grid);
@@ -191,8 +191,8 @@ TEST(Sweep, TheSectionIsGoneInTheFrameInWhichTheBodiesPart) {
   for (const IndexedMesh& bone : {hollow_tube({.segments = 24, .rings = 3}),
                                   solid_block(Vec3(20.0, 12.0, 10.0)), hollow_tube({})}) {
     const CutSolid solid = uncut_solid(bone);
-    const KerfContact contact =
-        slice_contact(solid, Bvh(solid.mesh), axis_plane(0, 0.6, 0.4), 0, Vec2(-40.0), Vec2(40.0));
+    const SlabSlice contact =
+        slice_slab(solid, Bvh(solid.mesh), axis_plane(0, 0.6, 0.4), 0, Vec2(-40.0), Vec2(40.0));
     PatchBuilder builder(contact);
     SolidPatch patch;
     int parted = 0;

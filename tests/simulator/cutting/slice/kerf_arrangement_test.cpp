@@ -17,13 +17,13 @@ using namespace simulator;
 /// A bone cut across its x axis; the kerf's x and y are the bone's y and z.
 struct Across {
   CutSolid solid;
-  KerfContact contact;
+  SlabSlice contact;
   KerfArrangement arrangement;
 
   explicit Across(IndexedMesh mesh)
       : solid(uncut_solid(std::move(mesh))),
-        contact(slice_contact(solid, Bvh(solid.mesh), axis_plane(0, 0.1, 0.5), 0, Vec2(-40.0),
-                              Vec2(40.0))),
+        contact(slice_slab(solid, Bvh(solid.mesh), axis_plane(0, 0.1, 0.5), 0, Vec2(-40.0),
+                           Vec2(40.0))),
         arrangement(contact) {}
 };
 
@@ -107,8 +107,8 @@ TEST(KerfArrangement, AnUprightLineMeetsASlopingSkinWithWeightsOfItsPlace) {
   for (Vec3& point_mm : wedge.points_mm) point_mm.x += 0.01 * point_mm.y;
   const CutSolid solid = uncut_solid(wedge);
   // The slab holds part of the block's sloping end.
-  const KerfContact contact =
-      slice_contact(solid, Bvh(solid.mesh), axis_plane(0, 10.0, 0.5), 0, Vec2(-40.0), Vec2(40.0));
+  const SlabSlice contact =
+      slice_slab(solid, Bvh(solid.mesh), axis_plane(0, 10.0, 0.5), 0, Vec2(-40.0), Vec2(40.0));
   KerfArrangement arrangement(contact);
   ASSERT_TRUE(arrangement.arrange(rectangle_outline(Vec2(-2.0, -1.0), Vec2(3.0, 2.0))));
   ASSERT_EQ(arrangement.hits().size(), 4U);

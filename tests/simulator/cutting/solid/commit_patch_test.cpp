@@ -33,8 +33,7 @@ std::array<Vec3, 3> places(const CutSolid& solid, std::size_t triangle) {
 TEST(CommitPatch, TrianglesThatWereNotHiddenKeepTheirOrderAndTheirBits) {
   const CutSolid solid = uncut_solid(hollow_tube({.segments = 24, .rings = 8}));
   const KerfPlane plane = plane_through(Vec3(1.0, 0.0, 0.0), Vec3(1.0, 0.3, 0.1), 0.5);
-  const KerfContact contact =
-      slice_contact(solid, Bvh(solid.mesh), plane, 0, Vec2(-40.0), Vec2(40.0));
+  const SlabSlice contact = slice_slab(solid, Bvh(solid.mesh), plane, 0, Vec2(-40.0), Vec2(40.0));
   PatchBuilder builder(contact);
   SolidPatch patch;
   ASSERT_TRUE(builder.build(outline_from({diamond_loop(Vec2(3.0, 1.0), 6.0)}), patch));

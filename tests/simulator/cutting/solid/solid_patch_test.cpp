@@ -17,13 +17,13 @@ using namespace simulator;
 /// One region taken out of a solid.
 struct Frame {
   CutSolid solid;
-  KerfContact contact;
+  SlabSlice contact;
   SolidPatch patch;
   bool takes_section = false;
 
   Frame(IndexedMesh mesh, const KerfPlane& plane, const RegionOutline& region)
       : solid(uncut_solid(std::move(mesh))),
-        contact(slice_contact(solid, Bvh(solid.mesh), plane, 3, Vec2(-40.0), Vec2(40.0))) {
+        contact(slice_slab(solid, Bvh(solid.mesh), plane, 3, Vec2(-40.0), Vec2(40.0))) {
     PatchBuilder builder(contact);
     EXPECT_TRUE(builder.build(region, patch));
     takes_section = builder.takes_section();
@@ -155,8 +155,8 @@ TEST(SolidPatch, WhateverMissesLeavesThePatchEmpty) {
 
 TEST(SolidPatch, ARefusedRegionLeavesThePatchAsItWas) {
   const CutSolid solid = uncut_solid(solid_block(block_mm));
-  const KerfContact contact =
-      slice_contact(solid, Bvh(solid.mesh), axis_plane(0, 1.0, 0.5), 0, Vec2(-40.0), Vec2(40.0));
+  const SlabSlice contact =
+      slice_slab(solid, Bvh(solid.mesh), axis_plane(0, 1.0, 0.5), 0, Vec2(-40.0), Vec2(40.0));
   PatchBuilder builder(contact);
   SolidPatch patch;
   const RegionOutline half = rectangle_outline(Vec2(-9.0), Vec2(0.0, 9.0));
@@ -173,8 +173,7 @@ TEST(SolidPatch, ARefusedRegionLeavesThePatchAsItWas) {
 TEST(SolidPatch, WhatWasBuiltBeforeDoesNotMatter) {
   const CutSolid solid = uncut_solid(hollow_tube({.segments = 24, .rings = 4}));
   const KerfPlane plane = plane_through(Vec3(1.0, 0.0, 0.0), Vec3(1.0, 0.3, 0.1), 0.5);
-  const KerfContact contact =
-      slice_contact(solid, Bvh(solid.mesh), plane, 0, Vec2(-40.0), Vec2(40.0));
+  const SlabSlice contact = slice_slab(solid, Bvh(solid.mesh), plane, 0, Vec2(-40.0), Vec2(40.0));
   const RegionOutline last = outline_from({diamond_loop(Vec2(2.0, 1.0), 7.0)});
   PatchBuilder fresh(contact), used(contact);
   SolidPatch of_fresh, of_used;

@@ -353,8 +353,8 @@ struct WoundedCourse {
 
 TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
   WoundedCourse akin;
-  const assessment::Examination examination =
-      assessment::examine(akin.operation.scenario, akin.operation.bone, akin.operation.recording);
+  const assessment::Examination examination = assessment::assess_fully(
+      akin.operation.scenario, akin.operation.bone, akin.operation.recording);
   const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
                                   {akin.operation.scenario.saw}, examination.rebuilt.fields);
   ASSERT_TRUE(was_hot(traces.heat)) << traces.heat.hottest_celsius;
@@ -434,7 +434,7 @@ TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
   EXPECT_TRUE(driver.sees("24 %"));
   EXPECT_TRUE(driver.sees("nothing"));
   EXPECT_TRUE(driver.sees("as simulated"));
-  facts.quality->force_law = simulator::ForceLaw::Historic;
+  facts.quality->force_law = simulator::ForceLaw::Thesis;
   facts.quality->force_limits = (1U << 7U) - 1U;
   for (const float each : {400.0F, 640.0F, 900.0F, 1400.0F}) {
     width = each;

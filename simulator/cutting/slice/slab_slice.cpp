@@ -1,4 +1,4 @@
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ struct StripRing {
 
 class ContactSlicer {
  public:
-  ContactSlicer(const SlabSkin& skin, KerfContact& contact)
+  ContactSlicer(const SlabSkin& skin, SlabSlice& contact)
       : skin_(skin),
         contact_(contact),
         half_mm_(0.5 * contact.plane.thickness_mm),
@@ -63,7 +63,7 @@ class ContactSlicer {
                     const std::array<std::uint32_t, 3>& edges);
 
   const SlabSkin& skin_;
-  KerfContact& contact_;
+  SlabSlice& contact_;
   double half_mm_;
   std::vector<std::uint32_t> inside_points_;  // per point of the skin
   IdTable edge_ids_;
@@ -212,7 +212,7 @@ struct PointEdges {
   std::vector<Spoke> spokes;
 };
 
-PointEdges edges_of_points(const KerfContact& contact) {
+PointEdges edges_of_points(const SlabSlice& contact) {
   PointEdges lists;
   lists.first.assign(contact.points.size() + 1, 0);
   for (const StripEdge& edge : contact.edges) {
@@ -234,7 +234,7 @@ PointEdges edges_of_points(const KerfContact& contact) {
 }
 
 /// Breadth first from the lowest point of each skin.
-void grow_tree(KerfContact& contact) {
+void grow_tree(SlabSlice& contact) {
   const PointEdges lists = edges_of_points(contact);
   std::vector<std::uint32_t> skin_of_point(contact.points.size(), no_index);
   contact.tree.reserve(contact.points.size());
@@ -259,7 +259,7 @@ void grow_tree(KerfContact& contact) {
   }
 }
 
-void measure_box(KerfContact& contact) {
+void measure_box(SlabSlice& contact) {
   if (contact.points.empty()) return;
   contact.min = contact.max = contact.points.front().place;
   for (const StripPoint& point : contact.points) {
@@ -279,7 +279,7 @@ PlaneLattice lattice_over(const SlabSkin& skin, const KerfAxes& axes, Vec2 min_m
   return {min_mm, max_mm};
 }
 
-void reserve_for(KerfContact& contact, std::size_t touched_count) {
+void reserve_for(SlabSlice& contact, std::size_t touched_count) {
   contact.touched.reserve(touched_count);
   contact.origins.reserve(touched_count);
   contact.points.reserve(2 * touched_count);
@@ -290,9 +290,9 @@ void reserve_for(KerfContact& contact, std::size_t touched_count) {
 
 }  // namespace
 
-KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
-                          std::int32_t kerf, const Vec2& min_mm, const Vec2& max_mm) {
-  KerfContact contact;
+SlabSlice slice_slab(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
+                     std::int32_t kerf, const Vec2& min_mm, const Vec2& max_mm) {
+  SlabSlice contact;
   contact.plane = plane;
   contact.axes = axes_of(plane);
   contact.kerf = kerf;
@@ -312,10 +312,10 @@ KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane
   return contact;
 }
 
-KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
-                          std::int32_t kerf, const FieldGrid& grid) {
+SlabSlice slice_slab(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
+                     std::int32_t kerf, const FieldGrid& grid) {
   const Vec2 size_mm(grid.spacing_mm * (grid.u_count - 1), grid.spacing_mm * (grid.v_count - 1));
-  return slice_contact(solid, bvh, plane, kerf, grid.origin_mm, grid.origin_mm + size_mm);
+  return slice_slab(solid, bvh, plane, kerf, grid.origin_mm, grid.origin_mm + size_mm);
 }
 
 }  // namespace hallux::simulator

@@ -1,4 +1,4 @@
-#include "simulator/device/historic_law.h"
+#include "simulator/device/thesis_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,9 @@ Vec3 within(const Vec3& force_newton, double limit_newton) noexcept {
 
 }  // namespace
 
-Vec3 historic_force(HistoricState& state, const HistoricSettings& settings, const Vec3& handle_mm,
-                    const std::optional<Vec3>& normal, std::int64_t ticks) noexcept {
+Vec3 thesis_law_force(ThesisLawState& state, const ThesisLawSettings& settings,
+                      const Vec3& handle_mm, const std::optional<Vec3>& normal,
+                      std::int64_t ticks) noexcept {
   state.frame_ticks += ticks;
   if (state.frames > 0 && state.frame_ticks < settings.frame_ticks) return state.force_newton;
   const double frame_s = second_from_tick(std::max<std::int64_t>(1, state.frame_ticks));

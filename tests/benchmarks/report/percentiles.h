@@ -8,7 +8,7 @@
 namespace hallux::benchmarks {
 
 /// Of a set of values in any unit.
-struct Spread {
+struct Percentiles {
   std::size_t count = 0;
   /// Of the sample (n - 1).
   double mean = 0.0, deviation = 0.0;
@@ -16,7 +16,7 @@ struct Spread {
 };
 
 /// ensures all zero for no values; p99 is the smallest value that 99 percent do not exceed
-Spread spread_of(std::vector<double> values);
+Percentiles percentiles_of(std::vector<double> values);
 
 class Stopwatch {
  public:
@@ -45,7 +45,7 @@ struct Repetitions {
 /// The processor time of `work(made)`, where `made` is made anew by `make()` each time, outside the
 /// clock.
 template <typename Make, typename Work>
-Spread time_ms(const Repetitions& repetitions, Make make, Work work) {
+Percentiles time_ms(const Repetitions& repetitions, Make make, Work work) {
   std::vector<double> times_ms;
   const Stopwatch whole;
   while (
@@ -56,7 +56,7 @@ Spread time_ms(const Repetitions& repetitions, Make make, Work work) {
     work(made);
     times_ms.push_back(watch.worked_milliseconds());
   }
-  return spread_of(std::move(times_ms));
+  return percentiles_of(std::move(times_ms));
 }
 
 /// The processor time of a million square roots in a row, so that the figures of two machines can

@@ -1,4 +1,4 @@
-#include "tests/benchmarks/report/spread.h"
+#include "tests/benchmarks/report/percentiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ double Stopwatch::worked_ms() {
   return 1e3 * static_cast<double>(worked.tv_sec) + 1e-6 * static_cast<double>(worked.tv_nsec);
 }
 
-Spread spread_of(std::vector<double> values) {
-  Spread spread;
+Percentiles percentiles_of(std::vector<double> values) {
+  Percentiles spread;
   spread.count = values.size();
   if (values.empty()) return spread;
   std::sort(values.begin(), values.end());
@@ -43,7 +43,7 @@ Spread spread_of(std::vector<double> values) {
 
 double calibration_ms() {
   double sum = 0.0;
-  const Spread spread = time_ms(
+  const Percentiles spread = time_ms(
       {20, 20, 1.0}, [] { return 0; }, [&](int) { sum += million_square_roots(); });
   return sum > 0.0 ? spread.median : 0.0;
 }

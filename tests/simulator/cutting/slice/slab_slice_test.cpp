@@ -1,4 +1,4 @@
-#include "simulator/cutting/slice/kerf_contact.h"
+#include "simulator/cutting/slice/slab_slice.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ namespace {
 
 using namespace simulator;
 
-KerfContact contact_of(const CutSolid& solid, const KerfPlane& plane) {
-  return slice_contact(solid, Bvh(solid.mesh), plane, 0, Vec2(-40.0), Vec2(40.0));
+SlabSlice contact_of(const CutSolid& solid, const KerfPlane& plane) {
+  return slice_slab(solid, Bvh(solid.mesh), plane, 0, Vec2(-40.0), Vec2(40.0));
 }
 
 double area_mm2(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -27,8 +27,7 @@ double area_mm2(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// The area that the contact's parts of a touched triangle cover together.
-double area_of_parts_mm2(const KerfContact& contact, const IndexedMesh& mesh,
-                         std::uint32_t touched) {
+double area_of_parts_mm2(const SlabSlice& contact, const IndexedMesh& mesh, std::uint32_t touched) {
   double sum_mm2 = 0.0;
   const auto place = [&](std::uint32_t point) { return contact.points[point].point_in_bone_mm; };
   for (const StripTriangle& strip : contact.triangles) {
@@ -51,7 +50,7 @@ struct Walks {
   int along = 0, against = 0;
 };
 
-std::vector<Walks> walks_of(const KerfContact& contact) {
+std::vector<Walks> walks_of(const SlabSlice& contact) {
   std::vector<Walks> walks(contact.edges.size());
   for (const StripTriangle& triangle : contact.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -69,11 +68,11 @@ std::vector<Walks> walks_of(const KerfContact& contact) {
   return walks;
 }
 
-TEST(KerfContact, EveryStripEdgeHasTwoSidesAndEveryContourEdgeOne) {
+TEST(SlabSlice, EveryStripEdgeHasTwoSidesAndEveryContourEdgeOne) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     const CutSolid solid = uncut_solid(seed % 2 == 0 ? random_bone(random) : lattice_bone(random));
-    const KerfContact contact =
+    const SlabSlice contact =
         contact_of(solid, seed % 2 == 0 ? random_plane(random) : lattice_plane(random));
     const std::vector<Walks> walks = walks_of(contact);
     std::vector<int> parts_of_edge(contact.edges.size(), 0);
@@ -87,11 +86,11 @@ TEST(KerfContact, EveryStripEdgeHasTwoSidesAndEveryContourEdgeOne) {
   }
 }
 
-TEST(KerfContact, ContourPointsLieOnThePlanesAndAllOthersBetween) {
+TEST(SlabSlice, ContourPointsLieOnThePlanesAndAllOthersBetween) {
   Random random(4);
   const CutSolid solid = uncut_solid(random_bone(random));
   const KerfPlane plane = random_plane(random);
-  const KerfContact contact = contact_of(solid, plane);
+  const SlabSlice contact = contact_of(solid, plane);
   ASSERT_FALSE(contact.points.empty());
   const double half_mm = 0.5 * plane.thickness_mm;
   for (const StripPoint& point : contact.points) {
@@ -105,10 +104,10 @@ TEST(KerfContact, ContourPointsLieOnThePlanesAndAllOthersBetween) {
   }
 }
 
-TEST(KerfContact, StripAndOuterPartsTogetherAreTheTouchedTriangles) {
+TEST(SlabSlice, StripAndOuterPartsTogetherAreTheTouchedTriangles) {
   Random random(9);
   const CutSolid solid = uncut_solid(random_bone(random));
-  const KerfContact contact = contact_of(solid, random_plane(random));
+  const SlabSlice contact = contact_of(solid, random_plane(random));
   ASSERT_FALSE(contact.touched.empty());
   for (std::uint32_t i = 0; i < contact.touched.size(); ++i) {
     const Triangle& corners = solid.mesh.triangles[contact.touched[i].base_triangle];
@@ -119,9 +118,9 @@ TEST(KerfContact, StripAndOuterPartsTogetherAreTheTouchedTriangles) {
   }
 }
 
-TEST(KerfContact, ContoursRunCounterClockwiseAroundBoneBelowAndClockwiseAbove) {
+TEST(SlabSlice, ContoursRunCounterClockwiseAroundBoneBelowAndClockwiseAbove) {
   const CutSolid solid = uncut_solid(hollow_tube({.segments = 12}));
-  const KerfContact contact = contact_of(solid, axis_plane(0, 0.1, 0.5));
+  const SlabSlice contact = contact_of(solid, axis_plane(0, 0.1, 0.5));
   EXPECT_EQ(contact.skin_count, 2U);
   std::map<std::int8_t, double> doubled_area;
   for (const StripEdge& edge : contact.edges) {
@@ -134,8 +133,8 @@ TEST(KerfContact, ContoursRunCounterClockwiseAroundBoneBelowAndClockwiseAbove) {
   EXPECT_NEAR(0.5 * doubled_area[1], -3.0 * (64.0 - 25.0), 1e-9);
 }
 
-TEST(KerfContact, APlaneThatMissesTouchesNothing) {
-  const KerfContact contact =
+TEST(SlabSlice, APlaneThatMissesTouchesNothing) {
+  const SlabSlice contact =
       contact_of(uncut_solid(solid_block(Vec3(10.0))), axis_plane(2, 5.3, 0.5));
   EXPECT_TRUE(contact.touched.empty());
   EXPECT_TRUE(contact.points.empty());
@@ -143,14 +142,14 @@ TEST(KerfContact, APlaneThatMissesTouchesNothing) {
 }
 
 // What a frame costs is counted, not timed: nothing in the contact knows of bone elsewhere.
-TEST(KerfContact, FarTrianglesChangeNothing) {
+TEST(SlabSlice, FarTrianglesChangeNothing) {
   const IndexedMesh near = hollow_tube({.segments = 24, .rings = 6});
   IndexedMesh both = near;
   append_mesh(both,
               moved(dense_sphere(9.0, 100'000), {Quat(1.0, 0.0, 0.0, 0.0), Vec3(60.0, 0.0, 0.0)}));
   const KerfPlane plane = plane_through(Vec3(1.0, 0.0, 0.0), Vec3(1.0, 0.2, 0.1), 0.5);
-  const KerfContact alone = contact_of(uncut_solid(near), plane);
-  const KerfContact together = contact_of(uncut_solid(both), plane);
+  const SlabSlice alone = contact_of(uncut_solid(near), plane);
+  const SlabSlice together = contact_of(uncut_solid(both), plane);
   ASSERT_EQ(alone.touched.size(), together.touched.size());
   for (std::size_t i = 0; i < alone.touched.size(); ++i) {
     EXPECT_EQ(alone.touched[i].base_triangle, together.touched[i].base_triangle);

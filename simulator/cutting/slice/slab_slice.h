@@ -76,7 +76,7 @@ struct TouchedTriangle {
   std::uint32_t first_strip = 0, first_outer = 0;
 };
 
-struct KerfContact {
+struct SlabSlice {
   KerfPlane plane;
   KerfAxes axes;
   std::int32_t kerf = 0;
@@ -111,11 +111,11 @@ struct KerfContact {
 /// errors  none: a plane that misses gives no points
 /// thread  worker
 /// source  docs/cutting.md
-KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
-                          std::int32_t kerf, const Vec2& min_mm, const Vec2& max_mm);
+SlabSlice slice_slab(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
+                     std::int32_t kerf, const Vec2& min_mm, const Vec2& max_mm);
 
 /// The same with room for regions that a field can hold.
-KerfContact slice_contact(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
-                          std::int32_t kerf, const FieldGrid& grid);
+SlabSlice slice_slab(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane,
+                     std::int32_t kerf, const FieldGrid& grid);
 
 }  // namespace hallux::simulator

@@ -47,7 +47,7 @@ struct StagePicture {
   float radius = 0.0F;
 };
 
-class BoneStage {
+class BoneViewport {
  public:
   /// The view that R comes back to: a ball in the world wholly in sight. Takes effect with the next
   /// drawing.

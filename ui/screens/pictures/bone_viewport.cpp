@@ -1,4 +1,4 @@
-#include "ui/screens/pictures/bone_stage.h"
+#include "ui/screens/pictures/bone_viewport.h"
 
 #include <array>
 #include <bit>
@@ -44,8 +44,8 @@ std::uint64_t picture_id(std::string_view words) noexcept {
   return hash == 0 ? 1 : hash;
 }
 
-void BoneStage::look_at(const Vec3& middle_in_world_mm, double radius_mm,
-                        const Quat& world_from_view) {
+void BoneViewport::look_at(const Vec3& middle_in_world_mm, double radius_mm,
+                           const Quat& world_from_view) {
   CHECK(radius_mm > 0.0);
   first_.target_mm = middle_in_world_mm;
   first_.world_from_view = world_from_view;
@@ -53,16 +53,16 @@ void BoneStage::look_at(const Vec3& middle_in_world_mm, double radius_mm,
   is_fitted_ = false;
 }
 
-void BoneStage::look_at(const Vec3& middle_in_world_mm, double radius_mm, StandardView view) {
+void BoneViewport::look_at(const Vec3& middle_in_world_mm, double radius_mm, StandardView view) {
   look_at(middle_in_world_mm, radius_mm, standard_view(Camera{}, view).world_from_view);
 }
 
-EyeView BoneStage::eye_view() const noexcept {
+EyeView BoneViewport::eye_view() const noexcept {
   return view_of(camera_, Viewer{}, Eye::Middle,
                  static_cast<double>(rect_.w) / static_cast<double>(rect_.h));
 }
 
-bool BoneStage::hear_pointer(const AreaResponse& area) {
+bool BoneViewport::hear_pointer(const AreaResponse& area) {
   const Camera before = camera_;
   const auto turn = [&](Point by) {
     camera_ = orbited(camera_, turn_rad_per_pixel * static_cast<double>(by.x),
@@ -81,7 +81,7 @@ bool BoneStage::hear_pointer(const AreaResponse& area) {
   return camera_.target_mm != before.target_mm || camera_.world_from_view != before.world_from_view;
 }
 
-bool BoneStage::hear_keys(Ui& ui) {
+bool BoneViewport::hear_keys(Ui& ui) {
   bool was_turned = false;
   for (int view = 0; view < standard_view_count; ++view) {
     const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
@@ -105,8 +105,8 @@ bool BoneStage::hear_keys(Ui& ui) {
   return was_turned;
 }
 
-StageResponse BoneStage::draw(Ui& ui, Shell& shell, const Rect& rect, const Scene& scene,
-                              const StagePicture& picture, bool hears_keys) {
+StageResponse BoneViewport::draw(Ui& ui, Shell& shell, const Rect& rect, const Scene& scene,
+                                 const StagePicture& picture, bool hears_keys) {
   CHECK(has_view());
   StageResponse response;
   response.rect = rect_ = {rect.x, rect.y, std::max(rect.w, 1.0F), std::max(rect.h, 1.0F)};
@@ -138,13 +138,13 @@ StageResponse BoneStage::draw(Ui& ui, Shell& shell, const Rect& rect, const Scen
   return response;
 }
 
-SightRay BoneStage::ray_through(const Vec2& shares) const noexcept {
+SightRay BoneViewport::ray_through(const Vec2& shares) const noexcept {
   const EyeView view = eye_view();
   const Vec3 through = point_at(view, Vec3(shares, 0.0));
   return {view.eye_in_world_mm, glm::normalize(through - view.eye_in_world_mm)};
 }
 
-std::optional<Point> BoneStage::seen_at(const Vec3& point_in_world_mm) const noexcept {
+std::optional<Point> BoneViewport::seen_at(const Vec3& point_in_world_mm) const noexcept {
   const Vec3 place = place_in_picture(eye_view(), point_in_world_mm);
   if (place.x < 0.0 || place.x > 1.0 || place.y < 0.0 || place.y > 1.0 || place.z > 1.0 ||
       place.z < -1.0)

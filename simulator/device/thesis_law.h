@@ -21,7 +21,7 @@
 
 namespace hallux::simulator {
 
-struct HistoricSettings {
+struct ThesisLawSettings {
   /// Of the device's handle.
   double mass_kg = 0.15;
   /// 1/60 s in whole ticks.
@@ -29,7 +29,7 @@ struct HistoricSettings {
   double force_limit_newton = 8.0;
 };
 
-struct HistoricState {
+struct ThesisLawState {
   /// At the frame before.
   Vec3 handle_mm{0.0, 0.0, 0.0};
   Vec3 velocity_mm_s{0.0, 0.0, 0.0};
@@ -45,7 +45,8 @@ struct HistoricState {
 /// tool touches, none in air.
 /// needs   ticks > 0, the normal has length 1
 /// errors  none: total, allocates nothing
-Vec3 historic_force(HistoricState& state, const HistoricSettings& settings, const Vec3& handle_mm,
-                    const std::optional<Vec3>& normal, std::int64_t ticks) noexcept;
+Vec3 thesis_law_force(ThesisLawState& state, const ThesisLawSettings& settings,
+                      const Vec3& handle_mm, const std::optional<Vec3>& normal,
+                      std::int64_t ticks) noexcept;
 
 }  // namespace hallux::simulator
