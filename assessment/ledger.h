@@ -3,13 +3,10 @@
 ///
 ///     items        points of each rubric item that has a measurement; an item whose cut was never
 ///                  made loses all, and one whose cut was left unfinished earns the share of the
-///                  section that was opened: else a scratch in the right plane would be a perfect
-///                  cut
-///     damping      efficiency counts min(1, accuracy fraction / 0.6): speed earns nothing without
-///                  accuracy
+///                  section that was opened: else a scratch in the right plane would be perfect
+///     damping      efficiency counts min(1, accuracy fraction / 0.6): speed alone earns nothing
 ///     gates        each triggered cap takes what stands above it; the lowest cap first
-///     score        100 x earned / measured, where measured is the weight of the items that have a
-///                  measurement
+///     score        100 x earned / measured; measured: the weight of the items with a measurement
 ///
 /// All in integer thousandths, so earned + lost = measured holds exactly.
 #pragma once

@@ -56,7 +56,7 @@ struct RebuiltBone {
 
 /// needs   recording's samples and events are in the order of their ticks
 /// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order
-///         they were frozen `opened` saves the stamping and changes no bit
+///         they were frozen; `opened` saves the stamping and changes no bit
 /// needs   where `opened` is given, fields of this recording (see are_of)
 /// errors  Cancelled
 /// thread  any

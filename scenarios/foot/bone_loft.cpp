@@ -1,8 +1,10 @@
 // Section, polar about its centre, angle phi from z towards y less the twist:
-//   rho(phi) = (|cos phi / (a (1 + e sin phi))|^n + |sin phi / b|^n)^(-1/n) (1 + c3 cos 3 phi + s3 sin 3 phi)
-// Side A = (u - 1) / |grad u| with u = r / rho. Cap B = the quadric's height, x never past either
-// end. Join: ((A+R)^p + (B+R)^p)^(1/p) - R where both terms are positive, the greater of A and B
-// elsewhere. Source: docs/foot.md, sections "The field" and "Why planes across the chord".
+//   rho(phi) = (|cos phi / (a (1 + e sin phi))|^n + |sin phi / b|^n)^(-1/n)
+//              (1 + c3 cos 3 phi + s3 sin 3 phi)
+// Side A = (u - 1) / |grad u| with u = r / rho.
+// Cap B = the quadric's height, x never past either end.
+// Join: ((A+R)^p + (B+R)^p)^(1/p) - R where both terms are positive, else the greater of A and B.
+// Source: docs/foot.md, sections "The field" and "Why planes across the chord".
 #include "scenarios/foot/bone_loft.h"
 
 namespace hallux::scenarios {

@@ -1,8 +1,9 @@
 /// Scripted hands that feel: a plan carried out by an expert or a novice, as well as what they feel
 /// and see lets them.
 ///
-///     force, pose of the blade --> senses --a reaction time later--> stroke work --> handle --> device state
-///                                                                 \-> held axes --/
+///     force, pose of the blade
+///       --> senses --a reaction time later--> stroke work --> handle --> device state
+///                                          \-> held axes --/
 ///
 /// A hand aims its blade at faces that are tilted and shifted against the plan, saws in overlapping
 /// strokes from the approach side with a force it means to keep, stops at a hinge as well as it

@@ -1,7 +1,8 @@
 /// How a hand pushes: it leads the handle so that it feels the force it means to keep.
 /// Inside this corner only.
 ///
-///     handle's speed = what it sees of the feed + (wanted - felt) / brace      within lean and release
+///     handle's speed = what it sees of the feed + (wanted - felt) / brace
+///                      within lean and release
 ///
 /// The arm gives way at once, like a damper; what the hand wants it changes a reaction time after
 /// it has noticed why. So bone that gives way lets the handle run on until the hand notices: the

@@ -1,9 +1,9 @@
 /// One stroke of a saw as a hand carries it out: by what it feels and sees, tick by tick.
 /// Inside this corner only.
 ///
-///     Reach -> Lower -> Seek --bone felt--> Push --the line or the far side seen--> LetGo -> Withdraw -> Done
+///     Reach -> Lower -> Seek --bone felt--> Push --line or far side--> LetGo -> Withdraw -> Done
 ///                        ^                   |
-///                        |-- GiveBack <------| the push fell off, or nothing is there: bone gave way
+///                        |-- GiveBack <------| push fell off, or nothing is there: bone gave way
 ///                        |-- Return <- Clear <| sawed long enough, or nothing moves
 ///                                      Look <-> in doubt how deep it is
 #pragma once

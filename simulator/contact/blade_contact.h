@@ -3,9 +3,9 @@
 ///
 ///     collar                          teeth
 ///       o    o    o    o    o    o    o :
-///       o    o    o    o    o    o    o :     rows across the blade from edge to edge, balls as thick as the blade;
+///       o    o    o    o    o    o    o :     rows across the blade from edge to edge,
+///       o    o    o    o    o    o    o :     balls as thick as the blade;
 ///       o    o    o    o    o    o    o :     every second tooth, a small ball right behind it
-///       o    o    o    o    o    o    o :
 ///       o    o    o    o    o    o    o :
 ///
 /// The surface is what still stands: the original bone's, minus open kerfs and pieces taken out.

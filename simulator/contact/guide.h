@@ -1,7 +1,8 @@
 /// The guide: the planned plane as a virtual fixture that leads the hand while it practises.
 ///
 ///     within 0.5 mm and 1 degree of the plane: nothing
-///         --beyond--> back to it, by a share of the coupling's stiffness, at most 35 % of the greatest force and torque
+///         --beyond--> back to it, by a share of the coupling's stiffness,
+///                     at most 35 % of the greatest force and torque
 ///
 /// It leads the hand, and the tool follows: the blade is asked where it is, the hand is pushed. It
 /// comes in softly, belongs to the step at hand, and ends once the teeth are in a kerf of their

@@ -1,8 +1,9 @@
 /// The kick of a saw whose teeth catch in bone: what it does to the hand. Inside this corner only.
 ///
-///     started while the teeth stand in bone, or met bone with less than 2 mm of tooth line at an
-///     end of it
-///         --> a push along the tooth line, away from the bone that caught it: 0 -> 6 N -> 0 within 20 ms
+///     started while the teeth stand in bone,
+///     or met bone with less than 2 mm of tooth line at an end of it
+///         --> a push along the tooth line, away from the bone that caught it:
+///             0 -> 6 N -> 0 within 20 ms
 ///
 /// The teeth throw the handpiece, and the tool follows the hand by its coupling: a kick moves
 /// nothing by itself and opens nothing. One follows no sooner than a fifth of a second after the

@@ -1,8 +1,8 @@
 /// From the simulated force to what the device is given, one tick at a time.
 ///
-///     simulated force -> x scale -> x soft start -> kept passive -> + tremble -> at most force and heat allow -> slew -> device
-///                     '- fault, pause, faster than a hand: zero at once, and a soft start
-///                     afterwards
+///     simulated force -> x scale -> x soft start -> kept passive -> + tremble
+///                     |     -> at most force and heat allow -> slew -> device
+///                     '- fault, pause, faster than a hand: zero at once, and a soft start after
 ///
 /// Total and deterministic, of its state and input alone. What is recorded and scored is the
 /// simulated force; this is what an arm can bear of it.

@@ -1,8 +1,10 @@
 /// The mouse as a device: a pointer leads a hand through a virtual coupling, so that steps of the
 /// pointer become motion.
 ///
-///     window: pointer, wheel, right drag -> target --latest value--> haptic: target --spring, damper--> hand of 0.15 kg
-///                                                                                        ^ force of the simulation
+///     window: pointer, wheel, right drag --> target
+///                                              | latest value
+///     haptic:                                target --spring, damper--> hand of 0.15 kg
+///                                                                        ^ simulated force
 ///
 /// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the
 /// pointer runs ahead: how far it is ahead is how hard one pushes. Where no target comes any more,

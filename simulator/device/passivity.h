@@ -1,11 +1,12 @@
 /// Passivity observer and controller: what is rendered may give back no more energy than the hand
 /// has put into it. Inside this corner only.
 ///
-///     E += -F . dx      each tick, F the force that acted meanwhile: what the hand has paid in
-///     wanted >= 0.75 F^2 / 2K                                        what the spring behind the force still holds, nearly
-///     E <= 2 F^2 / 2K                                                more was sawn, rubbed or damped: it is spent
-///     F -= a v          where E would fall below what is wanted; a at most the device's greatest
-///                       damping
+///     E += -F . dx              each tick, F the force that acted meanwhile: what the hand has
+///                               paid in
+///     wanted >= 0.75 F^2 / 2K   what the spring behind the force still holds, nearly
+///     E <= 2 F^2 / 2K           more was sawn, rubbed or damped: it is spent
+///     F -= a v                  where E would fall below what is wanted; a at most the device's
+///                               greatest damping
 ///
 /// A sampled spring gives back more than it took, the more the later its force comes. Hannaford and
 /// Ryu (2002) watch the account and take the surplus out with a damper. Ours differs in three

@@ -1,8 +1,10 @@
 /// The I2t budget of a device's motors: their heat follows the square of the force, and what they
 /// may give follows the heat. Inside this corner only.
 ///
-///     dh/dt = ((F / Fc)^2 - h) / tau        h = 1: as warm as the continuous force Fc makes them in the end
-///     F <= Fc sqrt(h + (1 - h) tau / ease)  so h never passes 1, and the force sinks over `ease` instead of falling
+///     dh/dt = ((F / Fc)^2 - h) / tau        h = 1: as warm as the continuous force Fc makes them
+///                                           in the end
+///     F <= Fc sqrt(h + (1 - h) tau / ease)  so h never passes 1, and the force sinks over `ease`
+///                                           instead of falling
 #pragma once
 
 namespace hallux::simulator {

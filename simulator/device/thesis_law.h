@@ -1,12 +1,12 @@
 /// The force law of the thesis that began this project (its section 6.5), kept for the lesson: what
 /// a hand felt then. Inside this room only.
 ///
-///     V = way of the handle since the frame before / t        t: a frame, 1/60 s
-///     R = V - 2 (V . N) N          at a collision; the device is to leave with R: f = m (R - V) /
-///                                  t for one frame
-///     U = m (V - V before) / t - f before        what the hand pushes, inferred from the handle's
-///                                                acceleration
-///     f += -(U . N) N              where it pushes into the surface
+///     V = way of the handle since the frame before / t    t: a frame, 1/60 s
+///     R = V - 2 (V . N) N                                 at a collision; the device is to leave
+///                                                         with R: f = m (R - V) / t for one frame
+///     U = m (V - V before) / t - f before                 what the hand pushes, inferred from the
+///                                                         handle's acceleration
+///     f += -(U . N) N                                     where it pushes into the surface
 ///
 /// Two things are ours. The thesis prints R = V + 2 (V . N), which adds a number to a vector. And
 /// it reflects all of U, which would push on along the surface; only the part into it is opposed

@@ -19,9 +19,9 @@
 
 namespace hallux::simulator {
 
-/// RealTime: one tick a millisecond by absolute deadlines; the producer never waits for the
-/// recorder. Virtual: as fast as it goes; the producer waits for room, and a job is ready at the
-/// next tick.
+/// RealTime  one tick a millisecond by absolute deadlines; the producer never waits for the
+///           recorder
+/// Virtual   as fast as it goes; the producer waits for room, and a job is ready at the next tick
 enum class Pacing { RealTime, Virtual };
 
 struct AttemptSetup {

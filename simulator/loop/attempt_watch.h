@@ -1,8 +1,8 @@
 /// What somebody who operates live has of the loop: commands in, the newest view and what the
 /// bone's picture follows out.
 ///
-///     window    --commands--> haptic thread --view (the newest)--------------------> window
-///                                          --feed (all of it, never dropped)-------> geometry thread
+///     window    --commands--> haptic thread --view (the newest)----------------> window
+///                                           --feed (all of it, never dropped)--> geometry thread
 ///
 /// The feed carries kerf growth, so it is a ring like the recorder's: nearly full, it pauses the
 /// attempt.

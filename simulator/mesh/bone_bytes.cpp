@@ -10,7 +10,8 @@
 /// mesh is its two counts (64 bits) and then points (three doubles) and triangles (three 32-bit
 /// indices).
 ///
-///     "HALLUXB1" | name | generator | credit | outer | canal | 0 or 1, cortex law | landmarks | world_from_bone
+///     "HALLUXB1" | name | generator | credit | outer | canal | 0 or 1, cortex law | landmarks |
+///     world_from_bone
 ///
 /// Every bone has exactly one form and nothing may follow it, so the digest of the bytes names the
 /// bone.

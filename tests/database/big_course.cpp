@@ -19,9 +19,10 @@ namespace {
 constexpr std::array<const char*, 6> operations{"akin",  "chevron", "lapidus",
                                                 "scarf", "silver",  "weil"};
 constexpr const char* quality =
-    R"({"complete": true, "valid": true, "expected_samples": 61000, "received_samples": 61000, "gaps": 0, )"
-    R"("duplicates": 0, "clock_steps": 0, "missed_ticks": 3, "lateness_p50_us": 41, "lateness_p99_us": 220, )"
-    R"("lateness_max_us": 1890, "ring_high_water": 312, "device_faults": 0, "realtime": true})";
+    R"({"complete": true, "valid": true, "expected_samples": 61000, "received_samples": 61000, )"
+    R"("gaps": 0, "duplicates": 0, "clock_steps": 0, "missed_ticks": 3, "lateness_p50_us": 41, )"
+    R"("lateness_p99_us": 220, "lateness_max_us": 1890, "ring_high_water": 312, )"
+    R"("device_faults": 0, "realtime": true})";
 
 /// As long as a real one: five groups, four gates and twenty lines.
 /// The same for all: what is asked of many goes by the columns beside it.

@@ -19,7 +19,8 @@ simulator::IndexedMesh solid_block(const Vec3& size_mm);
 simulator::IndexedMesh two_blocks(const Vec3& size_mm, double gap_mm);
 
 /// A U lying in the xy plane, open towards +y: two arms and a floor of thickness `wall_mm`,
-/// extruded over size_mm.z. needs   2 * wall_mm < size_mm.x, wall_mm < size_mm.y
+/// extruded over size_mm.z.
+/// needs   2 * wall_mm < size_mm.x, wall_mm < size_mm.y
 simulator::IndexedMesh u_shape(const Vec3& size_mm, double wall_mm);
 
 struct Tube {

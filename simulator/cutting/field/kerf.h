@@ -1,13 +1,17 @@
 /// A kerf: the plane a blade is frozen to, and the field of what it has covered there.
 ///
-/// Kerf frame: origin and axes of the tool at the moment of freezing, said in the bone frame. x =
-/// feed direction, y = along the tooth line, z = blade normal. The kerf is the slab |z| <=
-/// thickness / 2 over the opened region. The field holds at each node the greatest inside-distance
-/// to any blade that was there, limited to +-1 node spacing: above zero means opened. `max` makes
-/// it monotone and independent of the order and repetition of stamps. The limit is what makes a
-/// stamp cheap: nodes deep inside hold it already and are skipped by their bits, so that a small
-/// motion costs the rim of the blade and not its area. One spacing is enough for the outline: both
-/// nodes of an edge that a blade's side crosses lie nearer to it than that.
+/// Kerf frame: origin and axes of the tool at the moment of freezing, said in the bone frame.
+///
+///     x: feed direction
+///     y: along the tooth line
+///     z: blade normal; the kerf is the slab |z| <= thickness / 2 over the opened region
+///
+/// The field holds at each node the greatest inside-distance to any blade that was there, limited
+/// to +-1 node spacing: above zero means opened. `max` makes it monotone and independent of the
+/// order and repetition of stamps. The limit is what makes a stamp cheap: nodes deep inside hold it
+/// already and are skipped by their bits, so that a small motion costs the rim of the blade and not
+/// its area. One spacing is enough for the outline: both nodes of an edge that a blade's side
+/// crosses lie nearer to it than that.
 #pragma once
 
 #include <cstdint>

@@ -5,9 +5,11 @@
 /// the sweep crosses has one:
 ///
 ///     upper edge  o------
-///                 |\         The chain runs from the lower to the upper edge and bends away from the gap: no corner of
-///                 | o        it sees past its neighbours. The next corner on either edge cuts off all that it sees; a
-///                 |/         corner inside the gap is joined to the chain's latest one and parts the gap.
+///                 |\         The chain runs from the lower to the upper edge and bends away
+///                 | \        from the gap: no corner of it sees past its neighbours. The
+///                 |  o       next corner on either edge cuts off all that it sees; a corner
+///                 | /        inside the gap is joined to the chain's latest one and parts
+///                 |/         the gap.
 ///     lower edge  o-----
 ///
 /// A corner asks its neighbours in the chain and nobody else, so that a loop costs little more than

@@ -1,10 +1,10 @@
 /// Contact under a turn, in coordinates of the axis.
 ///
-///          n (above)
-///          |    moved          A point is (c, n, h): c towards the gap, n above it, h along the axis. A turn keeps
-///          |  ____---          h and the radius r, and lowers the polar angle. So two points meet exactly where h and
-///     axis +------- c  gap     r are equal, and the turn is the difference of their angles: surfaces of triangles
-///          |  ----____         first meet at a corner of one on a face of the other, or where two edges cross.
+///          n (above)           A point is (c, n, h): c towards the gap, n above it, h along the
+///          |    moved          axis. A turn keeps h and the radius r, and lowers the polar angle.
+///          |  ____---          So two points meet exactly where h and r are equal, and the turn is
+///     axis +------- c  gap     the difference of their angles: surfaces of triangles first meet at
+///          |  ----____         a corner of one on a face of the other, or where two edges cross.
 ///          |    fixed
 #include "simulator/cutting/hinge/turn_contact.h"
 

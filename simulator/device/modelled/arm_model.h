@@ -2,7 +2,7 @@
 /// virtual time. Inside this corner only.
 ///
 ///     force sent --transport ticks--> motors, at most so strong --> mass <-- hand
-///                                                                    '--> encoder steps --> place that is read
+///                            place that is read <-- encoder steps <--'
 #pragma once
 
 #include <array>

@@ -2,8 +2,7 @@
 // the 1 kHz loop, recorder and geometry thread all at work; and how late the loop was meanwhile. A
 // whole frame is measured, to the last pixel.
 //
-//     live_frames [EDGE_MM] [PICTURE_FOLDER]     0.44 gives a first metatarsal of about 50,000
-//                                                triangles
+//     live_frames [EDGE_MM] [PICTURE_FOLDER]   0.44: a first metatarsal of about 50,000 triangles
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

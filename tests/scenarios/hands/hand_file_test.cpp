@@ -14,7 +14,8 @@ constexpr double rounding = 1.0e-14;
 
 constexpr const char* two_keys = R"({"keys": [
   {"time_s": 0.0005, "tip_mm": [1, 2, 3], "direction": [0, -2, 0], "normal": [1, 0, 0]},
-  {"time_s": 1.25, "tip_mm": [1, -8, 3], "direction": [0, -1, 0], "normal": [3, 0.5, 0], "saw": true}
+  {"time_s": 1.25, "tip_mm": [1, -8, 3], "direction": [0, -1, 0], "normal": [3, 0.5, 0],
+   "saw": true}
 ]})";
 
 std::string refusal_of(std::string_view json) {

@@ -37,8 +37,8 @@ struct VerbContext {
   bool backs_up_before_migration = true;
 };
 
-/// Shows a long job on `notes`: "label  42 %", redrawn on a terminal, silent with --quiet. Returns false once the user
-/// pressed Ctrl-C, which cancels the job.
+/// Shows a long job on `notes`: "label  42 %", redrawn on a terminal, silent with --quiet.
+/// Returns false once the user pressed Ctrl-C, which cancels the job.
 Progress progress_on(const VerbContext& context, std::string label);
 
 }  // namespace hallux::ui

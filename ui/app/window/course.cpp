@@ -193,7 +193,7 @@ void Course::acknowledge(std::shared_ptr<SignedInSession> signed_in,
       [](WorkEnd, const std::string&) {});
 }
 
-// The end of the session is written beside the window: other work may hold the session for a moment.
+// The session's end is written beside the window: other work may hold the session for a moment.
 void Course::sign_out() {
   shell_.background().start(
       std::string(texts_.text("course.signing_out")),

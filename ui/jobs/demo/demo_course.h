@@ -1,5 +1,5 @@
-/// A simulated course in an empty data directory, so that every screen can be seen full: `hallux
-/// demo`.
+/// A simulated course in an empty data directory, so that every screen can be seen full
+/// (`hallux demo`).
 ///
 /// Nobody in it is a person: the people are numbered, the attempts are scripted hands' and marked
 /// as simulated in the database, none can become a grade. What happened is told of the past six
@@ -7,8 +7,7 @@
 ///
 ///   DIR/demo-in-the-making/hallux.db  is filled through the desks, as people would, with the clock
 ///                                     set to each moment;
-///   DIR/hallux.db                     takes it over in one transaction at the end: all of it or
-///                                     nothing
+///   DIR/hallux.db                     takes it over in one transaction at the end: all or nothing
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,10 @@
 /// What one picture is made in. Inside this corner only.
 ///
-///     shapes    which point of which bone, and its normal, once a pixel       place, normal, depth, stencil
-///     still     ground and light on the bones                                 colour, the same depth and stencil
-///     picture   begins as a copy of `still`; lines on bones, tools and all else              colour, depth, stencil
+///     shapes    place, normal, depth, stencil         which point of which bone, and its normal,
+///                                                     once a pixel
+///     still     colour, the same depth and stencil    ground and light on the bones
+///     picture   colour, depth, stencil                begins as a copy of `still`; lines on
+///                                                     bones, tools and all else
 #pragma once
 
 #include "ui/render/gl/gl_objects.h"

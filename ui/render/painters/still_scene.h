@@ -1,7 +1,8 @@
 /// What of a scene stands still from picture to picture, the bones as one sees them, and where two
 /// pictures of it differ. No graphics.
 ///
-///     still     bones with light on them, ground    drawn again only where they are cut, lit again where the saw's shadow moves
+///     still     bones with light on them, ground    drawn again only where they are cut, lit
+///                                                   again where the saw's shadow moves
 ///     moving    saw, lines, chips, ghosts           drawn over it in every picture
 #pragma once
 

@@ -1,10 +1,15 @@
 /// Where a picture is seen from: a screen that stands in the world, and eyes in front of it.
 ///
-///          eye left  eye right            Seen through the window that the screen is, off axis for each eye: what lies in
-///              \      /                   the screen plane lands on the same pixel for both, what lies behind it is
-///               \    /  viewing distance  shifted apart as it is with real eyes. Lengths are real millimetres divided by
-///        ________\__/________             the magnification, so hand, picture and eyes keep one scale.
+///          eye left  eye right
+///              \      /
+///               \    /  viewing distance
+///        ________\__/________
 ///        screen plane, x right, y up, z to the viewer
+///
+/// Seen through the window that the screen is, off axis for each eye: what lies in the screen plane
+/// lands on the same pixel for both, what lies behind it is shifted apart as it is with real eyes.
+/// Lengths are real millimetres divided by the magnification, so hand, picture and eyes keep one
+/// scale.
 ///
 /// source  reference/platform 1 (stereo, measured); frustum never toed in
 #pragma once

@@ -1,8 +1,10 @@
 /// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
 /// feeds anything back. Inside this corner only.
 ///
-///     feed of the loop --> copy of the kerfs --> patch of the kerf at hand, on a mesh that stands still --> newest picture
-///                              '--> after a piece was taken out, another kerf, a closed hinge: another mesh
+///     feed of the loop --> copy of the kerfs --> patch of the kerf at hand --> newest picture
+///                              |                 on a mesh that stands still
+///                              '--> after a piece was taken out, another kerf, a closed hinge:
+///                                   another mesh
 ///
 /// A patch shows a kerf on the bone without it. Where that bone cannot be had, because what the
 /// kerf freed was taken out already, the mesh itself is made anew twice a second instead.

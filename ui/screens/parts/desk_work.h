@@ -1,10 +1,12 @@
 /// What a person does at a desk: it runs beside the window, and how it ended is said.
 ///
 ///     DeskWork work_;
-///     work_.start<IssuedCode>(shell, visit_, {label, failed},
-///                             [login](database::Session& session, WorkReport&) { return
-///                             administrator_of(session).reset(login); }, [this](IssuedCode&
-///                             issued) { show(std::move(issued)); });
+///     work_.start<IssuedCode>(
+///         shell, visit_, {label, failed},
+///         [login](database::Session& session, WorkReport&) {
+///           return administrator_of(session).reset(login);
+///         },
+///         [this](IssuedCode& issued) { show(std::move(issued)); });
 ///
 /// Where it fails nothing of the screen changes: what was typed stays, and the sentence of the
 /// fault is said.

@@ -2,9 +2,10 @@
 /// where it failed.
 ///
 ///     Loaded<std::vector<Person>> people_;
-///     if (people_.is_new()) people_.start(ui, shell, label, [visit = visit_](WorkReport&) { return
-///     ...; }); if (people_.draw_until_ready(ui, "people.reading", inside, 8)) draw_people(ui,
-///     inside, people_.value());
+///     if (people_.is_new())
+///       people_.start(ui, shell, label, [visit = visit_](WorkReport&) { return ...; });
+///     if (people_.draw_until_ready(ui, "people.reading", inside, 8))
+///       draw_people(ui, inside, people_.value());
 #pragma once
 
 #include <functional>

@@ -1,7 +1,8 @@
 /// A view of bones inside a screen that a person turns: by dragging, by the wheel, and by keys.
 ///
 ///     left or middle drag, Alt+arrows   turn          wheel, plus and minus   nearer and farther
-///     right drag                        move          1 to 8                  standard views      R   as it was first
+///     right drag                        move          1 to 8                  standard views
+///                                                     R                       as it was first
 #pragma once
 
 #include <array>

@@ -1,9 +1,10 @@
 /// Tables whose rows are values: one line a column says its head, what stands in its cells and how
 /// rows are sorted by it.
 ///
-///     const RowTable<Person> people{ui.text("people.title"), &Person::login, &Person::display_name, {
-///         {{ui.text("people.name"), 0.0F, 1.7F}, draw_name, {}, by(&Person::display_name)},
-///         {{ui.text("people.login")}, &Person::login, plain_cell, by(&Person::login)}}};
+///     const RowTable<Person> people{
+///         ui.text("people.title"), &Person::login, &Person::display_name, {
+///             {{ui.text("people.name"), 0.0F, 1.7F}, draw_name, {}, by(&Person::display_name)},
+///             {{ui.text("people.login")}, &Person::login, plain_cell, by(&Person::login)}}};
 ///     const TableResponse response = table(ui, "people.row", rect, people, persons, state);
 #pragma once
 

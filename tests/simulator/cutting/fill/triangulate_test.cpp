@@ -150,8 +150,8 @@ TEST(Triangulate, AWayThereAndBackWithinTheRoundingFoldsNothing) {
 }
 
 TEST(Triangulate, ACornerRoundedThroughAnEdgeItTouchesFoldsNothing) {
-  Figure
-      figure;  // (-114020, 262144) touches the edge between the first two corners, a tenth of a step beyond it
+  // (-114020, 262144) touches the edge between the first two corners, a tenth of a step beyond it
+  Figure figure;
   figure.add({{-262144, 240414},
               {28200, 283008},
               {210394, 371882},
