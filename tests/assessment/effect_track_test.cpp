@@ -112,7 +112,7 @@ TEST(EffectTrack, OfAGuidedHandKnowsABendInAKerfOnly) {
 
 TEST(EffectTrack, OfNothingIsEmpty) {
   const Bone bone = block();
-  const EffectTrack track = track_effects(bone, {{}, 12000.0, 0.4}, {}, stretch);
+  const EffectTrack track = track_effects(bone, {}, {}, stretch);
   EXPECT_TRUE(track.hottest_celsius.empty());
   EXPECT_EQ(track.heat.hottest_celsius, body_celsius);
 }

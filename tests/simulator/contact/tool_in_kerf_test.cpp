@@ -339,7 +339,7 @@ TEST(ToolInKerf, ABladeThatSlidesOutSidewaysBreaksNothing) {
 TEST(ToolInKerf, ABladeShorterThanTheSectionNeverBreaksThrough) {
   const Bone bone = wide_block();
   const auto sawn_with = [&](double depth_mm) {
-    SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}), {.depth_mm = depth_mm});
+    SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}), {.blade = {.depth_mm = depth_mm}});
     run.glide(blade_down({0.0, -top_mm - 8.0, 0.0}), 6000);
     run.hold(12000);
     return run;

@@ -61,13 +61,13 @@ simulator::AttemptSetup setup_for(const Bone& bone, const HandMotion& motion,
 }
 
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   std::size_t ring_capacity, const simulator::Progress& progress) {
+                   std::size_t ring_capacity, const Progress& progress) {
   AttemptChannels channels(ring_capacity);
   return record(setup, device, channels, progress);
 }
 
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   AttemptChannels& channels, const simulator::Progress& progress) {
+                   AttemptChannels& channels, const Progress& progress) {
   RecordedRun run;
   std::jthread recorder([&] { empty_rings(channels, run.recording); });
   run.statistics = run_attempt(setup, device, channels, progress);

@@ -28,11 +28,11 @@ struct RecordedRun {
 
 /// Runs the attempt; a thread of its own empties the rings, as the recorder does.
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   std::size_t ring_capacity = 4096, const simulator::Progress& progress = {});
+                   std::size_t ring_capacity = 4096, const Progress& progress = {});
 
 /// The same through channels of the caller, who may set their flags meanwhile.
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,
-                   simulator::AttemptChannels& channels, const simulator::Progress& progress = {});
+                   simulator::AttemptChannels& channels, const Progress& progress = {});
 
 /// The digest of every column of the input tape.
 Digest digest_of_tape(const simulator::Recording& recording) noexcept;

@@ -79,7 +79,7 @@ void draw_people(Ui& ui, const Rect& content, GalleryState& state) {
   const Rect foot = take_bottom(rest, 40.0F, 8.0F);
   const std::array<TableColumn, 4> columns{{{"Name", 0.0F, 2.0F, Align::Left, 0.0F, true},
                                             {"Role", 0.0F, 1.2F},
-                                            {"Attempts", 80.0F, 1.0F, Align::Right, true},
+                                            {"Attempts", 80.0F, 1.0F, Align::Right, 0.0F, true},
                                             {"Last seen", 0.0F, 1.2F}}};
   TableSpec spec;
   spec.columns = columns;

@@ -19,8 +19,8 @@ struct People {
   bool has_checkboxes = true;
 
   void draw(Ui& ui) {
-    const std::array<TableColumn, 2> columns{
-        {{"Name", 0.0F, 1.0F, Align::Left, true}, {"Attempts", 90.0F, 1.0F, Align::Right, true}}};
+    const std::array<TableColumn, 2> columns{{{"Name", 0.0F, 1.0F, Align::Left, 0.0F, true},
+                                              {"Attempts", 90.0F, 1.0F, Align::Right, 0.0F, true}}};
     TableSpec spec;
     spec.columns = columns;
     spec.row_count = rows;
@@ -83,9 +83,9 @@ TEST(Table, ANarrowOneLeavesOutColumnsAndKeepsTheirNumbers) {
   float width = 600.0F;
   std::set<int> drawn;
   Driver driver(texts, [&](Ui& ui) {
-    const std::array<TableColumn, 3> columns{{{"Name", 0.0F, 1.0F, Align::Left, true},
-                                              {"Seen", 90.0F, 1.0F, Align::Left, true, 500.0F},
-                                              {"Attempts", 90.0F, 1.0F, Align::Right, true}}};
+    const std::array<TableColumn, 3> columns{{{"Name", 0.0F, 1.0F, Align::Left, 0.0F, true},
+                                              {"Seen", 90.0F, 1.0F, Align::Left, 500.0F, true},
+                                              {"Attempts", 90.0F, 1.0F, Align::Right, 0.0F, true}}};
     TableSpec spec;
     spec.columns = columns;
     spec.row_count = 3;
