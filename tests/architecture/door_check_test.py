@@ -20,7 +20,7 @@ class DoorCheck(PlantedTree):
         self.plant("simulator/mesh/tree.h", CORNER)
         self.plant("simulator/mesh/tree.cpp", '#include "simulator/mesh/tree.h"\n')
         self.plant("simulator/mesh/walk.h", ROOM)
-        self.plant("simulator/cutting/walk.cpp", '#include "simulator/mesh/walk.h"\n')
+        self.plant("simulator/cutting/field/walk.cpp", '#include "simulator/mesh/walk.h"\n')
         self.plant(HEADER, DOOR)
         self.plant("scenarios/plan.cpp", INCLUDED)
         self.expect_clean("door_check.py")
@@ -32,14 +32,14 @@ class DoorCheck(PlantedTree):
 
     def test_asks_nothing_where_the_table_lets_nobody_in(self):
         self.plant("ui/app/verb.h", DOOR)
-        self.plant("ui/widgets/button.h", DOOR)
-        self.plant("ui/screens/people.cpp", '#include "ui/widgets/button.h"\n')
+        self.plant("ui/widgets/controls/button.h", DOOR)
+        self.plant("ui/screens/parts/people.cpp", '#include "ui/widgets/controls/button.h"\n')
         self.expect_clean("door_check.py")
 
     def test_refuses_a_header_of_a_corner_that_another_corner_includes(self):
         self.plant(HEADER, CORNER)
-        self.plant("simulator/cutting/cut.cpp", INCLUDED)
-        self.refuses("is included by simulator/cutting/cut.cpp")
+        self.plant("simulator/cutting/field/cut.cpp", INCLUDED)
+        self.refuses("is included by simulator/cutting/field/cut.cpp")
 
     def test_refuses_a_header_of_a_room_that_another_room_includes(self):
         self.plant(HEADER, ROOM)
@@ -50,7 +50,7 @@ class DoorCheck(PlantedTree):
         self.plant(HEADER, DOOR)
         self.plant("simulator/mesh/bvh.cpp", INCLUDED)
         self.refuses('ends with "Inside this corner only."')
-        self.plant("simulator/cutting/cut.cpp", INCLUDED)
+        self.plant("simulator/cutting/field/cut.cpp", INCLUDED)
         self.refuses('ends with "Inside this room only."')
 
     def test_refuses_a_room_where_a_corner_is_enough(self):

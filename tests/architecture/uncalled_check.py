@@ -140,9 +140,18 @@ def is_allowed(name, allowed, used):
     return entry is not None
 
 
+def archives_of(build, room):
+    """The archives that Ninja makes of the room; without its plan, those that lie there. An old one may lie there for ever."""
+    plan = build / "build.ninja"
+    if not plan.is_file():
+        return sorted((build / room).rglob("*.a"))
+    made = re.findall(rf"^build ({re.escape(room)}/\S+\.a):", plan.read_text(errors="replace"), re.MULTILINE)
+    return [build / archive for archive in sorted(made)]
+
+
 def product_functions(build):
     for room in ROOMS:
-        for archive in sorted((build / room).rglob("*.a")):
+        for archive in archives_of(build, room):
             for member, function in defined_functions(archive):
                 yield archive.parent.relative_to(build).as_posix(), member, function
 

@@ -98,7 +98,7 @@ TEST(Tissue, MemoryAnswersLikeAFreshSearchInAGeneratedMetatarsal) {
   const TissueMap map{bone};
   std::array<int, 4> met{};
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const auto walk = walk_and_compare(map, {32.0, 0.0, 0.0}, {12.0, 9.0, 9.0}, seed, 800);
+    const auto walk = walk_and_compare(map, {32.0, 0.0, 0.0}, {12.0, 9.0, 9.0}, seed, 1000);
     for (std::size_t i = 0; i < met.size(); ++i) met[i] += walk[i];
   }
   for (const int count : met) EXPECT_GT(count, 50);

@@ -415,7 +415,7 @@ TEST(AuditScreen, ABackupsNameTellsItsMoment) {
 /// What the sources of the database write to the audit.
 std::set<std::string> written_codes() {
   std::set<std::string> codes;
-  for (const auto& entry : std::filesystem::directory_iterator(HALLUX_SOURCE_DATABASE)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(HALLUX_SOURCE_DATABASE)) {
     if (entry.path().extension() != ".cpp") continue;
     std::ifstream stream(entry.path());
     const std::string source((std::istreambuf_iterator<char>(stream)),
