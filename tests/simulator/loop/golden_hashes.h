@@ -28,9 +28,9 @@ inline constexpr GoldenHashes golden_guided{
     .outputs = "b62ea0e134a7c1cb74234c96612dc3a37284e38aa470e204f5b5864e802f3c94"};
 
 inline constexpr GoldenHashes golden_silver_expert_1{
-    .bone = "d35c5032000580aac70591f2e74fac57096b4e1734e17e4d56f20175978380d8",
-    .tape = "07fb2a6c7e8869f5bef9220faf975c10a5b6de587540090c07237ca4c58b2426",
-    .outputs = "f1dda26ad138fa49f85c49013ad8fea0661e54178e7b1eea89079683630d8623"};
+    .bone = "d2fdd45f6706e9642dbda39ea6eb6054304701be9af430cedd788c46605f402e",
+    .tape = "0a146b32690ca75e874d5f820c4f772ad80aeff04d225757e42c1ea8fb6466ef",
+    .outputs = "e2ab88d907e20e07c719100c1c85809f3fbd0848e471db7751bbbc3e2422eb0a"};
 
 /// On the bone that generator 2 made of the same patient, kept in old/.
 inline constexpr GoldenHashes golden_silver_expert_1_generator_2{
