@@ -7,8 +7,6 @@
 #include <ostream>
 #include <system_error>
 
-#include "ui/app/verbs/verb_error.h"
-
 namespace hallux::ui {
 
 namespace {
@@ -95,6 +93,22 @@ database::Session sign_in_as(const VerbContext& context, database::Database& dat
   }
   return database::sign_in(database, context.login,
                            ask_password(context, "Password of " + context.login));
+}
+
+AdministratorSession sign_in_administrator(const VerbContext& context, database::Database& database,
+                                           std::string_view task) {
+  return administrator_in(context, sign_in_as(context, database), task);
+}
+
+AdministratorSession administrator_in(const VerbContext& context, database::Session session,
+                                      std::string_view task) {
+  std::optional<database::AdministratorDesk> desk = session.administrator();
+  if (!desk) {
+    throw VerbError(
+        ExitCode::Refused,
+        context.login + " is not an administrator; only administrators " + std::string(task));
+  }
+  return {std::move(session), *desk};
 }
 
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,

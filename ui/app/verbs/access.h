@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
+#include "database/desks/administrator_desk.h"
 #include "database/desks/desks.h"
 #include "database/desks/session.h"
 #include "database/people/secret_text.h"
@@ -33,6 +35,22 @@ database::SecretText ask_password(const VerbContext& context, const std::string&
 /// Signs in as --as.
 /// errors  DatabaseError Refused; VerbError Refused without --as
 database::Session sign_in_as(const VerbContext& context, database::Database& database);
+
+/// The desk together with the session that it depends on.
+struct AdministratorSession {
+  database::Session session;
+  database::AdministratorDesk desk;
+};
+
+/// `task` ends the sentence "only administrators ...".
+/// errors  DatabaseError Refused; VerbError Refused without --as, or where who signed in is no
+///         administrator
+AdministratorSession sign_in_administrator(const VerbContext& context, database::Database& database,
+                                           std::string_view task);
+
+/// The same where who signed in is known.
+AdministratorSession administrator_in(const VerbContext& context, database::Session session,
+                                      std::string_view task);
 
 using DeskWork = std::function<ExitCode(database::AttemptDesk&)>;
 

@@ -2,8 +2,10 @@
 
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "simulator/base/progress.h"
@@ -26,6 +28,27 @@ Progress progress_on(const VerbContext& context, std::string label) {
     }
     return !is_interrupted();
   };
+}
+
+std::function<Progress(const std::string&)> stages_on(const VerbContext& context) {
+  return [&context](const std::string& stage) { return progress_on(context, stage); };
+}
+
+void choose(CLI::App& verb, VerbContext& context, std::function<ExitCode()> run) {
+  verb.callback([&context, run = std::move(run)] { context.chosen = run; });
+}
+
+void write_json(std::ostream& out, const nlohmann::ordered_json& value) {
+  out << value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+}
+
+void answer(const VerbContext& context, const nlohmann::ordered_json& value,
+            const std::function<void(std::ostream&)>& print) {
+  if (context.json) {
+    write_json(context.out, value);
+  } else {
+    print(context.out);
+  }
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_attempt.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -9,10 +9,8 @@
 #include "scenarios/hands/hand_file.h"
 #include "simulator/base/units.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
-#include "ui/app/verbs/verb_error.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/course/scenario_jobs.h"
 #include "ui/jobs/files/read_small_file.h"
@@ -94,15 +92,11 @@ ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& opti
   database::Database database = open_to_record(context);
   // The attempt is the robot's all the same; but nobody is told that another's name was good.
   if (!context.login.empty()) sign_in_as(context, database);
-  const AttemptOutcome outcome = run_scripted_attempt(
-      database, attempt,
-      [&context](const std::string& stage) { return progress_on(context, stage); });
-  if (context.json) {
-    write_json(context.out, outcome_json(attempt, outcome));
-    return ExitCode::Done;
-  }
-  context.out << score_sheet(outcome.card, attempt.scenario) << "\nattempt " << outcome.attempt.text
-              << "\n";
+  const AttemptOutcome outcome = run_scripted_attempt(database, attempt, stages_on(context));
+  answer(context, outcome_json(attempt, outcome), [&](std::ostream& out) {
+    out << score_sheet(outcome.card, attempt.scenario) << "\nattempt " << outcome.attempt.text
+        << "\n";
+  });
   return ExitCode::Done;
 }
 
@@ -206,13 +200,10 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
           "what the arm is made to feel: simulated, or historic (the thesis's, for the lesson)")
       ->check(CLI::IsMember({"simulated", "historic"}))
       ->capture_default_str();
-  attempt->callback([options, &context] {
-    context.chosen = [options, &context] { return run_attempt_verb(context, *options); };
-  });
+  choose(*attempt, context, [options, &context] { return run_attempt_verb(context, *options); });
 
   CLI::App* attempts = app.add_subcommand("attempts", "list attempts, newest first");
-  attempts->callback(
-      [&context] { context.chosen = [&context] { return list_attempts_on(context); }; });
+  choose(*attempts, context, [&context] { return list_attempts_on(context); });
 }
 
 }  // namespace hallux::ui

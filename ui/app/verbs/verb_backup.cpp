@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_backup.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -11,9 +11,7 @@
 #include "database/maintenance/restore.h"
 #include "simulator/base/progress.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
-#include "ui/app/verbs/administrator_session.h"
-#include "ui/app/verbs/verb_error.h"
+#include "ui/app/verbs/access.h"
 
 namespace hallux::ui {
 
@@ -62,13 +60,9 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
   const std::filesystem::path place =
       folder.empty() ? folder : std::filesystem::absolute(folder).lexically_normal();
   const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
-  if (context.json) {
-    ordered_json answer = json_of(backup);
-    answer["new_bytes"] = backup.new_bytes;
-    write_json(context.out, answer);
-  } else {
-    print(context, backup);
-  }
+  ordered_json row = json_of(backup);
+  row["new_bytes"] = backup.new_bytes;
+  answer(context, row, [&](std::ostream&) { print(context, backup); });
   if (backup.damaged == 0) return ExitCode::Done;
   context.notes << backup.damaged
                 << " attempts were altered before this backup; `hallux verify` names the first\n";
@@ -92,16 +86,14 @@ ExitCode restore_on(const VerbContext& context, database::RestoreOrder order) {
   }
   order.directory = context.data_directory;
   const database::Restored restored = database::restore(order, progress_on(context, "Restoring"));
-  if (context.json) {
-    write_json(context.out, json_of(restored));
-  } else {
-    context.out << "restored " << terminal_text(restored.backup.string()) << " of "
-                << terminal_text(restored.made_utc) << ": " << restored.attempts << " attempts, "
-                << restored.erased_people << " people erased once more\n";
+  answer(context, json_of(restored), [&](std::ostream& out) {
+    out << "restored " << terminal_text(restored.backup.string()) << " of "
+        << terminal_text(restored.made_utc) << ": " << restored.attempts << " attempts, "
+        << restored.erased_people << " people erased once more\n";
     if (restored.first_damage) {
-      context.out << "damaged: " << terminal_text(*restored.first_damage) << "\n";
+      out << "damaged: " << terminal_text(*restored.first_damage) << "\n";
     }
-  }
+  });
   return restored.first_damage ? ExitCode::CheckFailed : ExitCode::Done;
 }
 
@@ -166,12 +158,10 @@ void print_plan(const VerbContext& context, const database::RetentionRules& rule
                 << terminal_text(piece.login) << "  " << terminal_text(piece.since_utc) << "  "
                 << piece.bytes << " bytes\n";
   }
-  if (context.json) {
-    write_json(context.out,
-               ordered_json{{"rules", json_of(rules)}, {"pieces", rows}, {"bytes", bytes}});
-  } else {
-    context.out << pieces.size() << " pieces, " << bytes << " bytes would go\n";
-  }
+  answer(context, {{"rules", json_of(rules)}, {"pieces", rows}, {"bytes", bytes}},
+         [&](std::ostream& out) {
+           out << pieces.size() << " pieces, " << bytes << " bytes would go\n";
+         });
 }
 
 template <typename Desk>
@@ -189,15 +179,15 @@ ExitCode retain_on(const VerbContext& context, Desk& desk, const RetentionOption
     return ExitCode::Done;
   }
   const database::RetentionDone done = desk.retain(progress_on(context, "Letting go"));
-  if (context.json) {
-    write_json(context.out, ordered_json{{"recordings", done.recordings},
-                                         {"accounts", done.accounts},
-                                         {"cached", done.cached},
-                                         {"bytes", done.bytes}});
-  } else {
-    context.out << done.recordings << " recordings, " << done.accounts << " accounts, "
-                << done.cached << " cached files, " << done.bytes << " bytes went\n";
-  }
+  answer(context,
+         {{"recordings", done.recordings},
+          {"accounts", done.accounts},
+          {"cached", done.cached},
+          {"bytes", done.bytes}},
+         [&](std::ostream& out) {
+           out << done.recordings << " recordings, " << done.accounts << " accounts, "
+               << done.cached << " cached files, " << done.bytes << " bytes went\n";
+         });
   return ExitCode::Done;
 }
 
@@ -213,13 +203,11 @@ void add_backup_verb(CLI::App& app, VerbContext& context) {
       "backup", "copy all that is kept, also while it is used; recordings are written once");
   backup->add_option("--to", options->folder, "folder of backups; without it DIR/backups");
   backup->add_flag("--list", options->is_list, "list the backups in DIR/backups instead");
-  backup->callback([options, &context] {
-    context.chosen = [options, &context] {
-      return keeping(context, "back up", [&](auto& desk) {
-        return options->is_list ? list_backups_on(context, desk)
-                                : back_up_on(context, desk, options->folder);
-      });
-    };
+  choose(*backup, context, [options, &context] {
+    return keeping(context, "back up", [&](auto& desk) {
+      return options->is_list ? list_backups_on(context, desk)
+                              : back_up_on(context, desk, options->folder);
+    });
   });
 }
 
@@ -235,9 +223,7 @@ void add_restore_verb(CLI::App& app, VerbContext& context) {
                       "a newer journal of erasures than the one beside the backup");
   restore->add_flag("--even-damaged", order->even_damaged,
                     "give back what is whole although a recording or a row is not");
-  restore->callback([order, &context] {
-    context.chosen = [order, &context] { return restore_on(context, *order); };
-  });
+  choose(*restore, context, [order, &context] { return restore_on(context, *order); });
 }
 
 void add_retention_verb(CLI::App& app, VerbContext& context) {
@@ -252,11 +238,9 @@ void add_retention_verb(CLI::App& app, VerbContext& context) {
   add("--assessment-days", options->assessment, "of assessments, from the last decision");
   add("--account-days", options->account, "keep disabled accounts so long, or ever");
   add("--cache-days", options->cache, "keep what can be made again so long, or ever");
-  retention->callback([options, &context] {
-    context.chosen = [options, &context] {
-      return keeping(context, "decide what is kept",
-                     [&](auto& desk) { return retain_on(context, desk, *options); });
-    };
+  choose(*retention, context, [options, &context] {
+    return keeping(context, "decide what is kept",
+                   [&](auto& desk) { return retain_on(context, desk, *options); });
   });
 }
 

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_cut.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,8 +11,6 @@
 #include <string_view>
 
 #include "simulator/base/units.h"
-#include "ui/app/terminal/write_json.h"
-#include "ui/app/verbs/verb_error.h"
 #include "ui/jobs/cut_mesh.h"
 #include "ui/jobs/frame_times.h"
 
@@ -239,11 +237,7 @@ CutReport cut_or_refuse(const VerbContext& context, const CutRequest& request) {
 
 ExitCode cut_on(const VerbContext& context, const CutRequest& request) {
   const CutReport report = cut_or_refuse(context, request);
-  if (context.json) {
-    write_json(context.out, report_json(report));
-  } else {
-    print_report(context.out, report);
-  }
+  answer(context, report_json(report), [&](std::ostream& out) { print_report(out, report); });
   expect_promises(report, request.mesh_file.filename().string());
   return ExitCode::Done;
 }

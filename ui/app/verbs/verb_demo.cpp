@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_demo.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,8 +6,6 @@
 #include <ostream>
 
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
-#include "ui/app/verbs/verb_error.h"
 #include "ui/jobs/demo/demo_course.h"
 
 namespace hallux::ui {
@@ -49,14 +47,8 @@ ExitCode demo_on(const VerbContext& context, int attempts_max) {
   }
   DemoOptions options;
   options.attempts_max = attempts_max;
-  const DemoCourse course = make_demo_course(
-      context.data_directory, options,
-      [&context](const std::string& stage) { return progress_on(context, stage); });
-  if (context.json) {
-    write_json(context.out, course_json(course));
-  } else {
-    print_course(context, course);
-  }
+  const DemoCourse course = make_demo_course(context.data_directory, options, stages_on(context));
+  answer(context, course_json(course), [&](std::ostream&) { print_course(context, course); });
   return ExitCode::Done;
 }
 
@@ -69,9 +61,7 @@ void add_demo_verb(CLI::App& app, VerbContext& context) {
   demo->add_option("--attempts", *attempts_max, "attempts of each trainee, at most")
       ->check(CLI::Range(1, DemoOptions{}.attempts_max))
       ->capture_default_str();
-  demo->callback([attempts_max, &context] {
-    context.chosen = [attempts_max, &context] { return demo_on(context, *attempts_max); };
-  });
+  choose(*demo, context, [attempts_max, &context] { return demo_on(context, *attempts_max); });
 }
 
 }  // namespace hallux::ui

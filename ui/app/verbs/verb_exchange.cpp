@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_exchange.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -7,9 +7,7 @@
 
 #include "database/desks/exportable.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
-#include "ui/app/verbs/administrator_session.h"
-#include "ui/app/verbs/verb_error.h"
+#include "ui/app/verbs/access.h"
 #include "ui/jobs/exchange_jobs.h"
 
 namespace hallux::ui {
@@ -29,10 +27,6 @@ struct ExportOptions {
 struct OriginOptions {
   std::string accepted, unaccepted;
 };
-
-StageProgress stages_on(const VerbContext& context) {
-  return [&context](const std::string& stage) { return progress_on(context, stage); };
-}
 
 void check_choice(const ExportOptions& options) {
   const int said = (options.attempt.empty() ? 0 : 1) + (options.choice.login.empty() ? 0 : 1) +
@@ -70,13 +64,11 @@ void check_not_empty(const ExportRequest& request) {
 }
 
 void say_exported(const VerbContext& context, const ExportRequest& request) {
-  if (context.json) {
-    write_json(context.out, ordered_json{{"folder", request.folder.string()},
-                                         {"attempts", request.attempts.size()}});
-  } else {
-    context.out << request.attempts.size() << " attempts in "
-                << terminal_text(request.folder.string()) << "\n";
-  }
+  answer(context, {{"folder", request.folder.string()}, {"attempts", request.attempts.size()}},
+         [&](std::ostream& out) {
+           out << request.attempts.size() << " attempts in "
+               << terminal_text(request.folder.string()) << "\n";
+         });
 }
 
 ExitCode export_on(const VerbContext& context, const ExportOptions& options) {
@@ -116,14 +108,14 @@ void say_imported(const VerbContext& context, const ImportReport& report) {
     refused.push_back({{"folder", folder.folder}, {"reason", folder.reason}});
     if (!context.json) context.out << "refused: " << terminal_text(folder.reason) << "\n";
   }
-  if (context.json) {
-    write_json(context.out, ordered_json{{"imported", ids_json(report.imported)},
-                                         {"known", ids_json(report.known)},
-                                         {"refused", refused}});
-  } else {
-    context.out << report.imported.size() << " taken in, " << report.known.size()
-                << " were here already, " << report.refused.size() << " refused\n";
-  }
+  answer(context,
+         {{"imported", ids_json(report.imported)},
+          {"known", ids_json(report.known)},
+          {"refused", refused}},
+         [&](std::ostream& out) {
+           out << report.imported.size() << " taken in, " << report.known.size()
+               << " were here already, " << report.refused.size() << " refused\n";
+         });
 }
 
 ExitCode import_on(const VerbContext& context, const std::filesystem::path& folder) {
@@ -165,9 +157,7 @@ void add_export_verb(CLI::App& app, VerbContext& context) {
                    "all attempts of the trainees of this cohort");
   verb->add_flag("--all", options->is_all, "all that you may export");
   verb->add_option("-o,--output", options->folder, "folder that is new or empty")->required();
-  verb->callback([options, &context] {
-    context.chosen = [options, &context] { return export_on(context, *options); };
-  });
+  choose(*verb, context, [options, &context] { return export_on(context, *options); });
 }
 
 }  // namespace
@@ -178,19 +168,14 @@ void add_exchange_verbs(CLI::App& app, VerbContext& context) {
   CLI::App* import = app.add_subcommand(
       "import", "take in what another data directory exported; for administrators");
   import->add_option("folder", *folder, "what `hallux export` wrote")->required();
-  import->callback([folder, &context] {
-    context.chosen = [folder, &context] { return import_on(context, *folder);
-};
-}  // namespace hallux::ui
-);
-auto options = std::make_shared<OriginOptions>();
-CLI::App* origins = app.add_subcommand(
-    "origins", "where imported attempts were made, and whether they count; for administrators");
-origins->add_option("--accept", options->accepted, "what came from this directory counts");
-origins->add_option("--unaccept", options->unaccepted, "it counts no longer");
-origins->callback([options, &context] {
-  context.chosen = [options, &context] { return origins_on(context, *options); };
-});
+  choose(*import, context, [folder, &context] { return import_on(context, *folder); });
+
+  auto options = std::make_shared<OriginOptions>();
+  CLI::App* origins = app.add_subcommand(
+      "origins", "where imported attempts were made, and whether they count; for administrators");
+  origins->add_option("--accept", options->accepted, "what came from this directory counts");
+  origins->add_option("--unaccept", options->unaccepted, "it counts no longer");
+  choose(*origins, context, [options, &context] { return origins_on(context, *options); });
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_export_person.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -8,9 +8,7 @@
 
 #include "simulator/base/progress.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
-#include "ui/app/verbs/administrator_session.h"
-#include "ui/app/verbs/verb_error.h"
+#include "ui/app/verbs/access.h"
 
 namespace hallux::ui {
 
@@ -39,15 +37,15 @@ database::PersonExport exported(const VerbContext& context, database::Database& 
 ExitCode export_on(const VerbContext& context, const ExportOptions& options) {
   database::Database database = open_kept(context);
   const database::PersonExport done = exported(context, database, options);
-  if (context.json) {
-    write_json(context.out, nlohmann::ordered_json{{"login", options.login},
-                                                   {"directory", done.directory.string()},
-                                                   {"files", done.files},
-                                                   {"rows", done.rows}});
-  } else {
-    context.out << done.files << " files in " << terminal_text(done.directory.string())
-                << "; begin with explanation.txt\n";
-  }
+  answer(context,
+         {{"login", options.login},
+          {"directory", done.directory.string()},
+          {"files", done.files},
+          {"rows", done.rows}},
+         [&](std::ostream& out) {
+           out << done.files << " files in " << terminal_text(done.directory.string())
+               << "; begin with explanation.txt\n";
+         });
   return ExitCode::Done;
 }
 
@@ -60,9 +58,7 @@ void add_export_person_verb(CLI::App& app, VerbContext& context) {
   verb->add_option("login", options->login, "whose; your own, or as an administrator anybody's")
       ->required();
   verb->add_option("-o,--output", options->directory, "directory that is new or empty")->required();
-  verb->callback([options, &context] {
-    context.chosen = [options, &context] { return export_on(context, *options); };
-  });
+  choose(*verb, context, [options, &context] { return export_on(context, *options); });
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_replay.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "ui/app/terminal/write_json.h"
 #include "ui/app/verbs/access.h"
 #include "ui/jobs/attempt_jobs.h"
 
@@ -56,15 +55,11 @@ ExitCode replay_on(const VerbContext& context, const std::string& id) {
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});
     const auto before = std::chrono::steady_clock::now();
-    const std::optional<ReplayResult> result = replay_attempt(
-        material, [&context](const std::string& stage) { return progress_on(context, stage); });
+    const std::optional<ReplayResult> result = replay_attempt(material, stages_on(context));
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-    if (context.json) {
-      write_json(context.out, replay_json(material, result, seconds));
-    } else {
-      print_replay(context.out, material, result, seconds);
-    }
+    answer(context, replay_json(material, result, seconds),
+           [&](std::ostream& out) { print_replay(out, material, result, seconds); });
     return result && !result->is_identical ? ExitCode::CheckFailed : ExitCode::Done;
   });
 }
@@ -76,8 +71,7 @@ void add_replay_verb(CLI::App& app, VerbContext& context) {
   CLI::App* replay = app.add_subcommand(
       "replay", "run the step again from the recorded input and compare every output");
   replay->add_option("attempt", *id, "the attempt's id, or its first characters")->required();
-  replay->callback(
-      [id, &context] { context.chosen = [id, &context] { return replay_on(context, *id); }; });
+  choose(*replay, context, [id, &context] { return replay_on(context, *id); });
 }
 
 }  // namespace hallux::ui

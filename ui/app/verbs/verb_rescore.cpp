@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_rescore.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -7,9 +7,7 @@
 #include <ostream>
 
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
 #include "ui/app/verbs/access.h"
-#include "ui/app/verbs/verb_error.h"
 #include "ui/jobs/rescore_jobs.h"
 
 namespace hallux::ui {
@@ -143,9 +141,7 @@ void add_rescore_verb(CLI::App& app, VerbContext& context) {
                    "score with the text of this version instead of each attempt's own")
       ->check(CLI::Range(1, 1'000'000));
   verb->add_flag("--dry-run", options->is_dry_run, "say what would change and store nothing");
-  verb->callback([options, &context] {
-    context.chosen = [options, &context] { return rescore_on(context, *options); };
-  });
+  choose(*verb, context, [options, &context] { return rescore_on(context, *options); });
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_scenario.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
 #include "ui/jobs/course/scenario_jobs.h"
 
 namespace hallux::ui {
@@ -70,13 +69,9 @@ ExitCode check_on(const VerbContext& context, const std::filesystem::path& file)
 
 ExitCode show_on(const VerbContext& context, const std::string& name) {
   const Scenario scenario = scenarios::load_shipped_scenario(name);
-  if (context.json) {
-    ordered_json answer = ordered_json::parse(scenario.text);
-    answer["review"] = scenarios::review_label(scenario);
-    write_json(context.out, answer);
-  } else {
-    context.out << scenario_sheet(scenario);
-  }
+  ordered_json text = ordered_json::parse(scenario.text);
+  text["review"] = scenarios::review_label(scenario);
+  answer(context, text, [&](std::ostream& out) { out << scenario_sheet(scenario); });
   return ExitCode::Done;
 }
 
@@ -87,7 +82,7 @@ void add_scenario_verb(CLI::App& app, VerbContext& context) {
   verb->require_subcommand(1);
 
   CLI::App* list = verb->add_subcommand("list", "List the scenarios that come with the program");
-  list->callback([&context] { context.chosen = [&context] { return list_on(context); }; });
+  choose(*list, context, [&context] { return list_on(context); });
 
   // The callbacks outlive this function, so what they read is shared between the option and the
   // callback.
@@ -95,14 +90,12 @@ void add_scenario_verb(CLI::App& app, VerbContext& context) {
   CLI::App* check =
       verb->add_subcommand("check", "Read a scenario and lay its planes on its patient");
   check->add_option("FILE", *file, "The scenario's JSON file")->required();
-  check->callback(
-      [&context, file] { context.chosen = [&context, file] { return check_on(context, *file); }; });
+  choose(*check, context, [&context, file] { return check_on(context, *file); });
 
   const auto name = std::make_shared<std::string>();
   CLI::App* show = verb->add_subcommand("show", "Show a scenario with the origin of every number");
   show->add_option("NAME", *name, "The scenario's name, as `scenario list` prints it")->required();
-  show->callback(
-      [&context, name] { context.chosen = [&context, name] { return show_on(context, *name); }; });
+  choose(*show, context, [&context, name] { return show_on(context, *name); });
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_score.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,7 +6,6 @@
 
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/terminal/write_file.h"
-#include "ui/app/terminal/write_json.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
 #include "ui/jobs/attempt_jobs.h"
@@ -26,10 +25,6 @@ struct ReportOptions {
   std::string attempt;
   std::filesystem::path output;
 };
-
-StageProgress stages_on(const VerbContext& context) {
-  return [&context](const std::string& stage) { return progress_on(context, stage); };
-}
 
 ExitCode score_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_kept(context);
@@ -71,13 +66,13 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
                       quality ? verdict_of(quality->certificate) : database::Verdict{});
     const std::string page = html_report(shown);
     write_file_whole(options.output, page);
-    if (context.json) {
-      write_json(context.out, ordered_json{{"attempt", material.header.id.text},
-                                           {"file", options.output.string()},
-                                           {"bytes", page.size()}});
-    } else {
-      context.out << "report " << terminal_text(options.output.string()) << "\n";
-    }
+    answer(context,
+           {{"attempt", material.header.id.text},
+            {"file", options.output.string()},
+            {"bytes", page.size()}},
+           [&](std::ostream& out) {
+             out << "report " << terminal_text(options.output.string()) << "\n";
+           });
     return ExitCode::Done;
   });
 }
@@ -89,17 +84,14 @@ void add_score_verbs(CLI::App& app, VerbContext& context) {
   CLI::App* score =
       app.add_subcommand("score", "score an attempt from what was recorded, and keep the score");
   score->add_option("attempt", *id, "the attempt's id, or its first characters")->required();
-  score->callback(
-      [id, &context] { context.chosen = [id, &context] { return score_on(context, *id); }; });
+  choose(*score, context, [id, &context] { return score_on(context, *id); });
 
   auto options = std::make_shared<ReportOptions>();
   CLI::App* report = app.add_subcommand("report", "write an attempt's report as one HTML page");
   report->add_option("attempt", options->attempt, "the attempt's id, or its first characters")
       ->required();
   report->add_option("-o,--output", options->output, "the file to write")->required();
-  report->callback([options, &context] {
-    context.chosen = [options, &context] { return report_on(context, *options); };
-  });
+  choose(*report, context, [options, &context] { return report_on(context, *options); });
 }
 
 }  // namespace hallux::ui

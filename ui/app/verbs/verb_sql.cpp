@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_sql.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -8,10 +8,7 @@
 #include <ostream>
 
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
 #include "ui/app/verbs/access.h"
-#include "ui/app/verbs/administrator_session.h"
-#include "ui/app/verbs/verb_error.h"
 
 namespace hallux::ui {
 
@@ -69,9 +66,10 @@ ordered_json json_of(const ReportCell& cell) {
 }
 
 /// RFC 4180. A text that a spreadsheet would take for a formula gets an apostrophe before it.
-std::string csv_of(const std::string& text, bool is_text) {
-  const bool is_formula =
-      is_text && !text.empty() && std::string_view{"=+-@\t\r"}.find(text[0]) != std::string::npos;
+std::string csv_of(const ReportCell& cell) {
+  const std::string text = text_of(cell);
+  const bool is_formula = std::holds_alternative<std::string>(cell) && !text.empty() &&
+                          std::string_view{"=+-@\t\r"}.find(text[0]) != std::string::npos;
   const std::string safe = is_formula ? "'" + text : text;
   if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
   std::string quoted = "\"";
@@ -82,21 +80,22 @@ std::string csv_of(const std::string& text, bool is_text) {
   return quoted + '"';
 }
 
-void write_csv(std::ostream& out, const Report& report) {
-  const char* before = "";
-  for (const std::string& column : report.columns) {
-    out << before << csv_of(column, true);
-    before = ",";
-  }
-  out << "\r\n";
-  for (const auto& row : report.rows) {
-    before = "";
-    for (const ReportCell& cell : row) {
-      out << before << csv_of(text_of(cell), std::holds_alternative<std::string>(cell));
-      before = ",";
+/// What a terminal may show of a cell.
+std::string shown_of(const ReportCell& cell) { return terminal_text(text_of(cell)); }
+
+/// A line with the names of the columns, then one for each row.
+void write_lines(std::ostream& out, const Report& report, const char* between, const char* end,
+                 std::string (*written_of)(const ReportCell&)) {
+  const auto write_line = [&](const auto& cells) {
+    const char* before = "";
+    for (const auto& cell : cells) {
+      out << before << written_of(cell);
+      before = between;
     }
-    out << "\r\n";
-  }
+    out << end;
+  };
+  write_line(report.columns);
+  for (const auto& row : report.rows) write_line(row);
 }
 
 void write_as_json(std::ostream& out, const Report& report) {
@@ -109,23 +108,6 @@ void write_as_json(std::ostream& out, const Report& report) {
   write_json(out, ordered_json{{"columns", report.columns}, {"rows", std::move(rows)}});
 }
 
-void write_lines(std::ostream& out, const Report& report) {
-  const char* before = "";
-  for (const std::string& column : report.columns) {
-    out << before << terminal_text(column);
-    before = "\t";
-  }
-  out << "\n";
-  for (const auto& row : report.rows) {
-    before = "";
-    for (const ReportCell& cell : row) {
-      out << before << terminal_text(text_of(cell));
-      before = "\t";
-    }
-    out << "\n";
-  }
-}
-
 ExitCode sql_on(const VerbContext& context, const SqlOptions& options) {
   if (context.json && options.csv) {
     throw VerbError(ExitCode::WrongUsage, "an answer is --json or --csv, not both");
@@ -134,9 +116,9 @@ ExitCode sql_on(const VerbContext& context, const SqlOptions& options) {
   if (context.json) {
     write_as_json(context.out, report);
   } else if (options.csv) {
-    write_csv(context.out, report);
+    write_lines(context.out, report, ",", "\r\n", csv_of);
   } else {
-    write_lines(context.out, report);
+    write_lines(context.out, report, "\t", "\n", shown_of);
   }
   return ExitCode::Done;
 }
@@ -150,9 +132,7 @@ void add_sql_verb(CLI::App& app, VerbContext& context) {
   sql->add_option("statement", options->statement, "as \"SELECT count(*) FROM attempt\"")
       ->required();
   sql->add_flag("--csv", options->csv, "answer as CSV");
-  sql->callback([&context, options] {
-    context.chosen = [&context, options] { return sql_on(context, *options); };
-  });
+  choose(*sql, context, [&context, options] { return sql_on(context, *options); });
 }
 
 }  // namespace hallux::ui

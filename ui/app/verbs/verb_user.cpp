@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_user.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -8,9 +8,7 @@
 #include "database/people/recovery.h"
 #include "simulator/base/progress.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
-#include "ui/app/verbs/administrator_session.h"
-#include "ui/app/verbs/verb_error.h"
+#include "ui/app/verbs/access.h"
 
 namespace hallux::ui {
 
@@ -32,11 +30,8 @@ AdministratorSession visit(const VerbContext& context, database::Database& datab
 }
 
 void say(const VerbContext& context, const std::string& login, const std::string& what) {
-  if (context.json) {
-    write_json(context.out, ordered_json{{"login", login}, {"done", what}});
-  } else {
-    context.out << login << ": " << what << "\n";
-  }
+  answer(context, {{"login", login}, {"done", what}},
+         [&](std::ostream& out) { out << login << ": " << what << "\n"; });
 }
 
 /// Whether the first person may be added: nobody signs in to a data directory without people.
@@ -142,25 +137,19 @@ ExitCode erase_on(const VerbContext& context, const UserOptions& options) {
                     "only administrators erase people; say who you are with --as");
   }
   const database::SecretText password = ask_password(context, "Password of " + context.login);
-  database::Session session = database::sign_in(database, context.login, password);
-  std::optional<database::AdministratorDesk> desk = session.administrator();
-  if (!desk) {
-    throw VerbError(ExitCode::Refused,
-                    context.login + " is not an administrator; only administrators manage people");
-  }
-  const database::ErasedPieces erased =
-      desk->erase_person({options.login, options.reason, options.with_recordings},
-                         session.prove(password), progress_on(context, "Erasing"));
-  if (context.json) {
-    write_json(context.out, ordered_json{{"login", options.login},
-                                         {"done", "erased"},
-                                         {"texts", erased.texts},
-                                         {"recordings", erased.recordings},
-                                         {"bytes", erased.recording_bytes},
-                                         {"log_cleared", erased.is_log_cleared}});
-  } else {
-    say(context, options.login, "erased");
-  }
+  AdministratorSession administrator = administrator_in(
+      context, database::sign_in(database, context.login, password), "manage people");
+  const database::ErasedPieces erased = administrator.desk.erase_person(
+      {options.login, options.reason, options.with_recordings},
+      administrator.session.prove(password), progress_on(context, "Erasing"));
+  answer(context,
+         {{"login", options.login},
+          {"done", "erased"},
+          {"texts", erased.texts},
+          {"recordings", erased.recordings},
+          {"bytes", erased.recording_bytes},
+          {"log_cleared", erased.is_log_cleared}},
+         [&](std::ostream& out) { out << options.login << ": erased\n"; });
   if (!erased.is_log_cleared) {
     context.notes << "another program is reading: SQLite's log may hold the name until it ends\n";
   }
@@ -173,16 +162,14 @@ ExitCode recover_on(const VerbContext& context, const UserOptions& options) {
   database::Database database = open_kept(context);
   const database::IssuedCode issued = database::recover_administrator(database, options.login);
   const std::string code{issued.code.view()};
-  if (context.json) {
-    write_json(
-        context.out,
-        ordered_json{{"login", options.login}, {"code", code}, {"expires", issued.expires_utc}});
-  } else {
-    context.out << code << "\n";
-    context.notes << "Choose a password for " << options.login << " with this one-time code before "
-                  << issued.expires_utc << ", in the window or by `hallux user passwd "
-                  << options.login << " --code`. Every administrator is told.\n";
-  }
+  answer(context, {{"login", options.login}, {"code", code}, {"expires", issued.expires_utc}},
+         [&](std::ostream& out) {
+           out << code << "\n";
+           context.notes << "Choose a password for " << options.login
+                         << " with this one-time code before " << issued.expires_utc
+                         << ", in the window or by `hallux user passwd " << options.login
+                         << " --code`. Every administrator is told.\n";
+         });
   return ExitCode::Done;
 }
 
@@ -195,10 +182,8 @@ void add_user_verb(CLI::App& app, VerbContext& context) {
                                       "of --as, then the new one");
   user->require_subcommand(1);
   auto options = std::make_shared<UserOptions>();
-  const auto choose = [&context, options](CLI::App* verb, auto run) {
-    verb->callback([options, &context, run] {
-      context.chosen = [options, &context, run] { return run(context, *options); };
-    });
+  const auto offer = [&context, options](CLI::App* verb, auto run) {
+    choose(*verb, context, [options, &context, run] { return run(context, *options); });
   };
 
   CLI::App* add =
@@ -207,37 +192,37 @@ void add_user_verb(CLI::App& app, VerbContext& context) {
       ->required();
   add->add_option("--name", options->display_name, "the name that is shown");
   add->add_flag("--administrator", options->is_administrator, "may manage people and scenarios");
-  choose(add, add_on);
+  offer(add, add_on);
 
   CLI::App* list = user->add_subcommand("list", "list people");
-  choose(list, [](const VerbContext& chosen, const UserOptions&) { return list_on(chosen); });
+  offer(list, [](const VerbContext& chosen, const UserOptions&) { return list_on(chosen); });
 
   CLI::App* passwd =
       user->add_subcommand("passwd", "change your password, or set another person's");
   passwd->add_option("login", options->login, "whose; your own without it");
   passwd->add_flag("--code", options->with_code,
                    "with a one-time code in place of the old password");
-  choose(passwd, passwd_on);
+  offer(passwd, passwd_on);
 
   CLI::App* disable =
       user->add_subcommand("disable", "keep a person from signing in; nothing is deleted");
   disable->add_option("login", options->login, "who")->required();
   disable->add_flag("--enable", options->enable, "let the person sign in again");
-  choose(disable, disable_on);
+  offer(disable, disable_on);
 
   CLI::App* erase = user->add_subcommand(
       "erase", "take all that names a person away, for good; scores stay as a statistic");
   erase->add_option("login", options->login, "who")->required();
   erase->add_option("--reason", options->reason, "why; kept, and must not name them")->required();
   erase->add_flag("--with-recordings", options->with_recordings, "their recordings as well");
-  choose(erase, erase_on);
+  offer(erase, erase_on);
 
   CLI::App* recover = user->add_subcommand(
       "recover",
       "a one-time code for an administrator who forgot the password; for the owner of the data "
       "directory, without --as");
   recover->add_option("login", options->login, "which administrator")->required();
-  choose(recover, recover_on);
+  offer(recover, recover_on);
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/app/verbs/verb_verify.h"
+#include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,6 @@
 
 #include "database/maintenance/verify.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_json.h"
 #include "ui/app/verbs/access.h"
 
 namespace hallux::ui {
@@ -45,7 +44,7 @@ ExitCode verify_on(const VerbContext& context) {
 void add_verify_verb(CLI::App& app, VerbContext& context) {
   CLI::App* verify = app.add_subcommand(
       "verify", "check the file and every hash chain; names the first row that was altered");
-  verify->callback([&context] { context.chosen = [&context] { return verify_on(context); }; });
+  choose(*verify, context, [&context] { return verify_on(context); });
 }
 
 }  // namespace hallux::ui

@@ -1,6 +1,5 @@
 #include "ui/app/window/open_window.h"
 
-#include "ui/app/verbs/verb_error.h"
 #include "ui/app/window/course.h"
 #include "ui/app/window/window_preferences.h"
 #include "ui/window/lost_display.h"

@@ -17,7 +17,7 @@
 #include "simulator/mesh/write_ply.h"
 #include "tests/support/worlds.h"
 #include "ui/app/terminal/interrupt.h"
-#include "ui/app/verbs/verb_cut.h"
+#include "ui/app/verbs/verbs.h"
 #include "ui/jobs/cut_sweep.h"
 #include "ui/jobs/files/output_error.h"
 
