@@ -46,20 +46,11 @@ void store_text(Database& database, std::int64_t number, const Salt& salt,
 }
 
 void store_row(Database& database, const AuditRow& row, const Digest& link) {
-  SQLite::Statement insert{
-      database.connection(),
-      "INSERT INTO audit (audit_id, at_utc, actor_person_id, action, subject_kind, subject_id, "
-      "outcome, detail_digest, link) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
-  insert.bind(1, row.number);
-  insert.bind(2, row.at_utc);
-  if (row.entry.actor) insert.bind(3, row.entry.actor->number);
-  insert.bind(4, row.entry.action);
-  insert.bind(5, row.entry.subject_kind);
-  insert.bind(6, row.entry.subject_id);
-  insert.bind(7, row.entry.was_refused ? "refused" : "done");
-  if (row.entry.detail) bind_digest(insert, 8, *row.entry.detail);
-  bind_digest(insert, 9, link);
-  insert.exec();
+  execute(database,
+          "INSERT INTO audit (audit_id, at_utc, actor_person_id, action, subject_kind, subject_id, "
+          "outcome, detail_digest, link) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+          row.number, row.at_utc, row.entry.actor, row.entry.action, row.entry.subject_kind,
+          row.entry.subject_id, row.entry.was_refused ? "refused" : "done", row.entry.detail, link);
 }
 
 /// needs   a transaction that began IMMEDIATE: two writers must not take the same number
@@ -67,8 +58,8 @@ void append_in_transaction(Database& database, AuditEntry entry) {
   Digest before;
   std::int64_t last_number = 0;
   {
-    SQLite::Statement last{database.connection(),
-                           "SELECT audit_id, link FROM audit ORDER BY audit_id DESC LIMIT 1"};
+    auto last =
+        prepared(database, "SELECT audit_id, link FROM audit ORDER BY audit_id DESC LIMIT 1");
     if (last.executeStep()) {
       last_number = last.getColumn(0).getInt64();
       before = digest_in(last.getColumn(1)).value_or(Digest{});
@@ -87,12 +78,9 @@ void append_in_transaction(Database& database, AuditEntry entry) {
 
 AuditRow row_in(SQLite::Statement& rows) {
   AuditRow row;
-  row.number = rows.getColumn(0).getInt64();
-  row.at_utc = rows.getColumn(1).getString();
+  read_columns(rows, 0, row.number, row.at_utc);
   if (!rows.getColumn(2).isNull()) row.entry.actor = PersonId{rows.getColumn(2).getInt64()};
-  row.entry.action = rows.getColumn(3).getString();
-  row.entry.subject_kind = rows.getColumn(4).getString();
-  row.entry.subject_id = rows.getColumn(5).getString();
+  read_columns(rows, 3, row.entry.action, row.entry.subject_kind, row.entry.subject_id);
   row.entry.was_refused = rows.getColumn(6).getString() == "refused";
   row.entry.detail = digest_in(rows.getColumn(7));
   row.entry.text = rows.getColumn(9).getString();
@@ -112,14 +100,13 @@ bool has_own_text(SQLite::Statement& rows, const AuditRow& row) {
 /// them.
 std::vector<AuditRow> rows_after(Database& database, std::int64_t last, Digest& link) {
   return translating(database, "read the audit", [&] {
-    SQLite::Statement rows{
-        database.connection(),
+    auto rows = prepared(
+        database,
         "SELECT a.audit_id, a.at_utc, a.actor_person_id, a.action, a.subject_kind, a.subject_id, "
         "a.outcome, a.detail_digest, a.link, t.text, t.salt FROM audit a "
         "LEFT JOIN audit_text t ON t.audit_id = a.audit_id WHERE a.audit_id > ? "
-        "ORDER BY a.audit_id LIMIT ?"};
-    rows.bind(1, last);
-    rows.bind(2, rows_at_once);
+        "ORDER BY a.audit_id LIMIT ?",
+        last, rows_at_once);
     std::vector<AuditRow> some;
     while (rows.executeStep()) {
       AuditRow row = row_in(rows);

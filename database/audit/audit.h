@@ -28,9 +28,9 @@ struct AuditEntry {
   std::string subject_kind, subject_id;
   bool was_refused = false;
   /// Of what was sealed or stored; not together with `text`.
-  std::optional<Digest> detail;
+  std::optional<Digest> detail = {};
   /// Names and free text: kept where it can be erased.
-  std::string text;
+  std::string text = {};
 };
 
 struct AuditRow {

@@ -35,11 +35,9 @@ AuditLine line_in(SQLite::Statement& row) {
 
 std::int64_t count_of(Database& database, bool refused_only) {
   // Rows are numbered from 1 without gaps, so that the last number says how many there are.
-  SQLite::Statement row{database.connection(),
-                        refused_only ? "SELECT count(*) FROM audit WHERE outcome = 'refused'"
-                                     : "SELECT coalesce(max(audit_id), 0) FROM audit"};
-  row.executeStep();
-  return row.getColumn(0).getInt64();
+  return single<std::int64_t>(database, refused_only
+                                            ? "SELECT count(*) FROM audit WHERE outcome = 'refused'"
+                                            : "SELECT coalesce(max(audit_id), 0) FROM audit");
 }
 
 }  // namespace
@@ -47,12 +45,12 @@ std::int64_t count_of(Database& database, bool refused_only) {
 AuditPage read_audit_page(Database& database, const AuditRequest& request) {
   return translating(database, "read a page of the audit", [&] {
     const auto lines = static_cast<std::size_t>(std::clamp(request.lines, 1, lines_max));
-    SQLite::Statement rows{database.connection(),
-                           std::string{line_columns} + "WHERE a.audit_id < ?1 " +
-                               (request.refused_only ? "AND a.outcome = 'refused' " : "") +
-                               "ORDER BY a.audit_id DESC LIMIT ?2"};
-    rows.bind(1, request.before.value_or(std::numeric_limits<std::int64_t>::max()));
-    rows.bind(2, static_cast<std::int64_t>(lines) + 1);
+    auto rows = prepared(database,
+                         std::string{line_columns} + "WHERE a.audit_id < ?1 " +
+                             (request.refused_only ? "AND a.outcome = 'refused' " : "") +
+                             "ORDER BY a.audit_id DESC LIMIT ?2",
+                         request.before.value_or(std::numeric_limits<std::int64_t>::max()),
+                         static_cast<std::int64_t>(lines) + 1);
     AuditPage page;
     while (rows.executeStep()) page.lines.push_back(line_in(rows));
     if (page.lines.size() > lines) {

@@ -30,27 +30,17 @@ AttemptId random_attempt_id() {
 }
 
 void insert_attempt(Database& database, const AttemptId& id, const NewAttempt& attempt) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, "
-                           "device_class, pacing, "
-                           "stereo_mode, bone_digest, engine_version, started_utc, kind, "
-                           "guidance, is_simulated, state) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-                           "EXISTS (SELECT 1 FROM simulated_course), 'recording')"};
-  insert.bind(1, id.text);
-  insert.bind(2, attempt.scenario.number);
-  if (attempt.person) insert.bind(3, attempt.person->number);
-  insert.bind(4, attempt.hand);
-  insert.bind(5, static_cast<std::int64_t>(attempt.seed));
-  insert.bind(6, attempt.device_class);
-  insert.bind(7, attempt.pacing);
-  insert.bind(8, attempt.stereo_mode);
-  bind_digest(insert, 9, attempt.bone);
-  insert.bind(10, attempt.engine);
-  insert.bind(11, utc_now(database));
-  bind_text(insert, 12, name_of(attempt.kind));
-  bind_text(insert, 13, name_of(attempt.guidance));
-  insert.exec();
+  execute(database,
+          "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, "
+          "device_class, pacing, "
+          "stereo_mode, bone_digest, engine_version, started_utc, kind, "
+          "guidance, is_simulated, state) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+          "EXISTS (SELECT 1 FROM simulated_course), 'recording')",
+          id.text, attempt.scenario.number, attempt.person, attempt.hand,
+          static_cast<std::int64_t>(attempt.seed), attempt.device_class, attempt.pacing,
+          attempt.stereo_mode, attempt.bone, attempt.engine, utc_now(database),
+          name_of(attempt.kind), name_of(attempt.guidance));
 }
 
 /// A person's attempt is made by that person's own hand; only in a simulated course is it a

@@ -22,22 +22,16 @@ constexpr const char* version_columns =
 
 ScenarioVersion version_in(SQLite::Statement& row) {
   ScenarioVersion version;
-  version.id = {row.getColumn(0).getInt64()};
-  version.name = row.getColumn(1).getString();
-  version.version = row.getColumn(2).getInt();
-  version.is_reviewed = row.getColumn(3).getInt() != 0;
+  read_columns(row, 0, version.id, version.name, version.version, version.is_reviewed);
   version.state =
       scenario_state_from(row.getColumn(4).getString()).value_or(ScenarioState::Retired);
-  version.changed_by = row.getColumn(5).getString();
-  version.since_utc = row.getColumn(6).getString();
-  version.attempts = row.getColumn(7).getInt();
+  read_columns(row, 5, version.changed_by, version.since_utc, version.attempts);
   return version;
 }
 
 std::optional<ScenarioVersion> version_with(Database& database, ScenarioVersionId id) {
-  SQLite::Statement row{database.connection(),
-                        std::string{version_columns} + "WHERE v.scenario_version_id = ?"};
-  row.bind(1, id.number);
+  auto row = prepared(database, std::string{version_columns} + "WHERE v.scenario_version_id = ?",
+                      id.number);
   if (!row.executeStep()) return std::nullopt;
   return version_in(row);
 }
@@ -52,33 +46,24 @@ std::string shown_name(const ScenarioVersion& version) {
 
 /// Stores the state and its audit row: "scenario_published".
 void set_state(Database& database, ScenarioVersionId id, ScenarioState state, PersonId by) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO scenario_state (scenario_version_id, state, person_id, "
-                           "since_utc) VALUES (?, ?, ?, ?)"};
-  insert.bind(1, id.number);
-  bind_text(insert, 2, name_of(state));
-  insert.bind(3, by.number);
-  insert.bind(4, utc_now(database));
-  insert.exec();
+  execute(database,
+          "INSERT INTO scenario_state (scenario_version_id, state, person_id, "
+          "since_utc) VALUES (?, ?, ?, ?)",
+          id.number, name_of(state), by.number, utc_now(database));
   const char* action = state == ScenarioState::Draft       ? "scenario_imported"
                        : state == ScenarioState::Published ? "scenario_published"
                                                            : "scenario_retired";
-  append_audit(database,
-               {by, action, "scenario_version", std::to_string(id.number), false, {}, ""});
+  append_audit(database, {by, action, "scenario_version", std::to_string(id.number)});
 }
 
 /// Whether another text was ever published under the name and the number of this one.
 bool has_rival(Database& database, const std::string& name, std::int32_t version,
                ScenarioVersionId but) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT EXISTS (SELECT 1 FROM scenario_version JOIN scenario_state USING "
-                        "(scenario_version_id) WHERE name = ? AND version = ? "
-                        "AND scenario_version_id <> ? AND state = 'published')"};
-  row.bind(1, name);
-  row.bind(2, version);
-  row.bind(3, but.number);
-  row.executeStep();
-  return row.getColumn(0).getInt() != 0;
+  return single<bool>(database,
+                      "SELECT EXISTS (SELECT 1 FROM scenario_version JOIN scenario_state USING "
+                      "(scenario_version_id) WHERE name = ? AND version = ? "
+                      "AND scenario_version_id <> ? AND state = 'published')",
+                      name, version, but.number);
 }
 
 void check_no_rival(Database& database, const ScenarioText& text, ScenarioVersionId id) {
@@ -124,12 +109,10 @@ void retire_scenario(Database& database, ScenarioVersionId id, PersonId by) {
 
 std::vector<ScenarioVersion> list_scenario_versions(Database& database) {
   return translating(database, "list the scenario versions", [&] {
-    SQLite::Statement rows{database.connection(),
-                           std::string{version_columns} +
-                               "ORDER BY v.name, v.version DESC, v.scenario_version_id DESC"};
-    std::vector<ScenarioVersion> versions;
-    while (rows.executeStep()) versions.push_back(version_in(rows));
-    return versions;
+    auto rows =
+        prepared(database, std::string{version_columns} +
+                               "ORDER BY v.name, v.version DESC, v.scenario_version_id DESC");
+    return collected(rows, version_in);
   });
 }
 

@@ -126,17 +126,13 @@ CohortComparison comparison_of(const Place& place, const Results& results) {
 
 std::vector<std::string> device_classes(Database& database, CohortId cohort,
                                         const std::string& scenario_name) {
-  SQLite::Statement rows{
-      database.connection(),
+  return all_of<std::string>(
+      database,
       "SELECT t.device_class FROM standing t JOIN membership m USING (person_id) WHERE "
       "m.cohort_id = ?1 AND m.role = 'trainee' AND t.scenario_name = ?2 AND t.confirmed_milli IS "
       "NOT NULL UNION SELECT device_class FROM cohort_snapshot WHERE cohort_id = ?1 AND "
-      "scenario_name = ?2 ORDER BY 1"};
-  rows.bind(1, cohort.number);
-  rows.bind(2, scenario_name);
-  std::vector<std::string> classes;
-  while (rows.executeStep()) classes.push_back(rows.getColumn(0).getString());
-  return classes;
+      "scenario_name = ?2 ORDER BY 1",
+      cohort.number, scenario_name);
 }
 
 std::string made_utc_of(Database& database, const Place& place) {

@@ -43,25 +43,20 @@ void check_decidable(const AttemptHeader& header, const NewDecision& decision) {
 /// Takes the decision in force out of force by naming itself; at most one row may be in force at a
 /// time.
 std::optional<std::int64_t> retire_decision_in_force(Database& database, const AttemptId& attempt) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT decision_id FROM decision JOIN attempt USING (attempt_id) "
-                        "WHERE uuid = ? AND superseded_by IS NULL"};
-  row.bind(1, attempt.text);
+  auto row = prepared(database,
+                      "SELECT decision_id FROM decision JOIN attempt USING (attempt_id) "
+                      "WHERE uuid = ? AND superseded_by IS NULL",
+                      attempt.text);
   if (!row.executeStep()) return std::nullopt;
   const std::int64_t number = row.getColumn(0).getInt64();
-  SQLite::Statement update{database.connection(),
-                           "UPDATE decision SET superseded_by = decision_id WHERE decision_id = ?"};
-  update.bind(1, number);
-  update.exec();
+  execute(database, "UPDATE decision SET superseded_by = decision_id WHERE decision_id = ?",
+          number);
   return number;
 }
 
 void name_successor(Database& database, std::int64_t retired, DecisionId successor) {
-  SQLite::Statement update{database.connection(),
-                           "UPDATE decision SET superseded_by = ? WHERE decision_id = ?"};
-  update.bind(1, successor.number);
-  update.bind(2, retired);
-  update.exec();
+  execute(database, "UPDATE decision SET superseded_by = ? WHERE decision_id = ?", successor.number,
+          retired);
 }
 
 DecisionId insert_decision(Database& database, const AttemptHeader& header,
@@ -85,20 +80,16 @@ DecisionId insert_decision(Database& database, const AttemptHeader& header,
 
 void set_state(Database& database, const AttemptHeader& header, DecisionKind kind) {
   const AttemptState unvoided = header.seal ? AttemptState::Closed : AttemptState::Interrupted;
-  SQLite::Statement update{database.connection(), "UPDATE attempt SET state = ? WHERE uuid = ?"};
-  bind_text(update, 1, name_of(kind == DecisionKind::Voided ? AttemptState::Void : unvoided));
-  update.bind(2, header.id.text);
-  update.exec();
+  execute(database, "UPDATE attempt SET state = ? WHERE uuid = ?",
+          name_of(kind == DecisionKind::Voided ? AttemptState::Void : unvoided), header.id.text);
 }
 
 std::string audit_subject(Database& database, DecisionId id) {
-  SQLite::Statement row{database.connection(),
-                        std::string{"SELECT "} + numbers_of_decision +
-                            " FROM decision r JOIN attempt a USING (attempt_id) "
-                            "WHERE r.decision_id = ?"};
-  row.bind(1, id.number);
-  row.executeStep();
-  return row.getColumn(0).getString();
+  return single<std::string>(database,
+                             std::string{"SELECT "} + numbers_of_decision +
+                                 " FROM decision r JOIN attempt a USING (attempt_id) "
+                                 "WHERE r.decision_id = ?",
+                             id.number);
 }
 
 }  // namespace
@@ -124,27 +115,23 @@ DecisionId decide(Database& database, const NewDecision& decision, PersonId by) 
 
 std::vector<Decision> load_decisions(Database& database, const AttemptId& attempt) {
   return translating(database, "read the decisions about attempt " + attempt.text, [&] {
-    SQLite::Statement rows{
-        database.connection(),
+    auto rows = prepared(
+        database,
         "SELECT r.decision_id, a.uuid, r.kind, r.score_id, r.score_milli, r.reason, "
         "coalesce(d.display_name, ''), r.decided_utc, r.superseded_by IS NULL FROM decision r "
         "JOIN attempt a USING (attempt_id) "
         "LEFT JOIN person_detail d ON d.person_id = r.decided_by_person_id "
-        "WHERE a.uuid = ? ORDER BY r.decision_id DESC"};
-    rows.bind(1, attempt.text);
+        "WHERE a.uuid = ? ORDER BY r.decision_id DESC",
+        attempt.text);
     std::vector<Decision> decisions;
     while (rows.executeStep()) {
       Decision decision;
-      decision.id = {rows.getColumn(0).getInt64()};
-      decision.attempt = {rows.getColumn(1).getString()};
+      read_columns(rows, 0, decision.id, decision.attempt);
       decision.kind =
           decision_kind_from(rows.getColumn(2).getString()).value_or(DecisionKind::Voided);
       if (!rows.getColumn(3).isNull()) decision.about = ScoreId{rows.getColumn(3).getInt64()};
-      if (!rows.getColumn(4).isNull()) decision.score_milli = rows.getColumn(4).getInt64();
-      decision.reason = rows.getColumn(5).getString();
-      decision.decided_by = rows.getColumn(6).getString();
-      decision.decided_utc = rows.getColumn(7).getString();
-      decision.is_in_force = rows.getColumn(8).getInt() != 0;
+      read_columns(rows, 4, decision.score_milli, decision.reason, decision.decided_by,
+                   decision.decided_utc, decision.is_in_force);
       decisions.push_back(std::move(decision));
     }
     return decisions;
@@ -153,12 +140,12 @@ std::vector<Decision> load_decisions(Database& database, const AttemptId& attemp
 
 void check_decision(Database& database, const AuditEntry& entry) {
   const std::string number = entry.subject_id.substr(0, entry.subject_id.find('/'));
-  SQLite::Statement row{database.connection(),
-                        std::string{"SELECT "} + numbers_of_decision +
-                            ", 'result_' || r.kind, r.reason, r.decided_by_person_id "
-                            "FROM decision r JOIN attempt a USING (attempt_id) "
-                            "WHERE r.decision_id = ?"};
-  row.bind(1, number);
+  auto row = prepared(database,
+                      std::string{"SELECT "} + numbers_of_decision +
+                          ", 'result_' || r.kind, r.reason, r.decided_by_person_id "
+                          "FROM decision r JOIN attempt a USING (attempt_id) "
+                          "WHERE r.decision_id = ?",
+                      number);
   const bool is_same = row.executeStep() && row.getColumn(0).getString() == entry.subject_id &&
                        row.getColumn(1).getString() == entry.action &&
                        (entry.text.empty() || row.getColumn(2).getString() == entry.text) &&
@@ -168,25 +155,23 @@ void check_decision(Database& database, const AuditEntry& entry) {
 
 void check_decisions_are_whole(Database& database) {
   translating(database, "check the decisions", [&] {
-    SQLite::Statement rows{
-        database.connection(),
+    auto rows = prepared(
+        database,
         "SELECT r.decision_id FROM decision r JOIN attempt a USING (attempt_id) WHERE "
         "(r.superseded_by IS NULL) <> (r.decision_id = (SELECT max(decision_id) FROM decision o "
         "WHERE o.attempt_id = r.attempt_id)) "
-        "OR (r.superseded_by IS NULL AND (r.kind = 'voided') <> (a.state = 'void')) LIMIT 1"};
+        "OR (r.superseded_by IS NULL AND (r.kind = 'voided') <> (a.state = 'void')) LIMIT 1");
     if (rows.executeStep()) fail_altered(database, "decision " + rows.getColumn(0).getString());
     // Each row of the audit is checked against the decision it names; as many of both leave none
     // without.
-    SQLite::Statement counts{
-        database.connection(),
-        "SELECT (SELECT count(*) FROM decision) <> (SELECT count(*) FROM audit "
-        "WHERE subject_kind = 'decision')"};
+    auto counts = prepared(database,
+                           "SELECT (SELECT count(*) FROM decision) <> (SELECT count(*) FROM audit "
+                           "WHERE subject_kind = 'decision')");
     counts.executeStep();
     if (counts.getColumn(0).getInt() != 0) fail_altered(database, "the list of decisions");
-    SQLite::Statement states{
-        database.connection(),
-        "SELECT uuid FROM attempt a WHERE state = 'void' AND NOT EXISTS "
-        "(SELECT 1 FROM decision r WHERE r.attempt_id = a.attempt_id) LIMIT 1"};
+    auto states = prepared(database,
+                           "SELECT uuid FROM attempt a WHERE state = 'void' AND NOT EXISTS "
+                           "(SELECT 1 FROM decision r WHERE r.attempt_id = a.attempt_id) LIMIT 1");
     if (states.executeStep()) {
       fail_altered(database, "the state of attempt " + states.getColumn(0).getString());
     }

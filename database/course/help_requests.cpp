@@ -27,14 +27,9 @@ constexpr std::int32_t listed_most = 500;
 
 HelpRequest request_in(SQLite::Statement& row) {
   HelpRequest request;
-  request.id = {row.getColumn(0).getInt64()};
-  request.attempt = {row.getColumn(1).getString()};
-  request.scenario_name = row.getColumn(2).getString();
+  read_columns(row, 0, request.id, request.attempt, request.scenario_name);
   request.moment = moment_in(row, 3);
-  request.asker = {row.getColumn(8).getInt64()};
-  request.asker_name = row.getColumn(9).getString();
-  request.question = row.getColumn(10).getString();
-  request.asked_utc = row.getColumn(11).getString();
+  read_columns(row, 8, request.asker, request.asker_name, request.question, request.asked_utc);
   if (!row.getColumn(12).isNull()) {
     request.answer = HelpAnswer{row.getColumn(13).getString(), row.getColumn(12).getString(),
                                 row.getColumn(14).getString()};
@@ -66,30 +61,24 @@ HelpRequestId add_help_request(Database& database, const NewHelpRequest& request
 
 std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter& filter) {
   return translating(database, "list the help requests", [&] {
-    SQLite::Statement rows{
-        database.connection(),
-        std::string{help_columns} +
-            "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
-            "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
-            "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
-            "WHERE cohort_id = ?2 AND role = 'trainee')) "
-            "AND (h.answered_utc IS NULL OR NOT ?3) " +
-            listing_order + "LIMIT ?4) " + listing_order};
-    if (filter.asker) rows.bind(1, filter.asker->number);
-    if (filter.cohort) rows.bind(2, filter.cohort->number);
-    rows.bind(3, filter.open_only ? 1 : 0);
-    rows.bind(4, listed_most);
-    std::vector<HelpRequest> requests;
-    while (rows.executeStep()) requests.push_back(request_in(rows));
-    return requests;
+    auto rows =
+        prepared(database,
+                 std::string{help_columns} +
+                     "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
+                     "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
+                     "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
+                     "WHERE cohort_id = ?2 AND role = 'trainee')) "
+                     "AND (h.answered_utc IS NULL OR NOT ?3) " +
+                     listing_order + "LIMIT ?4) " + listing_order,
+                 filter.asker, filter.cohort, filter.open_only ? 1 : 0, listed_most);
+    return collected(rows, request_in);
   });
 }
 
 std::optional<HelpRequest> find_help_request(Database& database, HelpRequestId id) {
   return translating(database, "read a help request", [&]() -> std::optional<HelpRequest> {
-    SQLite::Statement row{database.connection(),
-                          std::string{help_columns} + "WHERE h.help_request_id = ?"};
-    row.bind(1, id.number);
+    auto row =
+        prepared(database, std::string{help_columns} + "WHERE h.help_request_id = ?", id.number);
     if (!row.executeStep()) return std::nullopt;
     return request_in(row);
   });
@@ -109,15 +98,11 @@ void answer_help_request(Database& database, HelpRequestId id, const std::string
   check_free_text("the answer", answer);
   in_transaction_of_caller(database, "answer a help request", [&] {
     load_help_request(database, id);
-    SQLite::Statement update{
-        database.connection(),
-        "UPDATE help_request SET answer = ?, answered_by_person_id = ?, answered_utc = ? "
-        "WHERE help_request_id = ? AND answered_utc IS NULL"};
-    update.bind(1, answer);
-    update.bind(2, by.number);
-    update.bind(3, utc_now(database));
-    update.bind(4, id.number);
-    if (update.exec() == 1) return;
+    if (execute(database,
+                "UPDATE help_request SET answer = ?, answered_by_person_id = ?, answered_utc = ? "
+                "WHERE help_request_id = ? AND answered_utc IS NULL",
+                answer, by.number, utc_now(database), id.number) == 1)
+      return;
     throw DatabaseError{DatabaseErrorKind::BadInput,
                         "help request " + std::to_string(id.number) +
                             " was answered already; add a note to the attempt instead"};

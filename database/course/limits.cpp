@@ -17,8 +17,7 @@ namespace {
 }
 
 void check_operation_is_known(Database& database, const std::string& scenario_name) {
-  SQLite::Statement row{database.connection(), "SELECT 1 FROM scenario_version WHERE name = ?"};
-  row.bind(1, scenario_name);
+  auto row = prepared(database, "SELECT 1 FROM scenario_version WHERE name = ?", scenario_name);
   if (!row.executeStep()) fail_not_found(database, "operation '" + scenario_name + "'");
 }
 
@@ -47,14 +46,13 @@ bool has_touched_bone(Database& database, const AttemptId& attempt) {
 /// When the assessments were begun that use up a limit.
 std::vector<std::string> used_assessments(Database& database, PersonId person,
                                           const std::string& scenario_name) {
-  SQLite::Statement rows{
-      database.connection(),
+  auto rows = prepared(
+      database,
       "SELECT a.uuid, a.started_utc, a.state FROM attempt a JOIN scenario_version v "
       "USING (scenario_version_id) LEFT JOIN origin o ON o.origin_id = a.origin_id "
       "WHERE a.person_id = ? AND v.name = ? AND a.kind = 'assessment' AND a.state <> 'void' "
-      "AND coalesce(a.is_valid, 1) = 1 AND coalesce(o.is_accepted, 1) = 1"};
-  rows.bind(1, person.number);
-  rows.bind(2, scenario_name);
+      "AND coalesce(a.is_valid, 1) = 1 AND coalesce(o.is_accepted, 1) = 1",
+      person.number, scenario_name);
   std::vector<std::string> begun_utc;
   while (rows.executeStep()) {
     if (rows.getColumn(2).getString() == "interrupted" &&
@@ -66,9 +64,8 @@ std::vector<std::string> used_assessments(Database& database, PersonId person,
 }
 
 std::string name_of_operation(Database& database, ScenarioVersionId scenario) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT name FROM scenario_version WHERE scenario_version_id = ?"};
-  row.bind(1, scenario.number);
+  auto row = prepared(database, "SELECT name FROM scenario_version WHERE scenario_version_id = ?",
+                      scenario.number);
   return row.executeStep() ? row.getColumn(0).getString() : std::string();
 }
 
@@ -76,12 +73,12 @@ std::string name_of_operation(Database& database, ScenarioVersionId scenario) {
 
 std::vector<AttemptLimit> list_limits(Database& database, CohortId cohort) {
   return translating(database, "list the limits of a cohort", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT l.scenario_name, l.attempts_max, coalesce(d.login, ''), "
-                           "l.set_utc FROM attempt_limit l LEFT JOIN person_detail d "
-                           "ON d.person_id = l.set_by_person_id WHERE l.cohort_id = ? "
-                           "ORDER BY l.scenario_name"};
-    rows.bind(1, cohort.number);
+    auto rows = prepared(database,
+                         "SELECT l.scenario_name, l.attempts_max, coalesce(d.login, ''), "
+                         "l.set_utc FROM attempt_limit l LEFT JOIN person_detail d "
+                         "ON d.person_id = l.set_by_person_id WHERE l.cohort_id = ? "
+                         "ORDER BY l.scenario_name",
+                         cohort.number);
     std::vector<AttemptLimit> limits;
     while (rows.executeStep()) {
       limits.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getInt(),
@@ -100,57 +97,38 @@ void set_limit(Database& database, CohortId cohort, const AttemptLimit& limit, P
   in_transaction(database, "limit the assessments of an operation", [&] {
     load_cohort(database, cohort);
     check_operation_is_known(database, limit.scenario_name);
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT INTO attempt_limit (cohort_id, scenario_name, attempts_max, set_by_person_id, "
-        "set_utc) VALUES (?, ?, ?, ?, ?) ON CONFLICT (cohort_id, scenario_name) DO UPDATE SET "
-        "attempts_max = excluded.attempts_max, set_by_person_id = excluded.set_by_person_id, "
-        "set_utc = excluded.set_utc"};
-    insert.bind(1, cohort.number);
-    insert.bind(2, limit.scenario_name);
-    insert.bind(3, limit.attempts_max);
-    insert.bind(4, by.number);
-    insert.bind(5, utc_now(database));
-    insert.exec();
-    append_audit(database, {by,
-                            "limit_set",
-                            "attempt_limit",
-                            audit_subject(cohort, limit.scenario_name, limit.attempts_max),
-                            false,
-                            {},
-                            ""});
+    execute(database,
+            "INSERT INTO attempt_limit (cohort_id, scenario_name, attempts_max, set_by_person_id, "
+            "set_utc) VALUES (?, ?, ?, ?, ?) ON CONFLICT (cohort_id, scenario_name) DO UPDATE SET "
+            "attempts_max = excluded.attempts_max, set_by_person_id = excluded.set_by_person_id, "
+            "set_utc = excluded.set_utc",
+            cohort.number, limit.scenario_name, limit.attempts_max, by.number, utc_now(database));
+    append_audit(database, {by, "limit_set", "attempt_limit",
+                            audit_subject(cohort, limit.scenario_name, limit.attempts_max)});
   });
 }
 
 void clear_limit(Database& database, CohortId cohort, const std::string& scenario_name,
                  PersonId by) {
   in_transaction(database, "take a limit away", [&] {
-    SQLite::Statement remove{database.connection(),
-                             "DELETE FROM attempt_limit WHERE cohort_id = ? AND scenario_name = ?"};
-    remove.bind(1, cohort.number);
-    remove.bind(2, scenario_name);
-    if (remove.exec() != 1) fail_not_found(database, "limit of '" + scenario_name + "'");
-    append_audit(database, {by,
-                            "limit_cleared",
-                            "attempt_limit",
-                            audit_subject(cohort, scenario_name, 0),
-                            false,
-                            {},
-                            ""});
+    if (execute(database, "DELETE FROM attempt_limit WHERE cohort_id = ? AND scenario_name = ?",
+                cohort.number, scenario_name) != 1)
+      fail_not_found(database, "limit of '" + scenario_name + "'");
+    append_audit(database,
+                 {by, "limit_cleared", "attempt_limit", audit_subject(cohort, scenario_name, 0)});
   });
 }
 
 std::optional<AttemptAllowance> allowance_of(Database& database, PersonId person,
                                              const std::string& scenario_name) {
   return translating(database, "count the assessments that are left", [&] {
-    SQLite::Statement limits{
-        database.connection(),
+    auto limits = prepared(
+        database,
         "SELECT l.attempts_max, c.name, coalesce(m.enrolled_utc, '') FROM membership m "
         "JOIN attempt_limit l ON l.cohort_id = m.cohort_id AND l.scenario_name = ?2 "
         "JOIN cohort c ON c.cohort_id = m.cohort_id WHERE m.person_id = ?1 AND m.role = 'trainee' "
-        "ORDER BY c.name"};
-    limits.bind(1, person.number);
-    limits.bind(2, scenario_name);
+        "ORDER BY c.name",
+        person.number, scenario_name);
     std::optional<AttemptAllowance> strictest;
     std::optional<std::vector<std::string>> begun_utc;
     while (limits.executeStep()) {

@@ -24,24 +24,19 @@ constexpr const char* note_columns =
 
 Note note_in(SQLite::Statement& row) {
   Note note;
-  note.id = {row.getColumn(0).getInt64()};
-  note.attempt = {row.getColumn(1).getString()};
+  read_columns(row, 0, note.id, note.attempt);
   note.moment = moment_in(row, 2);
-  note.author = {row.getColumn(7).getInt64()};
-  note.author_name = row.getColumn(8).getString();
-  note.is_private = row.getColumn(9).getInt() != 0;
-  note.text = row.getColumn(10).getString();
-  note.written_utc = row.getColumn(11).getString();
+  read_columns(row, 7, note.author, note.author_name, note.is_private, note.text, note.written_utc);
   return note;
 }
 
 std::vector<NoteReply> replies_to(Database& database, NoteId note) {
-  SQLite::Statement rows{
-      database.connection(),
-      "SELECT r.author_person_id, coalesce(d.display_name, ''), r.text, r.written_utc "
-      "FROM note_reply r LEFT JOIN person_detail d ON d.person_id = r.author_person_id "
-      "WHERE r.note_id = ? ORDER BY r.note_reply_id"};
-  rows.bind(1, note.number);
+  auto rows =
+      prepared(database,
+               "SELECT r.author_person_id, coalesce(d.display_name, ''), r.text, r.written_utc "
+               "FROM note_reply r LEFT JOIN person_detail d ON d.person_id = r.author_person_id "
+               "WHERE r.note_id = ? ORDER BY r.note_reply_id",
+               note.number);
   std::vector<NoteReply> replies;
   while (rows.executeStep()) {
     replies.push_back({{rows.getColumn(0).getInt64()},
@@ -92,12 +87,11 @@ NoteId add_note(Database& database, const NewNote& note, PersonId author) {
 
 std::vector<Note> list_notes(Database& database, const AttemptId& attempt, bool with_private) {
   return translating(database, "read the notes of attempt " + attempt.text, [&] {
-    SQLite::Statement rows{database.connection(),
-                           std::string{note_columns} +
-                               "WHERE a.uuid = ? AND (n.is_private = 0 OR ?) "
-                               "ORDER BY n.moment_us, n.note_id"};
-    rows.bind(1, attempt.text);
-    rows.bind(2, with_private ? 1 : 0);
+    auto rows = prepared(database,
+                         std::string{note_columns} +
+                             "WHERE a.uuid = ? AND (n.is_private = 0 OR ?) "
+                             "ORDER BY n.moment_us, n.note_id",
+                         attempt.text, with_private ? 1 : 0);
     std::vector<Note> notes;
     while (rows.executeStep()) notes.push_back(note_in(rows));
     for (Note& note : notes) note.replies = replies_to(database, note.id);
@@ -107,8 +101,7 @@ std::vector<Note> list_notes(Database& database, const AttemptId& attempt, bool 
 
 std::optional<Note> find_note(Database& database, NoteId id) {
   return translating(database, "read a note", [&]() -> std::optional<Note> {
-    SQLite::Statement row{database.connection(), std::string{note_columns} + "WHERE n.note_id = ?"};
-    row.bind(1, id.number);
+    auto row = prepared(database, std::string{note_columns} + "WHERE n.note_id = ?", id.number);
     if (!row.executeStep()) return std::nullopt;
     Note note = note_in(row);
     note.replies = replies_to(database, id);
@@ -129,14 +122,10 @@ void add_reply(Database& database, NoteId note, const std::string& text, PersonI
       throw DatabaseError{DatabaseErrorKind::BadInput,
                           "a private note has no replies; write a note of your own"};
     }
-    SQLite::Statement insert{database.connection(),
-                             "INSERT INTO note_reply (note_id, author_person_id, text, "
-                             "written_utc) VALUES (?, ?, ?, ?)"};
-    insert.bind(1, note.number);
-    insert.bind(2, author.number);
-    insert.bind(3, text);
-    insert.bind(4, utc_now(database));
-    insert.exec();
+    execute(database,
+            "INSERT INTO note_reply (note_id, author_person_id, text, "
+            "written_utc) VALUES (?, ?, ?, ?)",
+            note.number, author.number, text, utc_now(database));
   });
 }
 

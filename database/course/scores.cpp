@@ -41,25 +41,18 @@ std::int64_t insert_score(Database& database, const AttemptId& attempt, const Sc
 /// Takes the score in force out of force by naming itself; at most one row may be in force at a
 /// time.
 std::optional<std::int64_t> retire_score_in_force(Database& database, const AttemptId& attempt) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT score_id FROM score JOIN attempt USING (attempt_id) "
-                        "WHERE uuid = ? AND superseded_by IS NULL"};
-  row.bind(1, attempt.text);
+  auto row = prepared(database,
+                      "SELECT score_id FROM score JOIN attempt USING (attempt_id) "
+                      "WHERE uuid = ? AND superseded_by IS NULL",
+                      attempt.text);
   if (!row.executeStep()) return std::nullopt;
   const std::int64_t number = row.getColumn(0).getInt64();
-  SQLite::Statement update{database.connection(),
-                           "UPDATE score SET superseded_by = score_id WHERE score_id = ?"};
-  update.bind(1, number);
-  update.exec();
+  execute(database, "UPDATE score SET superseded_by = score_id WHERE score_id = ?", number);
   return number;
 }
 
 void name_successor(Database& database, std::int64_t retired, std::int64_t successor) {
-  SQLite::Statement update{database.connection(),
-                           "UPDATE score SET superseded_by = ? WHERE score_id = ?"};
-  update.bind(1, successor);
-  update.bind(2, retired);
-  update.exec();
+  execute(database, "UPDATE score SET superseded_by = ? WHERE score_id = ?", successor, retired);
 }
 
 }  // namespace
@@ -90,11 +83,11 @@ ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCar
 std::vector<StoredScore> load_scores(Database& database, const AttemptId& attempt) {
   const AttemptHeader header = load_header(database, attempt);
   return translating(database, "read the scores of attempt " + header.id.text, [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT score_id, stored_utc, superseded_by IS NULL, card_json FROM "
-                           "score JOIN attempt USING (attempt_id) WHERE uuid = ? "
-                           "ORDER BY score_id DESC"};
-    rows.bind(1, header.id.text);
+    auto rows = prepared(database,
+                         "SELECT score_id, stored_utc, superseded_by IS NULL, card_json FROM "
+                         "score JOIN attempt USING (attempt_id) WHERE uuid = ? "
+                         "ORDER BY score_id DESC",
+                         header.id.text);
     std::vector<StoredScore> scores;
     while (rows.executeStep()) {
       scores.push_back({ScoreId{rows.getColumn(0).getInt64()}, rows.getColumn(1).getString(),

@@ -7,18 +7,16 @@ namespace hallux::database {
 
 bool is_simulated_course(Database& database) {
   return translating(database, "look whether the course is simulated", [&] {
-    SQLite::Statement row{database.connection(), "SELECT EXISTS (SELECT 1 FROM simulated_course)"};
-    row.executeStep();
-    return row.getColumn(0).getInt() != 0;
+    return single<bool>(database, "SELECT EXISTS (SELECT 1 FROM simulated_course)");
   });
 }
 
 void check_may_be_simulated(Database& database) {
   translating(database, "look for people and attempts", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT EXISTS (SELECT 1 FROM person) OR EXISTS (SELECT 1 FROM attempt)"};
-    row.executeStep();
-    if (row.getColumn(0).getInt() == 0) return;
+    if (single<std::int32_t>(
+            database, "SELECT EXISTS (SELECT 1 FROM person) OR EXISTS (SELECT 1 FROM attempt)") ==
+        0)
+      return;
     throw DatabaseError{DatabaseErrorKind::Refused,
                         database.file().string() +
                             " holds people or attempts; a simulated course needs an empty "
@@ -29,12 +27,11 @@ void check_may_be_simulated(Database& database) {
 void mark_as_simulated_course(Database& database) {
   in_transaction(database, "mark the course as simulated", [&] {
     check_may_be_simulated(database);
-    SQLite::Statement mark{database.connection(),
-                           "INSERT INTO simulated_course (simulated_course_id, marked_utc) "
-                           "VALUES (1, ?) ON CONFLICT DO NOTHING"};
-    mark.bind(1, utc_now(database));
-    if (mark.exec() == 1) {
-      append_audit(database, {std::nullopt, "marked_as_simulated", "course", "1", false, {}, ""});
+    if (execute(database,
+                "INSERT INTO simulated_course (simulated_course_id, marked_utc) "
+                "VALUES (1, ?) ON CONFLICT DO NOTHING",
+                utc_now(database)) == 1) {
+      append_audit(database, {std::nullopt, "marked_as_simulated", "course", "1"});
     }
   });
 }

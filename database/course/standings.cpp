@@ -92,12 +92,12 @@ void add_operations(Database& database, CohortId cohort, const Places& places,
                     std::vector<TraineeStanding>& standings) {
   // Person by person along both keys, so that nothing is sorted: the runs of a thousand people are
   // two megabytes.
-  SQLite::Statement rows{database.connection(),
-                         std::string{standing_columns_of} +
-                             "FROM membership m CROSS JOIN standing t ON t.person_id = m.person_id "
-                             "WHERE m.cohort_id = ? AND +m.role = 'trainee' "
-                             "ORDER BY m.person_id, t.scenario_name, t.device_class"};
-  rows.bind(1, cohort.number);
+  auto rows = prepared(database,
+                       std::string{standing_columns_of} +
+                           "FROM membership m CROSS JOIN standing t ON t.person_id = m.person_id "
+                           "WHERE m.cohort_id = ? AND +m.role = 'trainee' "
+                           "ORDER BY m.person_id, t.scenario_name, t.device_class",
+                       cohort.number);
   std::optional<Gathering> gathering;
   std::int64_t person = 0;
   while (rows.executeStep()) {
@@ -113,11 +113,11 @@ void add_operations(Database& database, CohortId cohort, const Places& places,
 
 void add_open_requests(Database& database, CohortId cohort, const Places& places,
                        std::vector<TraineeStanding>& standings) {
-  SQLite::Statement rows{database.connection(),
-                         "SELECT h.asker_person_id, count(*) FROM help_request h JOIN membership m "
-                         "ON m.person_id = h.asker_person_id WHERE m.cohort_id = ? "
-                         "AND h.answered_utc IS NULL GROUP BY h.asker_person_id"};
-  rows.bind(1, cohort.number);
+  auto rows = prepared(database,
+                       "SELECT h.asker_person_id, count(*) FROM help_request h JOIN membership m "
+                       "ON m.person_id = h.asker_person_id WHERE m.cohort_id = ? "
+                       "AND h.answered_utc IS NULL GROUP BY h.asker_person_id",
+                       cohort.number);
   while (rows.executeStep()) {
     const auto place = places.find(rows.getColumn(0).getInt64());
     if (place != places.end())
@@ -150,8 +150,8 @@ TraineeStanding standing_of(const CohortMember& member) {
 
 /// What the grid reads beside each card is what the card says.
 void check_pass_facts(Database& database) {
-  SQLite::Statement scores{
-      database.connection(),
+  auto scores = prepared(
+      database,
       "SELECT score_id FROM score WHERE json_valid(card_json) AND (rubric_milli, is_gated, "
       "safety_measured_milli, safety_earned_milli) IS NOT (json_extract(card_json, "
       "'$.rubric_milli'), EXISTS (SELECT 1 FROM json_each(card_json, '$.gates') "
@@ -159,7 +159,7 @@ void check_pass_facts(Database& database) {
       "'$.measured_milli')), 0) FROM json_each(card_json, '$.groups') "
       "WHERE json_extract(value, '$.name') = 'safety'), (SELECT coalesce(sum(json_extract(value, "
       "'$.earned_milli')), 0) FROM json_each(card_json, '$.groups') "
-      "WHERE json_extract(value, '$.name') = 'safety')) LIMIT 1"};
+      "WHERE json_extract(value, '$.name') = 'safety')) LIMIT 1");
   if (!scores.executeStep()) return;
   fail_differs(database, "what is kept of score " + scores.getColumn(0).getString());
 }
@@ -170,11 +170,11 @@ void check_standings_of(Database& database, std::int64_t person) {
       "last_milli, last_scored_utc, last_started_utc, confirmed_milli, runs FROM ";
   const std::string kept = std::string{columns} + "standing WHERE person_id = ?1";
   const std::string counted = std::string{columns} + "standing_as_counted WHERE person_id = ?1";
-  SQLite::Statement differing{database.connection(), "SELECT scenario_name FROM (SELECT * FROM (" +
-                                                         kept + " EXCEPT " + counted +
-                                                         ") UNION ALL SELECT * FROM (" + counted +
-                                                         " EXCEPT " + kept + ")) LIMIT 1"};
-  differing.bind(1, person);
+  auto differing =
+      prepared(database,
+               "SELECT scenario_name FROM (SELECT * FROM (" + kept + " EXCEPT " + counted +
+                   ") UNION ALL SELECT * FROM (" + counted + " EXCEPT " + kept + ")) LIMIT 1",
+               person);
   if (!differing.executeStep()) return;
   fail_differs(database, "how person " + std::to_string(person) + " stands in " +
                              differing.getColumn(0).getString());
@@ -184,11 +184,11 @@ void check_standings_of(Database& database, std::int64_t person) {
 
 std::vector<OperationStanding> operation_standings(Database& database, PersonId person) {
   return translating(database, "gather how a person stands", [&] {
-    SQLite::Statement rows{
-        database.connection(),
+    auto rows = prepared(
+        database,
         std::string{standing_columns_of} +
-            "FROM standing t WHERE t.person_id = ? ORDER BY t.scenario_name, t.device_class"};
-    rows.bind(1, person.number);
+            "FROM standing t WHERE t.person_id = ? ORDER BY t.scenario_name, t.device_class",
+        person.number);
     std::vector<OperationStanding> operations;
     Gathering gathering{operations};
     while (rows.executeStep()) gathering.add(rows);
@@ -245,7 +245,7 @@ void check_standings(Database& database) {
     check_pass_facts(database);
     // One person at a time: no long reading, whose memory would grow with the course.
     std::vector<std::int64_t> people;
-    SQLite::Statement rows{database.connection(), "SELECT person_id FROM person"};
+    auto rows = prepared(database, "SELECT person_id FROM person");
     while (rows.executeStep()) people.push_back(rows.getColumn(0).getInt64());
     for (const std::int64_t person : people) check_standings_of(database, person);
   });

@@ -30,17 +30,13 @@ std::string_view name_of(Action action) noexcept {
 /// A replay reads its attempt piece by piece: one line for all that is read within a minute.
 bool was_viewed_lately(Database& database, PersonId viewer, const AttemptId& attempt) {
   return translating(database, "look into the audit", [&] {
-    SQLite::Statement row{
-        database.connection(),
+    return single<bool>(
+        database,
         "SELECT EXISTS (SELECT 1 FROM audit WHERE audit_id > (SELECT max(audit_id) FROM audit) - "
         "100 "
         "AND actor_person_id = ?1 AND action = 'attempt_viewed' AND subject_id = ?2 "
-        "AND at_utc BETWEEN strftime('%Y-%m-%dT%H:%M:%fZ', ?3, '-1 minute') AND ?3)"};
-    row.bind(1, viewer.number);
-    row.bind(2, attempt.text);
-    row.bind(3, utc_now(database));
-    row.executeStep();
-    return row.getColumn(0).getInt() != 0;
+        "AND at_utc BETWEEN strftime('%Y-%m-%dT%H:%M:%fZ', ?3, '-1 minute') AND ?3)",
+        viewer.number, attempt.text, utc_now(database));
   });
 }
 
@@ -127,8 +123,7 @@ void AttemptDesk::note_view(const AttemptHeader& header) {
 
 void AttemptDesk::audit(const std::string& action, const char* subject_kind,
                         std::string subject_id) {
-  append_audit(*database_,
-               {holder_.person, action, subject_kind, std::move(subject_id), false, {}, ""});
+  append_audit(*database_, {holder_.person, action, subject_kind, std::move(subject_id)});
 }
 
 std::vector<AttemptHeader> AttemptDesk::attempts(std::optional<std::int32_t> count_max) {

@@ -16,13 +16,10 @@ std::string number_text(PersonId id) { return std::to_string(id.number); }
 std::int64_t open_session(Database& database, PersonId person, std::string_view login) {
   return in_transaction(database, "sign in", [&] {
     forget_tries(database, login);
-    SQLite::Statement insert{database.connection(),
-                             "INSERT INTO session (person_id, started_utc) VALUES (?, ?)"};
-    insert.bind(1, person.number);
-    insert.bind(2, utc_now(database));
-    insert.exec();
+    execute(database, "INSERT INTO session (person_id, started_utc) VALUES (?, ?)", person.number,
+            utc_now(database));
     const std::int64_t number = database.connection().getLastInsertRowid();
-    append_audit(database, {person, "signed_in", "session", std::to_string(number), false, {}, ""});
+    append_audit(database, {person, "signed_in", "session", std::to_string(number)});
     return number;
   });
 }
@@ -32,13 +29,8 @@ std::int64_t open_session(Database& database, PersonId person, std::string_view 
 void note_refusal(Database& database, const std::string& action, std::string_view login) {
   in_transaction(database, "note a refusal", [&] {
     const std::optional<Person> known = known_person(database, login);
-    append_audit(database, {std::nullopt,
-                            action,
-                            known ? "person" : "login",
-                            known ? number_text(known->id) : std::string{},
-                            true,
-                            {},
-                            ""});
+    append_audit(database, {std::nullopt, action, known ? "person" : "login",
+                            known ? number_text(known->id) : std::string{}, true});
     if (known) tell_of_refused_sign_in(database, known->id);
   });
 }
@@ -74,8 +66,7 @@ Session redeem_code(Database& database, std::string_view login, const SecretText
   in_transaction(database, "redeem a one-time code", [&] {
     set_password(database, person->id, new_password, cost);
     remove_code(database, person->id);
-    append_audit(database,
-                 {person->id, "code_redeemed", "person", number_text(person->id), false, {}, ""});
+    append_audit(database, {person->id, "code_redeemed", "person", number_text(person->id)});
   });
   const std::int64_t number = open_session(database, person->id, login);
   return {database, load_person(database, person->id), number};
@@ -144,7 +135,7 @@ bool Session::is_own_password(const SecretText& password, const std::string& act
                               const PasswordCost& cost) {
   count_try(*database_, person_.login);
   if (!verify_person(*database_, person_.login, password, cost)) {
-    append_audit(*database_, {person_.id, action, "person", number_text(person_.id), true, {}, ""});
+    append_audit(*database_, {person_.id, action, "person", number_text(person_.id), true});
     return false;
   }
   forget_tries(*database_, person_.login);
@@ -184,22 +175,17 @@ void Session::change_password(const SecretText& old_password, const SecretText& 
   }
   in_transaction(*database_, "change a password", [&] {
     set_password(*database_, person_.id, new_password, cost);
-    append_audit(
-        *database_,
-        {person_.id, "password_changed", "person", number_text(person_.id), false, {}, ""});
+    append_audit(*database_, {person_.id, "password_changed", "person", number_text(person_.id)});
   });
 }
 
 void Session::sign_out() {
   in_transaction(*database_, "sign out", [&] {
-    SQLite::Statement update{
-        database_->connection(),
-        "UPDATE session SET ended_utc = ? WHERE session_id = ? AND ended_utc IS NULL"};
-    update.bind(1, utc_now(*database_));
-    update.bind(2, number_);
-    if (update.exec() == 0) return;
-    append_audit(*database_,
-                 {person_.id, "signed_out", "session", std::to_string(number_), false, {}, ""});
+    if (execute(*database_,
+                "UPDATE session SET ended_utc = ? WHERE session_id = ? AND ended_utc IS NULL",
+                utc_now(*database_), number_) == 0)
+      return;
+    append_audit(*database_, {person_.id, "signed_out", "session", std::to_string(number_)});
   });
 }
 
@@ -231,9 +217,8 @@ PersonId OpenHouse::add_first_administrator(const NewPerson& person, const Secre
                               " in the meantime; an administrator must add further people"};
     }
     const PersonId id = create_person(*database_, person, password, cost);
-    append_audit(
-        *database_,
-        {std::nullopt, "first_administrator_added", "person", number_text(id), false, {}, ""});
+    append_audit(*database_,
+                 {std::nullopt, "first_administrator_added", "person", number_text(id)});
     return id;
   });
 }

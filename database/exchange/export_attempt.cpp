@@ -27,10 +27,10 @@ struct Exported {
 };
 
 std::vector<ChunkPlace> load_places(Database& database, const AttemptId& id) {
-  SQLite::Statement rows{database.connection(),
-                         "SELECT c.stream, c.seq, c.first_tick, c.row_count FROM chunk c JOIN "
-                         "attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream"};
-  rows.bind(1, id.text);
+  auto rows = prepared(database,
+                       "SELECT c.stream, c.seq, c.first_tick, c.row_count FROM chunk c JOIN "
+                       "attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream",
+                       id.text);
   std::vector<ChunkPlace> places;
   while (rows.executeStep()) {
     places.push_back({static_cast<Stream>(rows.getColumn(0).getInt()), rows.getColumn(1).getInt64(),
@@ -41,10 +41,10 @@ std::vector<ChunkPlace> load_places(Database& database, const AttemptId& id) {
 
 std::vector<std::int64_t> load_scores_of(Database& database, const AttemptId& id,
                                          std::vector<ExportedScore>& scores) {
-  SQLite::Statement rows{database.connection(),
-                         "SELECT score_id, stored_utc, superseded_by IS NULL, card_json FROM score "
-                         "JOIN attempt USING (attempt_id) WHERE uuid = ? ORDER BY score_id"};
-  rows.bind(1, id.text);
+  auto rows = prepared(database,
+                       "SELECT score_id, stored_utc, superseded_by IS NULL, card_json FROM score "
+                       "JOIN attempt USING (attempt_id) WHERE uuid = ? ORDER BY score_id",
+                       id.text);
   std::vector<std::int64_t> numbers;
   while (rows.executeStep()) {
     numbers.push_back(rows.getColumn(0).getInt64());
@@ -57,11 +57,11 @@ std::vector<std::int64_t> load_scores_of(Database& database, const AttemptId& id
 void load_decisions_of(Database& database, const AttemptId& id,
                        const std::vector<std::int64_t>& score_numbers,
                        std::vector<ExportedDecision>& decisions) {
-  SQLite::Statement rows{
-      database.connection(),
+  auto rows = prepared(
+      database,
       "SELECT r.kind, r.score_id, r.score_milli, r.decided_by_person_id, r.decided_utc FROM "
-      "decision r JOIN attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY r.decision_id"};
-  rows.bind(1, id.text);
+      "decision r JOIN attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY r.decision_id",
+      id.text);
   while (rows.executeStep()) {
     ExportedDecision decision;
     decision.kind =
@@ -71,18 +71,14 @@ void load_decisions_of(Database& database, const AttemptId& id,
     if (about != score_numbers.end()) {
       decision.about = static_cast<std::size_t>(about - score_numbers.begin());
     }
-    if (!rows.getColumn(2).isNull()) decision.score_milli = rows.getColumn(2).getInt64();
-    decision.decided_by = {rows.getColumn(3).getInt64()};
-    decision.decided_utc = rows.getColumn(4).getString();
+    read_columns(rows, 2, decision.score_milli, decision.decided_by, decision.decided_utc);
     decisions.push_back(std::move(decision));
   }
 }
 
 /// The manifest that an imported attempt came with; empty for one that was made here.
 std::string load_kept_manifest(Database& database, const AttemptId& id) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT manifest_digest FROM attempt WHERE uuid = ?"};
-  row.bind(1, id.text);
+  auto row = prepared(database, "SELECT manifest_digest FROM attempt WHERE uuid = ?", id.text);
   if (!row.executeStep() || row.getColumn(0).isNull()) return {};
   const auto digest = digest_in(row.getColumn(0));
   const std::vector<std::byte> bytes = get_asset(database, digest.value_or(Digest{}));
@@ -95,10 +91,10 @@ void check_exportable(Database& database, const AttemptHeader& header) {
         DatabaseErrorKind::BadInput,
         "attempt " + header.id.text + " is still being recorded; export it when it has ended"};
   }
-  SQLite::Statement erased{database.connection(),
-                           "SELECT substr(erased_utc, 1, 10) FROM erased_recording JOIN attempt "
-                           "USING (attempt_id) WHERE uuid = ?"};
-  erased.bind(1, header.id.text);
+  auto erased = prepared(database,
+                         "SELECT substr(erased_utc, 1, 10) FROM erased_recording JOIN attempt "
+                         "USING (attempt_id) WHERE uuid = ?",
+                         header.id.text);
   if (!erased.executeStep()) return;
   throw DatabaseError{DatabaseErrorKind::BadInput,
                       "the recording of attempt " + header.id.text + " was erased (" +

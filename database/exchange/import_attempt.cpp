@@ -27,12 +27,12 @@ struct Identity {
 };
 
 std::optional<Identity> identity_here(Database& database, const AttemptId& id) {
-  SQLite::Statement row{
-      database.connection(),
+  auto row = prepared(
+      database,
       "SELECT a.seal, coalesce((SELECT link FROM chunk c WHERE c.attempt_id = a.attempt_id "
       "ORDER BY seq DESC, stream DESC LIMIT 1), e.last_link) FROM attempt a "
-      "LEFT JOIN erased_recording e USING (attempt_id) WHERE a.uuid = ?"};
-  row.bind(1, id.text);
+      "LEFT JOIN erased_recording e USING (attempt_id) WHERE a.uuid = ?",
+      id.text);
   if (!row.executeStep()) return std::nullopt;
   return Identity{digest_in(row.getColumn(0)), digest_in(row.getColumn(1)).value_or(Digest{})};
 }
@@ -162,12 +162,10 @@ Placed place(Database& database, const ImportedAttempt& attempt) {
 }
 
 std::optional<PersonId> person_there(Database& database, const AttemptId& id) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT p.number_there FROM attempt a JOIN origin_person p ON "
-                        "p.origin_id = a.origin_id AND p.person_id = a.person_id WHERE a.uuid = ?"};
-  row.bind(1, id.text);
-  if (!row.executeStep()) return std::nullopt;
-  return PersonId{row.getColumn(0).getInt64()};
+  return found<PersonId>(database,
+                         "SELECT p.number_there FROM attempt a JOIN origin_person p ON "
+                         "p.origin_id = a.origin_id AND p.person_id = a.person_id WHERE a.uuid = ?",
+                         id.text);
 }
 
 bool has_same_facts(const AttemptHeader& here, const AttemptHeader& there) {
@@ -219,10 +217,10 @@ void check_imported(Database& database, const AuditEntry& entry) {
                         std::string{what} + " of the imported attempt " + here.id.text + " in " +
                             database.file().string() + " was altered; restore a backup"};
   };
-  SQLite::Statement row{database.connection(),
-                        "SELECT a.manifest_digest, o.directory_uuid FROM attempt a LEFT JOIN "
-                        "origin o USING (origin_id) WHERE a.uuid = ?"};
-  row.bind(1, here.id.text);
+  auto row = prepared(database,
+                      "SELECT a.manifest_digest, o.directory_uuid FROM attempt a LEFT JOIN "
+                      "origin o USING (origin_id) WHERE a.uuid = ?",
+                      here.id.text);
   row.executeStep();
   const auto digest = digest_in(row.getColumn(0));
   if (!digest || digest != entry.detail) fail("the manifest");

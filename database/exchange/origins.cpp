@@ -11,41 +11,36 @@ bool is_identity(const std::string& text) noexcept {
 }
 
 std::int64_t number_of(Database& database, const DirectoryId& directory) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT origin_id FROM origin WHERE directory_uuid = ?"};
-  row.bind(1, directory.text);
-  return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+  return found<std::int64_t>(database, "SELECT origin_id FROM origin WHERE directory_uuid = ?",
+                             directory.text)
+      .value_or(0);
 }
 
 PersonId make_nameless_person(Database& database) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO person (is_administrator, is_disabled, created_utc) "
-                           "VALUES (0, 1, ?)"};
-  insert.bind(1, utc_now(database));
-  insert.exec();
+  execute(database,
+          "INSERT INTO person (is_administrator, is_disabled, created_utc) "
+          "VALUES (0, 1, ?)",
+          utc_now(database));
   return {database.connection().getLastInsertRowid()};
 }
 
 std::optional<PersonId> known_origin_person(Database& database, std::int64_t origin,
                                             PersonId there) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT person_id FROM origin_person WHERE origin_id = ? AND "
-                        "number_there = ?"};
-  row.bind(1, origin);
-  row.bind(2, there.number);
-  if (!row.executeStep()) return std::nullopt;
-  return PersonId{row.getColumn(0).getInt64()};
+  return found<PersonId>(database,
+                         "SELECT person_id FROM origin_person WHERE origin_id = ? AND "
+                         "number_there = ?",
+                         origin, there.number);
 }
 
 }  // namespace
 
 std::vector<Origin> list_origins(Database& database) {
   return translating(database, "list the origins", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT o.directory_uuid, o.is_accepted, o.imported_utc, "
-                           "(SELECT count(*) FROM attempt a WHERE a.origin_id = o.origin_id), "
-                           "(SELECT count(*) FROM origin_person p WHERE p.origin_id = o.origin_id) "
-                           "FROM origin o ORDER BY o.origin_id"};
+    auto rows = prepared(database,
+                         "SELECT o.directory_uuid, o.is_accepted, o.imported_utc, "
+                         "(SELECT count(*) FROM attempt a WHERE a.origin_id = o.origin_id), "
+                         "(SELECT count(*) FROM origin_person p WHERE p.origin_id = o.origin_id) "
+                         "FROM origin o ORDER BY o.origin_id");
     std::vector<Origin> origins;
     while (rows.executeStep()) {
       origins.push_back({{rows.getColumn(0).getString()},
@@ -65,11 +60,8 @@ std::int64_t note_origin(Database& database, const DirectoryId& directory) {
   }
   return in_transaction_of_caller(database, "note an origin", [&] {
     if (const std::int64_t known = number_of(database, directory)) return known;
-    SQLite::Statement insert{database.connection(),
-                             "INSERT INTO origin (directory_uuid, imported_utc) VALUES (?, ?)"};
-    insert.bind(1, directory.text);
-    insert.bind(2, utc_now(database));
-    insert.exec();
+    execute(database, "INSERT INTO origin (directory_uuid, imported_utc) VALUES (?, ?)",
+            directory.text, utc_now(database));
     return static_cast<std::int64_t>(database.connection().getLastInsertRowid());
   });
 }
@@ -78,13 +70,10 @@ PersonId note_origin_person(Database& database, std::int64_t origin, PersonId th
   return in_transaction_of_caller(database, "note a person of an origin", [&] {
     if (const auto known = known_origin_person(database, origin, there)) return *known;
     const PersonId here = make_nameless_person(database);
-    SQLite::Statement insert{database.connection(),
-                             "INSERT INTO origin_person (origin_id, number_there, person_id) "
-                             "VALUES (?, ?, ?)"};
-    insert.bind(1, origin);
-    insert.bind(2, there.number);
-    insert.bind(3, here.number);
-    insert.exec();
+    execute(database,
+            "INSERT INTO origin_person (origin_id, number_there, person_id) "
+            "VALUES (?, ?, ?)",
+            origin, there.number, here.number);
     return here;
   });
 }
@@ -92,14 +81,13 @@ PersonId note_origin_person(Database& database, std::int64_t origin, PersonId th
 void refuse_erased(Database& database, std::int64_t origin, PersonId there) {
   translating(database, "look for an erased person", [&] {
     // Of an export of this very directory the number is that of a person here.
-    SQLite::Statement row{
-        database.connection(),
-        "SELECT substr(e.erased_utc, 1, 10) FROM erasure e WHERE e.person_id IN "
-        "(SELECT person_id FROM origin_person WHERE origin_id = ?1 AND number_there = ?2) "
-        "OR (e.person_id = ?2 AND EXISTS (SELECT 1 FROM origin JOIN directory ON "
-        "uuid = directory_uuid WHERE origin_id = ?1))"};
-    row.bind(1, origin);
-    row.bind(2, there.number);
+    auto row =
+        prepared(database,
+                 "SELECT substr(e.erased_utc, 1, 10) FROM erasure e WHERE e.person_id IN "
+                 "(SELECT person_id FROM origin_person WHERE origin_id = ?1 AND number_there = ?2) "
+                 "OR (e.person_id = ?2 AND EXISTS (SELECT 1 FROM origin JOIN directory ON "
+                 "uuid = directory_uuid WHERE origin_id = ?1))",
+                 origin, there.number);
     if (!row.executeStep()) return;
     throw DatabaseError{DatabaseErrorKind::Refused,
                         "person " + std::to_string(there.number) +
@@ -110,11 +98,9 @@ void refuse_erased(Database& database, std::int64_t origin, PersonId there) {
 
 void set_accepted(Database& database, const DirectoryId& directory, bool is_accepted) {
   in_transaction_of_caller(database, "accept an origin", [&] {
-    SQLite::Statement update{database.connection(),
-                             "UPDATE origin SET is_accepted = ? WHERE directory_uuid = ?"};
-    update.bind(1, is_accepted ? 1 : 0);
-    update.bind(2, directory.text);
-    if (update.exec() == 1) return;
+    if (execute(database, "UPDATE origin SET is_accepted = ? WHERE directory_uuid = ?",
+                is_accepted ? 1 : 0, directory.text) == 1)
+      return;
     throw DatabaseError{DatabaseErrorKind::NotFound,
                         "nothing was imported into " + database.file().string() + " from '" +
                             directory.text + "'; `hallux origins` lists what was"};

@@ -49,13 +49,10 @@ class BackupProgress {
 /// Sealed, and not erased: their chunks never change any more.
 std::vector<AttemptId> closed_recordings(Database& database) {
   return translating(database, "list the closed recordings", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT uuid FROM attempt a WHERE seal IS NOT NULL AND NOT EXISTS "
-                           "(SELECT 1 FROM erased_recording e WHERE e.attempt_id = a.attempt_id) "
-                           "ORDER BY attempt_id"};
-    std::vector<AttemptId> attempts;
-    while (rows.executeStep()) attempts.push_back({rows.getColumn(0).getString()});
-    return attempts;
+    return all_of<AttemptId>(database,
+                             "SELECT uuid FROM attempt a WHERE seal IS NOT NULL AND NOT EXISTS "
+                             "(SELECT 1 FROM erased_recording e WHERE e.attempt_id = a.attempt_id) "
+                             "ORDER BY attempt_id");
   });
 }
 

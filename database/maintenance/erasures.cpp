@@ -84,7 +84,7 @@ bool names(std::string_view text, const Person& person) {
 /// hold the login.
 std::int64_t erase_audit_texts_that_name(Database& database, const Person& person) {
   std::vector<std::int64_t> naming;
-  SQLite::Statement rows{database.connection(), "SELECT audit_id, text FROM audit_text"};
+  auto rows = prepared(database, "SELECT audit_id, text FROM audit_text");
   while (rows.executeStep()) {
     if (names(rows.getColumn(1).getString(), person)) {
       naming.push_back(rows.getColumn(0).getInt64());
@@ -102,15 +102,11 @@ std::int64_t erase_audit_texts_that_name(Database& database, const Person& perso
 std::int64_t erase_rows(Database& database, const Person& person) {
   std::int64_t changed = erase_audit_texts_that_name(database, person);
   for (const char* sql : erasing_statements) {
-    SQLite::Statement statement{database.connection(), sql};
-    statement.bind(1, person.id.number);
+    auto statement = prepared(database, sql, person.id.number);
     changed += statement.exec();
   }
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO erasure (person_id, erased_utc) VALUES (?, ?)"};
-  insert.bind(1, person.id.number);
-  insert.bind(2, utc_now(database));
-  insert.exec();
+  execute(database, "INSERT INTO erasure (person_id, erased_utc) VALUES (?, ?)", person.id.number,
+          utc_now(database));
   return changed;
 }
 
@@ -133,12 +129,10 @@ void check_erasable(Database& database, const Person& person, const std::string&
     }
   }
   if (!person.is_administrator) return;
-  SQLite::Statement others{database.connection(),
+  if (single<std::int32_t>(database,
                            "SELECT count(*) FROM person JOIN password USING (person_id) "
-                           "WHERE is_administrator = 1 AND is_disabled = 0 AND person_id <> ?"};
-  others.bind(1, person.id.number);
-  others.executeStep();
-  if (others.getColumn(0).getInt() == 0) {
+                           "WHERE is_administrator = 1 AND is_disabled = 0 AND person_id <> ?",
+                           person.id.number) == 0) {
     refuse("the last administrator who can sign in cannot be erased; make another one first");
   }
 }
@@ -163,7 +157,7 @@ void audit_erasure(Database& database, const Person& person, const ErasureOrder&
                    std::optional<PersonId> actor) {
   const std::string number = std::to_string(person.id.number);
   if (person.is_administrator) {
-    append_audit(database, {actor, "administrator_unmade", "person", number, false, {}, ""});
+    append_audit(database, {actor, "administrator_unmade", "person", number});
   }
   append_audit(database, {actor, "person_erased", "person", number, false, {}, order.reason});
 }
@@ -172,11 +166,8 @@ void audit_erasure(Database& database, const Person& person, const ErasureOrder&
 
 bool is_erased(Database& database, PersonId person) {
   return translating(database, "look for an erasure", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT EXISTS (SELECT 1 FROM erasure WHERE person_id = ?)"};
-    row.bind(1, person.number);
-    row.executeStep();
-    return row.getColumn(0).getInt() != 0;
+    return single<bool>(database, "SELECT EXISTS (SELECT 1 FROM erasure WHERE person_id = ?)",
+                        person.number);
   });
 }
 
@@ -206,10 +197,10 @@ ErasedPieces erase_person(Database& database, const ErasureOrder& order,
 std::vector<JournalLine> list_erasures(Database& database) {
   const std::string directory = own_directory(database).text;
   return translating(database, "list the erasures", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT e.person_id, e.erased_utc, NOT EXISTS (SELECT 1 FROM attempt a "
-                           "JOIN chunk USING (attempt_id) WHERE a.person_id = e.person_id) "
-                           "FROM erasure e ORDER BY e.erased_utc"};
+    auto rows = prepared(database,
+                         "SELECT e.person_id, e.erased_utc, NOT EXISTS (SELECT 1 FROM attempt a "
+                         "JOIN chunk USING (attempt_id) WHERE a.person_id = e.person_id) "
+                         "FROM erasure e ORDER BY e.erased_utc");
     std::vector<JournalLine> lines;
     while (rows.executeStep()) {
       lines.push_back({directory,
@@ -250,9 +241,7 @@ std::int64_t apply_journal(Database& database, std::span<const JournalLine> line
 
 bool clear_log(Database& database) {
   return translating(database, "clear the log", [&] {
-    SQLite::Statement row{database.connection(), "PRAGMA wal_checkpoint(TRUNCATE)"};
-    row.executeStep();
-    return row.getColumn(0).getInt() == 0;
+    return single<std::int32_t>(database, "PRAGMA wal_checkpoint(TRUNCATE)") == 0;
   });
 }
 

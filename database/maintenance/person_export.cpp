@@ -199,8 +199,7 @@ class PersonWriter {
 
  private:
   void write_table(const KeptTable& table) {
-    SQLite::Statement rows{database_.connection(), table.sql};
-    rows.bind(1, person_.number);
+    auto rows = prepared(database_, table.sql, person_.number);
     std::string csv;
     for (int i = 0; i < rows.getColumnCount(); ++i) {
       csv += (i > 0 ? "," : "") + csv_cell(rows.getColumnName(i));

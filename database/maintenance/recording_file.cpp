@@ -43,11 +43,11 @@ std::span<const std::byte> blob_in(const SQLite::Column& column) {
 
 std::vector<std::byte> content_from(Database& database, const AttemptId& attempt) {
   return translating(database, "read the recording of attempt " + attempt.text, [&] {
-    SQLite::Statement rows{
-        database.connection(),
-        "SELECT c.seq, c.stream, c.first_tick, c.row_count, c.bytes, c.link FROM chunk c "
-        "JOIN attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream"};
-    rows.bind(1, attempt.text);
+    auto rows =
+        prepared(database,
+                 "SELECT c.seq, c.stream, c.first_tick, c.row_count, c.bytes, c.link FROM chunk c "
+                 "JOIN attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream",
+                 attempt.text);
     std::vector<std::byte> chunks;
     std::int64_t count = 0;
     for (; rows.executeStep(); ++count) {
@@ -161,10 +161,10 @@ void insert_chunk(Database& database, std::int64_t attempt, const KeptChunk& chu
 
 std::int64_t attempt_without_chunks(Database& database, const AttemptId& attempt,
                                     const fs::path& file) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT attempt_id, seal IS NOT NULL AND NOT EXISTS (SELECT 1 FROM chunk c "
-                        "WHERE c.attempt_id = a.attempt_id) FROM attempt a WHERE uuid = ?"};
-  row.bind(1, attempt.text);
+  auto row = prepared(database,
+                      "SELECT attempt_id, seal IS NOT NULL AND NOT EXISTS (SELECT 1 FROM chunk c "
+                      "WHERE c.attempt_id = a.attempt_id) FROM attempt a WHERE uuid = ?",
+                      attempt.text);
   if (!row.executeStep() || row.getColumn(1).getInt() == 0) {
     fail_damaged(file, "the backup has no closed attempt that lacks it");
   }

@@ -212,9 +212,7 @@ class Restorer {
   }
 
   static std::int64_t count_attempts(Database& database) {
-    SQLite::Statement row{database.connection(), "SELECT count(*) FROM attempt"};
-    row.executeStep();
-    return row.getColumn(0).getInt64();
+    return single<std::int64_t>(database, "SELECT count(*) FROM attempt");
   }
 
   const RestoreOrder& order_;

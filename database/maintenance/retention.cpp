@@ -87,10 +87,7 @@ std::vector<RetentionPiece> accounts_due(Database& database, const RetentionRule
                                          const std::optional<std::string>& only = {}) {
   std::vector<RetentionPiece> pieces;
   if (!rules.account_days) return pieces;
-  SQLite::Statement rows{database.connection(), due_accounts};
-  rows.bind(1, *rules.account_days);
-  rows.bind(2, utc_now(database));
-  if (only) rows.bind(3, *only);
+  auto rows = prepared(database, due_accounts, *rules.account_days, utc_now(database), only);
   while (rows.executeStep()) {
     pieces.push_back({RetainedKind::Account, rows.getColumn(0).getString(),
                       rows.getColumn(1).getString(), rows.getColumn(2).getString(), 0});

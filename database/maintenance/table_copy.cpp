@@ -159,9 +159,9 @@ void copy_tables(Database& source, const std::filesystem::path& file,
 
 std::string schema_text(Database& database) {
   return translating(database, "read the schema", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT type || ' ' || name || ': ' || coalesce(sql, '') FROM "
-                           "sqlite_schema ORDER BY type, name"};
+    auto rows = prepared(database,
+                         "SELECT type || ' ' || name || ': ' || coalesce(sql, '') FROM "
+                         "sqlite_schema ORDER BY type, name");
     std::string text;
     while (rows.executeStep()) text += rows.getColumn(0).getString() + "\n";
     return text;

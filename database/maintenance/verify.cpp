@@ -23,9 +23,7 @@ namespace {
 constexpr std::int64_t attempts_at_once = 256;
 
 std::int64_t count_in(Database& database, const std::string& table) {
-  SQLite::Statement row{database.connection(), "SELECT count(*) FROM " + table};
-  row.executeStep();
-  return row.getColumn(0).getInt64();
+  return single<std::int64_t>(database, "SELECT count(*) FROM " + table);
 }
 
 void check_contents(Database& database, VerifyProgress& progress, Verification& found) {
@@ -45,8 +43,7 @@ void check_contents(Database& database, VerifyProgress& progress, Verification& 
       get_asset(database, *digest);
       progress.tell(++found.assets, count);
     }
-    SQLite::Statement versions{database.connection(),
-                               "SELECT scenario_version_id FROM scenario_version"};
+    auto versions = prepared(database, "SELECT scenario_version_id FROM scenario_version");
     while (versions.executeStep()) {
       get_scenario_version(database, {versions.getColumn(0).getInt64()});
     }
@@ -68,11 +65,10 @@ void check_standing_of(const Database& database, const AttemptHeader& header) {
 
 std::vector<std::pair<std::int64_t, AttemptId>> attempts_after(Database& database,
                                                                std::int64_t last) {
-  SQLite::Statement rows{database.connection(),
-                         "SELECT attempt_id, uuid FROM attempt WHERE attempt_id > ? "
-                         "ORDER BY attempt_id LIMIT ?"};
-  rows.bind(1, last);
-  rows.bind(2, attempts_at_once);
+  auto rows = prepared(database,
+                       "SELECT attempt_id, uuid FROM attempt WHERE attempt_id > ? "
+                       "ORDER BY attempt_id LIMIT ?",
+                       last, attempts_at_once);
   std::vector<std::pair<std::int64_t, AttemptId>> found;
   while (rows.executeStep()) {
     found.emplace_back(rows.getColumn(0).getInt64(), AttemptId{rows.getColumn(1).getString()});

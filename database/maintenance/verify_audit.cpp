@@ -14,7 +14,7 @@ namespace {
 
 /// Rows of before this moment were written by a program that told the audit less.
 std::string schema_4_since(Database& database) {
-  SQLite::Statement row{database.connection(), "SELECT made_utc FROM directory"};
+  auto row = prepared(database, "SELECT made_utc FROM directory");
   if (!row.executeStep())
     fail_altered(database, "the identity of the directory, which is missing,");
   return row.getColumn(0).getString();
@@ -22,10 +22,10 @@ std::string schema_4_since(Database& database) {
 
 void check_score(Database& database, const AuditRow& row, const std::string& since) {
   const AuditEntry& entry = row.entry;
-  SQLite::Statement score{database.connection(),
-                          "SELECT s.card_json, a.uuid FROM score s JOIN attempt a "
-                          "USING (attempt_id) WHERE s.score_id = ?"};
-  score.bind(1, entry.subject_id);
+  auto score = prepared(database,
+                        "SELECT s.card_json, a.uuid FROM score s JOIN attempt a "
+                        "USING (attempt_id) WHERE s.score_id = ?",
+                        entry.subject_id);
   if (!score.executeStep()) {
     fail_altered(database, "score " + entry.subject_id + ", which is missing,");
   }
@@ -111,7 +111,7 @@ constexpr Unexplained unexplained[] = {
 
 void check_nothing_is_unexplained(Database& database) {
   for (const Unexplained& kind : unexplained) {
-    SQLite::Statement row{database.connection(), kind.sql};
+    auto row = prepared(database, kind.sql);
     if (row.executeStep()) fail_altered(database, kind.is_named + row.getColumn(0).getString());
   }
 }
@@ -123,7 +123,7 @@ void check_audit(Database& database, VerifyProgress& progress, Verification& fou
   std::string since;
   std::int64_t all = 0;
   translating(database, "look at the audit", [&] {
-    SQLite::Statement count{database.connection(), "SELECT coalesce(max(audit_id), 0) FROM audit"};
+    auto count = prepared(database, "SELECT coalesce(max(audit_id), 0) FROM audit");
     count.executeStep();
     since = schema_4_since(database);
     all = count.getColumn(0).getInt64();

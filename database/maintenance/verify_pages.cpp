@@ -19,25 +19,20 @@ constexpr std::int64_t chunks_at_once = 5000;
 constexpr std::string_view chunk_table = "chunk";
 
 void run_check(Database& database, const std::string& check) {
-  SQLite::Statement pages{database.connection(), check};
-  pages.executeStep();
-  const std::string answer = pages.getColumn(0).getString();
+  const auto answer = single<std::string>(database, check);
   if (answer != "ok") fail_altered(database, "a page (" + answer + ")");
 }
 
 void check_keys(Database& database, const std::string& argument) {
-  SQLite::Statement keys{database.connection(), "PRAGMA foreign_key_check" + argument};
+  auto keys = prepared(database, "PRAGMA foreign_key_check" + argument);
   if (!keys.executeStep()) return;
   fail_altered(database, "row " + std::to_string(keys.getColumn(1).getInt64()) + " of table " +
                              keys.getColumn(0).getString() + ", which names a missing row,");
 }
 
 std::vector<std::string> tables(Database& database) {
-  SQLite::Statement rows{database.connection(),
-                         "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name"};
-  std::vector<std::string> names;
-  while (rows.executeStep()) names.push_back(rows.getColumn(0).getString());
-  return names;
+  return all_of<std::string>(database,
+                             "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
 }
 
 void check_chunk_rows(Database& database, VerifyProgress& progress) {

@@ -18,13 +18,12 @@ struct ScoreRow {
 };
 
 std::vector<ScoreRow> scores_after(Database& database, std::int64_t last) {
-  SQLite::Statement rows{
-      database.connection(),
-      "SELECT score_id, card_json, score_milli, measured_weight_milli, scenario_version, "
-      "rubric_version, engine_version, rubric_milli, is_gated, safety_measured_milli, "
-      "safety_earned_milli FROM score WHERE score_id > ? ORDER BY score_id LIMIT ?"};
-  rows.bind(1, last);
-  rows.bind(2, scores_at_once);
+  auto rows =
+      prepared(database,
+               "SELECT score_id, card_json, score_milli, measured_weight_milli, scenario_version, "
+               "rubric_version, engine_version, rubric_milli, is_gated, safety_measured_milli, "
+               "safety_earned_milli FROM score WHERE score_id > ? ORDER BY score_id LIMIT ?",
+               last, scores_at_once);
   std::vector<ScoreRow> found;
   while (rows.executeStep()) {
     ScoreRow row{rows.getColumn(0).getInt64(), {}, rows.getColumn(1).getString()};
@@ -75,10 +74,10 @@ void check_scores(Database& database, VerifyProgress& progress, Verification& fo
       found.scores += static_cast<std::int64_t>(some.size());
       progress.tell(found.scores, all);
     }
-    SQLite::Statement out_of_turn{
-        database.connection(),
-        "SELECT score_id FROM score s WHERE (superseded_by IS NULL) <> (score_id = "
-        "(SELECT max(score_id) FROM score o WHERE o.attempt_id = s.attempt_id)) LIMIT 1"};
+    auto out_of_turn =
+        prepared(database,
+                 "SELECT score_id FROM score s WHERE (superseded_by IS NULL) <> (score_id = "
+                 "(SELECT max(score_id) FROM score o WHERE o.attempt_id = s.attempt_id)) LIMIT 1");
     if (out_of_turn.executeStep()) {
       fail_altered(database, "the order of score " + out_of_turn.getColumn(0).getString());
     }

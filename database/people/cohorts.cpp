@@ -38,12 +38,11 @@ CohortId create_cohort(Database& database, const std::string& name) {
     throw DatabaseError{DatabaseErrorKind::BadInput, "a cohort needs a name"};
   }
   return in_transaction_of_caller(database, "add a cohort", [&] {
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT INTO cohort (name, created_utc) VALUES (?, ?) ON CONFLICT (name) DO NOTHING"};
-    insert.bind(1, name);
-    insert.bind(2, utc_now(database));
-    if (insert.exec() == 1) return CohortId{database.connection().getLastInsertRowid()};
+    if (execute(
+            database,
+            "INSERT INTO cohort (name, created_utc) VALUES (?, ?) ON CONFLICT (name) DO NOTHING",
+            name, utc_now(database)) == 1)
+      return CohortId{database.connection().getLastInsertRowid()};
     throw DatabaseError{DatabaseErrorKind::BadInput, "there is a cohort '" + name + "' already"};
   });
 }
@@ -52,25 +51,20 @@ void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role
   in_transaction_of_caller(database, "enrol a person", [&] {
     load_person(database, person);
     load_cohort(database, cohort);
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT INTO membership (cohort_id, person_id, role, enrolled_utc) VALUES (?, ?, ?, ?) "
-        "ON CONFLICT (cohort_id, person_id) DO UPDATE SET role = excluded.role, "
-        "enrolled_utc = excluded.enrolled_utc WHERE role <> excluded.role"};
-    insert.bind(1, cohort.number);
-    insert.bind(2, person.number);
-    insert.bind(3, role == CohortRole::Trainee ? "trainee" : "instructor");
-    insert.bind(4, utc_now(database));
-    insert.exec();
+    execute(database,
+            "INSERT INTO membership (cohort_id, person_id, role, enrolled_utc) VALUES (?, ?, ?, ?) "
+            "ON CONFLICT (cohort_id, person_id) DO UPDATE SET role = excluded.role, "
+            "enrolled_utc = excluded.enrolled_utc WHERE role <> excluded.role",
+            cohort.number, person.number, role == CohortRole::Trainee ? "trainee" : "instructor",
+            utc_now(database));
   });
 }
 
 std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person) {
   return translating(database, "look for a membership", [&]() -> std::optional<CohortRole> {
-    SQLite::Statement row{database.connection(),
-                          "SELECT role FROM membership WHERE cohort_id = ? AND person_id = ?"};
-    row.bind(1, cohort.number);
-    row.bind(2, person.number);
+    auto row =
+        prepared(database, "SELECT role FROM membership WHERE cohort_id = ? AND person_id = ?",
+                 cohort.number, person.number);
     if (!row.executeStep()) return std::nullopt;
     return role_from(row.getColumn(0).getString());
   });
@@ -78,18 +72,14 @@ std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId 
 
 std::vector<Cohort> list_cohorts(Database& database) {
   return translating(database, "list the cohorts", [&] {
-    SQLite::Statement rows{database.connection(), std::string{cohort_columns} + "ORDER BY c.name"};
-    std::vector<Cohort> cohorts;
-    while (rows.executeStep()) cohorts.push_back(cohort_in(rows));
-    return cohorts;
+    auto rows = prepared(database, std::string{cohort_columns} + "ORDER BY c.name");
+    return collected(rows, cohort_in);
   });
 }
 
 Cohort load_cohort(Database& database, CohortId id) {
   return translating(database, "look for a cohort", [&] {
-    SQLite::Statement row{database.connection(),
-                          std::string{cohort_columns} + "WHERE c.cohort_id = ?"};
-    row.bind(1, id.number);
+    auto row = prepared(database, std::string{cohort_columns} + "WHERE c.cohort_id = ?", id.number);
     if (!row.executeStep()) fail_not_found(database, "cohort " + std::to_string(id.number));
     return cohort_in(row);
   });
@@ -97,13 +87,13 @@ Cohort load_cohort(Database& database, CohortId id) {
 
 std::vector<CohortMember> list_members(Database& database, CohortId id) {
   return translating(database, "list the members of a cohort", [&] {
-    SQLite::Statement rows{
-        database.connection(),
+    auto rows = prepared(
+        database,
         "SELECT p.person_id, coalesce(d.login, ''), coalesce(d.display_name, ''), m.role, "
         "p.is_disabled, coalesce(m.enrolled_utc, '') FROM membership m JOIN person p USING "
         "(person_id) LEFT JOIN person_detail d USING (person_id) WHERE m.cohort_id = ? "
-        "ORDER BY m.role, length(d.login), d.login"};
-    rows.bind(1, id.number);
+        "ORDER BY m.role, length(d.login), d.login",
+        id.number);
     std::vector<CohortMember> members;
     while (rows.executeStep()) {
       members.push_back({{rows.getColumn(0).getInt64()},
@@ -119,21 +109,19 @@ std::vector<CohortMember> list_members(Database& database, CohortId id) {
 
 void remove_from_cohort(Database& database, CohortId cohort, PersonId person) {
   in_transaction_of_caller(database, "take a person out of a cohort", [&] {
-    SQLite::Statement remove{database.connection(),
-                             "DELETE FROM membership WHERE cohort_id = ? AND person_id = ?"};
-    remove.bind(1, cohort.number);
-    remove.bind(2, person.number);
-    if (remove.exec() == 1) return;
+    if (execute(database, "DELETE FROM membership WHERE cohort_id = ? AND person_id = ?",
+                cohort.number, person.number) == 1)
+      return;
     fail_not_found(database, "such member of cohort " + std::to_string(cohort.number));
   });
 }
 
 std::vector<Membership> memberships_of(Database& database, PersonId person) {
   return translating(database, "look for the cohorts of a person", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT c.cohort_id, c.name, m.role FROM membership m JOIN cohort c "
-                           "USING (cohort_id) WHERE m.person_id = ? ORDER BY c.name"};
-    rows.bind(1, person.number);
+    auto rows = prepared(database,
+                         "SELECT c.cohort_id, c.name, m.role FROM membership m JOIN cohort c "
+                         "USING (cohort_id) WHERE m.person_id = ? ORDER BY c.name",
+                         person.number);
     std::vector<Membership> memberships;
     while (rows.executeStep()) {
       memberships.push_back({{rows.getColumn(0).getInt64()},

@@ -22,30 +22,21 @@ constexpr const char* notice_columns =
 
 void insert_notice(Database& database, std::optional<PersonId> told, NoticeKind kind,
                    std::optional<std::int64_t> about) {
-  SQLite::Statement insert{
-      database.connection(),
-      "INSERT INTO notice (person_id, kind, about_id, at_utc) VALUES (?, ?, ?, ?)"};
-  if (told) insert.bind(1, told->number);
-  bind_text(insert, 2, name_of(kind));
-  if (about) insert.bind(3, *about);
-  insert.bind(4, utc_now(database));
-  insert.exec();
+  execute(database, "INSERT INTO notice (person_id, kind, about_id, at_utc) VALUES (?, ?, ?, ?)",
+          told, name_of(kind), about, utc_now(database));
 }
 
 std::optional<std::int64_t> number_of(Database& database, const NoticeSubject& about) {
   if (about.person) return about.person->number;
   if (!about.attempt) return std::nullopt;
-  SQLite::Statement row{database.connection(), "SELECT attempt_id FROM attempt WHERE uuid = ?"};
-  row.bind(1, about.attempt->text);
-  if (!row.executeStep()) return std::nullopt;
-  return row.getColumn(0).getInt64();
+  return found<std::int64_t>(database, "SELECT attempt_id FROM attempt WHERE uuid = ?",
+                             about.attempt->text);
 }
 
 std::vector<Notice> read_notices(Database& database, PersonId person, const char* whose) {
   return translating(database, "read the notices", [&] {
-    SQLite::Statement rows{database.connection(),
-                           std::string{notice_columns} + whose + newest_first};
-    rows.bind(1, person.number);
+    auto rows =
+        prepared(database, std::string{notice_columns} + whose + newest_first, person.number);
     std::vector<Notice> notices;
     while (rows.executeStep()) {
       const auto kind = notice_kind_from(rows.getColumn(1).getString());
@@ -53,9 +44,7 @@ std::vector<Notice> read_notices(Database& database, PersonId person, const char
       Notice notice;
       notice.id = {rows.getColumn(0).getInt64()};
       notice.kind = *kind;
-      notice.at_utc = rows.getColumn(2).getString();
-      notice.is_for_administrators = rows.getColumn(3).getInt() != 0;
-      notice.login = rows.getColumn(4).getString();
+      read_columns(rows, 2, notice.at_utc, notice.is_for_administrators, notice.login);
       if (!rows.getColumn(5).isNull()) notice.attempt = AttemptId{rows.getColumn(5).getString()};
       if (*kind == NoticeKind::SignInsRefused) notice.count = rows.getColumn(6).getInt64();
       notices.push_back(std::move(notice));
@@ -80,15 +69,14 @@ void tell_administrators(Database& database, NoticeKind kind, const NoticeSubjec
 
 void tell_of_refused_sign_in(Database& database, PersonId told) {
   in_transaction_of_caller(database, "tell a person", [&] {
-    SQLite::Statement update{
-        database.connection(),
-        "UPDATE notice SET about_id = about_id + 1, at_utc = ?1 WHERE notice_id = "
-        "(SELECT n.notice_id FROM notice n WHERE n.person_id = ?2 AND n.kind = 'sign_ins_refused' "
-        "AND NOT EXISTS (SELECT 1 FROM notice_seen s WHERE s.notice_id = n.notice_id) "
-        "ORDER BY n.notice_id DESC LIMIT 1)"};
-    update.bind(1, utc_now(database));
-    update.bind(2, told.number);
-    if (update.exec() == 0) insert_notice(database, told, NoticeKind::SignInsRefused, 1);
+    if (execute(database,
+                "UPDATE notice SET about_id = about_id + 1, at_utc = ?1 WHERE notice_id = "
+                "(SELECT n.notice_id FROM notice n WHERE n.person_id = ?2 AND n.kind = "
+                "'sign_ins_refused' "
+                "AND NOT EXISTS (SELECT 1 FROM notice_seen s WHERE s.notice_id = n.notice_id) "
+                "ORDER BY n.notice_id DESC LIMIT 1)",
+                utc_now(database), told.number) == 0)
+      insert_notice(database, told, NoticeKind::SignInsRefused, 1);
   });
 }
 
@@ -102,9 +90,8 @@ std::vector<Notice> unseen_notices_of_administrators(Database& database, PersonI
 
 std::optional<NoticeAudience> audience_of(Database& database, NoticeId notice) {
   return translating(database, "look for a notice", [&]() -> std::optional<NoticeAudience> {
-    SQLite::Statement row{database.connection(),
-                          "SELECT person_id FROM notice WHERE notice_id = ?"};
-    row.bind(1, notice.number);
+    auto row =
+        prepared(database, "SELECT person_id FROM notice WHERE notice_id = ?", notice.number);
     if (!row.executeStep()) return std::nullopt;
     NoticeAudience audience;
     if (!row.getColumn(0).isNull()) audience.person = PersonId{row.getColumn(0).getInt64()};
@@ -114,13 +101,9 @@ std::optional<NoticeAudience> audience_of(Database& database, NoticeId notice) {
 
 void acknowledge_notice(Database& database, NoticeId notice, PersonId person) {
   in_transaction_of_caller(database, "acknowledge a notice", [&] {
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT OR IGNORE INTO notice_seen (notice_id, person_id, seen_utc) VALUES (?, ?, ?)"};
-    insert.bind(1, notice.number);
-    insert.bind(2, person.number);
-    insert.bind(3, utc_now(database));
-    insert.exec();
+    execute(database,
+            "INSERT OR IGNORE INTO notice_seen (notice_id, person_id, seen_utc) VALUES (?, ?, ?)",
+            notice.number, person.number, utc_now(database));
   });
 }
 

@@ -30,21 +30,14 @@ SecretText plain_code(const SecretText& typed) {
 }
 
 std::string time_after_days(Database& database, int days) {
-  SQLite::Statement row{database.connection(), "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', ?, ?)"};
-  row.bind(1, utc_now(database));
-  row.bind(2, "+" + std::to_string(days) + " days");
-  row.executeStep();
-  return row.getColumn(0).getString();
+  return single<std::string>(database, "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', ?, ?)",
+                             utc_now(database), "+" + std::to_string(days) + " days");
 }
 
 std::optional<std::string> live_hash(Database& database, PersonId person) {
-  SQLite::Statement row{
-      database.connection(),
-      "SELECT argon2id FROM one_time_code WHERE person_id = ? AND expires_utc > ?"};
-  row.bind(1, person.number);
-  row.bind(2, utc_now(database));
-  if (!row.executeStep()) return std::nullopt;
-  return row.getColumn(0).getString();
+  return found<std::string>(
+      database, "SELECT argon2id FROM one_time_code WHERE person_id = ? AND expires_utc > ?",
+      person.number, utc_now(database));
 }
 
 }  // namespace
@@ -69,16 +62,10 @@ IssuedCode issue_code(Database& database, PersonId person, PersonId issued_by,
   in_transaction_of_caller(database, "issue a one-time code", [&] {
     load_person(database, person);
     expires_utc = time_after_days(database, one_time_code_days);
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT OR REPLACE INTO one_time_code (person_id, argon2id, "
-        "issued_by_person_id, issued_utc, expires_utc) VALUES (?, ?, ?, ?, ?)"};
-    insert.bind(1, person.number);
-    insert.bind(2, argon2id);
-    insert.bind(3, issued_by.number);
-    insert.bind(4, utc_now(database));
-    insert.bind(5, expires_utc);
-    insert.exec();
+    execute(database,
+            "INSERT OR REPLACE INTO one_time_code (person_id, argon2id, "
+            "issued_by_person_id, issued_utc, expires_utc) VALUES (?, ?, ?, ?, ?)",
+            person.number, argon2id, issued_by.number, utc_now(database), expires_utc);
   });
   return {std::move(code), std::move(expires_utc)};
 }
@@ -99,10 +86,7 @@ std::optional<Person> verify_code(Database& database, std::string_view login,
 
 void remove_code(Database& database, PersonId person) {
   in_transaction_of_caller(database, "remove a one-time code", [&] {
-    SQLite::Statement remove{database.connection(),
-                             "DELETE FROM one_time_code WHERE person_id = ?"};
-    remove.bind(1, person.number);
-    remove.exec();
+    execute(database, "DELETE FROM one_time_code WHERE person_id = ?", person.number);
   });
 }
 

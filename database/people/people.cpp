@@ -36,46 +36,34 @@ void check_login_rules(const std::string& login) {
 }
 
 std::optional<Person> person_named(Database& database, std::string_view login) {
-  SQLite::Statement row{database.connection(), std::string{person_columns} + "WHERE d.login = ?"};
-  bind_text(row, 1, login);
+  auto row = prepared(database, std::string{person_columns} + "WHERE d.login = ?", login);
   if (!row.executeStep()) return std::nullopt;
   return person_in(row);
 }
 
 void store_hash(Database& database, PersonId id, const std::string& argon2id) {
-  SQLite::Statement store{
-      database.connection(),
-      "INSERT INTO password (person_id, argon2id, changed_utc) VALUES (?, ?, ?) "
-      "ON CONFLICT (person_id) DO UPDATE SET argon2id = excluded.argon2id, "
-      "changed_utc = excluded.changed_utc"};
-  store.bind(1, id.number);
-  store.bind(2, argon2id);
-  store.bind(3, utc_now(database));
-  store.exec();
+  execute(database,
+          "INSERT INTO password (person_id, argon2id, changed_utc) VALUES (?, ?, ?) "
+          "ON CONFLICT (person_id) DO UPDATE SET argon2id = excluded.argon2id, "
+          "changed_utc = excluded.changed_utc",
+          id.number, argon2id, utc_now(database));
 }
 
 PersonId insert_person(Database& database, const NewPerson& person) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO person (is_administrator, created_utc) VALUES (?, ?)"};
-  insert.bind(1, person.is_administrator ? 1 : 0);
-  insert.bind(2, utc_now(database));
-  insert.exec();
+  execute(database, "INSERT INTO person (is_administrator, created_utc) VALUES (?, ?)",
+          person.is_administrator ? 1 : 0, utc_now(database));
   const PersonId id{database.connection().getLastInsertRowid()};
-  SQLite::Statement detail{
-      database.connection(),
-      "INSERT INTO person_detail (person_id, login, display_name) VALUES (?, ?, ?)"};
-  detail.bind(1, id.number);
-  detail.bind(2, person.login);
-  detail.bind(3, person.display_name.empty() ? person.login : person.display_name);
-  detail.exec();
+  execute(database, "INSERT INTO person_detail (person_id, login, display_name) VALUES (?, ?, ?)",
+          id.number, person.login,
+          person.display_name.empty() ? person.login : person.display_name);
   return id;
 }
 
 /// One who can sign in: a code that nobody redeemed yet may expire.
 void check_an_administrator_remains(Database& database, const char* what_cannot_be) {
-  SQLite::Statement count{database.connection(),
-                          "SELECT count(*) FROM person JOIN password USING (person_id) "
-                          "WHERE is_administrator = 1 AND is_disabled = 0"};
+  auto count = prepared(database,
+                        "SELECT count(*) FROM person JOIN password USING (person_id) "
+                        "WHERE is_administrator = 1 AND is_disabled = 0");
   count.executeStep();
   if (count.getColumn(0).getInt() > 0) return;
   throw DatabaseError{DatabaseErrorKind::Refused, "the last administrator of " +
@@ -88,10 +76,7 @@ void set_flag(Database& database, const char* tried, const char* sql, PersonId i
               const char* what_cannot_be) {
   in_transaction_of_caller(database, tried, [&] {
     load_person(database, id);
-    SQLite::Statement update{database.connection(), sql};
-    update.bind(1, value ? 1 : 0);
-    update.bind(2, id.number);
-    update.exec();
+    execute(database, sql, value ? 1 : 0, id.number);
     check_an_administrator_remains(database, what_cannot_be);
   });
 }
@@ -127,22 +112,17 @@ PersonId create_person_without_password(Database& database, const NewPerson& per
 
 std::vector<Person> list_people(Database& database) {
   return translating(database, "list the people", [&] {
-    SQLite::Statement rows{database.connection(),
-                           std::string{person_columns} +
-                               "WHERE d.login IS NOT NULL OR NOT EXISTS (SELECT 1 FROM "
-                               "origin_person o WHERE o.person_id = p.person_id) "
-                               "ORDER BY d.login, p.person_id"};
-    std::vector<Person> people;
-    while (rows.executeStep()) people.push_back(person_in(rows));
-    return people;
+    auto rows = prepared(database, std::string{person_columns} +
+                                       "WHERE d.login IS NOT NULL OR NOT EXISTS (SELECT 1 FROM "
+                                       "origin_person o WHERE o.person_id = p.person_id) "
+                                       "ORDER BY d.login, p.person_id");
+    return collected(rows, person_in);
   });
 }
 
 bool has_people(Database& database) {
   return translating(database, "look for people", [&] {
-    SQLite::Statement row{database.connection(), "SELECT EXISTS (SELECT 1 FROM person)"};
-    row.executeStep();
-    return row.getColumn(0).getInt() != 0;
+    return single<bool>(database, "SELECT EXISTS (SELECT 1 FROM person)");
   });
 }
 
@@ -161,9 +141,7 @@ Person find_person(Database& database, std::string_view login) {
 
 Person load_person(Database& database, PersonId id) {
   return translating(database, "look for a person", [&] {
-    SQLite::Statement row{database.connection(),
-                          std::string{person_columns} + "WHERE p.person_id = ?"};
-    row.bind(1, id.number);
+    auto row = prepared(database, std::string{person_columns} + "WHERE p.person_id = ?", id.number);
     if (row.executeStep()) return person_in(row);
     throw DatabaseError{DatabaseErrorKind::NotFound, "there is no person with number " +
                                                          std::to_string(id.number) + " in " +
@@ -177,9 +155,8 @@ std::optional<Person> verify_person(Database& database, std::string_view login,
     std::optional<Person> person = person_named(database, login);
     std::string argon2id;
     if (person) {
-      SQLite::Statement row{database.connection(),
-                            "SELECT argon2id FROM password WHERE person_id = ?"};
-      row.bind(1, person->id.number);
+      auto row = prepared(database, "SELECT argon2id FROM password WHERE person_id = ?",
+                          person->id.number);
       if (row.executeStep()) argon2id = row.getColumn(0).getString();
     }
     if (argon2id.empty()) {
@@ -216,9 +193,7 @@ void set_administrator(Database& database, PersonId id, bool is_administrator) {
 
 void remove_password(Database& database, PersonId id) {
   in_transaction_of_caller(database, "remove a password", [&] {
-    SQLite::Statement remove{database.connection(), "DELETE FROM password WHERE person_id = ?"};
-    remove.bind(1, id.number);
-    remove.exec();
+    execute(database, "DELETE FROM password WHERE person_id = ?", id.number);
     check_an_administrator_remains(database, "cannot lose their password");
   });
 }

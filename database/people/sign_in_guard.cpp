@@ -50,9 +50,7 @@ Digest keyed(std::string_view purpose, std::string_view key, std::string_view te
 }
 
 Keys keys_of(Database& database, std::string_view login) {
-  SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
-  row.executeStep();
-  const std::string key = row.getColumn(0).getString();
+  const auto key = single<std::string>(database, "SELECT uuid FROM directory");
   const std::string& pretended = database.pretended_station();
   return {keyed("account", key, login),
           keyed("station", key, pretended.empty() ? this_station() : pretended)};
@@ -60,15 +58,11 @@ Keys keys_of(Database& database, std::string_view login) {
 
 /// What is old goes; what a clock set back left in the future happened now.
 void tidy(Database& database, const std::string& now) {
-  SQLite::Statement remove{database.connection(),
-                           "DELETE FROM sign_in_guard WHERE "
-                           "failed_utc < strftime('%Y-%m-%dT%H:%M:%fZ', ?, '-1 day')"};
-  remove.bind(1, now);
-  remove.exec();
-  SQLite::Statement restamp{database.connection(),
-                            "UPDATE sign_in_guard SET failed_utc = ?1 WHERE failed_utc > ?1"};
-  restamp.bind(1, now);
-  restamp.exec();
+  execute(database,
+          "DELETE FROM sign_in_guard WHERE "
+          "failed_utc < strftime('%Y-%m-%dT%H:%M:%fZ', ?, '-1 day')",
+          now);
+  execute(database, "UPDATE sign_in_guard SET failed_utc = ?1 WHERE failed_utc > ?1", now);
 }
 
 /// What is left of the wait that `wait_of` asks for after the refusals of `rows`.
@@ -101,14 +95,11 @@ int wait_now_s(Database& database, const Keys& keys, const std::string& now) {
 }
 
 void add_refusal(Database& database, const Keys& keys, const std::string& now) {
-  SQLite::Statement add{database.connection(),
-                        "INSERT INTO sign_in_guard (account, station, failures, failed_utc) "
-                        "VALUES (?, ?, 1, ?) ON CONFLICT (account, station) DO UPDATE SET "
-                        "failures = failures + 1, failed_utc = excluded.failed_utc"};
-  bind_digest(add, 1, keys.account);
-  bind_digest(add, 2, keys.station);
-  add.bind(3, now);
-  add.exec();
+  execute(database,
+          "INSERT INTO sign_in_guard (account, station, failures, failed_utc) "
+          "VALUES (?, ?, 1, ?) ON CONFLICT (account, station) DO UPDATE SET "
+          "failures = failures + 1, failed_utc = excluded.failed_utc",
+          keys.account, keys.station, now);
 }
 
 }  // namespace
@@ -143,11 +134,8 @@ void count_try(Database& database, std::string_view login) {
 void forget_tries(Database& database, std::string_view login) {
   in_transaction_of_caller(database, "end a sign-in", [&] {
     const Keys keys = keys_of(database, login);
-    SQLite::Statement remove{database.connection(),
-                             "DELETE FROM sign_in_guard WHERE account = ? AND station = ?"};
-    bind_digest(remove, 1, keys.account);
-    bind_digest(remove, 2, keys.station);
-    remove.exec();
+    execute(database, "DELETE FROM sign_in_guard WHERE account = ? AND station = ?", keys.account,
+            keys.station);
   });
 }
 

@@ -33,9 +33,7 @@ NewAttempt begun_in(SQLite::Statement& row) {
   if (!row.getColumn(2).isNull()) begun.person = PersonId{row.getColumn(2).getInt64()};
   begun.hand = row.getColumn(3).getString();
   begun.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
-  begun.device_class = row.getColumn(5).getString();
-  begun.pacing = row.getColumn(6).getString();
-  begun.stereo_mode = row.getColumn(7).getString();
+  read_columns(row, 5, begun.device_class, begun.pacing, begun.stereo_mode);
   begun.bone = digest_in(row.getColumn(8)).value_or(Digest{});
   begun.engine = row.getColumn(9).getInt();
   begun.kind = attempt_kind_from(row.getColumn(20).getString()).value_or(AttemptKind::Practice);
@@ -50,23 +48,17 @@ AttemptHeader header_in(SQLite::Statement& row) {
   header.started_utc = row.getColumn(10).getString();
   header.state =
       attempt_state_from(row.getColumn(11).getString()).value_or(AttemptState::Interrupted);
-  if (!row.getColumn(12).isNull()) header.duration_ticks = row.getColumn(12).getInt64();
-  header.quality_json = row.getColumn(13).getString();
+  read_columns(row, 12, header.duration_ticks, header.quality_json);
   header.seal = digest_in(row.getColumn(14));
-  header.scenario_name = row.getColumn(15).getString();
-  header.scenario_version = row.getColumn(16).getInt();
+  read_columns(row, 15, header.scenario_name, header.scenario_version);
   header.scenario_digest = digest_in(row.getColumn(17)).value_or(Digest{});
-  header.login = row.getColumn(18).getString();
-  if (!row.getColumn(19).isNull()) header.score_milli = row.getColumn(19).getInt64();
+  read_columns(row, 18, header.login, header.score_milli);
   header.is_simulated = row.getColumn(21).getInt() != 0;
   if (!row.getColumn(22).isNull()) {
     header.decision = decision_kind_from(row.getColumn(22).getString());
-    if (!row.getColumn(23).isNull()) header.decided_milli = row.getColumn(23).getInt64();
-    header.decision_is_of_score_in_force = row.getColumn(24).getInt() != 0;
+    read_columns(row, 23, header.decided_milli, header.decision_is_of_score_in_force);
   }
-  header.is_complete = row.getColumn(25).getInt() != 0;
-  header.order = row.getColumn(26).getInt64();
-  header.is_partial = row.getColumn(27).getInt() != 0;
+  read_columns(row, 25, header.is_complete, header.order, header.is_partial);
   if (!row.getColumn(29).isNull()) header.is_valid = row.getColumn(29).getInt() != 0;
   if (!row.getColumn(30).isNull()) {
     header.origin = DirectoryId{row.getColumn(30).getString()};
@@ -96,12 +88,12 @@ struct CohortAttempts {
 
 CohortAttempts attempts_in(Database& database, CohortId cohort) {
   return translating(database, "count the attempts of a cohort", [&] {
-    SQLite::Statement row{
-        database.connection(),
-        "SELECT coalesce(sum(t.attempts), 0), coalesce(max(t.last_started_utc), '') "
-        "FROM membership m JOIN standing t USING (person_id) WHERE m.cohort_id = ? "
-        "AND m.role = 'trainee'"};
-    row.bind(1, cohort.number);
+    auto row =
+        prepared(database,
+                 "SELECT coalesce(sum(t.attempts), 0), coalesce(max(t.last_started_utc), '') "
+                 "FROM membership m JOIN standing t USING (person_id) WHERE m.cohort_id = ? "
+                 "AND m.role = 'trainee'",
+                 cohort.number);
     row.executeStep();
     return CohortAttempts{row.getColumn(0).getInt64(), row.getColumn(1).getString()};
   });
@@ -135,9 +127,7 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
     if (filter.cohort) rows.bind(2, filter.cohort->number);
     if (filter.count_max) rows.bind(3, *filter.count_max);
     if (is_bounded) rows.bind(4, all.last_started_utc);
-    std::vector<AttemptHeader> headers;
-    while (rows.executeStep()) headers.push_back(header_in(rows));
-    return headers;
+    return collected(rows, header_in);
   });
 }
 
@@ -145,9 +135,9 @@ std::vector<AttemptHeader> headers_that_begin_with(Database& database, const Att
   return translating(database, "look for an attempt", [&] {
     std::vector<AttemptHeader> found;
     if (!is_uuid_start(id.text)) return found;
-    SQLite::Statement row{database.connection(), std::string{header_columns} +
-                                                     "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'"};
-    row.bind(1, id.text);
+    auto row = prepared(database,
+                        std::string{header_columns} + "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'",
+                        id.text);
     while (row.executeStep()) found.push_back(header_in(row));
     return found;
   });
@@ -173,16 +163,12 @@ void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration
     header.duration_ticks = duration_ticks;
     header.quality_json = quality_json;
     const Digest seal = seal_of(last_link, header);
-    SQLite::Statement update{database.connection(),
-                             "UPDATE attempt SET state = 'closed', duration_ticks = ?, "
-                             "quality_json = ?, seal = ?, is_valid = ? "
-                             "WHERE uuid = ? AND state = 'recording'"};
-    update.bind(1, duration_ticks);
-    update.bind(2, quality_json);
-    bind_digest(update, 3, seal);
-    update.bind(4, is_valid_by(quality_json) ? 1 : 0);
-    update.bind(5, header.id.text);
-    if (update.exec() != 1) {
+    if (execute(database,
+                "UPDATE attempt SET state = 'closed', duration_ticks = ?, "
+                "quality_json = ?, seal = ?, is_valid = ? "
+                "WHERE uuid = ? AND state = 'recording'",
+                duration_ticks, quality_json, seal, is_valid_by(quality_json) ? 1 : 0,
+                header.id.text) != 1) {
       throw DatabaseError{DatabaseErrorKind::NotFound, "could not seal attempt " + id.text +
                                                            " in " + database.file().string() +
                                                            ": it is not being recorded any more"};

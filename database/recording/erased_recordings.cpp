@@ -15,16 +15,16 @@ struct Chain {
 };
 
 Chain chain_of(Database& database, std::int64_t attempt) {
-  SQLite::Statement sums{database.connection(),
-                         "SELECT count(DISTINCT seq), coalesce(sum(length(bytes)), 0) FROM chunk "
-                         "WHERE attempt_id = ?"};
-  sums.bind(1, attempt);
+  auto sums = prepared(database,
+                       "SELECT count(DISTINCT seq), coalesce(sum(length(bytes)), 0) FROM chunk "
+                       "WHERE attempt_id = ?",
+                       attempt);
   sums.executeStep();
   Chain chain{{}, sums.getColumn(0).getInt64(), sums.getColumn(1).getInt64()};
-  SQLite::Statement last{
-      database.connection(),
-      "SELECT link FROM chunk WHERE attempt_id = ? ORDER BY seq DESC, stream DESC LIMIT 1"};
-  last.bind(1, attempt);
+  auto last =
+      prepared(database,
+               "SELECT link FROM chunk WHERE attempt_id = ? ORDER BY seq DESC, stream DESC LIMIT 1",
+               attempt);
   if (last.executeStep()) chain.last_link = digest_in(last.getColumn(0));
   return chain;
 }
@@ -40,19 +40,17 @@ void store_erasure(Database& database, std::int64_t attempt, const Chain& chain)
   insert.bind(3, chain.windows);
   insert.bind(4, utc_now(database));
   insert.exec();
-  SQLite::Statement remove{database.connection(), "DELETE FROM chunk WHERE attempt_id = ?"};
-  remove.bind(1, attempt);
-  remove.exec();
+  execute(database, "DELETE FROM chunk WHERE attempt_id = ?", attempt);
 }
 
 }  // namespace
 
 std::optional<ErasedRecording> erased_recording(Database& database, const AttemptId& id) {
   return translating(database, "look for an erased recording", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT e.last_link, e.windows, e.erased_utc FROM erased_recording e "
-                          "JOIN attempt a USING (attempt_id) WHERE a.uuid = ?"};
-    row.bind(1, id.text);
+    auto row = prepared(database,
+                        "SELECT e.last_link, e.windows, e.erased_utc FROM erased_recording e "
+                        "JOIN attempt a USING (attempt_id) WHERE a.uuid = ?",
+                        id.text);
     std::optional<ErasedRecording> erased;
     if (row.executeStep()) {
       erased = ErasedRecording{digest_in(row.getColumn(0)).value_or(Digest{}),
@@ -75,7 +73,7 @@ std::int64_t erase_recording(Database& database, const AttemptId& id,
     if (erased_recording(database, now.id)) return std::int64_t{0};
     const Chain chain = chain_of(database, now.order);
     store_erasure(database, now.order, chain);
-    append_audit(database, {actor, "recording_erased", "attempt", now.id.text, false, {}, ""});
+    append_audit(database, {actor, "recording_erased", "attempt", now.id.text});
     return chain.bytes;
   });
   drop_cached(database.directory(), header.id.text + ".fields");

@@ -30,9 +30,7 @@ StoredChunk chunk_in(SQLite::Statement& row) {
 /// One number that a query about an attempt answers with.
 std::optional<std::int64_t> number_of(Database& database, const char* sql, const AttemptId& id,
                                       std::int64_t bound) {
-  SQLite::Statement query{database.connection(), sql};
-  query.bind(1, id.text);
-  query.bind(2, bound);
+  auto query = prepared(database, sql, id.text, bound);
   if (!query.executeStep() || query.getColumn(0).isNull()) return std::nullopt;
   return query.getColumn(0).getInt64();
 }
@@ -77,12 +75,11 @@ WindowRange windows_around(Database& database, const AttemptId& id, const TickRa
 }
 
 Digest link_before(Database& database, const AttemptId& id, std::int64_t window) {
-  SQLite::Statement row{
-      database.connection(),
+  auto row = prepared(
+      database,
       "SELECT c.link FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq < ? "
-      "ORDER BY c.seq DESC, c.stream DESC LIMIT 1"};
-  row.bind(1, id.text);
-  row.bind(2, window);
+      "ORDER BY c.seq DESC, c.stream DESC LIMIT 1",
+      id.text, window);
   if (!row.executeStep()) return {};
   return digest_in(row.getColumn(0)).value_or(Digest{});
 }

@@ -10,8 +10,7 @@ namespace hallux::database {
 WindowWriter::WindowWriter(Database database, AttemptId attempt)
     : database_(std::move(database)), attempt_(std::move(attempt)) {
   attempt_number_ = translating(database_, "look for attempt " + attempt_.text, [&] {
-    SQLite::Statement row{database_.connection(), "SELECT attempt_id FROM attempt WHERE uuid = ?"};
-    row.bind(1, attempt_.text);
+    auto row = prepared(database_, "SELECT attempt_id FROM attempt WHERE uuid = ?", attempt_.text);
     if (row.executeStep()) return row.getColumn(0).getInt64();
     throw DatabaseError{DatabaseErrorKind::NotFound, "there is no attempt " + attempt_.text +
                                                          " in " + database_.file().string()};

@@ -317,8 +317,8 @@ void add_record_tables(Database& database) {
     // Made now: an authorizer that comes later would take its declaration for a change of the
     // schema.
     translating(database, "add a table of the record", [&] {
-      const SQLite::Statement first_use{database.connection(),
-                                        "SELECT tick FROM " + std::string{table.name} + "('')"};
+      const auto first_use =
+          prepared(database, "SELECT tick FROM " + std::string{table.name} + "('')");
     });
   }
 }

@@ -30,8 +30,7 @@ Digest digest_of_text(std::string_view text) {
 Digest put_asset(Database& database, std::string_view kind, std::span<const std::byte> bytes) {
   const Digest digest = digest_of(bytes);
   translating(database, "look for an asset", [&] {
-    SQLite::Statement found{database.connection(), "SELECT 1 FROM asset WHERE digest = ?"};
-    bind_digest(found, 1, digest);
+    auto found = prepared(database, "SELECT 1 FROM asset WHERE digest = ?", digest);
     if (found.executeStep()) return;
     const std::vector<std::byte> packed = compressed(bytes);
     in_transaction_of_caller(database, "store an asset", [&] {
@@ -50,9 +49,7 @@ Digest put_asset(Database& database, std::string_view kind, std::span<const std:
 
 std::vector<std::byte> get_asset(Database& database, const Digest& digest) {
   return translating(database, "read an asset", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT plain_bytes, zstd FROM asset WHERE digest = ?"};
-    bind_digest(row, 1, digest);
+    auto row = prepared(database, "SELECT plain_bytes, zstd FROM asset WHERE digest = ?", digest);
     const std::string name = "asset " + hex_from_digest(digest) + " of " + database.file().string();
     if (!row.executeStep()) {
       throw DatabaseError{DatabaseErrorKind::NotFound, "there is no " + name};
@@ -76,31 +73,22 @@ std::vector<std::byte> get_asset(Database& database, const Digest& digest) {
 ScenarioVersionId put_scenario_version(Database& database, const ScenarioText& text) {
   const Digest digest = digest_of_text(text.json);
   return in_transaction_of_caller(database, "store a scenario version", [&] {
-    SQLite::Statement insert{
-        database.connection(),
-        "INSERT OR IGNORE INTO scenario_version (name, version, json, digest, is_reviewed, "
-        "stored_utc) VALUES (?, ?, ?, ?, ?, ?)"};
-    insert.bind(1, text.name);
-    insert.bind(2, text.version);
-    insert.bind(3, text.json);
-    bind_digest(insert, 4, digest);
-    insert.bind(5, text.is_reviewed ? 1 : 0);
-    insert.bind(6, utc_now(database));
-    insert.exec();
-    SQLite::Statement row{database.connection(),
-                          "SELECT scenario_version_id FROM scenario_version WHERE digest = ?"};
-    bind_digest(row, 1, digest);
-    row.executeStep();
-    return ScenarioVersionId{row.getColumn(0).getInt64()};
+    execute(database,
+            "INSERT OR IGNORE INTO scenario_version (name, version, json, digest, is_reviewed, "
+            "stored_utc) VALUES (?, ?, ?, ?, ?, ?)",
+            text.name, text.version, text.json, digest, text.is_reviewed ? 1 : 0,
+            utc_now(database));
+    return single<ScenarioVersionId>(
+        database, "SELECT scenario_version_id FROM scenario_version WHERE digest = ?", digest);
   });
 }
 
 ScenarioText get_scenario_version(Database& database, ScenarioVersionId id) {
   return translating(database, "read a scenario version", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT name, version, json, is_reviewed, digest FROM scenario_version "
-                          "WHERE scenario_version_id = ?"};
-    row.bind(1, id.number);
+    auto row = prepared(database,
+                        "SELECT name, version, json, is_reviewed, digest FROM scenario_version "
+                        "WHERE scenario_version_id = ?",
+                        id.number);
     const std::string name =
         "scenario version " + std::to_string(id.number) + " of " + database.file().string();
     if (!row.executeStep()) {

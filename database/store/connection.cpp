@@ -42,9 +42,7 @@ bool becomes_wal(Database& database) {
       std::chrono::steady_clock::now() + std::chrono::milliseconds{database.busy_timeout_ms()};
   for (;;) {
     try {
-      SQLite::Statement mode{database.connection(), "PRAGMA journal_mode = WAL"};
-      mode.executeStep();
-      return mode.getColumn(0).getString() == "wal";
+      return single<std::string>(database, "PRAGMA journal_mode = WAL") == "wal";
     } catch (const SQLite::Exception& error) {
       const bool is_busy = (error.getErrorCode() & 0xFF) == SQLITE_BUSY;
       if (!is_busy || std::chrono::steady_clock::now() >= deadline) throw;
@@ -84,8 +82,7 @@ void configure(Database& database, Access access) {
 void mark_interrupted_attempts(Database& database) {
   std::vector<AttemptId> abandoned;
   translating(database, "look for interrupted attempts", [&] {
-    SQLite::Statement rows{database.connection(),
-                           "SELECT uuid FROM attempt WHERE state = 'recording'"};
+    auto rows = prepared(database, "SELECT uuid FROM attempt WHERE state = 'recording'");
     while (rows.executeStep()) {
       AttemptId attempt{rows.getColumn(0).getString()};
       if (!WriterLease::is_held(database.directory(), attempt)) {
@@ -95,11 +92,9 @@ void mark_interrupted_attempts(Database& database) {
   });
   for (const AttemptId& attempt : abandoned) {
     in_transaction(database, "mark an interrupted attempt", [&] {
-      SQLite::Statement mark{
-          database.connection(),
-          "UPDATE attempt SET state = 'interrupted' WHERE uuid = ? AND state = 'recording'"};
-      mark.bind(1, attempt.text);
-      mark.exec();
+      execute(database,
+              "UPDATE attempt SET state = 'interrupted' WHERE uuid = ? AND state = 'recording'",
+              attempt.text);
     });
     WriterLease::clear(database.directory(), attempt);
   }

@@ -12,9 +12,7 @@ std::span<const EmbeddedText> schema_files() noexcept;
 namespace {
 
 std::int32_t pragma_number(Database& database, const char* pragma) {
-  SQLite::Statement statement{database.connection(), pragma};
-  statement.executeStep();
-  return statement.getColumn(0).getInt();
+  return single<std::int32_t>(database, pragma);
 }
 
 bool has_tables(Database& database) {

@@ -5,11 +5,8 @@
 namespace hallux::database {
 
 DirectoryId own_directory(Database& database) {
-  return translating(database, "read which directory this is", [&] {
-    SQLite::Statement row{database.connection(), "SELECT uuid FROM directory"};
-    row.executeStep();
-    return DirectoryId{row.getColumn(0).getString()};
-  });
+  return translating(database, "read which directory this is",
+                     [&] { return single<DirectoryId>(database, "SELECT uuid FROM directory"); });
 }
 
 }  // namespace hallux::database

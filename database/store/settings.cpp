@@ -15,23 +15,16 @@ constexpr std::string_view idle_lock = "idle_lock_min";
 
 std::optional<std::string> read_setting(Database& database, std::string_view name) {
   return translating(database, "read a setting", [&]() -> std::optional<std::string> {
-    SQLite::Statement row{database.connection(), "SELECT value FROM setting WHERE name = ?"};
-    bind_text(row, 1, name);
-    if (!row.executeStep()) return std::nullopt;
-    return row.getColumn(0).getString();
+    return found<std::string>(database, "SELECT value FROM setting WHERE name = ?", name);
   });
 }
 
 void store_setting(Database& database, std::string_view name, const std::string& value) {
   in_transaction_of_caller(database, "store a setting", [&] {
-    SQLite::Statement store{
-        database.connection(),
-        "INSERT INTO setting (name, value, set_utc) VALUES (?, ?, ?) "
-        "ON CONFLICT (name) DO UPDATE SET value = excluded.value, set_utc = excluded.set_utc"};
-    bind_text(store, 1, name);
-    store.bind(2, value);
-    store.bind(3, utc_now(database));
-    store.exec();
+    execute(database,
+            "INSERT INTO setting (name, value, set_utc) VALUES (?, ?, ?) "
+            "ON CONFLICT (name) DO UPDATE SET value = excluded.value, set_utc = excluded.set_utc",
+            name, value, utc_now(database));
   });
 }
 

@@ -55,18 +55,14 @@ bool is_in_transaction(Database& database) noexcept {
 
 std::int64_t page_bytes(Database& database) {
   return translating(database, "ask for the size", [&] {
-    SQLite::Statement row{database.connection(),
-                          "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size"};
-    row.executeStep();
-    return row.getColumn(0).getInt64();
+    return single<std::int64_t>(
+        database, "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size");
   });
 }
 
 std::string utc_now(Database& database) {
   if (!database.pretended_utc().empty()) return database.pretended_utc();
-  SQLite::Statement now{database.connection(), "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"};
-  now.executeStep();
-  return now.getColumn(0).getString();
+  return single<std::string>(database, "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')");
 }
 
 void bind_digest(SQLite::Statement& statement, int index, const Digest& digest) {

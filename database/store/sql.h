@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "database/store/connection.h"
 #include "simulator/base/digest.h"
@@ -65,5 +66,104 @@ void bind_digest(SQLite::Statement& statement, int index, const Digest& digest);
 void bind_text(SQLite::Statement& statement, int index, std::string_view text);
 /// Nothing where the column is not 32 bytes.
 std::optional<Digest> digest_in(const SQLite::Column& column);
+
+/// Binds a number, a text, an id or a digest; of an optional that holds nothing, NULL.
+template <typename Value>
+void bind_value(SQLite::Statement& statement, int index, const Value& value) {
+  if constexpr (requires { value.number; }) {
+    statement.bind(index, value.number);
+  } else if constexpr (requires { value.text; }) {
+    statement.bind(index, value.text);
+  } else if constexpr (std::is_same_v<Value, Digest>) {
+    statement.bind(index, value.bytes.data(), static_cast<int>(value.bytes.size()));
+  } else if constexpr (requires { value.has_value(); }) {
+    if (value) bind_value(statement, index, *value);
+  } else if constexpr (std::is_convertible_v<const Value&, std::string_view>) {
+    bind_text(statement, index, value);
+  } else {
+    statement.bind(index, value);
+  }
+}
+
+/// A statement with copies of `values` bound in their order.
+template <typename... Values>
+SQLite::Statement prepared(Database& database, const std::string& sql, const Values&... values) {
+  SQLite::Statement statement{database.connection(), sql};
+  [[maybe_unused]] int index = 0;
+  (bind_value(statement, ++index, values), ...);
+  return statement;
+}
+
+/// Runs a statement that answers with no row; how many rows it changed.
+template <typename... Values>
+int execute(Database& database, const std::string& sql, const Values&... values) {
+  return prepared(database, sql, values...).exec();
+}
+
+/// Reads a number, a truth, a text or an id; NULL as nothing where `value` is an optional.
+template <typename Value>
+void read_column(const SQLite::Column& column, Value& value) {
+  if constexpr (requires { value.number; }) {
+    read_column(column, value.number);
+  } else if constexpr (requires { value.text; }) {
+    read_column(column, value.text);
+  } else if constexpr (requires { value.has_value(); }) {
+    value.reset();
+    if (!column.isNull()) read_column(column, value.emplace());
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    value = column.getInt() != 0;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    value = column.getString();
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    value = column.getDouble();
+  } else if constexpr (sizeof(Value) <= sizeof(int)) {
+    value = column.getInt();
+  } else {
+    value = column.getInt64();
+  }
+}
+
+/// Reads the columns from `first` on into `values`, in their order.
+template <typename... Values>
+void read_columns(SQLite::Statement& row, int first, Values&... values) {
+  (read_column(row.getColumn(first++), values), ...);
+}
+
+/// The one value that a statement answers with.
+template <typename Value, typename... Values>
+Value single(Database& database, const std::string& sql, const Values&... values) {
+  SQLite::Statement row = prepared(database, sql, values...);
+  row.executeStep();
+  Value value{};
+  read_column(row.getColumn(0), value);
+  return value;
+}
+
+/// The one value that a statement answers with; nothing where it answers with no row.
+template <typename Value, typename... Values>
+std::optional<Value> found(Database& database, const std::string& sql, const Values&... values) {
+  SQLite::Statement row = prepared(database, sql, values...);
+  if (!row.executeStep()) return std::nullopt;
+  Value value{};
+  read_column(row.getColumn(0), value);
+  return value;
+}
+
+/// The first column of all rows.
+template <typename Value, typename... Values>
+std::vector<Value> all_of(Database& database, const std::string& sql, const Values&... values) {
+  SQLite::Statement rows = prepared(database, sql, values...);
+  std::vector<Value> read;
+  while (rows.executeStep()) read_column(rows.getColumn(0), read.emplace_back());
+  return read;
+}
+
+/// What `read` makes of each row.
+template <typename Read>
+auto collected(SQLite::Statement& rows, Read read) {
+  std::vector<std::invoke_result_t<Read, SQLite::Statement&>> found;
+  while (rows.executeStep()) found.push_back(read(rows));
+  return found;
+}
 
 }  // namespace hallux::database

@@ -6,41 +6,81 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Appends integers to a row, or takes them off again, in one fixed order.
-template <std::size_t Count>
-class RowWriter {
- public:
-  void add(std::int64_t value) noexcept { row_[used_++] = value; }
-  void add(const QuantisedPose& pose) noexcept {
-    for (const std::int32_t part : pose.translation_um) add(part);
-    for (const std::int32_t part : pose.rotation_micro) add(part);
-  }
-  const std::array<std::int64_t, Count>& row() const noexcept { return row_; }
-
- private:
-  std::array<std::int64_t, Count> row_{};
-  std::size_t used_ = 0;
-};
-
-template <std::size_t Count>
-class RowReader {
- public:
-  explicit RowReader(const std::array<std::int64_t, Count>& row) noexcept : row_(row) {}
+/// Writes integers into a row, in one fixed order.
+struct RowWriter {
+  std::int64_t* at;
   template <typename Integer>
-  Integer take() noexcept {
-    return static_cast<Integer>(row_[used_++]);
+  void operator()(const Integer& value) noexcept {
+    *at++ = static_cast<std::int64_t>(value);
   }
-  QuantisedPose take_pose() noexcept {
-    QuantisedPose pose;
-    for (std::int32_t& part : pose.translation_um) part = take<std::int32_t>();
-    for (std::int32_t& part : pose.rotation_micro) part = take<std::int32_t>();
-    return pose;
-  }
-
- private:
-  const std::array<std::int64_t, Count>& row_;
-  std::size_t used_ = 0;
 };
+
+/// Takes them off again.
+struct RowReader {
+  const std::int64_t* at;
+  template <typename Integer>
+  void operator()(Integer& value) noexcept {
+    value = static_cast<Integer>(*at++);
+  }
+};
+
+template <typename Port>
+void pass(Port& port, QuantisedPose& pose) noexcept {
+  for (std::int32_t& part : pose.translation_um) port(part);
+  for (std::int32_t& part : pose.rotation_micro) port(part);
+}
+
+template <typename Port>
+void pass(Port& port, TapeLine& line) noexcept {
+  port(line.tick);
+  pass(port, line.device.world_from_handle);
+  // Switches and faults share a column.
+  auto bits = line.device.switches | (static_cast<std::int64_t>(line.device.faults) << 32U);
+  port(bits);
+  line.device.switches = static_cast<std::uint32_t>(bits & 0xFFFFFFFFLL);
+  line.device.faults = static_cast<std::uint32_t>(bits >> 32U);
+  port(line.ticks);
+  port(line.command_count);
+  for (Command& command : line.commands) {
+    port(command.kind);
+    port(command.argument);
+    port(command.detail);
+  }
+}
+
+template <typename Port>
+void pass(Port& port, ToolSample& sample) noexcept {
+  port(sample.tick);
+  pass(port, sample.world_from_tool);
+  for (std::int32_t& part : sample.force_mn) port(part);
+  port(sample.status);
+  port(sample.kerf);
+}
+
+template <typename Port>
+void pass(Port& port, CutEvent& event) noexcept {
+  port(event.tick);
+  port(event.kind);
+  port(event.subject);
+  port(event.value);
+  pass(port, event.pose);
+}
+
+template <std::size_t Count, typename Row>
+std::array<std::int64_t, Count> written(Row row) noexcept {
+  std::array<std::int64_t, Count> columns{};
+  RowWriter writer{columns.data()};
+  pass(writer, row);
+  return columns;
+}
+
+template <typename Row, std::size_t Count>
+Row read(const std::array<std::int64_t, Count>& columns) noexcept {
+  Row row;
+  RowReader reader{columns.data()};
+  pass(reader, row);
+  return row;
+}
 
 template <typename Row>
 void add_rows(Digester& digester, const std::vector<Row>& rows) noexcept {
@@ -78,78 +118,23 @@ RigidTransform transform_from(const QuantisedPose& pose) noexcept {
 }
 
 std::array<std::int64_t, tape_columns> columns_of(const TapeLine& line) noexcept {
-  RowWriter<tape_columns> row;
-  row.add(line.tick);
-  row.add(line.device.world_from_handle);
-  row.add(line.device.switches | (static_cast<std::int64_t>(line.device.faults) << 32U));
-  row.add(line.ticks);
-  row.add(line.command_count);
-  for (const Command& command : line.commands) {
-    row.add(static_cast<std::int32_t>(command.kind));
-    row.add(command.argument);
-    row.add(command.detail);
-  }
-  return row.row();
+  return written<tape_columns>(line);
+}
+std::array<std::int64_t, sample_columns> columns_of(const ToolSample& sample) noexcept {
+  return written<sample_columns>(sample);
+}
+std::array<std::int64_t, event_columns> columns_of(const CutEvent& event) noexcept {
+  return written<event_columns>(event);
 }
 
 TapeLine tape_line_from(const std::array<std::int64_t, tape_columns>& columns) noexcept {
-  RowReader row{columns};
-  TapeLine line;
-  line.tick = row.template take<std::int64_t>();
-  line.device.world_from_handle = row.take_pose();
-  const auto bits = row.template take<std::int64_t>();
-  line.device.switches = static_cast<std::uint32_t>(bits & 0xFFFFFFFFLL);
-  line.device.faults = static_cast<std::uint32_t>(bits >> 32U);
-  line.ticks = row.template take<std::uint8_t>();
-  line.command_count = row.template take<std::uint8_t>();
-  for (Command& command : line.commands) {
-    command.kind = static_cast<CommandKind>(row.template take<std::int32_t>());
-    command.argument = row.template take<std::int32_t>();
-    command.detail = row.template take<std::int64_t>();
-  }
-  return line;
+  return read<TapeLine>(columns);
 }
-
-std::array<std::int64_t, sample_columns> columns_of(const ToolSample& sample) noexcept {
-  RowWriter<sample_columns> row;
-  row.add(sample.tick);
-  row.add(sample.world_from_tool);
-  for (const std::int32_t part : sample.force_mn) row.add(part);
-  row.add(sample.status);
-  row.add(sample.kerf);
-  return row.row();
-}
-
 ToolSample tool_sample_from(const std::array<std::int64_t, sample_columns>& columns) noexcept {
-  RowReader row{columns};
-  ToolSample sample;
-  sample.tick = row.template take<std::int64_t>();
-  sample.world_from_tool = row.take_pose();
-  for (std::int32_t& part : sample.force_mn) part = row.template take<std::int32_t>();
-  sample.status = row.template take<std::uint32_t>();
-  sample.kerf = row.template take<std::int32_t>();
-  return sample;
+  return read<ToolSample>(columns);
 }
-
-std::array<std::int64_t, event_columns> columns_of(const CutEvent& event) noexcept {
-  RowWriter<event_columns> row;
-  row.add(event.tick);
-  row.add(static_cast<std::int32_t>(event.kind));
-  row.add(event.subject);
-  row.add(event.value);
-  row.add(event.pose);
-  return row.row();
-}
-
 CutEvent cut_event_from(const std::array<std::int64_t, event_columns>& columns) noexcept {
-  RowReader row{columns};
-  CutEvent event;
-  event.tick = row.template take<std::int64_t>();
-  event.kind = static_cast<CutEventKind>(row.template take<std::int32_t>());
-  event.subject = row.template take<std::int32_t>();
-  event.value = row.template take<std::int64_t>();
-  event.pose = row.take_pose();
-  return event;
+  return read<CutEvent>(columns);
 }
 
 Digest digest_outputs(const Recording& recording) noexcept {
