@@ -9,7 +9,6 @@
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
-#include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/menu.h"
 
 namespace hallux::ui {
@@ -195,12 +194,9 @@ void CohortsScreen::draw_member_actions(Ui& ui, const Rect& line, const Listed& 
 
 void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
   if (!new_name_) return;
-  Dialog shown;
-  shown.title = shown.act = ui.text("cohorts.add");
-  shown.keep = ui.text("form.cancel");
-  shown.error = adding_.fault();
-  shown.form_height = field_label_height + field_height;
-  shown.is_busy = adding_.is_running();
+  const Dialog shown =
+      form_dialog(ui, ui.text("cohorts.add"), ui.text("cohorts.add"),
+                  {adding_.fault(), adding_.is_running()}, field_label_height + field_height);
   const Answer answer = dialog(ui, "cohorts.new", shown, [&](Rect form) {
     FieldSpec name;
     name.label = ui.text("cohorts.new.name");
@@ -237,13 +233,8 @@ void CohortsScreen::draw_enrol_dialog(Ui& ui, Shell& shell) {
   const std::string title =
       ui.texts().say("cohorts.enrol.title", {{"cohort", listed->cohort.name}});
   const std::string act = enrol_label(ui.texts());
-  Dialog shown;
-  shown.title = title;
-  shown.act = act;
-  shown.keep = ui.text("form.cancel");
-  shown.error = enrolling_.fault();
-  shown.form_height = field_height + list_height + segmented_height + 2.0F * gap;
-  shown.is_busy = enrolling_.is_running();
+  const Dialog shown = form_dialog(ui, title, act, {enrolling_.fault(), enrolling_.is_running()},
+                                   field_height + list_height + segmented_height + 2.0F * gap);
   const Answer answer = dialog(ui, "cohorts.enrolment", shown, [&](const Rect& form) {
     draw_enrol_form(ui, form, *listed);
     return !enrolment_->table.chosen.empty();

@@ -46,14 +46,9 @@ EraseWords::~EraseWords() { wipe(password); }
 
 Answer draw_erase_dialog(Ui& ui, EraseWords& words, const std::string& fault, bool is_busy) {
   const std::string title = ui.texts().say("people.erase.title", {{"login", words.login}});
-  Dialog shown;
-  shown.title = title;
-  shown.sentence = ui.text("people.erase.sentence");
-  shown.act = ui.text("people.erase.act");
+  Dialog shown = form_dialog(ui, title, ui.text("people.erase.act"), {fault, is_busy}, form_height);
   shown.keep = ui.text("people.keep");
-  shown.error = fault;
-  shown.form_height = form_height;
-  shown.is_busy = is_busy;
+  shown.sentence = ui.text("people.erase.sentence");
   shown.is_dangerous = true;
   return dialog(ui, "people.erase", shown,
                 [&](const Rect& form) { return draw_fields(ui, form, words); });

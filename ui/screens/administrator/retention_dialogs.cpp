@@ -1,6 +1,5 @@
 #include "ui/screens/administrator/retention_dialogs.h"
 
-#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -90,14 +89,10 @@ bool RetentionDialogs::draw(Ui& ui, Shell& shell) {
 }
 
 void RetentionDialogs::draw_days(Ui& ui, Shell& shell) {
-  Dialog shown;
-  shown.title = ui.text("records.retention");
+  Dialog shown = form_dialog(ui, ui.text("records.retention"), ui.text("records.retention.look"),
+                             {work_.fault(), work_.is_running()},
+                             4.0F * (field_label_height + field_height + field_gap));
   shown.sentence = ui.text("records.retention.sentence");
-  shown.act = ui.text("records.retention.look");
-  shown.keep = ui.text("form.cancel");
-  shown.error = work_.fault();
-  shown.form_height = 4.0F * (field_label_height + field_height + field_gap);
-  shown.is_busy = work_.is_running();
   const Answer answer = dialog(ui, "records.retention.days", shown, [&](Rect form) {
     bool are_days = true;
     for (std::size_t i = 0; i < field_ids.size(); ++i) {
@@ -138,14 +133,11 @@ void RetentionDialogs::save(Ui& ui, Shell& shell) {
 }
 
 void RetentionDialogs::draw_plan(Ui& ui, Shell& shell) {
-  Dialog shown;
-  shown.title = ui.text("records.retention.plan");
-  shown.sentence = plan_->summary;
-  shown.act = ui.text("records.retention.act");
+  Dialog shown =
+      form_dialog(ui, ui.text("records.retention.plan"), ui.text("records.retention.act"),
+                  {work_.fault(), work_.is_running()}, list_height);
   shown.keep = ui.text("records.retention.keep");
-  shown.error = work_.fault();
-  shown.form_height = list_height;
-  shown.is_busy = work_.is_running();
+  shown.sentence = plan_->summary;
   shown.is_dangerous = true;
   const Answer answer = dialog(ui, "records.retention.plan", shown, [&](const Rect& form) {
     const float height = row_height * static_cast<float>(plan_->lines.size());

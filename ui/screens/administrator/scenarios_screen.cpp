@@ -1,7 +1,6 @@
 #include "ui/screens/administrator/scenarios_screen.h"
 
 #include <algorithm>
-#include <array>
 
 #include "ui/jobs/course/course_jobs.h"
 #include "ui/jobs/course/scenario_jobs.h"
@@ -248,15 +247,10 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
   const std::string error = importing_.fault().empty() ? std::string()
                                                        : std::string(ui.text("scenarios.refused")) +
                                                              "\n" + importing_.fault();
-  Dialog shown;
-  shown.title = ui.text("scenarios.import");
+  Dialog shown = form_dialog(ui, ui.text("scenarios.import"), ui.text("scenarios.file.act"),
+                             {error, importing_.is_running()}, field_label_height + field_height);
   shown.sentence = ui.text("scenarios.import.sentence");
-  shown.act = ui.text("scenarios.file.act");
-  shown.keep = ui.text("form.cancel");
-  shown.error = error;
   shown.width = 620.0F;
-  shown.form_height = field_label_height + field_height;
-  shown.is_busy = importing_.is_running();
   const Answer answer = dialog(ui, "scenarios.file", shown, [&](Rect form) {
     FieldSpec path;
     path.label = ui.text("scenarios.file");

@@ -4,7 +4,6 @@
 #include <charconv>
 
 #include "ui/screens/parts/course_text.h"
-#include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
 
@@ -91,14 +90,10 @@ std::string said_of(const Texts& texts, const LimitsForm& form, const LimitChang
 
 Answer draw_limits_dialog(Ui& ui, LimitsForm& form, const std::string& fault, bool is_busy) {
   const std::string title = ui.texts().say("limits.title", {{"cohort", form.cohort_name}});
-  Dialog shown;
-  shown.title = title;
+  Dialog shown =
+      form_dialog(ui, title, ui.text("limits.act"), {fault, is_busy},
+                  list_height + gap + field_label_height + field_height + field_message_height);
   shown.sentence = ui.text("limits.sentence");
-  shown.act = ui.text("limits.act");
-  shown.keep = ui.text("form.cancel");
-  shown.error = fault;
-  shown.form_height = list_height + gap + field_label_height + field_height + field_message_height;
-  shown.is_busy = is_busy;
   return dialog(ui, "limits", shown, [&](const Rect& rect) {
     draw_form(ui, rect, form);
     return change_in(form).has_value();

@@ -46,15 +46,10 @@ bool MessageForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSessi
   if (std::exchange(was_sent_, false)) return true;
   if (!is_open_) return false;
   const std::string id(spec.id);
-  Dialog shown;
-  shown.title = spec.title;
+  Dialog shown = form_dialog(ui, spec.title, spec.act, {error_, work_.is_running()},
+                             field_label_height + words_height);
   shown.sentence = spec.sentence;
-  shown.act = spec.act;
-  shown.keep = ui.text("form.cancel");
-  shown.error = error_;
-  shown.form_height = field_label_height + words_height;
   if (!spec.toggle.empty()) shown.form_height += gap + toggle_height;
-  shown.is_busy = work_.is_running();
   const Answer answer = dialog(ui, id, shown, [&](const Rect& form) {
     Rect rest = form;
     take_top(rest, field_label_height);

@@ -78,13 +78,8 @@ bool draw_code(Ui& ui, Rect line, const ShownCode& code) {
 }  // namespace
 
 Answer draw_add_dialog(Ui& ui, AddedPersonWords& words, const std::string& fault, bool is_busy) {
-  Dialog shown;
-  shown.title = ui.text("people.add.title");
-  shown.act = ui.text("people.add.act");
-  shown.keep = ui.text("form.cancel");
-  shown.error = fault;
-  shown.form_height = add_height;
-  shown.is_busy = is_busy;
+  const Dialog shown = form_dialog(ui, ui.text("people.add.title"), ui.text("people.add.act"),
+                                   {fault, is_busy}, add_height);
   return dialog(ui, "people.add", shown, [&](const Rect& form) {
     draw_add_fields(ui, form, words);
     return !words.login.empty();
@@ -98,13 +93,9 @@ PasswordWords::~PasswordWords() {
 }
 
 Answer draw_password_dialog(Ui& ui, PasswordWords& words, const std::string& fault, bool is_busy) {
-  Dialog shown;
-  shown.title = ui.text("account.password.title");
-  shown.act = ui.text("account.password.act");
-  shown.keep = ui.text("form.cancel");
-  shown.error = fault;
-  shown.form_height = password_height;
-  shown.is_busy = is_busy;
+  const Dialog shown =
+      form_dialog(ui, ui.text("account.password.title"), ui.text("account.password.act"),
+                  {fault, is_busy}, password_height);
   return dialog(ui, "account.password", shown,
                 [&](const Rect& form) { return draw_password_fields(ui, form, words); });
 }

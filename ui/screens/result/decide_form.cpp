@@ -116,16 +116,13 @@ bool DecideForm::draw(Ui& ui, Shell& shell, const ResultFacts& facts) {
     return false;
   }
   const bool is_override = kind() == DecisionKind::Overridden;
-  Dialog shown;
-  shown.title = ui.text("result.decide");
-  shown.sentence = ui.text(sentences[static_cast<std::size_t>(chosen_)]);
-  shown.act = ui.text(verbs[static_cast<std::size_t>(chosen_)]);
+  Dialog shown = form_dialog(
+      ui, ui.text("result.decide"), ui.text(verbs[static_cast<std::size_t>(chosen_)]),
+      {error_, work_.is_running()}, segmented_height + gap + field_label_height + reason_height);
   shown.keep = ui.text("result.decide.cancel");
-  shown.error = error_;
-  shown.form_height = segmented_height + gap + field_label_height + reason_height;
-  if (is_override) shown.form_height += field_label_height + field_height + field_message_height;
-  shown.is_busy = work_.is_running();
+  shown.sentence = ui.text(sentences[static_cast<std::size_t>(chosen_)]);
   shown.is_dangerous = kind() == DecisionKind::Voided;
+  if (is_override) shown.form_height += field_label_height + field_height + field_message_height;
   const Answer answer =
       dialog(ui, "decide", shown, [&](const Rect& form) { return draw_fields(ui, form); });
   if (answer == Answer::Keep) is_open_ = false;

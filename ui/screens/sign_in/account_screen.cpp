@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <utility>
 
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
@@ -167,14 +166,10 @@ void AccountScreen::change_password(Ui& ui, Shell& shell) {
 }
 
 void AccountScreen::draw_export(Ui& ui, Shell& shell) {
-  Dialog shown;
-  shown.title = ui.text("account.export.title");
+  Dialog shown = form_dialog(ui, ui.text("account.export.title"), ui.text("account.export.act"),
+                             {exporting_.fault(), exporting_.is_running()},
+                             field_label_height + field_height + field_message_height);
   shown.sentence = ui.text("account.export.sentence");
-  shown.act = ui.text("account.export.act");
-  shown.keep = ui.text("form.cancel");
-  shown.error = exporting_.fault();
-  shown.form_height = field_label_height + field_height + field_message_height;
-  shown.is_busy = exporting_.is_running();
   const Answer answer = dialog(ui, "account.export", shown, [&](Rect form) {
     FieldSpec folder;
     folder.label = ui.text("account.export.folder");

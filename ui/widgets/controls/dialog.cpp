@@ -71,6 +71,14 @@ Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, bool is_re
 
 }  // namespace
 
+Dialog form_dialog(const Ui& ui, std::string_view title, std::string_view act,
+                   const FormState& state, float form_height) {
+  Dialog form{title, {}, act, ui.text("form.cancel")};
+  form.error = state.fault, form.is_busy = state.is_busy;
+  form.form_height = form_height;
+  return form;
+}
+
 Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
               const std::function<bool(const Rect& form)>& draw_form) {
   Canvas& canvas = ui.canvas();

@@ -1,9 +1,7 @@
 /// A form over everything: a few fields, the verb and the way out.
 ///
-///     Dialog shown;
-///     shown.title = shown.act = ui.text("cohorts.add");
-///     shown.keep = ui.text("form.cancel");
-///     shown.form_height = field_label_height + field_height;
+///     const Dialog shown = form_dialog(ui, ui.text("cohorts.add"), ui.text("cohorts.add"),
+///                                      {fault, is_busy}, field_label_height + field_height);
 ///     const Answer answer = dialog(ui, "cohorts.new", shown, [&](const Rect& form) {
 ///       field(ui, "cohorts.new.name", inset(form, ...), name_, spec);
 ///       return !name_.empty();
@@ -37,6 +35,16 @@ struct Dialog {
   bool is_busy = false;
   bool is_dangerous = false;
 };
+
+/// How it stands with what a form began: why the last try failed, and whether it still runs.
+struct FormState {
+  std::string_view fault = {};
+  bool is_busy = false;
+};
+
+/// A form whose way out is "Cancel".
+Dialog form_dialog(const Ui& ui, std::string_view title, std::string_view act,
+                   const FormState& state, float form_height);
 
 /// Draws it with the fields that `draw_form` draws into the place it is given; it answers false
 /// where something is still missing, so that the verb cannot be pressed. Buttons are named
