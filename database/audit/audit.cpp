@@ -37,12 +37,8 @@ Digest audit_link(const Digest& before, const AuditRow& row) {
 
 void store_text(Database& database, std::int64_t number, const Salt& salt,
                 const std::string& text) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO audit_text (audit_id, salt, text) VALUES (?, ?, ?)"};
-  insert.bind(1, number);
-  insert.bindNoCopy(2, salt.data(), static_cast<int>(salt.size()));
-  insert.bind(3, text);
-  insert.exec();
+  execute(database, "INSERT INTO audit_text (audit_id, salt, text) VALUES (?, ?, ?)", number, salt,
+          text);
 }
 
 void store_row(Database& database, const AuditRow& row, const Digest& link) {

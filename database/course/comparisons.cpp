@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "database/people/cohorts.h"
 #include "database/store/sql.h"
@@ -19,15 +20,12 @@ struct Place {
 /// Points by person.
 using Results = std::map<std::int64_t, std::int64_t>;
 
-void bind_place(SQLite::Statement& statement, const Place& place) {
-  statement.bind(1, place.cohort.number);
-  statement.bind(2, place.scenario_name);
-  statement.bind(3, place.device_class);
+auto columns_of(const Place& place) {
+  return std::tie(place.cohort, place.scenario_name, place.device_class);
 }
 
 Results results_in(Database& database, const char* query, const Place& place) {
-  SQLite::Statement rows{database.connection(), query};
-  bind_place(rows, place);
+  auto rows = prepared(database, query, columns_of(place));
   Results results;
   while (rows.executeStep())
     results.emplace(rows.getColumn(0).getInt64(), rows.getColumn(1).getInt64());
@@ -66,28 +64,18 @@ bool is_due(const Results& kept, const Results& now) {
 }
 
 void replace_snapshot(Database& database, const Place& place, const Results& results) {
-  SQLite::Statement insert{
-      database.connection(),
-      "INSERT INTO cohort_snapshot (cohort_id, scenario_name, device_class, made_utc) "
-      "VALUES (?, ?, ?, ?) ON CONFLICT DO UPDATE SET made_utc = excluded.made_utc"};
-  bind_place(insert, place);
-  insert.bind(4, utc_now(database));
-  insert.exec();
-  SQLite::Statement remove{database.connection(),
-                           "DELETE FROM cohort_snapshot_result WHERE cohort_id = ? AND "
-                           "scenario_name = ? AND device_class = ?"};
-  bind_place(remove, place);
-  remove.exec();
-  SQLite::Statement row{database.connection(),
-                        "INSERT INTO cohort_snapshot_result (cohort_id, scenario_name, "
-                        "device_class, person_id, milli) VALUES (?, ?, ?, ?, ?)"};
-  for (const auto& [person, milli] : results) {
-    bind_place(row, place);
-    row.bind(4, person);
-    row.bind(5, milli);
-    row.exec();
-    row.reset();
-  }
+  execute(database,
+          "INSERT INTO cohort_snapshot (cohort_id, scenario_name, device_class, made_utc) "
+          "VALUES (?, ?, ?, ?) ON CONFLICT DO UPDATE SET made_utc = excluded.made_utc",
+          columns_of(place), utc_now(database));
+  execute(database,
+          "DELETE FROM cohort_snapshot_result WHERE cohort_id = ? AND "
+          "scenario_name = ? AND device_class = ?",
+          columns_of(place));
+  auto row = prepared(database,
+                      "INSERT INTO cohort_snapshot_result (cohort_id, scenario_name, "
+                      "device_class, person_id, milli) VALUES (?, ?, ?, ?, ?)");
+  for (const auto& [person, milli] : results) run_again(row, columns_of(place), person, milli);
 }
 
 Results renewed(Database& database, const Place& place) {
@@ -136,11 +124,11 @@ std::vector<std::string> device_classes(Database& database, CohortId cohort,
 }
 
 std::string made_utc_of(Database& database, const Place& place) {
-  SQLite::Statement row{database.connection(),
-                        "SELECT made_utc FROM cohort_snapshot WHERE cohort_id = ? AND "
-                        "scenario_name = ? AND device_class = ?"};
-  bind_place(row, place);
-  return row.executeStep() ? row.getColumn(0).getString() : std::string();
+  return found<std::string>(database,
+                            "SELECT made_utc FROM cohort_snapshot WHERE cohort_id = ? AND "
+                            "scenario_name = ? AND device_class = ?",
+                            columns_of(place))
+      .value_or("");
 }
 
 }  // namespace

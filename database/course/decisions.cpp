@@ -61,20 +61,16 @@ void name_successor(Database& database, std::int64_t retired, DecisionId success
 
 DecisionId insert_decision(Database& database, const AttemptHeader& header,
                            const NewDecision& decision, PersonId by) {
-  SQLite::Statement insert{
-      database.connection(),
+  std::optional<std::int64_t> score_milli;
+  if (decision.kind == DecisionKind::Confirmed) score_milli = header.score_milli.value();
+  if (decision.kind == DecisionKind::Overridden) score_milli = decision.score_milli;
+  execute(
+      database,
       "INSERT INTO decision (attempt_id, kind, score_id, score_milli, reason, "
       "decided_by_person_id, decided_utc) SELECT a.attempt_id, ?, s.score_id, ?, ?, ?, ? "
       "FROM attempt a LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
-      "WHERE a.uuid = ?"};
-  bind_text(insert, 1, name_of(decision.kind));
-  if (decision.kind == DecisionKind::Confirmed) insert.bind(2, *header.score_milli);
-  if (decision.kind == DecisionKind::Overridden) insert.bind(2, decision.score_milli);
-  insert.bind(3, decision.reason);
-  insert.bind(4, by.number);
-  insert.bind(5, utc_now(database));
-  insert.bind(6, header.id.text);
-  insert.exec();
+      "WHERE a.uuid = ?",
+      name_of(decision.kind), score_milli, decision.reason, by, utc_now(database), header.id);
   return {database.connection().getLastInsertRowid()};
 }
 

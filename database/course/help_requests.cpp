@@ -44,17 +44,12 @@ HelpRequestId add_help_request(Database& database, const NewHelpRequest& request
   const AttemptHeader header = load_header(database, request.attempt);
   check_moment(request.moment, header.duration_ticks);
   return in_transaction_of_caller(database, "ask for help", [&] {
-    SQLite::Statement insert{
-        database.connection(),
+    execute(
+        database,
         "INSERT INTO help_request (attempt_id, asker_person_id, question, asked_utc, moment_us, "
         "body, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm) "
-        "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
-    insert.bind(1, asker.number);
-    insert.bind(2, request.question);
-    insert.bind(3, utc_now(database));
-    bind_moment(insert, 4, request.moment);
-    insert.bind(9, header.id.text);
-    insert.exec();
+        "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?",
+        asker, request.question, utc_now(database), columns_of(request.moment), header.id);
     return HelpRequestId{database.connection().getLastInsertRowid()};
   });
 }

@@ -64,9 +64,9 @@ std::vector<std::string> used_assessments(Database& database, PersonId person,
 }
 
 std::string name_of_operation(Database& database, ScenarioVersionId scenario) {
-  auto row = prepared(database, "SELECT name FROM scenario_version WHERE scenario_version_id = ?",
-                      scenario.number);
-  return row.executeStep() ? row.getColumn(0).getString() : std::string();
+  return found<std::string>(
+             database, "SELECT name FROM scenario_version WHERE scenario_version_id = ?", scenario)
+      .value_or("");
 }
 
 }  // namespace
@@ -79,12 +79,8 @@ std::vector<AttemptLimit> list_limits(Database& database, CohortId cohort) {
                          "ON d.person_id = l.set_by_person_id WHERE l.cohort_id = ? "
                          "ORDER BY l.scenario_name",
                          cohort.number);
-    std::vector<AttemptLimit> limits;
-    while (rows.executeStep()) {
-      limits.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getInt(),
-                        rows.getColumn(2).getString(), rows.getColumn(3).getString()});
-    }
-    return limits;
+    return rows_of(std::move(rows), &AttemptLimit::scenario_name, &AttemptLimit::attempts_max,
+                   &AttemptLimit::set_by, &AttemptLimit::set_utc);
   });
 }
 

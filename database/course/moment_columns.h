@@ -7,26 +7,24 @@
 
 namespace hallux::database {
 
-/// Binds moment_us, body, x, y, z from `first` on.
-inline void bind_moment(SQLite::Statement& statement, int first, const AttemptMoment& moment) {
-  statement.bind(first, moment.moment_us);
-  if (!moment.place) return;
-  statement.bind(first + 1, moment.place->body);
-  for (int i = 0; i < 3; ++i) {
-    statement.bind(first + 2 + i, moment.place->point_in_bone_mm[static_cast<std::size_t>(i)]);
-  }
+/// Bound as moment_us, body, x, y, z.
+inline auto columns_of(const AttemptMoment& moment) {
+  using Number = std::optional<double>;
+  const auto& place = moment.place;
+  const auto part = [&](std::size_t i) {
+    return place ? Number{place->point_in_bone_mm[i]} : Number{};
+  };
+  const auto body = place ? std::optional{place->body} : std::nullopt;
+  return std::tuple{moment.moment_us, body, part(0), part(1), part(2)};
 }
 
 inline AttemptMoment moment_in(SQLite::Statement& row, int first) {
   AttemptMoment moment;
   moment.moment_us = row.getColumn(first).getInt64();
   if (row.getColumn(first + 1).isNull()) return moment;
-  BonePoint place;
-  place.body = row.getColumn(first + 1).getInt();
-  for (int i = 0; i < 3; ++i) {
-    place.point_in_bone_mm[static_cast<std::size_t>(i)] = row.getColumn(first + 2 + i).getDouble();
-  }
-  moment.place = place;
+  BonePoint& place = moment.place.emplace();
+  auto& [x, y, z] = place.point_in_bone_mm;
+  read_columns(row, first + 1, place.body, x, y, z);
   return moment;
 }
 

@@ -37,14 +37,8 @@ std::vector<NoteReply> replies_to(Database& database, NoteId note) {
                "FROM note_reply r LEFT JOIN person_detail d ON d.person_id = r.author_person_id "
                "WHERE r.note_id = ? ORDER BY r.note_reply_id",
                note.number);
-  std::vector<NoteReply> replies;
-  while (rows.executeStep()) {
-    replies.push_back({{rows.getColumn(0).getInt64()},
-                       rows.getColumn(1).getString(),
-                       rows.getColumn(2).getString(),
-                       rows.getColumn(3).getString()});
-  }
-  return replies;
+  return rows_of(std::move(rows), &NoteReply::author, &NoteReply::author_name, &NoteReply::text,
+                 &NoteReply::written_utc);
 }
 
 }  // namespace
@@ -69,18 +63,12 @@ NoteId add_note(Database& database, const NewNote& note, PersonId author) {
   const AttemptHeader header = load_header(database, note.attempt);
   check_moment(note.moment, header.duration_ticks);
   return in_transaction_of_caller(database, "add a note", [&] {
-    SQLite::Statement insert{
-        database.connection(),
+    execute(
+        database,
         "INSERT INTO note (attempt_id, author_person_id, is_private, text, written_utc, moment_us, "
         "body, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm) "
-        "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
-    insert.bind(1, author.number);
-    insert.bind(2, note.is_private ? 1 : 0);
-    insert.bind(3, note.text);
-    insert.bind(4, utc_now(database));
-    bind_moment(insert, 5, note.moment);
-    insert.bind(10, header.id.text);
-    insert.exec();
+        "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?",
+        author, note.is_private, note.text, utc_now(database), columns_of(note.moment), header.id);
     return NoteId{database.connection().getLastInsertRowid()};
   });
 }

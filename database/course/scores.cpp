@@ -9,32 +9,18 @@ namespace hallux::database {
 
 namespace {
 
-/// Kept beside the card, so that whether a result passes is known without reading it.
-void bind_pass_facts(SQLite::Statement& insert, int first, const PassFacts& facts) {
-  insert.bind(first, facts.rubric_milli);
-  insert.bind(first + 1, facts.is_gated ? 1 : 0);
-  insert.bind(first + 2, facts.safety_measured_milli);
-  insert.bind(first + 3, facts.safety_earned_milli);
-}
-
 std::int64_t insert_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                           const std::string& json) {
-  SQLite::Statement insert{
-      database.connection(),
-      "INSERT INTO score (attempt_id, scenario_version, rubric_version, engine_version, "
-      "score_milli, measured_weight_milli, card_json, stored_utc, rubric_milli, is_gated, "
-      "safety_measured_milli, safety_earned_milli) "
-      "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?"};
-  insert.bind(1, card.scenario_version);
-  insert.bind(2, card.rubric_version);
-  insert.bind(3, card.engine);
-  insert.bind(4, card.score_milli);
-  insert.bind(5, card.measured_milli);
-  insert.bind(6, json);
-  insert.bind(7, utc_now(database));
-  bind_pass_facts(insert, 8, pass_facts_of(card));
-  insert.bind(12, attempt.text);
-  insert.exec();
+  // Kept beside the card, so that whether a result passes is known without reading it.
+  const PassFacts facts = pass_facts_of(card);
+  execute(database,
+          "INSERT INTO score (attempt_id, scenario_version, rubric_version, engine_version, "
+          "score_milli, measured_weight_milli, card_json, stored_utc, rubric_milli, is_gated, "
+          "safety_measured_milli, safety_earned_milli) "
+          "SELECT attempt_id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM attempt WHERE uuid = ?",
+          card.scenario_version, card.rubric_version, card.engine, card.score_milli,
+          card.measured_milli, json, utc_now(database), facts.rubric_milli, facts.is_gated,
+          facts.safety_measured_milli, facts.safety_earned_milli, attempt);
   return database.connection().getLastInsertRowid();
 }
 
@@ -88,13 +74,12 @@ std::vector<StoredScore> load_scores(Database& database, const AttemptId& attemp
                          "score JOIN attempt USING (attempt_id) WHERE uuid = ? "
                          "ORDER BY score_id DESC",
                          header.id.text);
-    std::vector<StoredScore> scores;
-    while (rows.executeStep()) {
-      scores.push_back({ScoreId{rows.getColumn(0).getInt64()}, rows.getColumn(1).getString(),
-                        rows.getColumn(2).getInt() != 0,
-                        card_from_json(rows.getColumn(3).getString())});
-    }
-    return scores;
+    return collected(rows, [](SQLite::Statement& row) {
+      StoredScore score;
+      read_columns(row, 0, score.id, score.stored_utc, score.is_in_force);
+      score.card = card_from_json(row.getColumn(3).getString());
+      return score;
+    });
   });
 }
 

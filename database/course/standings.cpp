@@ -244,10 +244,8 @@ void check_standings(Database& database) {
   translating(database, "check how people stand", [&] {
     check_pass_facts(database);
     // One person at a time: no long reading, whose memory would grow with the course.
-    std::vector<std::int64_t> people;
-    auto rows = prepared(database, "SELECT person_id FROM person");
-    while (rows.executeStep()) people.push_back(rows.getColumn(0).getInt64());
-    for (const std::int64_t person : people) check_standings_of(database, person);
+    for (const std::int64_t person : all_of<std::int64_t>(database, "SELECT person_id FROM person"))
+      check_standings_of(database, person);
   });
 }
 

@@ -55,44 +55,32 @@ struct Placed {
 
 std::int64_t insert_header(Database& database, const Manifest& manifest, const Placed& placed) {
   const AttemptHeader& header = manifest.header;
-  SQLite::Statement insert{
-      database.connection(),
-      "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, device_class, "
-      "pacing, stereo_mode, bone_digest, engine_version, started_utc, kind, guidance, "
-      "is_simulated, state, duration_ticks, quality_json, seal, is_valid, origin_id, "
-      "manifest_digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
-  insert.bind(1, header.id.text);
-  insert.bind(2, placed.scenario.number);
-  if (placed.person) insert.bind(3, placed.person->number);
-  insert.bind(4, header.begun.hand);
-  insert.bind(5, static_cast<std::int64_t>(header.begun.seed));
-  insert.bind(6, header.begun.device_class);
-  insert.bind(7, header.begun.pacing);
-  insert.bind(8, header.begun.stereo_mode);
-  bind_digest(insert, 9, header.begun.bone);
-  insert.bind(10, header.begun.engine);
-  insert.bind(11, header.started_utc);
-  bind_text(insert, 12, name_of(header.begun.kind));
-  bind_text(insert, 13, name_of(header.begun.guidance));
-  insert.bind(14, header.is_simulated ? 1 : 0);
-  // A void one is set so by the decision that voided it.
-  bind_text(insert, 15, name_of(header.seal ? AttemptState::Closed : AttemptState::Interrupted));
+  std::optional<std::string> quality;
+  std::optional<bool> is_valid;
   if (header.seal) {
-    insert.bind(16, *header.duration_ticks);
-    insert.bind(17, header.quality_json);
-    bind_digest(insert, 18, *header.seal);
-    insert.bind(19, is_valid_by(header.quality_json) ? 1 : 0);
+    quality = header.quality_json;
+    is_valid = is_valid_by(header.quality_json);
   }
-  insert.bind(20, placed.origin);
-  bind_digest(insert, 21, placed.manifest);
-  insert.exec();
+  // A void one is set so by the decision that voided it.
+  const auto state = header.seal ? AttemptState::Closed : AttemptState::Interrupted;
+  execute(database,
+          "INSERT INTO attempt (uuid, scenario_version_id, person_id, hand, seed, device_class, "
+          "pacing, stereo_mode, bone_digest, engine_version, started_utc, kind, guidance, "
+          "is_simulated, state, duration_ticks, quality_json, seal, is_valid, origin_id, "
+          "manifest_digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+          header.id, placed.scenario, placed.person, header.begun.hand,
+          static_cast<std::int64_t>(header.begun.seed), header.begun.device_class,
+          header.begun.pacing, header.begun.stereo_mode, header.begun.bone, header.begun.engine,
+          header.started_utc, name_of(header.begun.kind), name_of(header.begun.guidance),
+          header.is_simulated, name_of(state), header.seal ? header.duration_ticks : std::nullopt,
+          quality, header.seal, is_valid, placed.origin, placed.manifest);
   return database.connection().getLastInsertRowid();
 }
 
 void insert_chunks(Database& database, std::int64_t number, const ImportedAttempt& attempt) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
-                           "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)"};
+  auto insert = prepared(database,
+                         "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
+                         "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)");
   ChunkPacker packer;
   std::vector<std::byte> payload_bytes;
   Columns tape;
@@ -107,15 +95,8 @@ void insert_chunks(Database& database, std::int64_t number, const ImportedAttemp
                  const std::vector<std::byte> bytes =
                      packer.pack(columns, payload, is_beside_tape ? &tape : nullptr);
                  link = link_of(link, attempt.manifest.header.id, place, payload);
-                 insert.bind(1, number);
-                 insert.bind(2, place.seq);
-                 insert.bind(3, static_cast<int>(place.stream));
-                 insert.bind(4, place.first_tick);
-                 insert.bind(5, place.row_count);
-                 insert.bindNoCopy(6, bytes.data(), static_cast<int>(bytes.size()));
-                 bind_digest(insert, 7, link);
-                 insert.exec();
-                 insert.reset();
+                 run_again(insert, number, place.seq, static_cast<int>(place.stream),
+                           place.first_tick, place.row_count, bytes, link);
                  if (place.stream != Stream::Tape) return;
                  tape = columns;
                  tape_window = place.seq;

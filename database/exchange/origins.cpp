@@ -36,20 +36,14 @@ std::optional<PersonId> known_origin_person(Database& database, std::int64_t ori
 
 std::vector<Origin> list_origins(Database& database) {
   return translating(database, "list the origins", [&] {
-    auto rows = prepared(database,
-                         "SELECT o.directory_uuid, o.is_accepted, o.imported_utc, "
-                         "(SELECT count(*) FROM attempt a WHERE a.origin_id = o.origin_id), "
-                         "(SELECT count(*) FROM origin_person p WHERE p.origin_id = o.origin_id) "
-                         "FROM origin o ORDER BY o.origin_id");
-    std::vector<Origin> origins;
-    while (rows.executeStep()) {
-      origins.push_back({{rows.getColumn(0).getString()},
-                         rows.getColumn(1).getInt() != 0,
-                         rows.getColumn(2).getString(),
-                         rows.getColumn(3).getInt(),
-                         rows.getColumn(4).getInt()});
-    }
-    return origins;
+    return rows_of(
+        prepared(database,
+                 "SELECT o.directory_uuid, o.is_accepted, o.imported_utc, "
+                 "(SELECT count(*) FROM attempt a WHERE a.origin_id = o.origin_id), "
+                 "(SELECT count(*) FROM origin_person p WHERE p.origin_id = o.origin_id) "
+                 "FROM origin o ORDER BY o.origin_id"),
+        &Origin::directory, &Origin::is_accepted, &Origin::imported_utc, &Origin::attempts,
+        &Origin::people);
   });
 }
 

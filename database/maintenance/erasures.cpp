@@ -90,12 +90,8 @@ std::int64_t erase_audit_texts_that_name(Database& database, const Person& perso
       naming.push_back(rows.getColumn(0).getInt64());
     }
   }
-  SQLite::Statement remove{database.connection(), "DELETE FROM audit_text WHERE audit_id = ?"};
-  for (const std::int64_t number : naming) {
-    remove.bind(1, number);
-    remove.exec();
-    remove.reset();
-  }
+  auto remove = prepared(database, "DELETE FROM audit_text WHERE audit_id = ?");
+  for (const std::int64_t number : naming) run_again(remove, number);
   return static_cast<std::int64_t>(naming.size());
 }
 

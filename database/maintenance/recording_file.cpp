@@ -146,17 +146,11 @@ BackedUpRecording found_file(const fs::path& file, const AttemptId& attempt) {
 }
 
 void insert_chunk(Database& database, std::int64_t attempt, const KeptChunk& chunk) {
-  SQLite::Statement insert{database.connection(),
-                           "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
-                           "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)"};
-  insert.bind(1, attempt);
-  insert.bind(2, chunk.seq);
-  insert.bind(3, chunk.stream);
-  insert.bind(4, chunk.first_tick);
-  insert.bind(5, chunk.row_count);
-  insert.bindNoCopy(6, chunk.bytes.data(), static_cast<int>(chunk.bytes.size()));
-  insert.bindNoCopy(7, chunk.link.data(), static_cast<int>(chunk.link.size()));
-  insert.exec();
+  execute(database,
+          "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, "
+          "bytes, link) VALUES (?, ?, ?, ?, ?, ?, ?)",
+          attempt, chunk.seq, chunk.stream, chunk.first_tick, chunk.row_count, chunk.bytes,
+          chunk.link);
 }
 
 std::int64_t attempt_without_chunks(Database& database, const AttemptId& attempt,

@@ -62,17 +62,10 @@ std::optional<std::int32_t> days_setting(Database& database, const char* name) {
   return is_good ? std::optional{days} : std::nullopt;
 }
 
-void bind_days(SQLite::Statement& statement, int at, const std::optional<std::int32_t>& days) {
-  if (days) statement.bind(at, *days);
-}
-
 std::vector<RetentionPiece> recordings_due(Database& database, const RetentionRules& rules,
                                            const std::optional<std::string>& only = {}) {
-  SQLite::Statement rows{database.connection(), due_recordings};
-  bind_days(rows, 1, rules.practice_days);
-  bind_days(rows, 2, rules.assessment_days);
-  rows.bind(3, utc_now(database));
-  if (only) rows.bind(4, *only);
+  auto rows = prepared(database, due_recordings, rules.practice_days, rules.assessment_days,
+                       utc_now(database), only);
   std::vector<RetentionPiece> pieces;
   while (rows.executeStep()) {
     const bool is_practice = rows.getColumn(1).getString() == "practice";

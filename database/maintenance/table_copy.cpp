@@ -25,11 +25,7 @@ std::vector<Made> made_in(SQLite::Database& source, bool tables) {
                          "SELECT name, sql FROM sqlite_schema WHERE (type = 'table') = ? AND sql "
                          "IS NOT NULL AND name NOT LIKE 'sqlite_%' ORDER BY rowid"};
   rows.bind(1, tables ? 1 : 0);
-  std::vector<Made> made;
-  while (rows.executeStep()) {
-    made.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getString()});
-  }
-  return made;
+  return rows_of(std::move(rows), &Made::name, &Made::sql);
 }
 
 std::string quoted(const std::string& name) {

@@ -37,10 +37,7 @@ std::vector<std::string> tables(Database& database) {
 
 void check_chunk_rows(Database& database, VerifyProgress& progress) {
   progress.begin("the indices of the chunks", 0.15);
-  SQLite::Statement newest{database.connection(), "SELECT coalesce(max(chunk_id), 0) FROM chunk"};
-  newest.executeStep();
-  const std::int64_t last = newest.getColumn(0).getInt64();
-  newest.reset();
+  const auto last = single<std::int64_t>(database, "SELECT coalesce(max(chunk_id), 0) FROM chunk");
   SQLite::Statement lost{
       database.connection(),
       "SELECT c.chunk_id FROM chunk c NOT INDEXED WHERE c.chunk_id > ?1 AND c.chunk_id <= ?2 AND ("
@@ -52,8 +49,7 @@ void check_chunk_rows(Database& database, VerifyProgress& progress) {
       "WHERE i.attempt_id = c.attempt_id AND i.stream = c.stream "
       "AND i.first_tick = c.first_tick AND i.chunk_id = c.chunk_id)) LIMIT 1"};
   for (std::int64_t first = 0; first < last; first += chunks_at_once) {
-    lost.bind(1, first);
-    lost.bind(2, first + chunks_at_once);
+    bind_all(lost, first, first + chunks_at_once);
     if (lost.executeStep()) {
       fail_altered(database, "chunk " + lost.getColumn(0).getString() +
                                  ", which its attempt or an index does not know,");

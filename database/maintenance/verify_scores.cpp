@@ -62,10 +62,7 @@ bool is_as_its_card(const ScoreRow& row) {
 void check_scores(Database& database, VerifyProgress& progress, Verification& found) {
   progress.begin("the scores", 0.9);
   translating(database, "check the scores", [&] {
-    SQLite::Statement count{database.connection(), "SELECT count(*) FROM score"};
-    count.executeStep();
-    const std::int64_t all = count.getColumn(0).getInt64();
-    count.reset();
+    const auto all = single<std::int64_t>(database, "SELECT count(*) FROM score");
     for (auto some = scores_after(database, 0); !some.empty();
          some = scores_after(database, some.back().number)) {
       for (const ScoreRow& row : some) {

@@ -94,16 +94,13 @@ std::vector<CohortMember> list_members(Database& database, CohortId id) {
         "(person_id) LEFT JOIN person_detail d USING (person_id) WHERE m.cohort_id = ? "
         "ORDER BY m.role, length(d.login), d.login",
         id.number);
-    std::vector<CohortMember> members;
-    while (rows.executeStep()) {
-      members.push_back({{rows.getColumn(0).getInt64()},
-                         rows.getColumn(1).getString(),
-                         rows.getColumn(2).getString(),
-                         role_from(rows.getColumn(3).getString()),
-                         rows.getColumn(4).getInt() != 0,
-                         rows.getColumn(5).getString()});
-    }
-    return members;
+    return collected(rows, [](SQLite::Statement& row) {
+      CohortMember member;
+      read_columns(row, 0, member.id, member.login, member.display_name);
+      member.role = role_from(row.getColumn(3).getString());
+      read_columns(row, 4, member.is_disabled, member.enrolled_utc);
+      return member;
+    });
   });
 }
 

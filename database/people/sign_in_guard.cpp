@@ -68,9 +68,7 @@ void tidy(Database& database, const std::string& now) {
 /// What is left of the wait that `wait_of` asks for after the refusals of `rows`.
 template <typename WaitOf>
 int wait_left_s(SQLite::Statement rows, const Keys& keys, const std::string& now, WaitOf wait_of) {
-  bind_digest(rows, 1, keys.account);
-  bind_digest(rows, 2, keys.station);
-  rows.bind(3, now);
+  bind_all(rows, keys.account, keys.station, now);
   rows.executeStep();
   const int whole_s = wait_of(rows.getColumn(0).getInt64());
   // A julian day is exact to some tens of microseconds.

@@ -30,16 +30,10 @@ Chain chain_of(Database& database, std::int64_t attempt) {
 }
 
 void store_erasure(Database& database, std::int64_t attempt, const Chain& chain) {
-  SQLite::Statement insert{
-      database.connection(),
-      "INSERT INTO erased_recording (attempt_id, last_link, windows, erased_utc) "
-      "VALUES (?, ?, ?, ?)"};
-  const Digest last_link = chain.last_link.value_or(Digest{});
-  insert.bind(1, attempt);
-  bind_digest(insert, 2, last_link);
-  insert.bind(3, chain.windows);
-  insert.bind(4, utc_now(database));
-  insert.exec();
+  execute(database,
+          "INSERT INTO erased_recording (attempt_id, last_link, windows, erased_utc) "
+          "VALUES (?, ?, ?, ?)",
+          attempt, chain.last_link.value_or(Digest{}), chain.windows, utc_now(database));
   execute(database, "DELETE FROM chunk WHERE attempt_id = ?", attempt);
 }
 

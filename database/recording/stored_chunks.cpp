@@ -96,9 +96,7 @@ ChunkWalk::ChunkWalk(Database& database, const AttemptId& id, const WindowRange&
           "SELECT c.chunk_id, c.stream, c.seq, c.first_tick, c.row_count, c.bytes, c.link FROM "
           "attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq >= ? AND c.seq < ? "
           "ORDER BY c.seq, c.stream")) {
-  rows_->bind(1, id.text);
-  rows_->bind(2, windows.first);
-  rows_->bind(3, windows.end);
+  bind_all(*rows_, id, windows.first, windows.end);
 }
 ChunkWalk::ChunkWalk(ChunkWalk&&) noexcept = default;
 ChunkWalk& ChunkWalk::operator=(ChunkWalk&&) noexcept = default;

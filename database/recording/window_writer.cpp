@@ -56,16 +56,8 @@ void WindowWriter::insert_chunk(Stream stream, std::int64_t seq, const Columns& 
         "INSERT INTO chunk (attempt_id, seq, stream, first_tick, row_count, bytes, link) VALUES "
         "(?, ?, ?, ?, ?, ?, ?)");
   }
-  SQLite::Statement& insert = *insert_;
-  insert.bind(1, attempt_number_);
-  insert.bind(2, seq);
-  insert.bind(3, static_cast<int>(stream));
-  insert.bind(4, place.first_tick);
-  insert.bind(5, row_count);
-  insert.bindNoCopy(6, bytes.data(), static_cast<int>(bytes.size()));
-  bind_digest(insert, 7, last_link_);
-  insert.exec();
-  insert.reset();
+  run_again(*insert_, attempt_number_, seq, static_cast<int>(stream), place.first_tick, row_count,
+            bytes, last_link_);
   statistics_.bytes += static_cast<std::int64_t>(bytes.size());
   statistics_.rows += row_count;
   ++statistics_.chunks;

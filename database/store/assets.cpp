@@ -34,14 +34,10 @@ Digest put_asset(Database& database, std::string_view kind, std::span<const std:
     if (found.executeStep()) return;
     const std::vector<std::byte> packed = compressed(bytes);
     in_transaction_of_caller(database, "store an asset", [&] {
-      SQLite::Statement insert{database.connection(),
-                               "INSERT OR IGNORE INTO asset (digest, kind, plain_bytes, zstd) "
-                               "VALUES (?, ?, ?, ?)"};
-      bind_digest(insert, 1, digest);
-      bind_text(insert, 2, kind);
-      insert.bind(3, static_cast<std::int64_t>(bytes.size()));
-      insert.bindNoCopy(4, packed.data(), static_cast<int>(packed.size()));
-      insert.exec();
+      execute(database,
+              "INSERT OR IGNORE INTO asset (digest, kind, plain_bytes, zstd) "
+              "VALUES (?, ?, ?, ?)",
+              digest, kind, static_cast<std::int64_t>(bytes.size()), packed);
     });
   });
   return digest;

@@ -65,10 +65,6 @@ std::string utc_now(Database& database) {
   return single<std::string>(database, "SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')");
 }
 
-void bind_digest(SQLite::Statement& statement, int index, const Digest& digest) {
-  statement.bindNoCopy(index, digest.bytes.data(), static_cast<int>(digest.bytes.size()));
-}
-
 void bind_text(SQLite::Statement& statement, int index, std::string_view text) {
   statement.bind(index, std::string{text});
 }

@@ -4,8 +4,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -61,36 +63,55 @@ auto in_transaction_of_caller(Database& database, std::string_view tried, Work&&
 /// The time now as every row keeps it: ISO 8601, milliseconds, UTC.
 std::string utc_now(Database& database);
 
-/// needs   `digest` lives until the statement was stepped
-void bind_digest(SQLite::Statement& statement, int index, const Digest& digest);
 void bind_text(SQLite::Statement& statement, int index, std::string_view text);
 /// Nothing where the column is not 32 bytes.
 std::optional<Digest> digest_in(const SQLite::Column& column);
 
-/// Binds a number, a text, an id or a digest; of an optional that holds nothing, NULL.
+/// Binds a number, a text, an id, a digest or bytes to the parameter after `index`, the parts of a
+/// tuple to as many; of an optional that holds nothing, NULL.
 template <typename Value>
-void bind_value(SQLite::Statement& statement, int index, const Value& value) {
+void bind_next(SQLite::Statement& statement, int& index, const Value& value) {
   if constexpr (requires { value.number; }) {
-    statement.bind(index, value.number);
+    statement.bind(++index, value.number);
   } else if constexpr (requires { value.text; }) {
-    statement.bind(index, value.text);
+    statement.bind(++index, value.text);
   } else if constexpr (std::is_same_v<Value, Digest>) {
-    statement.bind(index, value.bytes.data(), static_cast<int>(value.bytes.size()));
+    bind_next(statement, index, std::span{value.bytes});
   } else if constexpr (requires { value.has_value(); }) {
-    if (value) bind_value(statement, index, *value);
+    if (value) return bind_next(statement, index, *value);
+    statement.bind(++index);
   } else if constexpr (std::is_convertible_v<const Value&, std::string_view>) {
-    bind_text(statement, index, value);
+    bind_text(statement, ++index, value);
+  } else if constexpr (requires { std::as_bytes(std::span{value}); }) {
+    static_assert(sizeof(*value.data()) == 1, "bytes");
+    statement.bind(++index, value.data(), static_cast<int>(value.size()));
+  } else if constexpr (requires { std::tuple_size<Value>::value; }) {
+    std::apply([&](const auto&... parts) { (bind_next(statement, index, parts), ...); }, value);
   } else {
-    statement.bind(index, value);
+    statement.bind(++index, value);
   }
+}
+
+/// Binds copies of `values` in their order.
+template <typename... Values>
+void bind_all(SQLite::Statement& statement, const Values&... values) {
+  [[maybe_unused]] int index = 0;
+  (bind_next(statement, index, values), ...);
+}
+
+/// Runs a statement that may have run before, with other values.
+template <typename... Values>
+void run_again(SQLite::Statement& statement, const Values&... values) {
+  bind_all(statement, values...);
+  statement.exec();
+  statement.reset();
 }
 
 /// A statement with copies of `values` bound in their order.
 template <typename... Values>
 SQLite::Statement prepared(Database& database, const std::string& sql, const Values&... values) {
   SQLite::Statement statement{database.connection(), sql};
-  [[maybe_unused]] int index = 0;
-  (bind_value(statement, ++index, values), ...);
+  bind_all(statement, values...);
   return statement;
 }
 
@@ -156,6 +177,17 @@ std::vector<Value> all_of(Database& database, const std::string& sql, const Valu
   std::vector<Value> read;
   while (rows.executeStep()) read_column(rows.getColumn(0), read.emplace_back());
   return read;
+}
+
+/// Of each row its columns as the members of a `Row`, in their order.
+template <typename Row, typename... Members>
+std::vector<Row> rows_of(SQLite::Statement rows, Members Row::*... members) {
+  std::vector<Row> found;
+  while (rows.executeStep()) {
+    Row& row = found.emplace_back();
+    read_columns(rows, 0, row.*members...);
+  }
+  return found;
 }
 
 /// What `read` makes of each row.
