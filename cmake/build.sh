@@ -40,7 +40,7 @@ install_packages() {
   } >&2 || stop 3 "apt-get could not install: $missing"
 }
 
-# Configures the folder of a preset where it is new or the presets are. HALLUX_TESTS=OFF leaves out the tests, which need
+# Configures the folder of a preset where it is new or the presets or sources are. HALLUX_TESTS=OFF leaves out the tests, which need
 # packages of their own; a release folder that has them keeps them.
 configure() {
   local preset=$1 folder="build/$1" options=()
@@ -52,6 +52,8 @@ configure() {
   fi
   if [ ! -f "$folder/build.ninja" ] || [ CMakePresets.json -nt "$folder/build.ninja" ]; then
     cmake --preset "$preset" "${options[@]}"
+  elif [ -n "$(find simulator scenarios database assessment ui tests -name '*.cpp' -newer "$folder/build.ninja" -print -quit)" ]; then
+    cmake "$folder"  # groups of sources are chosen anew
   fi
 }
 

@@ -24,6 +24,32 @@ elseif(NOT HALLUX_SANITIZER STREQUAL "")
   message(FATAL_ERROR "HALLUX_SANITIZER is '${HALLUX_SANITIZER}'; it must be empty, address or thread")
 endif()
 
+option(HALLUX_GROUPS "Compile the sources of a target in groups; without, each alone, as the tools that read code want it" ON)
+find_program(HALLUX_PYTHON python3)
+
+# hallux_groups(TARGET): sources that share their headers are compiled as one (docs/decisions/0015). Groups are chosen when the
+# folder is configured; a private name that comes to stand in two files of a group is an error until it is configured again,
+# which ./run and ./test do where a source changed.
+function(hallux_groups target)
+  if(NOT HALLUX_GROUPS OR NOT HALLUX_PYTHON)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  execute_process(COMMAND "${HALLUX_PYTHON}" "${PROJECT_SOURCE_DIR}/cmake/group_sources.py" 1500 "${HALLUX_GROUPS_OF_${target}}"
+            ${sources}
+    WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE groups OUTPUT_STRIP_TRAILING_WHITESPACE
+    COMMAND_ERROR_IS_FATAL ANY)
+  set(HALLUX_GROUPS_OF_${target} "${groups}" CACHE INTERNAL "")
+  foreach(row IN LISTS groups)
+    string(REGEX MATCH "^(.*)=(.*)$" matched "${row}")
+    set_source_files_properties("${CMAKE_MATCH_1}" PROPERTIES UNITY_GROUP "${target}_${CMAKE_MATCH_2}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # g++ takes a source that another includes for a header, in which a type of one file alone would be a mistake.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 # hallux_headers(NAME USES library... HEADERS header...): a target whose precompiled headers others take. A file still names
 # each header that it needs: clang-tidy reads it without these.
 function(hallux_headers name)
@@ -48,6 +74,7 @@ function(hallux_room name)
   # A section for each function: the linker leaves out what the program does not call, and tests/architecture lists it.
   target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
   target_precompile_headers(${name} REUSE_FROM hallux_common)
+  hallux_groups(${name})
 endfunction()
 
 # hallux_suites(NAME LABEL TIMEOUT): each suite of a GoogleTest program becomes a CTest test when the program is built.
@@ -75,6 +102,7 @@ function(hallux_test name)
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE hallux_rules ${TEST_USES} GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM hallux_test_common)
+  hallux_groups(${name})
   # A hundred programs are linked for the tests; this linker takes a quarter of the time.
   if(HALLUX_LLD)
     target_link_options(${name} PRIVATE -fuse-ld=lld)

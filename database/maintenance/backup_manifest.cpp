@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 constexpr std::string_view manifest_kind = "hallux backup";
 constexpr int depth_max = 4;
 /// A million recordings.
-constexpr std::int64_t manifest_bytes_max = std::int64_t{256} << 20U;
+constexpr std::int64_t backup_manifest_bytes_max = std::int64_t{256} << 20U;
 
 ordered_json json_of(const BackupManifest& manifest) {
   ordered_json recordings = ordered_json::array();
@@ -101,7 +101,7 @@ void write_manifest(const std::filesystem::path& file, const BackupManifest& man
 }
 
 BackupManifest read_manifest(const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = read_plain_file(file, manifest_bytes_max);
+  const std::vector<std::byte> bytes = read_plain_file(file, backup_manifest_bytes_max);
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes that are a text
   const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   // What lies deeper than a manifest goes is dropped, and then the check does not fit.

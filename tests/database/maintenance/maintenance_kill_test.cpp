@@ -26,7 +26,6 @@ namespace hallux::database {
 namespace {
 
 namespace fs = std::filesystem;
-using Progress = Progress;
 
 /// Runs `work` in a process of its own and kills it at that report, or after that time; true where
 /// it ended before.

@@ -112,7 +112,7 @@ AdministratorSession administrator_in(const VerbContext& context, database::Sess
 }
 
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
-                         const AttemptAction& wanted, const DeskWork& work) {
+                         const AttemptAction& wanted, const AttemptWork& work) {
   if (context.login.empty()) {
     database::HouseDesk desk(database);
     return work(desk);

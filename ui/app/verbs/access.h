@@ -52,7 +52,7 @@ AdministratorSession sign_in_administrator(const VerbContext& context, database:
 AdministratorSession administrator_in(const VerbContext& context, database::Session session,
                                       std::string_view task);
 
-using DeskWork = std::function<ExitCode(database::AttemptDesk&)>;
+using AttemptWork = std::function<ExitCode(database::AttemptDesk&)>;
 
 /// What a verb will do, and to which attempt.
 struct AttemptAction {
@@ -64,6 +64,6 @@ struct AttemptAction {
 /// theirs may, at their own, which refuses (Session::desk_for). Without --as at the house's desk:
 /// the robot's attempts.
 ExitCode at_attempt_desk(const VerbContext& context, database::Database& database,
-                         const AttemptAction& wanted, const DeskWork& work);
+                         const AttemptAction& wanted, const AttemptWork& work);
 
 }  // namespace hallux::ui

@@ -179,7 +179,7 @@ ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& sh
   return answer;
 }
 
-bool progress(Ui& ui, std::string_view id, const Rect& rect, const Progress& shown) {
+bool progress(Ui& ui, std::string_view id, const Rect& rect, const RunningWork& shown) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   draw_shadow(canvas, theme, rect, radius::control, Elevation::Card);

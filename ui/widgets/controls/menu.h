@@ -58,11 +58,11 @@ float toast_height_for(const Ui& ui, const Toast& toast, float width);
 ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& toast);
 
 /// Work that runs: its name, a thin bar and Cancel. `time_left` is empty below ten seconds.
-struct Progress {
+struct RunningWork {
   std::string_view label = {}, time_left = {};
   float share = 0.0F;
 };
 /// 48 high. True where Cancel was pressed, named `id.cancel`.
-bool progress(Ui& ui, std::string_view id, const Rect& rect, const Progress& progress);
+bool progress(Ui& ui, std::string_view id, const Rect& rect, const RunningWork& work);
 
 }  // namespace hallux::ui

@@ -1,5 +1,5 @@
-// A random walker in every role, or in one, through the whole course: course_walk STEPS [SEED
-// [ROLE]].
+// A random walker in every role, or in one, through the whole course: course_walk STEPS COURSE [SEED
+// [ROLE]]. COURSE is the folder of a simulated one, with the answer of `hallux demo` beside its data.
 //
 // A step presses something that can be pressed, writes into a field, uses keys, drags, turns the
 // wheel, changes the window. After each, the frame is read: no other trainee's name on a trainee's
@@ -13,6 +13,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -20,7 +22,6 @@
 
 #include "tests/database/some_database.h"
 #include "tests/ui/app/window/course_window.h"
-#include "ui/jobs/demo/demo_course.h"
 
 namespace {
 
@@ -314,18 +315,18 @@ class Walker {
   std::set<std::string> seen_;
 };
 
-std::vector<Walk> walks_of(const DemoCourse& course) {
+std::vector<Walk> walks_of(const nlohmann::json& course) {
   std::vector<std::string> trainees;
-  for (const DemoAccount& account : course.accounts)
-    if (account.role == "trainee") trainees.push_back(account.login);
+  for (const nlohmann::json& account : course.at("accounts"))
+    if (account.at("role") == "trainee") trainees.push_back(account.at("login"));
   std::vector<Walk> walks;
   std::set<std::string> roles;
-  for (const DemoAccount& account : course.accounts) {
-    if (!roles.insert(account.role).second) continue;
-    Walk walk{account.login, course.password, account.role, {}};
-    if (account.role == "trainee") {
+  for (const nlohmann::json& account : course.at("accounts")) {
+    if (!roles.insert(account.at("role")).second) continue;
+    Walk walk{account.at("login"), course.at("password"), account.at("role"), {}};
+    if (walk.role == "trainee") {
       walk.forbidden = trainees;
-      std::erase(walk.forbidden, account.login);
+      std::erase(walk.forbidden, walk.login);
     }
     walks.push_back(std::move(walk));
   }
@@ -351,27 +352,23 @@ bool walk_as(const std::filesystem::path& data, const Walk& walk, int steps, std
 
 int main(int count, char** arguments) {
   testing::InitGoogleTest(&count, arguments);
-  if (count < 2) {
-    std::fprintf(stderr, "usage: course_walk STEPS [SEED [ROLE]]\n");
+  if (count < 3) {
+    std::fprintf(stderr, "usage: course_walk STEPS COURSE [SEED [ROLE]]\n");
     return 2;
   }
   const int steps = std::atoi(arguments[1]);
-  const std::uint64_t seed = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
-  const std::string only = count > 3 ? arguments[3] : "";
-  const database::TemporaryDirectory temporary;
-  DemoOptions options;
-  options.attempts_max = 1;
-  options.cost = database::cheap;
-  const DemoCourse course = make_demo_course(
-      temporary.data(), options, [](const std::string&) { return [](double) { return true; }; });
+  const std::filesystem::path course = arguments[2];
+  const std::uint64_t seed = count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1;
+  const std::string only = count > 4 ? arguments[4] : "";
+  std::ifstream answer{course / "answer.json"};
   bool is_well = true;
   std::size_t walked = 0;
-  for (const Walk& walk : walks_of(course)) {
+  for (const Walk& walk : walks_of(nlohmann::json::parse(answer))) {
     if (!only.empty() && walk.role != only) continue;
     ++walked;
     // Each in a course of its own: an administrator who walks about makes trainees instructors.
     const database::TemporaryDirectory own;
-    std::filesystem::copy(temporary.data(), own.data(), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(course / "data", own.data(), std::filesystem::copy_options::recursive);
     is_well = walk_as(own.data(), walk, steps, seed) && is_well;
   }
   if (walked == 0) std::fprintf(stderr, "nobody has the role %s\n", only.c_str());

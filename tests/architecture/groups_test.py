@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Groups of sources (cmake/group_sources.py): files whose private names would meet are never compiled as one."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).parents[2] / "cmake" / "group_sources.py"
+
+ALONE = "namespace hallux {\nnamespace {\nint length_mm(int a) { return a; }\n}\nint first() { return length_mm(1); }\n}\n"
+ITS_OWN = "namespace hallux {\nnamespace {\nstruct length_mm {};\n}\n}\n"
+USES_IT = "namespace hallux {\nint second(int length_mm) { return length_mm; }\n}\n"
+MEMBER = "namespace hallux {\nint third(const Blade& blade) { return blade.length_mm + other::length_mm; }\n}\n"
+SAID_ONLY = "// length_mm in a remark\nnamespace hallux {\nconst char* fourth() { return \"length_mm\"; }\n}\n"
+
+
+class Groups(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="hallux-groups-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def groups_of(self, *texts, lines=1500, before=""):
+        """The number of each text's group."""
+        for number, text in enumerate(texts):
+            (self.folder / f"{number}.cpp").write_text(text)
+        said = subprocess.run([sys.executable, SCRIPT, str(lines), before, *(f"{n}.cpp" for n in range(len(texts)))],
+                              cwd=self.folder, check=True, capture_output=True, text=True).stdout.strip()
+        rows = dict(row.split("=") for row in said.split(";"))
+        return [int(rows[f"{number}.cpp"]) for number in range(len(texts))]
+
+    def assert_apart(self, *texts):
+        self.assertEqual(len(set(self.groups_of(*texts))), len(texts))
+
+    def assert_together(self, *texts):
+        self.assertEqual(len(set(self.groups_of(*texts))), 1)
+
+    def test_who_shares_no_private_name_is_compiled_together(self):
+        self.assert_together(ALONE, MEMBER, SAID_ONLY)
+
+    def test_a_private_name_that_another_declares_or_uses_keeps_them_apart(self):
+        self.assert_apart(ALONE, ITS_OWN)
+        self.assert_apart(ALONE, USES_IT)
+
+    def test_every_kind_of_private_name_is_known(self):
+        use = "int f(int spot) { return spot; }\n"
+        for declaration in ("constexpr double edge = 1.0, spot = 2.0;", "static int spot();", "enum class spot : int { A };",
+                            "std::vector<Row<int>> spot(const Ui& ui) { return {}; }", "template <typename T>\nT spot(T t);",
+                            "[[noreturn]] void spot();", "class spot final : Base {};", "using spot = int;",
+                            "int other() {\n  return 1;\n}\nint spot = 3;"):
+            with self.subTest(declaration=declaration):
+                self.assert_apart("namespace {\n" + declaration + "\n}\n", use)
+
+    def test_the_same_using_may_be_said_again_and_another_may_not(self):
+        use = "using database::Action;\nAction f();\n"
+        self.assert_together(use, use.replace("f", "g"))
+        self.assert_apart(use, "using ui::Action;\nAction h();\n")
+        self.assert_apart("using namespace ui;\n", "using namespace simulator;\n")
+
+    def test_macros_stay_alone(self):
+        self.assert_apart("#define None 0\n", "int f();\n")
+        self.assert_apart("#include <X11/Xlib.h>\n", "int f();\n")
+
+    def test_a_group_has_its_limit(self):
+        text = "int f();\n" * 60
+        self.assertEqual(self.groups_of(text, text, text, lines=130), [0, 0, 1])
+
+    def test_who_can_stays_where_it_was(self):
+        self.assertEqual(self.groups_of("int f();\n", "int g();\n", before="0.cpp=4;1.cpp=7"), [4, 7])
+        [first, second] = self.groups_of(ALONE, USES_IT, before="0.cpp=4;1.cpp=4")
+        self.assertEqual(first, 4)
+        self.assertNotEqual(second, 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
