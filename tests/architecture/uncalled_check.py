@@ -3,7 +3,7 @@
 
 Each function has a section of its own and the program is linked with --gc-sections, so what no call leads to from main()
 is left out. A function that is missing may still be there inlined, as the program's debug information says, or folded
-into a constant, which only its own source can do: what is called there is taken as called.
+into a constant, which only what is compiled with it can do: what is called there is taken as called.
 Looked at are the functions that the rooms' archives define for others (nm's T), moves and destructors excepted: they
 belong to their type. Functions of headers that nobody calls are in no archive, and anonymous ones that nobody calls
 are a warning already.
@@ -100,12 +100,22 @@ def inlined_functions(program):
     return {plain(name) for name in done.stdout.splitlines()}
 
 
-def is_called_at_home(root, room, member, function):
+def sources_of(root, build, room, member):
+    """The source that an object was made of; of a group (cmake/group_sources.py) all that were compiled as one."""
+    source = member.removesuffix(".o")
+    groups = list((build / room).rglob(f"Unity/{source}"))
+    if not groups:
+        return list((root / room).rglob(source))
+    return [pathlib.Path(path) for group in groups for path in re.findall(r'#include "(.*)"', group.read_text())]
+
+
+def is_called_at_home(sources, function):
     """Whether the source that defines the function also calls it: its name and `(` stand there more than once."""
-    name = without_arguments(function).rsplit("::", 1)[-1]
+    *_, owner, name = without_arguments(function).split("::")
     called = re.compile(rf"\b{re.escape(name)}\(")
-    return any(len(called.findall(re.sub(r"//.*", "", source.read_text(errors="replace")))) > 1
-               for source in (root / room).rglob(member.removesuffix(".o")))
+    texts = [re.sub(r"//.*", "", source.read_text(errors="replace")) for source in sources]
+    homes = [text for text in texts if f"{owner}::{name}(" in text] or texts
+    return any(len(called.findall(text)) > 1 for text in homes)
 
 
 def without_arguments(function):
@@ -171,7 +181,7 @@ def main():
     for room, member, function in product_functions(arguments.build):
         count += 1
         if function in called or SPECIAL.search(function) or \
-                is_called_at_home(arguments.root, room, member, function) or \
+                is_called_at_home(sources_of(arguments.root, arguments.build, room, member), function) or \
                 is_allowed(without_arguments(function), allowed, used):
             continue
         findings.add((f"{room}/{member.removesuffix('.o')}", f"only tests call {function}"))

@@ -1,5 +1,6 @@
-// Passwords at the least price, for a program that is run hundreds of times: loaded before libsodium,
-// whose functions these are. What they make is verified as ever, since a hash says what it cost.
+// Passwords at the least price, for a program that is run hundreds of times: loaded before
+// libsodium, whose functions these are. What they make is verified as ever, since a hash says what
+// it cost.
 #include <dlfcn.h>
 #include <sodium.h>
 

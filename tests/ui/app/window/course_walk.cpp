@@ -1,5 +1,6 @@
-// A random walker in every role, or in one, through the whole course: course_walk STEPS COURSE [SEED
-// [ROLE]]. COURSE is the folder of a simulated one, with the answer of `hallux demo` beside its data.
+// A random walker in every role, or in one, through the whole course: course_walk STEPS COURSE
+// [SEED [ROLE]]. COURSE is the folder of a simulated one, with the answer of `hallux demo` beside
+// its data.
 //
 // A step presses something that can be pressed, writes into a field, uses keys, drags, turns the
 // wheel, changes the window. After each, the frame is read: no other trainee's name on a trainee's
