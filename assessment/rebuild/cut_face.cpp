@@ -33,7 +33,7 @@ FacePlane wall_plane(const KerfPlane& plane, std::int32_t side) noexcept {
 
 /// The wall of the largest piece that has one; `piece` becomes its number, or stays 0 where none
 /// has.
-FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::FaceOrigin& wall,
+FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::FaceSource& wall,
                                   std::size_t& piece) {
   const KerfPlane& plane = rebuilt.fields.plane(wall.kerf);
   for (std::size_t i = 0; i < rebuilt.pieces.size(); ++i) {

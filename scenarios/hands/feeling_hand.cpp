@@ -182,7 +182,7 @@ void FeelingHand::feel(const Vec3& force_in_world_newton, std::int64_t ticks) no
   const Vec3 on_hand_newton = transform_direction(blade_from_world, force_in_world_newton);
   const Vec3 tool_mm = transform_point(blade_from_world, world_from_tool_.translation_mm);
   felt_newton_ = -on_hand_newton.x;
-  senses_.take_in({felt_newton_, on_hand_newton.z, engaged_mm_, tool_mm.x, tool_mm.z,
+  senses_.observe({felt_newton_, on_hand_newton.z, engaged_mm_, tool_mm.x, tool_mm.z,
                    tilt_x_.value(), tilt_y_.value()},
                   ticks);
 }
@@ -213,16 +213,16 @@ RigidTransform FeelingHand::pose() const noexcept {
   return interpolate(turned_from_, held_pose(), std::min(1.0, act_s_ / turn_s_));
 }
 
-void FeelingHand::see(const simulator::StepOutput& output) noexcept {
+void FeelingHand::observe(const simulator::StepOutput& output) noexcept {
   world_from_tool_ = simulator::transform_from(output.sample.world_from_tool);
   engaged_mm_ = output.engaged.width_mm();
   for (const simulator::CutEvent& event : output.events) {
-    if (event.kind == simulator::CutEventKind::PlaneFrozen) follow_slot(event.pose);
+    if (event.kind == simulator::CutEventKind::PlaneFrozen) align_with_slot(event.pose);
   }
 }
 
 /// The slot that the blade has begun is the plane from now on; the handle stays where it is.
-void FeelingHand::follow_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept {
+void FeelingHand::align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept {
   const RigidTransform world_from_handle = held_pose();
   const RigidTransform world_from_slot =
       world_from_bone_ * simulator::transform_from(bone_from_frozen);

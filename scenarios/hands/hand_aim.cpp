@@ -127,21 +127,21 @@ void aim_at_plan(const Target& target, const Sight& planned, const AimErrors& er
   const Vec3 pivot = transform_point(bone_from_plan, Vec3{middle.x, middle.y, 0.0}) -
                      0.5 * target.kerf_mm * cut.face.normal;
   aimed.face.normal = tilted(cut.face.normal, planned.plane, errors);
-  double reach_low_mm = 0.0, reach_high_mm = 0.0;
+  double least_off_mm = 0.0, greatest_off_mm = 0.0;
   for (const simulator::Contour& contour : planned.region.contours) {
     for (const Vec2& point : contour) {
       const Vec3 offset = transform_direction(bone_from_plan, Vec3{point - middle, 0.0});
       // How far the tilted face stands off the plan above this point of the section.
       const double stand_off_mm =
           -glm::dot(offset, aimed.face.normal) / glm::dot(cut.face.normal, aimed.face.normal);
-      reach_low_mm = std::min(reach_low_mm, stand_off_mm);
-      reach_high_mm = std::max(reach_high_mm, stand_off_mm);
+      least_off_mm = std::min(least_off_mm, stand_off_mm);
+      greatest_off_mm = std::max(greatest_off_mm, stand_off_mm);
     }
   }
-  const double reach_mm = errors.side > 0.0 ? reach_high_mm : -reach_low_mm;
-  const double shift_mm = errors.side * std::max(0.0, errors.location_mm - reach_mm);
+  const double tilt_off_mm = errors.side > 0.0 ? greatest_off_mm : -least_off_mm;
+  const double shift_mm = errors.side * std::max(0.0, errors.location_mm - tilt_off_mm);
   aimed.face.offset_mm = glm::dot(aimed.face.normal, pivot + shift_mm * cut.face.normal);
-  aimed.location_error_mm = std::max({errors.location_mm, reach_high_mm, -reach_low_mm});
+  aimed.location_error_mm = std::max({errors.location_mm, greatest_off_mm, -least_off_mm});
 }
 
 /// Where the bone of a section reaches furthest along the feed.

@@ -33,10 +33,10 @@ struct Walls {
 
 Walls walls_of(const CutSolid& body, const OpenedKerf& kerf) noexcept {
   Walls walls;
-  for (const FaceOrigin& origin : body.origins) {
-    if (origin.kerf != kerf.number) continue;
-    walls.above = walls.above || origin.side > 0;
-    walls.below = walls.below || origin.side < 0;
+  for (const FaceSource& source : body.sources) {
+    if (source.kerf != kerf.number) continue;
+    walls.above = walls.above || source.side > 0;
+    walls.below = walls.below || source.side < 0;
   }
   return walls;
 }

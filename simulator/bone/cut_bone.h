@@ -20,7 +20,7 @@ namespace hallux::simulator {
 
 /// A kerf as far as it is open at one moment.
 struct OpenedKerf {
-  /// The number that the faces of its walls carry (FaceOrigin::kerf).
+  /// The number that the faces of its walls carry (FaceSource::kerf).
   std::int32_t number = 0;
   KerfPlane plane;
   FieldGrid grid;

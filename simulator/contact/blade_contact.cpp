@@ -146,7 +146,7 @@ class ContactSearch {
 }  // namespace
 
 BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                            double reach_mm, BladeMemory& memory) noexcept {
+                            double margin_mm, BladeMemory& memory) noexcept {
   BladeContacts contacts;
   ContactSearch search(bone);
   SurfaceMemory last;
@@ -154,7 +154,7 @@ BladeContacts find_contacts(const RigidTransform& bone_from_tool, const Remainin
     const Ball part = ball(point, bone.kerfs.blade());
     const Vec3 arm_mm = transform_direction(bone_from_tool, part.in_tool_mm);
     const Vec3 centre_mm = bone_from_tool.translation_mm + arm_mm;
-    const double within_mm = part.radius_mm + reach_mm;
+    const double within_mm = part.radius_mm + margin_mm;
     // What the point before it has just learnt may be enough.
     if (last.is_known && last.clearance_mm - length_mm(centre_mm - last.asked_mm) > within_mm)
       continue;

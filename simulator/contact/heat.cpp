@@ -12,7 +12,7 @@ namespace hallux::simulator {
 namespace {
 
 constexpr std::int32_t cells_per_kerf = heat_cells * heat_cells;
-constexpr double reach_mm = 0.5 * heat_cell_mm * heat_cells;
+constexpr double grid_half_mm = 0.5 * heat_cell_mm * heat_cells;
 constexpr double cell_capacity_joule_per_kelvin =
     bone_heat_joule_per_mm3_kelvin * heat_cell_volume_mm3;
 /// Places behind each tooth at which its share of the heat is put.
@@ -56,7 +56,7 @@ double push_newton(const ToolSample& sample) noexcept {
 Vec2 middle_of(std::int32_t number) noexcept {
   const std::int32_t u = number / heat_cells;
   const std::int32_t v = number % heat_cells;
-  return {(u + 0.5) * heat_cell_mm - reach_mm, (v + 0.5) * heat_cell_mm - reach_mm};
+  return {(u + 0.5) * heat_cell_mm - grid_half_mm, (v + 0.5) * heat_cell_mm - grid_half_mm};
 }
 
 bool is_within(std::int32_t index) noexcept { return index >= 0 && index < heat_cells; }
@@ -89,8 +89,8 @@ HeatField::Cell& HeatField::cell(std::int32_t kerf, std::int32_t number) noexcep
 }
 
 std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
-  const std::int32_t u = index_of((place_mm.x + reach_mm) / heat_cell_mm);
-  const std::int32_t v = index_of((place_mm.y + reach_mm) / heat_cell_mm);
+  const std::int32_t u = index_of((place_mm.x + grid_half_mm) / heat_cell_mm);
+  const std::int32_t v = index_of((place_mm.y + grid_half_mm) / heat_cell_mm);
   return is_within(u) && is_within(v) ? u * heat_cells + v : -1;
 }
 
@@ -165,7 +165,7 @@ void HeatField::rub(const Stroke& stroke, const RemainingTissue& bone) noexcept 
 /// than cells would warm some of them twice as much as others. What rubs in air warms nothing.
 void HeatField::add_heat(std::int32_t kerf, const RemainingTissue& bone, const Vec2& place_mm,
                          double joule) noexcept {
-  const double v_cells = (place_mm.y + reach_mm) / heat_cell_mm - 0.5;
+  const double v_cells = (place_mm.y + grid_half_mm) / heat_cell_mm - 0.5;
   const double upper_share = v_cells - std::floor(v_cells);
   const Vec2 down_mm{0.0, upper_share * heat_cell_mm};
   const std::int32_t lower = cell_at(place_mm - down_mm);
@@ -217,14 +217,14 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
       if (u < warmed.u_first) continue;
       for (std::int32_t v = warmed.v_first; v <= warmed.v_last; ++v) {
         const std::int32_t number = u * heat_cells + v;
-        follow_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
+        update_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
         hottest_celsius_[group] = std::max(hottest_celsius_[group], cell(kerf, number).celsius);
       }
     }
   }
 }
 
-void HeatField::follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
+void HeatField::update_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                             double span_s) noexcept {
   Cell& cell = this->cell(kerf, number);
   const double before_celsius = cell.celsius, before_min = cell.dose_min;

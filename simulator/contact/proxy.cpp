@@ -39,7 +39,7 @@ struct Search {
     return motion.translation_mm + glm::cross(motion.rotation_rad, contact.arm_mm);
   }
   /// How far the contact moves for a load of one along the unit direction.
-  double give(const BladeContact& contact, const Vec3& direction) const noexcept {
+  double compliance(const BladeContact& contact, const Vec3& direction) const noexcept {
     const Vec3 lever = glm::cross(contact.arm_mm, direction);
     return 1.0 + glm::dot(lever, lever) / grip2_mm2;
   }
@@ -53,7 +53,7 @@ double relax(Search& search, const BladeContact& contact, double friction,
   const double short_mm =
       -allowed_gap_mm(contact) - glm::dot(contact.normal, search.motion_at(contact));
   const double wanted_mm =
-      std::max(0.0, normal_mm + short_mm / search.give(contact, contact.normal));
+      std::max(0.0, normal_mm + short_mm / search.compliance(contact, contact.normal));
   const double pushed_mm = wanted_mm - normal_mm;
   normal_mm = wanted_mm;
   search.push(contact, pushed_mm * contact.normal);

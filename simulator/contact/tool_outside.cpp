@@ -54,14 +54,14 @@ void move_contacts(BladeContacts& contacts, const ProxyMotion& motion) noexcept 
 }
 
 Walk walk(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-          const ContactSettings& settings, double reach_mm) noexcept {
+          const ContactSettings& settings, double travel_limit_mm) noexcept {
   const double grip_mm =
       std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
   const ProxyFriction friction{settings.friction, settings.kinetic_ratio,
                                input.saw_runs ? settings.tooth_friction : settings.friction};
   const Blade& blade = bone.kerfs.blade();
   Walk walked;
-  double left_mm = reach_mm;
+  double left_mm = travel_limit_mm;
   for (int part = 0; part < part_limit; ++part) {
     const ProxyMotion wanted = motion_between(tool.bone_from_tool, input.bone_from_handle);
     const double look_mm = std::max(part_mm, std::min(left_mm, reach_of(wanted, blade)));
@@ -145,8 +145,9 @@ double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept {
 }
 
 void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept {
-  const Walk walked = walk(tool, input, bone, settings, reach_mm);
+                  const ContactSettings& settings, double travel_limit_mm,
+                  ToolOutcome& outcome) noexcept {
+  const Walk walked = walk(tool, input, bone, settings, travel_limit_mm);
   outcome.engaged = engagement(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth);
   const bool is_pushed = walked.proxy.normal_mm > 0.0 || tool.stage == ToolStage::Touching;
   const ProxyMotion left = motion_between(tool.bone_from_tool, input.bone_from_handle);

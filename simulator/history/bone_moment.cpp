@@ -119,11 +119,11 @@ void BoneMoment::leave_out_taken() {
       if (lies_on(*history_.taken[piece].body, (corners[0] + corners[1] + corners[2]) / 3.0))
         continue;
       patch_.triangles[kept] = patch_.triangles[i];
-      patch_.origins[kept] = patch_.origins[i];
+      patch_.sources[kept] = patch_.sources[i];
       ++kept;
     }
     patch_.triangles.resize(kept);
-    patch_.origins.resize(kept);
+    patch_.sources.resize(kept);
   }
 }
 

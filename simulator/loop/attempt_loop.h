@@ -57,7 +57,7 @@ struct LoopStatistics {
   /// RealTime: gaps beyond three ticks, a full ring or disk.
   std::int64_t pauses = 0;
   /// RealTime: how long they took, waiting for a full disk left out.
-  std::int64_t unseen_us = 0;
+  std::int64_t unsampled_us = 0;
   /// RealTime: see ClockWatch.
   std::int64_t clock_steps = 0;
   /// With a fault of the device while the attempt's clock ran.

@@ -50,7 +50,7 @@ DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcep
   return watchdog_.judge(came, raw, ticks);
 }
 
-void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
+void DeviceLink::set_force(const StepOutput& output, std::int64_t ticks) noexcept {
   const ToolSample& sample = output.sample;
   const Vec3 simulated_newton = simulator::force_newton(sample);
   if (!settings_) {
@@ -101,7 +101,7 @@ Vec3 DeviceLink::thesis_law_newton(const Vec3& simulated_newton, bool is_touchin
   return thesis_law_force(thesis_law_, settings, handle_mm, normal, ticks) / settings_->scale;
 }
 
-void DeviceLink::let_go() noexcept {
+void DeviceLink::release() noexcept {
   if (!settings_) return;
   force_ = output_force(output_, *settings_, {.is_live = false});
   RawDeviceState ignored;

@@ -15,9 +15,9 @@ constexpr std::chrono::microseconds idle_rest{500};
 
 }  // namespace
 
-bool ImmediateJobs::follow(const StepOutput& output) {
-  for (const CutEvent& event : output.events) geometry_.follow(event);
-  geometry_.follow(output.sample);
+bool ImmediateJobs::apply(const StepOutput& output) {
+  for (const CutEvent& event : output.events) geometry_.apply(event);
+  geometry_.apply(output.sample);
   for (const JobRequest& request : output.requests) results_.push_back(geometry_.run(request));
   return true;
 }
@@ -44,7 +44,7 @@ ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay,
 
 ThreadedJobs::~ThreadedJobs() = default;
 
-bool ThreadedJobs::follow(const StepOutput& output) {
+bool ThreadedJobs::apply(const StepOutput& output) {
   bool has_room = true;
   for (const CutEvent& event : output.events) has_room = feed_.push(event) && has_room;
   has_room = feed_.push(output.sample) && has_room;
@@ -77,7 +77,7 @@ void ThreadedJobs::work(const std::stop_token& stop) {
     Feed feed;
     while (!stop.stop_requested()) {
       if (feed_.pop(feed)) {
-        take_in(feed, stop);
+        apply(feed, stop);
       } else {
         std::this_thread::sleep_for(idle_rest);
       }
@@ -88,9 +88,9 @@ void ThreadedJobs::work(const std::stop_token& stop) {
   }
 }
 
-void ThreadedJobs::take_in(const Feed& feed, const std::stop_token& stop) {
-  if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.follow(*sample);
-  if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.follow(*event);
+void ThreadedJobs::apply(const Feed& feed, const std::stop_token& stop) {
+  if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.apply(*sample);
+  if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.apply(*event);
   const auto* request = std::get_if<JobRequest>(&feed);
   if (request == nullptr) return;
   results_.push_back(geometry_.run(*request));

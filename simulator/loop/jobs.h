@@ -1,7 +1,7 @@
 /// Where jobs run: at once on the caller's thread (virtual time, replay), or on a worker beside the
 /// haptic thread. Inside this corner only.
 ///
-/// Both follow the same outputs in the same order, so the same request gives the same result; only
+/// Both apply the same outputs in the same order, so the same request gives the same result; only
 /// the tick at which it is ready differs, and that tick is recorded.
 #pragma once
 
@@ -28,7 +28,7 @@ class JobRunner {
   /// errors  std::bad_alloc where jobs run at once; none on the threaded runner, which allocates
   ///         nothing here
   /// thread  haptic
-  virtual bool follow(const StepOutput& output) = 0;
+  virtual bool apply(const StepOutput& output) = 0;
   /// What a job on another thread threw, or nothing; no job runs after it.
   virtual std::exception_ptr failure() const noexcept { return nullptr; }
   /// Whether a second's outputs still find room; without it the attempt must pause.
@@ -44,7 +44,7 @@ class ImmediateJobs final : public JobRunner {
   ImmediateJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {})
       : geometry_(bone, blade, bridge) {}
 
-  bool follow(const StepOutput& output) override;
+  bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
   const JobResult* take_ready() noexcept override;
   /// The result of that job, or null where none of that number was asked for.
@@ -70,7 +70,7 @@ class ThreadedJobs final : public JobRunner {
                std::optional<PlannedBridge> bridge = {});
   ~ThreadedJobs() override;
 
-  bool follow(const StepOutput& output) override;
+  bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override;
   std::exception_ptr failure() const noexcept override;
   const JobResult* take_ready() noexcept override;
@@ -78,7 +78,7 @@ class ThreadedJobs final : public JobRunner {
  private:
   using Feed = std::variant<ToolSample, CutEvent, JobRequest>;
   void work(const std::stop_token& stop);
-  void take_in(const Feed& feed, const std::stop_token& stop);
+  void apply(const Feed& feed, const std::stop_token& stop);
   void wait_for_delay(const std::stop_token& stop);
 
   /// Worker's.

@@ -79,7 +79,7 @@ class ReplayRun {
     outputs_.samples.push_back(output.sample);
     const bool is_same = at < recording_.samples.size() && recording_.samples[at] == output.sample;
     if (!is_same && result_.difference.empty()) differ(output.sample.tick, "a tool sample differs");
-    jobs_.follow(output);
+    jobs_.apply(output);
   }
 
   void compare_counts() {

@@ -231,7 +231,7 @@ void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
       transform_direction(world_from_bone_, outcome.torque_in_bone_newton_mm);
   // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on
   // unrounded, else a feed below half a micrometre a tick would stand still.
-  const FieldWindow opened = kerfs_.follow(output.sample);
+  const FieldWindow opened = kerfs_.apply(output.sample);
   piece_requests_.watch({kerf_before, kerf_of_tool(), !opened.is_empty(), outcome.broke_through});
   if (!output.requests.is_full() && piece_requests_.ask()) {
     ask(JobKind::Pieces, piece_requests_.last_opened(), output);
@@ -244,7 +244,7 @@ void Simulation::stand_still(StepOutput& output) noexcept {
   output.sample.tick = tick_;
   output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
   // A sample in no kerf ends a sweep, here as for those who follow the record.
-  kerfs_.follow(output.sample);
+  kerfs_.apply(output.sample);
 }
 
 ToolSample Simulation::sample_of(const ToolInput& input,

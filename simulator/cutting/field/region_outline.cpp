@@ -86,7 +86,7 @@ void OutlineTracker::append_loop(ChainRef start) {
     OutlineChain& chain = chain_at(at);
     if (chain.linked_in == linkings_) break;
     chain.linked_in = linkings_;
-    if (!chains_.empty() && chain.reach_mm > chain_at(chains_[furthest]).reach_mm) {
+    if (!chains_.empty() && chain.along_mm > chain_at(chains_[furthest]).along_mm) {
       furthest = chains_.size();
     }
     chains_.push_back(at);

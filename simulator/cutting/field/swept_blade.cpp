@@ -85,9 +85,9 @@ SweptBlade::SweptBlade(const FieldGrid& grid, const Blade& blade, const PlanarPo
   sort_edges();
   // Values reach -limit at most two limits beyond the hull: its angles are right ones or wider, and
   // no edge's function is flatter than 1 / 1.42.
-  const double reach_mm = 3.0 * limit_mm;
-  lines_ = {clamped_node(std::floor((u_min_mm - reach_mm) / grid.spacing_mm), grid.u_count),
-            clamped_node(std::ceil((u_max_mm + reach_mm) / grid.spacing_mm), grid.u_count)};
+  const double margin_mm = 3.0 * limit_mm;
+  lines_ = {clamped_node(std::floor((u_min_mm - margin_mm) / grid.spacing_mm), grid.u_count),
+            clamped_node(std::ceil((u_max_mm + margin_mm) / grid.spacing_mm), grid.u_count)};
 }
 
 void SweptBlade::add_edge(const Vec2& a_mm, const Vec2& b_mm, const PlanarPose& pose,

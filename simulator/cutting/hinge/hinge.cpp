@@ -54,7 +54,7 @@ CutSolid half_of(const CutSolid& solid, const std::vector<bool>& is_above, bool 
       corner = new_index[corner];
     }
     half.mesh.triangles.push_back(corners);
-    half.origins.push_back(solid.origins[i]);
+    half.sources.push_back(solid.sources[i]);
   }
   return half;
 }

@@ -60,7 +60,7 @@ Piece piece_of(const CutSolid& solid, const std::vector<std::uint32_t>& triangle
     const Triangle& corners = solid.mesh.triangles[triangle];
     piece.solid.mesh.triangles.push_back(
         {index_scratch[corners[0]], index_scratch[corners[1]], index_scratch[corners[2]]});
-    piece.solid.origins.push_back(solid.origins[triangle]);
+    piece.solid.sources.push_back(solid.sources[triangle]);
   }
   for (const std::uint32_t point : points) index_scratch[point] = absent;
   piece.volume_mm3 = signed_volume_mm3(piece.solid.mesh);
@@ -118,14 +118,14 @@ void add_shell(Piece& piece, const Piece& shell) {
 
 CutSolid uncut_solid(IndexedMesh mesh) {
   CutSolid solid;
-  solid.origins.resize(mesh.triangles.size());
+  solid.sources.resize(mesh.triangles.size());
   solid.mesh = std::move(mesh);
   return solid;
 }
 
 void append_solid(CutSolid& solid, const CutSolid& added) {
   append_mesh(solid.mesh, added.mesh);
-  solid.origins.insert(solid.origins.end(), added.origins.begin(), added.origins.end());
+  solid.sources.insert(solid.sources.end(), added.sources.begin(), added.sources.end());
 }
 
 std::vector<SolidPiece> find_pieces(const CutSolid& solid) {

@@ -233,13 +233,13 @@ void RemainingSearch::try_lines(std::int32_t first, std::int32_t second) noexcep
 void RemainingSearch::try_rim(std::int32_t kerf) noexcept {
   const Slab& at = slab(kerf);
   const double above_mm = std::max(0.0, std::abs(at.local_mm.z) - at.half_mm);
-  const auto reach_mm = [&] {
+  const auto rim_distance_mm = [&] {
     return std::sqrt(std::max(0.0, within_mm_ * within_mm_ - above_mm * above_mm));
   };
-  visit_rim(field(kerf), Vec2(at.local_mm.x, at.local_mm.y), reach_mm(),
+  visit_rim(field(kerf), Vec2(at.local_mm.x, at.local_mm.y), rim_distance_mm(),
             [&](const RimSegment& segment) {
               try_segment(kerf, segment);
-              return reach_mm();
+              return rim_distance_mm();
             });
 }
 

@@ -9,7 +9,7 @@ namespace hallux::simulator {
 /// the quaternion by sin W / cos^2(W / 2) = 2 tan(W / 2) per whole motion, the body by twice that.
 /// The chord c between the quaternions gives sin(W / 2) = c / 2 without a loss of digits for small
 /// turns.
-double greatest_speed_mm(const RigidMotion& motion, double reach_mm) noexcept {
+double greatest_speed_mm(const RigidMotion& motion, double radius_mm) noexcept {
   const Quat& start = motion.bone_from_start.rotation;
   const Quat& end = motion.bone_from_end.rotation;
   const double sign = glm::dot(start, end) < 0.0 ? -1.0 : 1.0;
@@ -21,7 +21,7 @@ double greatest_speed_mm(const RigidMotion& motion, double reach_mm) noexcept {
   // 0.7.
   const double turn_rad = 4.0 * half_sine / half_cosine;
   // A margin for the rounding of the above.
-  return (std::sqrt(glm::dot(way_mm, way_mm)) + turn_rad * reach_mm) * (1.0 + 1.0e-12);
+  return (std::sqrt(glm::dot(way_mm, way_mm)) + turn_rad * radius_mm) * (1.0 + 1.0e-12);
 }
 
 }  // namespace hallux::simulator

@@ -281,7 +281,7 @@ PlaneLattice lattice_over(const SlabSkin& skin, const KerfAxes& axes, Vec2 min_m
 
 void reserve_for(SlabSlice& contact, std::size_t touched_count) {
   contact.touched.reserve(touched_count);
-  contact.origins.reserve(touched_count);
+  contact.sources.reserve(touched_count);
   contact.points.reserve(2 * touched_count);
   contact.edges.reserve(4 * touched_count);
   contact.triangles.reserve(2 * touched_count);
@@ -303,7 +303,7 @@ SlabSlice slice_slab(const CutSolid& solid, const Bvh& bvh, const KerfPlane& pla
   // In a loop of their own these scattered reads overlap.
   for (const std::uint32_t triangle : skin.triangles) {
     contact.touched.push_back({triangle});
-    contact.origins.push_back(solid.origins[triangle]);
+    contact.sources.push_back(solid.sources[triangle]);
   }
   ContactSlicer slicer(skin, contact);
   for (std::uint32_t i = 0; i < skin.triangles.size(); ++i) slicer.slice(i);

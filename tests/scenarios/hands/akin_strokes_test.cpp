@@ -63,7 +63,7 @@ KerfSet kerfs_of(const Patient& patient, const Recording& recording) {
       const simulator::CutEvent& event = recording.events[next];
       if (event.kind == simulator::CutEventKind::PlaneFrozen) kerfs.freeze(event.pose);
     }
-    kerfs.follow(sample);
+    kerfs.apply(sample);
   }
   return kerfs;
 }

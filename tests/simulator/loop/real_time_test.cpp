@@ -132,7 +132,8 @@ TEST(RealTimeLoop, AGapIsAPauseAndAResumeOnTheTape) {
   const Bone bone = tests::loop_block();
   const tests::RecordedRun run = record_with_a_stall(bone, {{0, {CommandKind::Start, 0, 0}}});
   EXPECT_GE(run.statistics.pauses, 1);
-  EXPECT_GE(run.statistics.unseen_us, 3'000 * run.statistics.pauses) << "each beyond three ticks";
+  EXPECT_GE(run.statistics.unsampled_us, 3'000 * run.statistics.pauses)
+      << "each beyond three ticks";
   EXPECT_EQ(run.statistics.clock_steps, 0);
   const auto kinds = pauses_of(run.recording);
   ASSERT_GE(kinds.size(), 2U);

@@ -87,18 +87,18 @@ std::vector<CutEvent> BoneBeingCut::take_events() {
 /// Without a picture the attempt goes on: then the feed is only kept from filling.
 void BoneBeingCut::run(const std::stop_token& stop) {
   try {
-    follow(stop);
+    show_feed(stop);
   } catch (const std::exception&) {
     has_failed_.store(true, std::memory_order_release);
   }
-  GeometryFeed unseen;
+  GeometryFeed dropped;
   while (!stop.stop_requested() && !watch_.closed.load(std::memory_order_acquire)) {
-    while (watch_.feed.pop(unseen)) continue;
+    while (watch_.feed.pop(dropped)) continue;
     std::this_thread::sleep_for(between_patches);
   }
 }
 
-void BoneBeingCut::follow(const std::stop_token& stop) {
+void BoneBeingCut::show_feed(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const bool is_closed = watch_.closed.load(std::memory_order_acquire);
     if (take_feed()) is_up_to_date_.store(false, std::memory_order_release);
@@ -121,14 +121,14 @@ bool BoneBeingCut::take_feed() {
 
 void BoneBeingCut::take(const ToolSample& sample) {
   tick_ = sample.tick;
-  geometry_.follow(sample);
+  geometry_.apply(sample);
   if (sample.kerf < 0 || !has(sample.status, ToolStatus::SawOn)) return;
   kerf_ = sample.kerf;
   has_grown_ = true;
 }
 
 void BoneBeingCut::take(const CutEvent& event) {
-  geometry_.follow(event);
+  geometry_.apply(event);
   if (event.kind == CutEventKind::PieceRemoved) {
     at_hand_.reset();
     is_solid_due_ = true;
@@ -169,7 +169,7 @@ void BoneBeingCut::begin_kerf(std::int32_t kerf) {
 /// A frame whose outline is not simple shows the patch before it.
 void BoneBeingCut::show_patch() {
   has_grown_ = false;
-  if (!at_hand_->growing.follow(geometry_.kerfs().field(at_hand_->kerf), patch_)) return;
+  if (!at_hand_->growing.build(geometry_.kerfs().field(at_hand_->kerf), patch_)) return;
   const std::scoped_lock turn(turn_);
   newest_.bodies = {{at_hand_->mesh, world_from_bone_}};
   std::swap(newest_.patch, patch_);

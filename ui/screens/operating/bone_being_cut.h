@@ -68,7 +68,7 @@ class BoneBeingCut {
   struct KerfAtHand;
 
   void run(const std::stop_token& stop);
-  void follow(const std::stop_token& stop);
+  void show_feed(const std::stop_token& stop);
   bool take_feed();
   void take(const simulator::ToolSample& sample);
   void take(const simulator::CutEvent& event);

@@ -101,8 +101,8 @@ TEST(Hinge, TheFacesOfTheDivisionAreNotWallsOfAKerf) {
   EXPECT_NEAR(divided.bridges_mm2[0], 12.0, 1e-12);
   for (const CutSolid* half : {&divided.above, &divided.below}) {
     double area_mm2 = 0.0;
-    for (std::size_t i = 0; i < half->origins.size(); ++i) {
-      if (half->origins[i].kerf != hinge_face) continue;
+    for (std::size_t i = 0; i < half->sources.size(); ++i) {
+      if (half->sources[i].kerf != hinge_face) continue;
       const Triangle& corners = half->mesh.triangles[i];
       const Vec3& a = half->mesh.points_mm[corners[0]];
       area_mm2 += 0.5 * glm::length(glm::cross(half->mesh.points_mm[corners[1]] - a,
