@@ -28,7 +28,7 @@ Measurement named(const PlannedHinge& hinge, Metric metric) {
   made.metric = name_of(metric);
   made.hinge = hinge.name;
   made.is_measured = false;
-  made.place_in_bone_mm = hinge.point_in_bone_mm;
+  made.place_in_bone_mm = hinge.bridge.line.point_in_bone_mm;
   return made;
 }
 
@@ -76,10 +76,10 @@ struct Wedge {
 Wedge measure_wedge(const CutEvidence& first, const CutEvidence& second,
                     const PlannedHinge& hinge) {
   const FacePlane planned1 = planned_face(first.planned), planned2 = planned_face(second.planned);
-  const AkinPlan plan{
-      planned1,
-      planned2,
-      {first.planned.entry_point_in_bone_mm, hinge.point_in_bone_mm, Vec3{1.0, 0.0, 0.0}}};
+  const AkinPlan plan{planned1,
+                      planned2,
+                      {first.planned.entry_point_in_bone_mm, hinge.bridge.line.point_in_bone_mm,
+                       Vec3{1.0, 0.0, 0.0}}};
   const CutFace &face1 = first.faces.front(), &face2 = second.faces.front();
   const AkinFace made1{looking_distal(face1.plane), face1.samples_in_bone_mm};
   const AkinFace made2{looking_distal(face2.plane), face2.samples_in_bone_mm};
@@ -133,12 +133,10 @@ std::vector<KerfGap> gaps_of(const HingeEvidence& evidence, const PlannedHinge& 
   // The bone as it was: what an earlier kerf took must not move the far surface of a later one.
   const simulator::CutSolid solid = simulator::uncut_solid(solid_of(evidence.bone));
   const simulator::Bvh bvh(solid.mesh);
-  const simulator::HingeLine line{hinge.point_in_bone_mm, hinge.axis, hinge.outward,
-                                  hinge.thickness_mm};
   for (const std::int32_t kerf : kerfs) {
-    const std::optional<HingeGap> gap =
-        measure_hinge_gap(slice_section(solid, bvh, evidence.rebuilt.fields.plane(kerf)),
-                          evidence.rebuilt.kerfs[static_cast<std::size_t>(kerf)].outline, line);
+    const std::optional<HingeGap> gap = measure_hinge_gap(
+        slice_section(solid, bvh, evidence.rebuilt.fields.plane(kerf)),
+        evidence.rebuilt.kerfs[static_cast<std::size_t>(kerf)].outline, hinge.bridge.line);
     if (gap) gaps.push_back({kerf, *gap});
   }
   return gaps;
@@ -155,7 +153,8 @@ std::vector<std::int32_t> kerfs_of(const CutEvidence& first, const CutEvidence& 
 
 std::optional<Reach> reach_of(const HingeEvidence& evidence, const PlannedHinge& hinge,
                               const KerfGap& gap) {
-  const ReachLimit limit{hinge.outward, glm::dot(hinge.outward, gap.gap.far_in_bone_mm)};
+  const Vec3& outward = hinge.bridge.line.outward;
+  const ReachLimit limit{outward, glm::dot(outward, gap.gap.far_in_bone_mm)};
   return measure_reach(evidence.recording, evidence.rebuilt, evidence.bone, gap.kerf, limit);
 }
 

@@ -248,10 +248,7 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
   const Rubric& rubric = scenario.rubric;
   for (std::size_t i = 0; i < rubric.items.size(); ++i) {
     const RubricItem& item = rubric.items[i];
-    const bool has_group =
-        std::any_of(rubric.groups.begin(), rubric.groups.end(),
-                    [&](const RubricGroup& group) { return group.name == item.group; });
-    if (!has_group) {
+    if (!has_name(rubric.groups, item.group)) {
       refuse(file, path_of("rubric.items", i, "group"), is_text(item.group) + ", which is no group",
              "name one of rubric.groups");
     }

@@ -15,9 +15,7 @@ using scenarios::PlannedCut;
 using scenarios::PlannedHinge;
 using simulator::KerfPlane;
 
-Vec3 normal_of(const KerfPlane& plane) noexcept {
-  return transform_direction(plane.bone_from_kerf, Vec3{0.0, 0.0, 1.0});
-}
+Vec3 normal_of(const KerfPlane& plane) noexcept { return axis_z(plane.bone_from_kerf); }
 
 /// The wall that stays on the kept bone: below the kerf where its z looks to the waste, else above.
 std::int32_t kept_side(const KerfPlane& plane, const PlannedCut& cut) noexcept {

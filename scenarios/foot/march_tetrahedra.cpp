@@ -138,7 +138,7 @@ void sample_block(const Field& field, const Block& block, double steepest, Sampl
   const double centre = field(first + half).value;
   // One spacing more than the block itself: the cubes between two blocks must not be skipped by
   // both.
-  const double reach = std::sqrt(glm::dot(half, half)) + samples.spacing_mm;
+  const double reach = length_of(half) + samples.spacing_mm;
   const bool is_far = std::abs(centre) > steepest * reach;
   for (std::int32_t k = block.k; k < block.k_end; ++k) {
     for (std::int32_t j = block.j; j < block.j_end; ++j) {

@@ -1,7 +1,6 @@
 #include "scenarios/hands/feeling_hand.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
@@ -16,10 +15,6 @@ constexpr double overlap_mm = 3.0;
 /// What a hand takes a newton aside for: so far is the handle out of the slot [mm].
 constexpr double give_mm_per_newton = 0.5;
 constexpr double far_hovers = 3.0, turn_hovers = 2.0;  ///< how far off the bone, in hover_mm
-
-std::size_t index_of_cut(const Plan& plan, std::string_view name) {
-  return static_cast<std::size_t>(find_cut(plan, name) - plan.cuts.data());
-}
 
 std::size_t first_cut_of(const Scenario& scenario, const Plan& plan) {
   const auto step =
@@ -104,7 +99,8 @@ void FeelingHand::plan_acts(const Scenario& scenario, const Plan& plan) {
 
 bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                            simulator::RawDeviceState& state) noexcept {
-  const std::int64_t ticks = std::clamp<std::int64_t>(tick - tick_, 1, 3);
+  const std::int64_t ticks =
+      std::clamp<std::int64_t>(tick - tick_, 1, simulator::ticks_per_line_max);
   tick_ = tick;
   const double span_s = static_cast<double>(ticks) * step_s;
   queued_ = taken_ = 0;
@@ -116,9 +112,8 @@ bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   }
   if (tick + 1 >= last_tick) queue({CommandKind::Finish, 0, 0});
   state.world_from_handle = pose();
-  using simulator::Switch;
-  state.switches = (handle_.saw_runs ? static_cast<std::uint32_t>(Switch::SawRuns) : 0U) |
-                   (handle_.irrigates ? static_cast<std::uint32_t>(Switch::Irrigates) : 0U);
+  state.switches = (handle_.saw_runs ? bit(simulator::Switch::SawRuns) : 0U) |
+                   (handle_.irrigates ? bit(simulator::Switch::Irrigates) : 0U);
   return true;
 }
 
@@ -163,8 +158,8 @@ void FeelingHand::begin_turn(const Act& act) noexcept {
   handle_.along_mm = act.stroke.along_mm;
   out_.mean(0.0);
   tilt_x_.mean(0.0);
-  const Vec3 way = held_pose().translation_mm - turned_from_.translation_mm;
-  turn_s_ = std::max(step_s, std::sqrt(glm::dot(way, way)) / skill_.approach_mm_s);
+  const double way_mm = length_of(held_pose().translation_mm - turned_from_.translation_mm);
+  turn_s_ = std::max(step_s, way_mm / skill_.approach_mm_s);
 }
 
 bool FeelingHand::is_turning() const noexcept {
@@ -226,8 +221,8 @@ void FeelingHand::align_with_slot(const simulator::QuantisedPose& bone_from_froz
   const RigidTransform world_from_handle = held_pose();
   const RigidTransform world_from_slot =
       world_from_bone_ * simulator::transform_from(bone_from_frozen);
-  const Vec3 normal = transform_direction(world_from_slot, Vec3{0.0, 0.0, 1.0});
-  const Vec3 ahead = transform_direction(world_from_blade_, Vec3{1.0, 0.0, 0.0});
+  const Vec3 normal = axis_z(world_from_slot);
+  const Vec3 ahead = axis_x(world_from_blade_);
   const Vec3 flat_ahead = ahead - glm::dot(ahead, normal) * normal;
   const Vec3& origin = world_from_blade_.translation_mm;
   const double off_mm = glm::dot(origin - world_from_slot.translation_mm, normal);

@@ -61,7 +61,7 @@ const SectionRegion* region_near(const Section& section, const Vec3& point_in_bo
   for (const SectionRegion& region : section.regions) {
     const double dx = std::max({region.min_mm.x - local.x, 0.0, local.x - region.max_mm.x});
     const double dy = std::max({region.min_mm.y - local.y, 0.0, local.y - region.max_mm.y});
-    const double distance_mm = std::sqrt(dx * dx + dy * dy);
+    const double distance_mm = length_of(Vec2{dx, dy});
     if (distance_mm < best_mm) {
       best_mm = distance_mm;
       best = &region;
@@ -173,7 +173,7 @@ struct FirstCut {
 /// What the turn from the planned first face to the aimed one makes of a direction.
 Vec3 turned_like(const FirstCut& first, const Vec3& direction) {
   const Vec3 axis = glm::cross(first.planned.face.normal, first.aimed.face.normal);
-  const double sine = std::sqrt(glm::dot(axis, axis));
+  const double sine = length_of(axis);
   const double angle_rad =
       elementary::atan2(sine, glm::dot(first.planned.face.normal, first.aimed.face.normal));
   return transform_direction({rotation_about(axis / sine, angle_rad), {}}, direction);
@@ -224,8 +224,8 @@ void plan_stop(const Plan& plan, const HandSkill& skill, const Target& target, A
   const PlannedHinge* hinge = find_hinge(plan, target.cut.hinge);
   if (hinge == nullptr) return;
   const double error_mm = stop_error_mm(*hinge, target.cut, skill, target.seed);
-  aimed.stop_mm = far_point(aimed.region).x - hinge->thickness_mm + error_mm;
-  aimed.loses_hinge = error_mm >= hinge->thickness_mm;
+  aimed.stop_mm = far_point(aimed.region).x - hinge->bridge.line.thickness_mm + error_mm;
+  aimed.loses_hinge = error_mm >= hinge->bridge.line.thickness_mm;
 }
 
 }  // namespace
@@ -244,10 +244,11 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     aimed.angle_error_rad = errors.angle_rad;
     if (target.cut.kind == FaceKind::ThroughHinge) {
       const PlannedHinge& hinge = *find_hinge(plan, target.cut.hinge);
-      const PlannedCut& first = *find_cut(plan, hinge.first_cut);
-      const AimedCut& made = aims[static_cast<std::size_t>(&first - plan.cuts.data())];
-      aim_at_line(target, planned, {first, made, line_point(made, hinge.thickness_mm)}, errors,
-                  skill, aimed);
+      const std::size_t first = index_of_cut(plan, hinge.first_cut);
+      const AimedCut& made = aims[first];
+      aim_at_line(target, planned,
+                  {plan.cuts[first], made, line_point(made, hinge.bridge.line.thickness_mm)},
+                  errors, skill, aimed);
     } else {
       aim_at_plan(target, planned, errors, aimed);
     }

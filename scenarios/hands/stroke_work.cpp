@@ -1,7 +1,6 @@
 #include "scenarios/hands/stroke_work.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/elementary.h"
 

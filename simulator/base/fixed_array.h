@@ -6,7 +6,6 @@
 /// here.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>

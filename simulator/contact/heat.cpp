@@ -19,8 +19,6 @@ constexpr double cell_capacity_joule_per_kelvin =
 constexpr int rubbing_parts = 4;
 /// As far in front of the recorded teeth bone is asked for: they stand on bone, not in it.
 constexpr double probe_ahead_mm = 0.02;
-/// No line of the tape covers more.
-constexpr std::int64_t ticks_at_most = 3;
 
 /// Which tissue each tooth is about to cut.
 struct Teeth {
@@ -47,10 +45,8 @@ Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const RemainingTissue
 
 /// The hand's push along the feed direction, as the record has it [N].
 double push_newton(const ToolSample& sample) noexcept {
-  const Vec3 ahead =
-      transform_direction(transform_from(sample.world_from_tool), Vec3{1.0, 0.0, 0.0});
-  const Vec3 on_hand_newton = force_newton(sample);
-  return std::max(0.0, -glm::dot(on_hand_newton, ahead));
+  const Vec3 ahead = axis_x(transform_from(sample.world_from_tool));
+  return std::max(0.0, -glm::dot(force_newton(sample), ahead));
 }
 
 Vec2 middle_of(std::int32_t number) noexcept {
@@ -105,7 +101,8 @@ double HeatField::hottest_now_celsius() const noexcept {
 }
 
 void HeatField::apply(const ToolSample& sample, const RemainingTissue& bone) noexcept {
-  const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
+  const std::int64_t ticks =
+      std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_per_line_max);
   last_tick_ = sample.tick;
   if (!has(sample.status, ToolStatus::Running)) {
     last_kerf_ = -1;

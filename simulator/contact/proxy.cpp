@@ -19,8 +19,6 @@ constexpr double slack_mm = 0.002;
 /// the second.
 constexpr double slip_share = 0.999, rest_share = 0.95;
 
-double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
-
 double allowed_gap_mm(const BladeContact& contact) noexcept {
   if (contact.gap_mm >= 0.0) return contact.gap_mm;
   return is_tooth(contact) ? 0.0 : std::min(0.0, contact.gap_mm + slack_mm);
@@ -63,12 +61,12 @@ double relax(Search& search, const BladeContact& contact, double friction,
   const double arm2_mm2 = glm::dot(contact.arm_mm, contact.arm_mm);
   Vec3 held = tangential_mm - across / (1.0 + arm2_mm2 / search.grip2_mm2);
   held -= glm::dot(held, contact.normal) * contact.normal;
-  const double most_mm = friction * normal_mm, length = length_mm(held);
+  const double most_mm = friction * normal_mm, length = length_of(held);
   if (length > most_mm) held *= length > 0.0 ? most_mm / length : 0.0;
   const Vec3 more_mm = held - tangential_mm;
   tangential_mm = held;
   search.push(contact, more_mm);
-  return std::abs(pushed_mm) + length_mm(more_mm);
+  return std::abs(pushed_mm) + length_of(more_mm);
 }
 
 /// Points that touch nothing bear nothing.
@@ -127,7 +125,7 @@ ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact>
     if (is_tooth(contact)) result.tooth_mm += normal_mm * contact.normal + tangential_mm;
   }
   const double limit = load.slides ? rest_share : slip_share;
-  load.slides = result.normal_mm > 0.0 && length_mm(held_mm) >= limit * most_mm;
+  load.slides = result.normal_mm > 0.0 && length_of(held_mm) >= limit * most_mm;
   return result;
 }
 

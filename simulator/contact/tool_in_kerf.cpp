@@ -29,14 +29,6 @@ constexpr double drawn_back_limit_mm = 1.0;
 /// out aslant.
 constexpr double behind_far_side_mm = 1.0;
 
-Vec3 axis_x(const RigidTransform& to_from_tool) noexcept {
-  return transform_direction(to_from_tool, Vec3{1.0, 0.0, 0.0});
-}
-
-Vec3 axis_z(const RigidTransform& to_from_tool) noexcept {
-  return transform_direction(to_from_tool, Vec3{0.0, 0.0, 1.0});
-}
-
 RigidTransform moved(const RigidTransform& pose, const Vec3& by_mm) noexcept {
   return {pose.rotation, pose.translation_mm + by_mm};
 }
@@ -89,7 +81,7 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
 /// as stretch of the spring.
 Vec2 after_friction(const Vec2& pull_mm, double push_mm, const ContactSettings& settings,
                     bool& slides) noexcept {
-  const double length_mm = std::sqrt(glm::dot(pull_mm, pull_mm));
+  const double length_mm = length_of(pull_mm);
   const double hold_mm = settings.friction * push_mm;
   const double slide_mm = settings.kinetic_ratio * hold_mm;
   slides = length_mm > (slides ? rest_share * slide_mm : hold_mm);
@@ -205,7 +197,7 @@ Steps steps_of(double way, double step, double limit) noexcept {
 /// meet bone.
 void turn_aside(PlanarPose& planar, const Vec2& wanted, double travel_limit_mm,
                 const KerfPlane& plane, const RemainingTissue& bone, TeethMemory& teeth) noexcept {
-  const double turn = planar.direction.x * wanted.y - planar.direction.y * wanted.x;
+  const double turn = cross(planar.direction, wanted);
   if (std::abs(turn) < turn_worth_asking) return;
   const double depth_mm = bone.kerfs.blade().depth_mm;
   const auto [steps, share] =
@@ -213,7 +205,7 @@ void turn_aside(PlanarPose& planar, const Vec2& wanted, double travel_limit_mm,
   const Vec2 from = planar.direction;
   for (int i = 1; i <= steps; ++i) {
     const Vec2 sum = from + (share * i) * (wanted - from);
-    const double length = std::sqrt(glm::dot(sum, sum));
+    const double length = length_of(sum);
     if (!(length > 0.5)) return;  // about to turn round: no way to go is shorter
     const PlanarPose turned{planar.tip_mm, sum / length};
     const RigidTransform pose = flat_pose(plane, turned);
@@ -250,8 +242,7 @@ double collar_room_mm(const RigidTransform& bone_from_tool, const RemainingTissu
   for (SurfaceMemory& known : memory) {
     const Vec3 point_mm =
         transform_point(bone_from_tool, Vec3{-blade.depth_mm, side * blade.width_mm, 0.0});
-    const Vec3 way_mm = point_mm - known.asked_mm;
-    double least_mm = known.clearance_mm - std::sqrt(glm::dot(way_mm, way_mm));
+    double least_mm = known.clearance_mm - length_of(point_mm - known.asked_mm);
     if (!known.is_known || least_mm < enough_mm) {
       least_mm = bone.original.clearance_mm(point_mm);
       known = {point_mm, least_mm, true};
@@ -349,7 +340,7 @@ std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const Remai
   for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
     const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * bone_from_tool;
     const Vec3 normal = axis_z(kerf_from_tool);
-    const double tilt_sine = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    const double tilt_sine = length_of(Vec2{normal.x, normal.y});
     const double offset_mm = std::abs(kerf_from_tool.translation_mm.z);
     if (normal.z <= 0.0 || tilt_sine > settings.capture_angle_rad) continue;
     if (tilt_sine <= settings.rejoin_angle_rad && offset_mm <= settings.rejoin_offset_mm)

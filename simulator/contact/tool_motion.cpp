@@ -29,7 +29,7 @@ double travel_limit_mm(ToolState& tool, const ToolInput& input, const Blade& bla
 
 /// The part of a force or torque that is within its limit.
 double share_within(const Vec3& value, double limit) noexcept {
-  const double size = std::sqrt(glm::dot(value, value));
+  const double size = length_of(value);
   return size > limit ? limit / size : 1.0;
 }
 
@@ -103,8 +103,7 @@ void kick_hand(ToolState& tool, const ToolInput& input, const RemainingTissue& b
   tool.kick.saw_ran = input.saw_runs;
   const double newton = kick_newton(tool.kick, input.duration_s);
   if (!(std::abs(newton) > 0.0)) return;
-  const Vec3 along_teeth = transform_direction(tool.bone_from_tool, Vec3{0.0, 1.0, 0.0});
-  push_hand(newton * along_teeth, settings, outcome);
+  push_hand(newton * axis_y(tool.bone_from_tool), settings, outcome);
 }
 
 }  // namespace

@@ -19,8 +19,6 @@ constexpr double on_surface_mm = 0.01;
 /// A spring stretched by less is slack.
 constexpr double slack_mm = 0.001;
 
-double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
-
 ProxyMotion scaled(const ProxyMotion& motion, double share) noexcept {
   return {share * motion.translation_mm, share * motion.rotation_rad};
 }
@@ -99,7 +97,7 @@ double room_ahead_mm(const BladeContacts& contacts, const Vec3& ahead, double wa
 double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
                   const ContactSettings& settings, ToolOutcome& outcome) noexcept {
   if (!input.saw_runs || tool.is_refused) return 0.0;
-  const Vec3 ahead = transform_direction(tool.bone_from_tool, Vec3{1.0, 0.0, 0.0});
+  const Vec3 ahead = axis_x(tool.bone_from_tool);
   const double force_newton =
       std::min(settings.force_limit_newton,
                -settings.coupling_newton_per_mm * glm::dot(walked.proxy.tooth_mm, ahead));
@@ -141,7 +139,7 @@ void go_on_touching(ToolState& tool, const ToolInput& input, const Walk& walked,
 }  // namespace
 
 double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept {
-  return length_mm(motion.translation_mm) + blade.depth_mm * length_mm(motion.rotation_rad);
+  return length_of(motion.translation_mm) + blade.depth_mm * length_of(motion.rotation_rad);
 }
 
 void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,

@@ -1,7 +1,6 @@
 #include "simulator/device/mouse.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/units.h"
 
@@ -33,7 +32,7 @@ RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& 
                            double radius_mm) noexcept {
   RigidTransform kept = world_from_target;
   const Vec3 away_mm = kept.translation_mm - middle_in_world_mm;
-  const double distance_mm = std::sqrt(glm::dot(away_mm, away_mm));
+  const double distance_mm = length_of(away_mm);
   if (distance_mm > radius_mm) {
     kept.translation_mm = middle_in_world_mm + radius_mm / distance_mm * away_mm;
   }
@@ -70,7 +69,7 @@ void MouseDevice::pull_towards(const RigidTransform& world_from_target,
   const Vec3 sum_newton = coupling_.stiffness_newton_per_mm * ahead_mm -
                           coupling_.damping_newton_s_per_mm * velocity_mm_s_ + force_newton;
   velocity_mm_s_ += step_s * mm_per_m / coupling_.mass_kg * sum_newton;
-  const double speed_mm_s = std::sqrt(glm::dot(velocity_mm_s_, velocity_mm_s_));
+  const double speed_mm_s = length_of(velocity_mm_s_);
   if (speed_mm_s > coupling_.speed_limit_mm_s) {
     velocity_mm_s_ *= coupling_.speed_limit_mm_s / speed_mm_s;
   }

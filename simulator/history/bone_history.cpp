@@ -78,15 +78,10 @@ BoneStretch stretch_from(BoneAtTick& bone, const std::vector<KerfGrowth>& kerfs,
   return stretch;
 }
 
-Vec3 middle_of(const IndexedMesh& mesh, const Triangle& triangle) {
-  return (mesh.points_mm[triangle[0]] + mesh.points_mm[triangle[1]] + mesh.points_mm[triangle[2]]) /
-         3.0;
-}
-
 std::vector<std::uint32_t> triangles_on(const IndexedMesh& mesh, const Bvh& body) {
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (lies_on(body, middle_of(mesh, mesh.triangles[i])))
+    if (lies_on(body, middle_of(corners_of(mesh, i))))
       found.push_back(static_cast<std::uint32_t>(i));
   }
   return found;

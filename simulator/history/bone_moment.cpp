@@ -44,8 +44,7 @@ struct NearestHit {
         ++next;
         continue;
       }
-      const Triangle& triangle = mesh.triangles[i];
-      ask({mesh.points_mm[triangle[0]], mesh.points_mm[triangle[1]], mesh.points_mm[triangle[2]]});
+      ask(corners_of(mesh, i));
     }
   }
 };
@@ -116,8 +115,7 @@ void BoneMoment::leave_out_taken() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < patch_.triangles.size(); ++i) {
       const auto corners = patch_corners(mesh(), patch_, patch_.triangles[i]);
-      if (lies_on(*history_.taken[piece].body, (corners[0] + corners[1] + corners[2]) / 3.0))
-        continue;
+      if (lies_on(*history_.taken[piece].body, middle_of(corners))) continue;
       patch_.triangles[kept] = patch_.triangles[i];
       patch_.sources[kept] = patch_.sources[i];
       ++kept;
@@ -156,7 +154,7 @@ Vec3 BoneMoment::moved_place(const Vec3& point_in_bone_mm) const {
   const auto off = [&](const CutSolid& half) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& point : half.mesh.points_mm)
-      least = std::min(least, glm::length(point - point_in_bone_mm));
+      least = std::min(least, length_of(point - point_in_bone_mm));
     return least;
   };
   const bool is_moved = off(history_.closed->moved) < off(history_.closed->fixed);

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/bone/planned_bridge.h"
+#include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/mesh/bone.h"
 

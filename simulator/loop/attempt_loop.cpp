@@ -17,8 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds tick_time{1};
-/// Beyond this many ticks in one line the attempt pauses instead of jumping on.
-constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
 /// While it waits for room, each of them a tick long.
 constexpr std::int64_t rests_per_progress = 100;
@@ -73,8 +71,8 @@ class AttemptRun {
     }
     const SimulationSetup& simulated = setup.simulation;
     if (setup.pacing == Pacing::RealTime) {
-      own_jobs_ = std::make_unique<ThreadedJobs>(simulated.bone, simulated.saw.blade,
-                                                 setup.job_delay, simulated.bridge);
+      own_jobs_ =
+          std::make_unique<ThreadedJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
     } else {
       own_jobs_ =
           std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
@@ -158,7 +156,7 @@ class AttemptRun {
     late_times_.add(late);
     late_max_us_ = std::max(late_max_us_, microseconds(late));
     const std::int64_t missed = late / tick_time;
-    if (missed >= ticks_per_line || must_wait()) return pause_gap();
+    if (missed >= ticks_per_line_max || must_wait()) return pause_gap();
     deadline_ += tick_time * (1 + missed);
     statistics_.missed_ticks += missed;
     return 1 + missed;

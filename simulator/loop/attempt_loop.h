@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "simulator/base/progress.h"
@@ -31,8 +30,6 @@ struct AttemptSetup {
   std::vector<HandCommand> commands = {};
   /// The attempt ends after this tick, or after Finish.
   std::int64_t last_tick = 0;
-  /// RealTime only.
-  JobDelay job_delay = {};
   /// Of somebody who operates live; outlives the attempt.
   AttemptWatch* watch = nullptr;
   /// What an arm is made to feel; nothing else.

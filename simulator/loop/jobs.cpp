@@ -33,11 +33,9 @@ const JobResult* ImmediateJobs::find(std::int32_t job) const noexcept {
   return nullptr;
 }
 
-ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay,
+ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade,
                            std::optional<PlannedBridge> bridge)
     : geometry_(bone, blade, bridge),
-      delay_(delay),
-      random_(delay.seed),
       feed_(feed_capacity),
       ready_(ready_capacity),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}
@@ -57,15 +55,6 @@ bool ThreadedJobs::has_room() const noexcept { return feed_.size() < feed_.capac
 const JobResult* ThreadedJobs::take_ready() noexcept {
   const JobResult* result = nullptr;
   return ready_.pop(result) ? result : nullptr;
-}
-
-void ThreadedJobs::wait_for_delay(const std::stop_token& stop) {
-  if (delay_.limit_ms <= 0) return;
-  auto left = std::chrono::milliseconds{
-      static_cast<std::int64_t>(random_.uniform() * static_cast<double>(delay_.limit_ms))};
-  for (; left.count() > 0 && !stop.stop_requested(); left -= std::chrono::milliseconds{1}) {
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  }
 }
 
 std::exception_ptr ThreadedJobs::failure() const noexcept {
@@ -94,7 +83,6 @@ void ThreadedJobs::apply(const Feed& feed, const std::stop_token& stop) {
   const auto* request = std::get_if<JobRequest>(&feed);
   if (request == nullptr) return;
   results_.push_back(geometry_.run(*request));
-  wait_for_delay(stop);
   while (!ready_.push(results_.back().get()) && !stop.stop_requested()) {
     std::this_thread::sleep_for(idle_rest);
   }

@@ -14,7 +14,6 @@
 #include <variant>
 #include <vector>
 
-#include "simulator/base/random.h"
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/record/ring.h"
 #include "simulator/step/simulation.h"
@@ -57,17 +56,10 @@ class ImmediateJobs final : public JobRunner {
   std::size_t taken_ = 0;
 };
 
-/// For tests of late results: each job waits a random time up to the limit before it is ready.
-struct JobDelay {
-  std::uint64_t seed = 0;
-  std::int32_t limit_ms = 0;
-};
-
 /// Runs jobs on a thread of its own, in the order of their requests.
 class ThreadedJobs final : public JobRunner {
  public:
-  ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay = {},
-               std::optional<PlannedBridge> bridge = {});
+  ThreadedJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
   ~ThreadedJobs() override;
 
   bool apply(const StepOutput& output) override;
@@ -79,12 +71,9 @@ class ThreadedJobs final : public JobRunner {
   using Feed = std::variant<ToolSample, CutEvent, JobRequest>;
   void work(const std::stop_token& stop);
   void apply(const Feed& feed, const std::stop_token& stop);
-  void wait_for_delay(const std::stop_token& stop);
 
   /// Worker's.
   AttemptGeometry geometry_;
-  JobDelay delay_;
-  Random random_;
   /// Worker's.
   std::vector<std::unique_ptr<const JobResult>> results_;
   Ring<Feed> feed_;

@@ -14,8 +14,6 @@ namespace hallux::simulator {
 
 namespace {
 
-bool is_zero(const Vec3& value) noexcept { return value == Vec3{0.0, 0.0, 0.0}; }
-
 /// Visits the leaves whose boxes are wanted. `wants(box)` and `visit(slot)` may not throw.
 template <typename Wants, typename Visit>
 void visit_leaves(const std::vector<TreeNode>& nodes, const std::vector<TreeSlot>& slots,
@@ -182,8 +180,9 @@ std::optional<NearestPoint> Bvh::nearest(const Vec3& point_mm, double within_mm)
   nearest.point_mm = best.closest.point_mm;
   const Vec3 normal = tree_->normals.at(best.slot->triangle, best.closest);
   // No normal beside slivers: there the crossings are counted.
-  nearest.is_inside =
-      is_zero(normal) ? contains(point_mm) : glm::dot(point_mm - nearest.point_mm, normal) < 0.0;
+  nearest.is_inside = normal == Vec3{0.0, 0.0, 0.0}
+                          ? contains(point_mm)
+                          : glm::dot(point_mm - nearest.point_mm, normal) < 0.0;
   return nearest;
 }
 

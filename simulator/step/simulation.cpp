@@ -22,7 +22,7 @@ static_assert(events_of_commands + events_of_fault + pieces_per_step + events_of
               events_per_step);
 
 void mark(ToolSample& sample, ToolStatus status, bool is_so) noexcept {
-  if (is_so) sample.status |= static_cast<std::uint32_t>(status);
+  if (is_so) sample.status |= bit(status);
 }
 
 std::int64_t thousandths(double value) noexcept {

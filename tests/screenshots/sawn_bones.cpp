@@ -35,20 +35,17 @@ PlannedBone akin_phalanx(double edge_mm) {
 
 KerfPlane planned_kerf(const PlannedBone& bone, std::size_t cut, double kerf_mm) {
   const scenarios::PlannedCut& planned = bone.plan.cuts.at(cut);
-  const scenarios::PlannedHinge& hinge = bone.plan.hinges.at(0);
+  const HingeLine& line = bone.plan.hinges.at(0).bridge.line;
   const Vec3 normal = planned.face.normal;
-  const Vec3 side = hinge.axis;
+  const Vec3 side = line.axis;
   Vec3 feed = glm::cross(side, normal);
   const Vec3 inward = planned.exit_point_in_bone_mm - planned.entry_point_in_bone_mm;
   if (glm::dot(feed, inward) < 0.0) feed = -feed;
-  return {{rotation_from_axes(feed, side), hinge.point_in_bone_mm + 0.5 * kerf_mm * normal},
+  return {{rotation_from_axes(feed, side), line.point_in_bone_mm + 0.5 * kerf_mm * normal},
           kerf_mm};
 }
 
-HingeLine planned_hinge_line(const PlannedBone& bone) {
-  const scenarios::PlannedHinge& hinge = bone.plan.hinges.at(0);
-  return {hinge.point_in_bone_mm, hinge.axis, hinge.outward, hinge.thickness_mm};
-}
+HingeLine planned_hinge_line(const PlannedBone& bone) { return bone.plan.hinges.at(0).bridge.line; }
 
 Vec3 point_in_bone_mm(const KerfPlane& plane, const Vec2& place, double height) {
   return transform_point(plane.bone_from_kerf, Vec3(place.x, place.y, height));

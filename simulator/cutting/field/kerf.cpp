@@ -38,11 +38,11 @@ void include(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept
 
 PlanarPose planar_pose(const KerfPlane& plane, const RigidTransform& bone_from_tool) noexcept {
   const RigidTransform kerf_from_tool = inverse(plane.bone_from_kerf) * bone_from_tool;
-  const Vec3 direction = transform_direction(kerf_from_tool, Vec3(1.0, 0.0, 0.0));
-  const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+  const Vec3 ahead = axis_x(kerf_from_tool);
+  const Vec2 direction(ahead.x, ahead.y);
   PlanarPose pose;
   pose.tip_mm = Vec2(kerf_from_tool.translation_mm.x, kerf_from_tool.translation_mm.y);
-  if (length > 0.0) pose.direction = Vec2(direction.x / length, direction.y / length);
+  if (length_of(direction) > 0.0) pose.direction = unit(direction);
   return pose;
 }
 
@@ -73,15 +73,6 @@ bool KerfField::is_open(const Vec2& point_mm) const noexcept {
   const double upper = (1.0 - part_u) * static_cast<double>(at(u, v + 1)) +
                        part_u * static_cast<double>(at(u + 1, v + 1));
   return (1.0 - part_v) * lower + part_v * upper > 0.0;
-}
-
-void KerfField::reset() noexcept {
-  std::fill(inside_mm_.begin(), inside_mm_.end(), -limit_mm_);
-  deep_.clear();
-  open_.clear();
-  std::fill(covers_.begin(), covers_.end(), LineCover{});
-  ++revision_;
-  for (std::uint32_t& tile : tile_revisions_) tile = tile == 0 ? 0 : revision_;
 }
 
 void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm) noexcept {

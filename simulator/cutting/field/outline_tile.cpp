@@ -32,10 +32,6 @@ constexpr std::array<NodeStep, 4> next_cell{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 constexpr std::size_t index_of(CellSide side) noexcept { return static_cast<std::size_t>(side); }
 
-constexpr CellSide opposite(CellSide side) noexcept {
-  return static_cast<CellSide>((static_cast<unsigned>(side) + 2) % 4);
-}
-
 constexpr bool is_ambiguous(unsigned corners) noexcept {
   return corners == (bl | tr) || corners == (br | tl);
 }

@@ -26,6 +26,10 @@ enum class CellSide : std::uint8_t {
   Left
 };  // v falls, u grows, v grows, u falls
 
+constexpr CellSide opposite(CellSide side) noexcept {
+  return static_cast<CellSide>((static_cast<unsigned>(side) + 2) % 4);
+}
+
 /// Where a chain passes from one tile to the next: the edge's side of the tile that is entered or
 /// left, and its place there.
 struct TileGate {

@@ -14,10 +14,6 @@ constexpr std::size_t usual_crossings = 96;
 constexpr std::size_t usual_chains = 8;
 constexpr std::size_t usual_corners = 1024;
 
-CellSide opposite(CellSide side) noexcept {
-  return static_cast<CellSide>((static_cast<unsigned>(side) + 2) % 4);
-}
-
 }  // namespace
 
 OutlineTracker::OutlineTracker(const FieldGrid& grid)

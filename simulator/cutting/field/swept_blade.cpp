@@ -24,8 +24,6 @@ struct Corner {
   bool is_at_end = false;  ///< of the motion
 };
 
-double cross(const Vec2& a, const Vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
-
 Vec2 side_of(const PlanarPose& pose) noexcept { return {-pose.direction.y, pose.direction.x}; }
 
 void add_rectangle(const Blade& blade, const PlanarPose& pose, bool is_at_end,
@@ -93,7 +91,7 @@ SweptBlade::SweptBlade(const FieldGrid& grid, const Blade& blade, const PlanarPo
 void SweptBlade::add_edge(const Vec2& a_mm, const Vec2& b_mm, const PlanarPose& pose,
                           double spacing_mm) noexcept {
   const Vec2 edge_mm = b_mm - a_mm;
-  const double length_mm = std::sqrt(edge_mm.x * edge_mm.x + edge_mm.y * edge_mm.y);
+  const double length_mm = length_of(edge_mm);
   if (length_mm < shortest_edge_mm) return;
   const Vec2 inward(-edge_mm.y / length_mm, edge_mm.x / length_mm);
   const double corner_share =

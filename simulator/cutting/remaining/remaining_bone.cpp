@@ -28,7 +28,7 @@ Advance RemainingBone::first_contact(std::span<const Vec3> points_in_body_mm,
                                      const RigidMotion& motion) const noexcept {
   double radius_mm2 = 0.0;
   for (const Vec3& point : points_in_body_mm) {
-    radius_mm2 = std::max(radius_mm2, glm::dot(point, point));
+    radius_mm2 = std::max(radius_mm2, squared_length(point));
   }
   const auto gap_mm = [&](const RigidTransform& pose, double within_mm) {
     double least_mm = within_mm;

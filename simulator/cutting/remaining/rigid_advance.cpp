@@ -16,12 +16,13 @@ double greatest_speed_mm(const RigidMotion& motion, double radius_mm) noexcept {
   const Quat chord = end * sign - start;
   const double half_sine = 0.5 * std::sqrt(glm::dot(chord, chord));
   const double half_cosine = std::sqrt(std::max(0.0, 1.0 - half_sine * half_sine));
-  const Vec3 way_mm = motion.bone_from_end.translation_mm - motion.bone_from_start.translation_mm;
+  const double way_mm =
+      length_of(motion.bone_from_end.translation_mm - motion.bone_from_start.translation_mm);
   // The chord of two quaternions on one half of the sphere is at most sqrt(2): the cosine is above
   // 0.7.
   const double turn_rad = 4.0 * half_sine / half_cosine;
   // A margin for the rounding of the above.
-  return (std::sqrt(glm::dot(way_mm, way_mm)) + turn_rad * radius_mm) * (1.0 + 1.0e-12);
+  return (way_mm + turn_rad * radius_mm) * (1.0 + 1.0e-12);
 }
 
 }  // namespace hallux::simulator

@@ -11,7 +11,6 @@
 #include "simulator/cutting/solid/remove_slab.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/fill/triangulate.h"

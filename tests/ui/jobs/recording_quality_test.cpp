@@ -9,8 +9,6 @@ namespace {
 
 using simulator::ForceLimit;
 
-std::uint32_t bit(ForceLimit limit) { return static_cast<std::uint32_t>(limit); }
-
 TEST(RecordingQuality, IsReadAsItWasWritten) {
   simulator::LoopStatistics loop;
   loop.lines = 12'000;

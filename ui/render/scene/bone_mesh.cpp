@@ -79,11 +79,6 @@ bool is_skin(const FaceSource& source, const Vec3& middle_mm, const DepthVolume&
   return source.kerf < 0 && depth_at(depth, middle_mm) < canal_depth_mm;
 }
 
-Vec3 middle_of(const simulator::IndexedMesh& mesh, const Triangle& triangle) {
-  return (mesh.points_mm[triangle[0]] + mesh.points_mm[triangle[1]] + mesh.points_mm[triangle[2]]) /
-         3.0;
-}
-
 BoneVertex vertex_from(const VertexTable::Entry& entry, const Vec3& point_mm) {
   BoneVertex vertex;
   vertex.point_in_bone_mm = to_float(point_mm);
@@ -134,7 +129,8 @@ std::vector<TriangleCluster> add_clustered(BoneMesh& mesh, const std::vector<Tri
   const simulator::IndexedMesh& solid = mesh.solid.mesh;
   std::vector<Vec3> middles_mm;
   middles_mm.reserve(picked.size());
-  for (const std::uint32_t i : picked) middles_mm.push_back(middle_of(solid, solid.triangles[i]));
+  for (const std::uint32_t i : picked)
+    middles_mm.push_back(simulator::middle_of(corners_of(solid, i)));
   std::vector<std::uint32_t> ordered = order_by_place(middles_mm);
   for (std::uint32_t& number : ordered) number = picked[number];
   std::vector<TriangleCluster> clusters;
@@ -155,7 +151,7 @@ void sort_by_kind(BoneMesh& mesh, const std::vector<Triangle>& triangles, const 
   const simulator::IndexedMesh& solid = mesh.solid.mesh;
   std::vector<std::uint32_t> skin, others;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const Vec3 middle_mm = middle_of(solid, solid.triangles[i]);
+    const Vec3 middle_mm = simulator::middle_of(corners_of(solid, i));
     (is_skin(mesh.solid.sources[i], middle_mm, look.depth) ? skin : others).push_back(i);
   }
   mesh.place_of.resize(triangles.size());

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "scenarios/planned_bridge.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 

@@ -12,8 +12,6 @@ using simulator::Switch;
 
 constexpr double silence_s = static_cast<double>(SteeredDevice::silence_ticks) * step_s;
 
-std::uint32_t bit(Switch value) noexcept { return static_cast<std::uint32_t>(value); }
-
 }  // namespace
 
 bool LedSaw::is_silent(double now_s) const noexcept { return now_s > led_s_ + silence_s; }

@@ -19,8 +19,6 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t every_limit = (1U << 7U) - 1U;
 
-std::uint32_t bit(ForceLimit limit) { return static_cast<std::uint32_t>(limit); }
-
 /// The panels at a window and scale.
 struct Panels {
   explicit Panels(float scale = 1.0F, Point size = {1440.0F, 900.0F})
