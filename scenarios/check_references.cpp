@@ -1,3 +1,6 @@
+/// What no single value of a scenario can say of itself: names that others use, the order of the
+/// steps, the two cuts of a hinge, and weights that add up. The schema knows types and ranges only.
+/// Each refusal names one path and one mend; the first one found ends the reading.
 #include "scenarios/check_references.h"
 
 #include <algorithm>

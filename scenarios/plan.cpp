@@ -1,3 +1,7 @@
+/// Faces come from landmarks of this bone, so a plan is made in an order: cuts that stand alone,
+/// the hinge in the first of them, then the cut through the hinge, and last the zones. Normals
+/// point into the waste. Where a plane misses the bone, or the landmarks of an axis coincide, the
+/// cut is refused with its path: a patient that the scenario cannot be done on is no patient of it.
 #include "scenarios/plan.h"
 
 #include <algorithm>

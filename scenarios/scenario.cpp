@@ -1,3 +1,6 @@
+/// One function reads one kind of thing and bounds every number in the field's own terms; what
+/// binds several of them together is checked afterwards (check_references.h). Text and JSON of a
+/// scenario are kept as they came, since their digest is the scenario's name in the records.
 #include "scenarios/scenario.h"
 
 #include <fstream>

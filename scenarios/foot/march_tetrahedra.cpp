@@ -1,3 +1,8 @@
+/// A cube of nodes is six tetrahedra around its diagonal; each is cut in one way by the signs of
+/// its corners, so neighbours always agree and the surface is closed without cases to break a tie.
+/// Marching cubes would need fewer triangles and a table of them; remeshing takes either away.
+/// Values keep away from zero, and blocks that lie further off than the field is steep are filled
+/// from one sample.
 #include "scenarios/foot/march_tetrahedra.h"
 
 #include <algorithm>

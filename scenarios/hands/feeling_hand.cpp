@@ -1,3 +1,7 @@
+/// The operation is a list of acts made beforehand: turn to a cut, saw a stroke, wait, say. A tick
+/// feels, holds the blade, and carries on with the act at hand; several short acts may end in one
+/// tick. The blade's plane is the hand's own frame: once a kerf is frozen the hand lays that frame
+/// into the slot, and the handle stays where it is.
 #include "scenarios/hands/feeling_hand.h"
 
 #include <algorithm>

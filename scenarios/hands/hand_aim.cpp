@@ -1,3 +1,8 @@
+/// A first cut is tilted about the middle of its planned section and then shifted until the largest
+/// distance over the section is the drawn one: angle and place are what a rubric measures, so they
+/// are what is drawn. A second cut of a wedge is measured off from the first, as a surgeon does who
+/// sees it. Each cut draws from random streams of its own, named by cut, so that another cut in the
+/// scenario changes none of the others.
 #include "scenarios/hands/hand_aim.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// The bench knows two kerfs and no plan: the wedge is the body with a wall of each, the hinge's
+/// line is where the planes meet, outward leads away from the wedge, and the bridge's thickness is
+/// whatever is left there. From then on it is the attempt's own closing. Of several bodies between
+/// kerfs that cross the sharpest is the wedge.
 #include "simulator/bone/close_wedge.h"
 
 #include <algorithm>

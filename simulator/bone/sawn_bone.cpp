@@ -1,3 +1,7 @@
+/// A plane asked for again within half a degree and a tenth of a millimetre is the kerf that is
+/// there: it is moved to the end of the order and goes on from its own field. A blade's field lies
+/// around the section of the whole bone, so it need not grow when other kerfs have taken parts
+/// away.
 #include "simulator/bone/sawn_bone.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// The blade is a row of teeth and a grid of balls on its faces. Asking the bone is dear, so each
+/// ball remembers what it asked last: a clearance falls by no more than the way since, and most
+/// balls are answered by that alone. Walls of open kerfs are the teeth's matter; only beside
+/// missing pieces, or near a wall, is the exact search called, at most so many times a tick.
 #include "simulator/contact/blade_contact.h"
 
 #include <algorithm>

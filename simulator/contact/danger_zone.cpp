@@ -1,3 +1,6 @@
+/// Distances are exact: blade and capsule are a rectangle and a line with thicknesses taken off
+/// afterwards, and their nearest points lie at an end, on an edge, or where they cross. A contact
+/// begins at once and ends with a margin and a wait, so that a trembling hand tells one contact.
 #include "simulator/contact/danger_zone.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// A cell's temperature follows one linear law with a constant source over a short span, and that
+/// has an exact solution: so cells may be followed every sixteenth step, row group by row group,
+/// without a step size that could become unstable. Heat goes to the cells behind the teeth, shared
+/// by two neighbours along the tooth line. Only cells that were ever warmed are visited.
 #include "simulator/contact/heat.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+/// In its kerf the blade has three freedoms that the step solves one after the other: it turns and
+/// shifts in the plane until an edge meets bone, advances by the feed law, and bends a little out
+/// of the plane under the hand. Each is walked in small steps from the pose before, so the blade
+/// never lies in bone that stands and no wall is jumped, however fast the hand is. A spring is
+/// pulled by what is left of the way; friction holds part of that pull back.
 #include "simulator/contact/tool_in_kerf.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Outside a kerf the tool is a proxy (proxy.h). A tick's way is gone in parts of a quarter of a
+/// millimetre near bone, with contacts looked for anew in each; in one part a fast hand would slide
+/// around an edge that it should have met. Teeth that run advance by the feed law of what they
+/// alone bear, and a touch that goes deep enough asks for a kerf.
 #include "simulator/contact/tool_outside.h"
 
 #include <algorithm>

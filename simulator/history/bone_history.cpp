@@ -1,3 +1,7 @@
+/// A kerf grows on a bone whose other kerfs stand still: so an attempt falls into stretches, one
+/// mesh each, and any moment is a stretch and a threshold of its field. Pieces and hinge are
+/// computed again by the attempt's own jobs, each at the tick whose state it saw; what was taken
+/// out is drawn no more by the triangles that lie on its body.
 #include "simulator/history/bone_history.h"
 
 #include <algorithm>

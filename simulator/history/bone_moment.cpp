@@ -1,3 +1,6 @@
+/// A moment is a patch on its stretch's mesh, built anew only where the kerf has grown since or a
+/// piece has gone. Rays are asked of what is shown, triangle by triangle: a click is not a frame,
+/// and the mesh changes with each moment.
 #include "simulator/history/bone_moment.h"
 
 #include <algorithm>

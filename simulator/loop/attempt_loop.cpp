@@ -1,3 +1,8 @@
+/// One line of the tape at a time: read the device, add commands and ready jobs, step, give the
+/// device its force, hand on what came out. In real time each line has a deadline of its own; ticks
+/// that were missed go into the next line, and beyond three of them, or where a ring is nearly
+/// full, the attempt pauses instead of jumping on. In virtual time the loop waits for room. Nothing
+/// here decides about bone: the same tape gives the same outputs without this file.
 #include "simulator/loop/attempt_loop.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+/// The order within a step is the record's: commands and results of jobs, faults, pieces that are
+/// announced, then the tool, its sample, what the sample opened, and last the effects, which have
+/// the events' room that is left. Small machines beside this file keep clock, pieces, hinge and
+/// guide; what stands here passes things between them. Work without a bound is asked for and comes
+/// back as a command some ticks later: a replay applies it at the same tick.
 #include "simulator/step/simulation.h"
 
 #include "simulator/base/units.h"

@@ -1,3 +1,7 @@
+/// A stamp raises nodes to a value that depends on stamp and node alone, and the field keeps the
+/// greatest: order, repetition and subdivision do not matter. Values end at a limit a few nodes
+/// deep, so a line is a rim, a deep run that is filled at once, and a rim. Covers say which lines
+/// cannot rise any more. Tiles of cells count revisions for whoever follows the outline.
 #include "simulator/cutting/field/kerf.h"
 
 #include <algorithm>

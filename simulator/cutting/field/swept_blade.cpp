@@ -1,3 +1,7 @@
+/// Along a line of nodes every edge of the hull is a linear function, so where a stamp is above the
+/// limit is an interval, and only its two rims need values. What a line has got from earlier stamps
+/// is remembered as a cover (line_cover.h): a trembling saw stamps the same lines again and again,
+/// and what lies under a cover is passed over without changing a bit.
 #include "simulator/cutting/field/swept_blade.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Ears are clipped where the sweep gave up: rings that touch or cross themselves. Rounds go from
+/// strict to lenient: spikes without area first, then proper ears, at last any corner at all, so a
+/// ring of n corners always ends in n - 2 triangles and the solid stays closed. Reflex corners wait
+/// in a uniform grid: only they can lie in an ear.
 #include "simulator/cutting/fill/triangulate.h"
 
 #include <algorithm>

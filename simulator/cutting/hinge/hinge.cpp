@@ -1,3 +1,7 @@
+/// The bone is divided in the plane of the kerf that left less, by taking out a slab without
+/// thickness: nothing is lost, and the halves are told apart shell by shell. The joint runs through
+/// the middle of the bridge's inner edge; contact is looked for beyond the bridge, where the halves
+/// share points.
 #include "simulator/cutting/hinge/hinge.h"
 
 #include <algorithm>

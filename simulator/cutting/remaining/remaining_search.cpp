@@ -1,3 +1,8 @@
+/// The nearest point of what stands is looked for among candidates: walls straight across, skin by
+/// the tree, lines where two walls meet, fronts along the rim. A candidate counts where bone stands
+/// a micrometre behind it. Skin that a slab covers is clipped to what lies outside the slab; a rim
+/// behind which a ball of air is known is not asked again. Every candidate lowers the distance that
+/// the next ones must beat.
 #include "simulator/cutting/remaining/remaining_search.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// What hangs together in the slab is one region: skins that share an edge there, a canal and the
+/// skin around it, a void between the planes and the bone that a ray from it meets first. Sets of
+/// triangles are joined until that holds. A region is found from its skin and not from one plane's
+/// contours, which may fall apart where a bone is hollow or bent.
 #include "simulator/cutting/slice/section.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+/// Each touched triangle is cut by both planes as one walk around its corners, which yields its
+/// ring inside the slab and the corners beyond a plane. Crossings are computed from the edge's
+/// lower mesh point and found again by the edge, never by position: the neighbour gets the same
+/// bits, and the strip is closed. Then the strip's points are put into a tree by its edges, so that
+/// a region asks one point of each skin and follows crossings for the rest.
 #include "simulator/cutting/slice/slab_slice.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+/// Every face is gathered as directed edges and filled from them: skin around the region, two walls
+/// on the planes, a front over each edge of the outline. An edge is cut into pieces once, by
+/// pairing the signed marks along it in order, and used by its two faces in opposite directions; so
+/// the patch is closed whatever rounding does, and no tolerance decides about it. Windings that do
+/// not pair refuse the frame, and the patch before it stays.
 #include "simulator/cutting/solid/solid_patch.h"
 
 #include <algorithm>
