@@ -93,7 +93,7 @@ Harm worst_harm(const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
 
 /// Which way an error along the planned normal goes, in the words of the bone.
 std::string words_of(double error_mm, const Vec3& to_waste) {
-  return direction_words(error_mm * to_waste);
+  return direction_text(error_mm * to_waste);
 }
 
 Moment cutting_moment(const RebuiltBone& rebuilt, std::int32_t kerf) {
@@ -122,7 +122,7 @@ void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& plan
 
 /// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the
 /// words of the bone.
-std::string edge_words(const CutFace& face, const FacePlane& planned) {
+std::string edge_text(const CutFace& face, const FacePlane& planned) {
   const Vec3 deepest = deepest_direction(face.plane, planned);
   const auto [shallow, deep] = std::minmax_element(
       face.samples_in_bone_mm.begin(), face.samples_in_bone_mm.end(),
@@ -144,8 +144,8 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
   const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
   made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg,
                              {frozen_tick, frozen_tick}, metrics.worst_point_in_bone_mm));
-  made.back().direction = direction_words(deepest_direction(face.plane, plan));
-  if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_words(face, plan);
+  made.back().direction = direction_text(deepest_direction(face.plane, plan));
+  if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_text(face, plan);
   made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm,
                              cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));
   made.back().direction = words_of(metrics.worst_mm, plan.normal);

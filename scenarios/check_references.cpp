@@ -1,3 +1,6 @@
+/// What no single value of a scenario can say of itself: names that others use, the order of the
+/// steps, the two cuts of a hinge, and weights that add up. The schema knows types and ranges only.
+/// Each refusal names one path and one mend; the first one found ends the reading.
 #include "scenarios/check_references.h"
 
 #include <algorithm>
@@ -248,10 +251,7 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
   const Rubric& rubric = scenario.rubric;
   for (std::size_t i = 0; i < rubric.items.size(); ++i) {
     const RubricItem& item = rubric.items[i];
-    const bool has_group =
-        std::any_of(rubric.groups.begin(), rubric.groups.end(),
-                    [&](const RubricGroup& group) { return group.name == item.group; });
-    if (!has_group) {
+    if (!has_name(rubric.groups, item.group)) {
       refuse(file, path_of("rubric.items", i, "group"), is_text(item.group) + ", which is no group",
              "name one of rubric.groups");
     }

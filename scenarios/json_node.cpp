@@ -1,3 +1,6 @@
+/// A scenario may come from anywhere: size, depth and doubled keys are bounded while the text is
+/// parsed, before any value is looked at. Values are shown in refusals as ASCII and cut short, so
+/// that no file reaches a terminal as it is.
 #include "scenarios/json_node.h"
 
 #include <algorithm>

@@ -53,6 +53,10 @@ class JsonNode {
   std::string text(std::size_t length_min, std::size_t length_max) const;
   /// A name: lower-case letters, digits and underscores, a letter first, at most 64 characters.
   std::string name() const;
+  /// The name under that key; empty where the key is not there.
+  std::string name_where_given(std::string_view key) const {
+    return has(key) ? at(key).name() : std::string();
+  }
   std::string one_of(std::initializer_list<std::string_view> allowed) const;
   Vec3 vector(double low, double high) const;
 

@@ -1,7 +1,10 @@
+/// Faces come from landmarks of this bone, so a plan is made in an order: cuts that stand alone,
+/// the hinge in the first of them, then the cut through the hinge, and last the zones. Normals
+/// point into the waste. Where a plane misses the bone, or the landmarks of an axis coincide, the
+/// cut is refused with its path: a patient that the scenario cannot be done on is no patient of it.
 #include "scenarios/plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "scenarios/foot/first_metatarsal.h"
@@ -19,7 +22,7 @@ using simulator::Bone;
 constexpr double direction_length_min = 1.0e-3;
 
 Vec3 unit_or_refuse(const Vec3& direction, const std::string& cut_path, std::string_view what) {
-  const double length = std::sqrt(glm::dot(direction, direction));
+  const double length = length_of(direction);
   if (!(length > direction_length_min)) {
     throw ScenarioError(cut_path + ": " + std::string(what) + "; name other axis landmarks");
   }
@@ -95,13 +98,14 @@ void plan_transverse(const Asked& asked, const Vec3& axis, PlannedCut& planned) 
 
 void plan_through_hinge(const Asked& asked, const Plan& plan, PlannedCut& planned) {
   const PlannedHinge& hinge = *find_hinge(plan, asked.cut.face.through);
-  const Vec3 first = glm::cross(hinge.axis, hinge.outward);
+  const simulator::HingeLine& line = hinge.bridge.line;
+  const Vec3 first = glm::cross(line.axis, line.outward);
   const Vec3 distal = first.x < 0.0 ? -first : first;
   const Vec3 turned =
-      elementary::cos(hinge.wedge_rad) * distal + elementary::sin(hinge.wedge_rad) * hinge.outward;
+      elementary::cos(hinge.wedge_rad) * distal + elementary::sin(hinge.wedge_rad) * line.outward;
   planned.face.normal = asked.cut.waste_side == "distal" ? turned : -turned;
-  planned.face.offset_mm = glm::dot(planned.face.normal, hinge.point_in_bone_mm);
-  planned.axis = hinge.axis;
+  planned.face.offset_mm = glm::dot(planned.face.normal, line.point_in_bone_mm);
+  planned.axis = line.axis;
 }
 
 /// The point of the bone's section by the face that lies furthest in the direction; nothing where
@@ -154,21 +158,19 @@ PlannedCut plan_cut(const Asked& asked, const Plan& plan) {
 PlannedHinge plan_hinge(const Scenario& scenario, const ReferenceHinge& hinge, const Plan& plan,
                         const Bone& bone, const std::string& path) {
   const PlannedCut& first = *find_cut(plan, hinge.first_cut);
-  PlannedHinge planned{.name = hinge.name,
-                       .first_cut = hinge.first_cut,
-                       .second_cut = hinge.second_cut,
-                       .axis = first.axis,
-                       .thickness_mm = hinge.thickness_mm,
-                       .target_low_mm = hinge.target_low_mm,
-                       .target_high_mm = hinge.target_high_mm,
-                       .breaks_below_mm = hinge.breaks_below_mm,
-                       .bends_up_to_mm = hinge.bends_up_to_mm};
   const Vec3 across = glm::cross(first.face.normal, first.axis);
-  planned.outward = glm::dot(across, direction_of(hinge.side)) < 0.0 ? -across : across;
-  const Vec3 far = furthest_in_face(first.face, bone.outer, planned.outward).value();
-  planned.point_in_bone_mm = far - hinge.thickness_mm * planned.outward;
-  if (glm::dot(planned.outward, planned.point_in_bone_mm - first.entry_point_in_bone_mm) <=
-      hinge.thickness_mm) {
+  const Vec3 outward = glm::dot(across, direction_of(hinge.side)) < 0.0 ? -across : across;
+  const Vec3 far = furthest_in_face(first.face, bone.outer, outward).value();
+  const Vec3 point_mm = far - hinge.thickness_mm * outward;
+  PlannedHinge planned{hinge.name,
+                       hinge.first_cut,
+                       hinge.second_cut,
+                       {.line = {point_mm, first.axis, outward, hinge.thickness_mm},
+                        .breaks_below_mm = hinge.breaks_below_mm,
+                        .bends_up_to_mm = hinge.bends_up_to_mm},
+                       0.0,
+                       hinge.target_high_mm};
+  if (glm::dot(outward, point_mm - first.entry_point_in_bone_mm) <= hinge.thickness_mm) {
     throw ScenarioError(path + ": the bone \"" + bone.name +
                         "\" is too thin for it; mend thickness_mm or the face of \"" +
                         hinge.first_cut + "\"");
@@ -194,18 +196,30 @@ void plan_cuts(const Scenario& scenario, const Bone& bone, bool is_through_hinge
   }
 }
 
+template <typename Part>
+const Part* find_named(const std::vector<Part>& parts, std::string_view name) noexcept {
+  const auto found =
+      std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
+  return found == parts.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept {
-  const auto found = std::find_if(plan.cuts.begin(), plan.cuts.end(),
-                                  [&](const PlannedCut& cut) { return cut.name == name; });
-  return found == plan.cuts.end() ? nullptr : &*found;
+  return find_named(plan.cuts, name);
+}
+
+std::size_t index_of_cut(const Plan& plan, std::string_view name) noexcept {
+  return static_cast<std::size_t>(find_cut(plan, name) - plan.cuts.data());
 }
 
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept {
-  const auto found = std::find_if(plan.hinges.begin(), plan.hinges.end(),
-                                  [&](const PlannedHinge& hinge) { return hinge.name == name; });
-  return found == plan.hinges.end() ? nullptr : &*found;
+  return find_named(plan.hinges, name);
+}
+
+std::optional<simulator::PlannedBridge> planned_bridge(const Plan& plan) {
+  if (plan.hinges.empty()) return std::nullopt;
+  return plan.hinges.front().bridge;
 }
 
 Plan plan_on(const Scenario& scenario, const Bone& bone) {
@@ -223,7 +237,7 @@ Plan plan_on(const Scenario& scenario, const Bone& bone) {
     for (PlannedCut& cut : plan.cuts) {
       if (cut.name != hinge.first_cut && cut.name != hinge.second_cut) continue;
       cut.hinge = hinge.name;
-      cut.exit_point_in_bone_mm = hinge.point_in_bone_mm;
+      cut.exit_point_in_bone_mm = hinge.bridge.line.point_in_bone_mm;
     }
   }
   plan.danger_zones = plan_zones(scenario, bone);

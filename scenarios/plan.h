@@ -1,6 +1,7 @@
 /// A scenario's plan on one patient: planes and points in that bone's frame.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "scenarios/planned_zones.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/progress.h"
+#include "simulator/cutting/hinge/hinge.h"
 #include "simulator/mesh/bone.h"
 
 namespace hallux::scenarios {
@@ -37,24 +39,19 @@ struct PlannedCut {
   std::string hinge;
 };
 
-/// The bridge on this bone. Its line runs through `point` along `axis`; bone beyond it, towards
-/// `outward`, is to stay. The faces that it joins are cut only where outward . (p - point) <= 0. A
+/// The bridge on this bone. Bone beyond its line, towards `outward`, is to stay. The faces that it
+/// joins are cut only where outward . (p - point) <= 0. A
 /// line is straight and a cortex is not, so the planned thickness holds in the row of the line in
 /// which the bone reaches furthest outward: the row of `point`.
 struct PlannedHinge {
   std::string name;
   std::string first_cut, second_cut;
-  Vec3 point_in_bone_mm{0.0, 0.0, 0.0};
-  /// Unit, in both faces, dorsal.
-  Vec3 axis{0.0, 1.0, 0.0};
-  /// Unit, in the first face, square to the axis, towards the cortex that stays.
-  Vec3 outward{0.0, 0.0, 1.0};
-  /// From the line to the far cortex in the row of the point.
-  double thickness_mm = 1.0;
+  /// Its line's axis lies in both faces, dorsal; outward in the first face. The distal half turns.
+  simulator::PlannedBridge bridge;
   /// Between the two faces.
   double wedge_rad = 0.0;
-  double target_low_mm = 0.8, target_high_mm = 2.0;
-  double breaks_below_mm = 0.3, bends_up_to_mm = 2.5;
+  /// The thickest that scores in full.
+  double target_high_mm = 2.0;
 };
 
 struct Plan {
@@ -65,7 +62,12 @@ struct Plan {
 
 /// Nothing (null) where the plan has none of that name; what is returned lives as long as the plan.
 const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept;
+/// needs   the plan has it
+std::size_t index_of_cut(const Plan& plan, std::string_view name) noexcept;
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept;
+
+/// The plan's first hinge; nothing where the plan has none.
+std::optional<simulator::PlannedBridge> planned_bridge(const Plan& plan);
 
 /// The face of the plane on this bone.
 /// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the

@@ -1,7 +1,6 @@
 #include "scenarios/planned_zones.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "scenarios/landmark_of.h"
 
@@ -27,8 +26,7 @@ double distance_to_line_mm(const Vec3& point_mm, const DangerCapsule& capsule) {
   const Vec3 way = point_mm - capsule.from_in_bone_mm;
   const double share =
       length_mm2 > 0.0 ? std::clamp(glm::dot(way, along) / length_mm2, 0.0, 1.0) : 0.0;
-  const Vec3 gap = way - share * along;
-  return std::sqrt(glm::dot(gap, gap));
+  return length_of(way - share * along);
 }
 
 bool is_near(const Bone& bone, const DangerCapsule& capsule) {
@@ -55,13 +53,6 @@ std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Bone& bone) 
     zones.push_back({zone.name, capsule});
   }
   return zones;
-}
-
-std::vector<DangerCapsule> capsules_of(const std::vector<PlannedZone>& zones) {
-  std::vector<DangerCapsule> capsules;
-  capsules.reserve(zones.size());
-  for (const PlannedZone& zone : zones) capsules.push_back(zone.capsule);
-  return capsules;
 }
 
 }  // namespace hallux::scenarios

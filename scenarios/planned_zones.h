@@ -20,7 +20,4 @@ struct PlannedZone {
 ///         from the bone that no blade comes there
 std::vector<PlannedZone> plan_zones(const Scenario& scenario, const simulator::Bone& bone);
 
-/// The capsules alone, as the simulator watches them.
-std::vector<simulator::DangerCapsule> capsules_of(const std::vector<PlannedZone>& zones);
-
 }  // namespace hallux::scenarios

@@ -11,10 +11,6 @@ constexpr std::size_t origin_bytes_max = 1000;
 
 double read_tilt_rad(const JsonNode& node) { return radian_from_degree(node.number(-45.0, 45.0)); }
 
-std::string read_name_where_given(const JsonNode& node, std::string_view key) {
-  return node.has(key) ? node.at(key).name() : std::string();
-}
-
 /// Along the bone is what a face without a kind means: the first scenarios knew no other.
 FaceKind read_face_kind(const JsonNode& node) {
   if (!node.has("kind")) return FaceKind::AlongAxis;
@@ -100,8 +96,8 @@ ReferenceCut read_cut(const JsonNode& node) {
                           : "remove \"depth_landmark\" and \"exit_landmark\": they belong to a "
                             "face along the bone");
   }
-  cut.depth_landmark = read_name_where_given(node, "depth_landmark");
-  cut.exit_landmark = read_name_where_given(node, "exit_landmark");
+  cut.depth_landmark = node.name_where_given("depth_landmark");
+  cut.exit_landmark = node.name_where_given("exit_landmark");
   cut.origin = node.at("origin").text(1, origin_bytes_max);
   return cut;
 }
@@ -132,8 +128,8 @@ OperationStep read_step(const JsonNode& node) {
   return {.kind = read_step_kind(node.at("kind")),
           .title = node.at("title").text(1, title_bytes_max),
           .text = node.at("text").text(1, text_bytes_max),
-          .cut = read_name_where_given(node, "cut"),
-          .hinge = read_name_where_given(node, "hinge")};
+          .cut = node.name_where_given("cut"),
+          .hinge = node.name_where_given("hinge")};
 }
 
 }  // namespace hallux::scenarios

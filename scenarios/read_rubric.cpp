@@ -17,10 +17,6 @@ const MetricName& read_metric(const JsonNode& node) {
   return *metric;
 }
 
-std::string read_subject(const JsonNode& node, std::string_view key) {
-  return node.has(key) ? node.at(key).name() : std::string();
-}
-
 RubricGroup read_group(const JsonNode& node) {
   node.expect_keys({"name", "title", "weight", "origin"}, {"not_measured"});
   return {.name = node.at("name").name(),
@@ -54,8 +50,8 @@ RubricItem read_item(const JsonNode& node) {
   item.group = node.at("group").name();
   item.metric = metric.name;
   item.unit = metric.unit;
-  item.cut = read_subject(node, "cut");
-  item.hinge = read_subject(node, "hinge");
+  item.cut = node.name_where_given("cut");
+  item.hinge = node.name_where_given("hinge");
   item.weight_milli = node.at("weight").milli(0.001, 100.0);
   item.origin = node.at("origin").text(1, 1000);
   item.is_provisional = node.at("provisional").boolean();
@@ -80,13 +76,13 @@ Gate read_gate(const JsonNode& node) {
   return {.name = node.at("name").name(),
           .title = node.at("title").text(1, 120),
           .metric = std::string(metric.name),
-          .cut = read_subject(node, "cut"),
+          .cut = node.name_where_given("cut"),
           .unit = std::string(metric.unit),
           .limit = node.at("limit").number(0.0, metric_value_max),
           .cap_milli = node.at("cap").milli(0.0, 99.0),
           .origin = node.at("origin").text(1, 1000),
           .is_provisional = node.at("provisional").boolean(),
-          .hinge = read_subject(node, "hinge")};
+          .hinge = node.name_where_given("hinge")};
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+/// One function reads one kind of thing and bounds every number in the field's own terms; what
+/// binds several of them together is checked afterwards (check_references.h). Text and JSON of a
+/// scenario are kept as they came, since their digest is the scenario's name in the records.
 #include "scenarios/scenario.h"
 
 #include <fstream>
@@ -77,8 +80,8 @@ DangerZone read_danger_zone(const JsonNode& node) {
                   .title = read_title(node),
                   .is_checked = node.at("checked").boolean(),
                   .origin = read_origin(node)};
-  if (node.has("from_landmark")) zone.from_landmark = node.at("from_landmark").name();
-  if (node.has("to_landmark")) zone.to_landmark = node.at("to_landmark").name();
+  zone.from_landmark = node.name_where_given("from_landmark");
+  zone.to_landmark = node.name_where_given("to_landmark");
   if (zone.from_in_bone_mm == zone.to_in_bone_mm && zone.from_landmark == zone.to_landmark) {
     node.at("to_in_bone_mm").refuse_value("give the other end of the structure");
   }

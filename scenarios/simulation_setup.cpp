@@ -1,6 +1,5 @@
 #include "scenarios/simulation_setup.h"
 
-#include "scenarios/planned_bridge.h"
 #include "scenarios/planned_guide.h"
 
 namespace hallux::scenarios {
@@ -11,7 +10,7 @@ simulator::SimulationSetup simulation_setup(const Scenario& scenario, const simu
   setup.contact.bone_quality = scenario.patient.bone_quality;
   setup.contact.guide = planned_guide(scenario, plan, guidance);
   setup.bridge = planned_bridge(plan);
-  setup.danger_zones = capsules_of(plan.danger_zones);
+  for (const PlannedZone& zone : plan.danger_zones) setup.danger_zones.push_back(zone.capsule);
   return setup;
 }
 

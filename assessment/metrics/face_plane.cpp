@@ -150,7 +150,7 @@ double percentile(std::vector<double> values, double fraction) {
   return values[below] + part * (values[above] - values[below]);
 }
 
-std::string direction_words(const Vec3& direction_in_bone) {
+std::string direction_text(const Vec3& direction_in_bone) {
   const std::array<double, 3> parts{direction_in_bone.y, direction_in_bone.z, direction_in_bone.x};
   constexpr std::array<const char*, 3> positive{"dorsal", "lateral", "distal"};
   constexpr std::array<const char*, 3> negative{"plantar", "medial", "proximal"};

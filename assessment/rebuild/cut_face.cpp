@@ -15,9 +15,7 @@ using scenarios::PlannedCut;
 using scenarios::PlannedHinge;
 using simulator::KerfPlane;
 
-Vec3 normal_of(const KerfPlane& plane) noexcept {
-  return transform_direction(plane.bone_from_kerf, Vec3{0.0, 0.0, 1.0});
-}
+Vec3 normal_of(const KerfPlane& plane) noexcept { return axis_z(plane.bone_from_kerf); }
 
 /// The wall that stays on the kept bone: below the kerf where its z looks to the waste, else above.
 std::int32_t kept_side(const KerfPlane& plane, const PlannedCut& cut) noexcept {
@@ -33,7 +31,7 @@ FacePlane wall_plane(const KerfPlane& plane, std::int32_t side) noexcept {
 
 /// The wall of the largest piece that has one; `piece` becomes its number, or stays 0 where none
 /// has.
-FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::FaceOrigin& wall,
+FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::FaceSource& wall,
                                   std::size_t& piece) {
   const KerfPlane& plane = rebuilt.fields.plane(wall.kerf);
   for (std::size_t i = 0; i < rebuilt.pieces.size(); ++i) {

@@ -27,7 +27,7 @@ constexpr double least_cut = 0.5;
 /// by as much.
 double misfit(const KerfPlane& plane, const PlannedCut& cut) noexcept {
   const FacePlane planned{cut.face.normal, cut.face.offset_mm};
-  const Vec3 normal = transform_direction(plane.bone_from_kerf, Vec3{0.0, 0.0, 1.0});
+  const Vec3 normal = axis_z(plane.bone_from_kerf);
   const double angle_rad = angle_between_rad(normal, planned.normal);
   const double tilt_deg = degree_from_radian(std::min(angle_rad, pi - angle_rad));
   return tilt_deg + std::abs(signed_distance_mm(planned, plane.bone_from_kerf.translation_mm));
@@ -41,16 +41,13 @@ std::size_t nearest_cut(const KerfPlane& plane, const Plan& plan) noexcept {
   return nearest;
 }
 
-std::size_t index_of(const Plan& plan, const std::string& cut) noexcept {
-  return static_cast<std::size_t>(find_cut(plan, cut) - plan.cuts.data());
-}
-
 PlannedWindow window_before(const PlannedHinge& hinge, double kerf_mm) noexcept {
-  const double spare_mm = hinge.target_high_mm - hinge.thickness_mm;
+  const simulator::HingeLine& line = hinge.bridge.line;
+  const double spare_mm = hinge.target_high_mm - line.thickness_mm;
   const double tangent = std::tan(std::abs(hinge.wedge_rad));
   const double overlap_mm = tangent > 0.0 ? 0.5 * kerf_mm / tangent : 0.0;
-  return {hinge.outward,
-          glm::dot(hinge.outward, hinge.point_in_bone_mm) - std::max({0.0, spare_mm, overlap_mm})};
+  return {line.outward,
+          glm::dot(line.outward, line.point_in_bone_mm) - std::max({0.0, spare_mm, overlap_mm})};
 }
 
 /// Moves one of several kerfs of `from` to `to`, which has none.
@@ -93,8 +90,8 @@ std::vector<std::size_t> cuts_of_kerfs(const RebuiltBone& rebuilt, const Plan& p
     for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
       if (done_fraction_of(rebuilt, kerf, &hinge) >= least_cut) sawn.push_back(kerf);
     }
-    const std::size_t first = index_of(plan, hinge.first_cut);
-    const std::size_t second = index_of(plan, hinge.second_cut);
+    const std::size_t first = index_of_cut(plan, hinge.first_cut);
+    const std::size_t second = index_of_cut(plan, hinge.second_cut);
     share_out(cuts, sawn, rebuilt, plan, first, second);
     share_out(cuts, sawn, rebuilt, plan, second, first);
   }

@@ -191,12 +191,12 @@ double opened_share(const RebuiltBone& rebuilt, std::int32_t index, const Planne
   return static_cast<double>(count.open) / static_cast<double>(count.wanted);
 }
 
-FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceOrigin& wall,
+FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall,
                         const KerfPlane& plane) {
   const RigidTransform kerf_from_bone = inverse(plane.bone_from_kerf);
   std::vector<LocalTriangle> triangles;
-  for (std::size_t index = 0; index < piece.origins.size(); ++index) {
-    if (!(piece.origins[index] == wall)) continue;
+  for (std::size_t index = 0; index < piece.sources.size(); ++index) {
+    if (!(piece.sources[index] == wall)) continue;
     LocalTriangle corners{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vec3& point = piece.mesh.points_mm[piece.mesh.triangles[index][corner]];

@@ -21,7 +21,7 @@ struct FaceSamples {
 };
 
 /// Samples of one wall of a kerf on a piece; empty where the piece has nothing of that wall.
-FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceOrigin& wall,
+FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceSource& wall,
                         const simulator::KerfPlane& plane);
 
 /// Samples of what the blade opened inside the bone, at the height of the wall on `side`.

@@ -32,7 +32,7 @@ template <typename Frozen, typename Swept>
 void open_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
                 Swept&& swept) {
   freeze_kerfs(kerfs, recording, frozen,
-               [&](std::size_t index) { swept(index, kerfs.follow(recording.samples[index])); });
+               [&](std::size_t index) { swept(index, kerfs.apply(recording.samples[index])); });
 }
 
 }  // namespace hallux::assessment

@@ -77,7 +77,7 @@ constexpr std::array<KeptTable, 5> tables_of_deeds{{
 }};
 
 /// What was said about it, and by them, and who did what.
-constexpr std::array<KeptTable, 7> tables_of_words{{
+constexpr std::array<KeptTable, 7> tables_of_texts{{
     {"decisions", "What instructors decided about your results, and why.",
      "SELECT a.uuid AS attempt, r.kind, r.score_milli, r.reason, d.display_name AS decided_by, "
      "r.decided_utc, "
@@ -184,10 +184,10 @@ class PersonWriter {
           throw Cancelled{"the export was stopped; nothing was left"};
         write_table(table);
         explanation += std::string{table.name} + ".csv\r\n  " + table.meaning + "\r\n\r\n";
-        part += 1.0 / static_cast<double>(tables_of_deeds.size() + tables_of_words.size());
+        part += 1.0 / static_cast<double>(tables_of_deeds.size() + tables_of_texts.size());
       };
       for (const KeptTable& table : tables_of_deeds) add(table);
-      for (const KeptTable& table : tables_of_words) add(table);
+      for (const KeptTable& table : tables_of_texts) add(table);
     });
     write_file("person.json",
                all_.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");

@@ -119,7 +119,7 @@ std::vector<RetentionPiece> cache_due(const Database& database, const RetentionR
   return pieces;
 }
 
-void let_recording_go(Database& database, const RetentionRules& rules, const RetentionPiece& piece,
+void remove_recording(Database& database, const RetentionRules& rules, const RetentionPiece& piece,
                       std::optional<PersonId> actor, RetentionDone& done) {
   const std::int64_t bytes = in_transaction(database, "let a recording go", [&] {
     // Somebody may have decided or asked since the plan was made.
@@ -130,7 +130,7 @@ void let_recording_go(Database& database, const RetentionRules& rules, const Ret
   done.recordings += bytes > 0 ? 1 : 0;
 }
 
-void let_account_go(Database& database, const RetentionRules& rules, const RetentionPiece& piece,
+void remove_account(Database& database, const RetentionRules& rules, const RetentionPiece& piece,
                     std::optional<PersonId> actor, RetentionDone& done) {
   if (accounts_due(database, rules, piece.name).empty()) return;
   std::int64_t number = 0;
@@ -143,23 +143,23 @@ void let_account_go(Database& database, const RetentionRules& rules, const Reten
   ++done.accounts;
 }
 
-void let_cached_go(const Database& database, const RetentionPiece& piece, RetentionDone& done) {
+void remove_cached(const Database& database, const RetentionPiece& piece, RetentionDone& done) {
   std::error_code ignored;
   if (!fs::remove(database.directory() / "cache" / piece.name, ignored)) return;
   ++done.cached;
   done.bytes += piece.bytes;
 }
 
-void let_go(Database& database, const RetentionRules& rules, const RetentionPiece& piece,
-            std::optional<PersonId> actor, RetentionDone& done) {
+void remove_piece(Database& database, const RetentionRules& rules, const RetentionPiece& piece,
+                  std::optional<PersonId> actor, RetentionDone& done) {
   switch (piece.kind) {
     case RetainedKind::Practice:
     case RetainedKind::Assessment:
-      return let_recording_go(database, rules, piece, actor, done);
+      return remove_recording(database, rules, piece, actor, done);
     case RetainedKind::Account:
-      return let_account_go(database, rules, piece, actor, done);
+      return remove_account(database, rules, piece, actor, done);
     case RetainedKind::Cache:
-      return let_cached_go(database, piece, done);
+      return remove_cached(database, piece, done);
   }
 }
 
@@ -218,7 +218,7 @@ RetentionDone apply_retention(Database& database, std::optional<PersonId> actor,
       say_what_went();
       throw Cancelled{"it was stopped after " + sentence_of(done) + "; once more goes on"};
     }
-    let_go(database, rules, pieces[i], actor, done);
+    remove_piece(database, rules, pieces[i], actor, done);
   }
   say_what_went();
   if (progress) progress(1.0);

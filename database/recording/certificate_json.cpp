@@ -46,7 +46,7 @@ void take_counts(const nlohmann::json& found, RecordingCertificate& certificate)
   take(found, "duplicates", certificate.duplicates);
   take(found, "missed_ticks", certificate.missed_ticks);
   take(found, "pauses", certificate.pauses);
-  take(found, "unseen_us", certificate.unseen_us);
+  take(found, "unseen_us", certificate.unsampled_us);
   take(found, "clock_steps", certificate.clock_steps);
   take(found, "faulted_ticks", certificate.faulted_ticks);
 }
@@ -72,7 +72,7 @@ std::string json_from_certificate(const RecordingCertificate& certificate) {
               {"duplicates", certificate.duplicates},
               {"missed_ticks", certificate.missed_ticks},
               {"pauses", certificate.pauses},
-              {"unseen_us", certificate.unseen_us},
+              {"unseen_us", certificate.unsampled_us},
               {"clock_steps", certificate.clock_steps},
               {"faulted_ticks", certificate.faulted_ticks},
               {"late_p50_us", certificate.late_p50_us},

@@ -30,7 +30,7 @@ Verdict verdict_of(const RecordingCertificate& certificate) {
   judge(certificate.gaps != 0, Invalidity::TicksLeftOut);
   judge(certificate.duplicates != 0, Invalidity::TicksDoubled);
   judge(certificate.clock_steps != 0, Invalidity::ClockStepped);
-  judge(is_above_share(certificate.unseen_us, unseen_share_max, ticks * tick_us),
+  judge(is_above_share(certificate.unsampled_us, unsampled_share_max, ticks * tick_us),
         Invalidity::TimeUnseen);
   judge(is_above_share(certificate.missed_ticks, missed_share_max, ticks), Invalidity::TicksMissed);
   judge(is_above_share(certificate.faulted_ticks, faulted_share_max, ticks),

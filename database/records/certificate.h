@@ -27,7 +27,7 @@ struct RecordingCertificate {
   /// By the loop: more than three ticks late, or no room.
   std::int64_t pauses = 0;
   /// That the hand moved in such pauses; a full disk's not counted.
-  std::int64_t unseen_us = 0;
+  std::int64_t unsampled_us = 0;
   /// Times the loop's clock stood still or jumped.
   std::int64_t clock_steps = 0;
   /// That the device said nothing of, or nothing to be trusted.
@@ -66,7 +66,7 @@ enum class Invalidity {
 namespace certificate_limits {
 /// Of the duration: the share by which it is wrong at most, below the narrowest band that time and
 /// path are scored by.
-inline constexpr double unseen_share_max = 0.05;
+inline constexpr double unsampled_share_max = 0.05;
 /// Of the ticks: at a quarter, 750 samples a second are left, and a tremor of 12 Hz has 60 for each
 /// swing.
 inline constexpr double missed_share_max = 0.25;

@@ -263,7 +263,7 @@ int advance(sqlite3_vtab_cursor* at) {
 
 int is_at_end(sqlite3_vtab_cursor* at) { return cursor_of(at).columns == nullptr ? 1 : 0; }
 
-int give_column(sqlite3_vtab_cursor* at, sqlite3_context* context, int index) {
+int answer_column(sqlite3_vtab_cursor* at, sqlite3_context* context, int index) {
   const Cursor& cursor = cursor_of(at);
   const RecordTable& shape = *table_of(at->pVtab).shape;
   if (index == shape.column_count) {
@@ -280,7 +280,7 @@ int give_column(sqlite3_vtab_cursor* at, sqlite3_context* context, int index) {
 }
 
 /// A window and a place in its chunk tell a row.
-int give_row_number(sqlite3_vtab_cursor* at, sqlite3_int64* number) {
+int answer_row_number(sqlite3_vtab_cursor* at, sqlite3_int64* number) {
   const Cursor& cursor = cursor_of(at);
   *number = cursor.window * static_cast<std::int64_t>(rows_per_chunk_max) +
             static_cast<std::int64_t>(cursor.row);
@@ -298,8 +298,8 @@ constexpr sqlite3_module record_module = [] {
   module.xFilter = &begin;
   module.xNext = &advance;
   module.xEof = &is_at_end;
-  module.xColumn = &give_column;
-  module.xRowid = &give_row_number;
+  module.xColumn = &answer_column;
+  module.xRowid = &answer_row_number;
   return module;
 }();
 

@@ -57,7 +57,7 @@ WriterLease::WriterLease(WriterLease&& other) noexcept
 
 WriterLease& WriterLease::operator=(WriterLease&& other) noexcept {
   if (this != &other) {
-    give_back();
+    release();
     file_ = std::move(other.file_);
     attempt_ = std::move(other.attempt_);
     descriptor_ = std::exchange(other.descriptor_, -1);
@@ -65,9 +65,9 @@ WriterLease& WriterLease::operator=(WriterLease&& other) noexcept {
   return *this;
 }
 
-WriterLease::~WriterLease() { give_back(); }
+WriterLease::~WriterLease() { release(); }
 
-void WriterLease::give_back() noexcept {
+void WriterLease::release() noexcept {
   if (descriptor_ < 0) return;
   ::unlink(file_.c_str());
   ::close(descriptor_);

@@ -28,7 +28,7 @@ class WriterLease {
 
  private:
   WriterLease(std::filesystem::path file, AttemptId attempt, int descriptor);
-  void give_back() noexcept;
+  void release() noexcept;
 
   std::filesystem::path file_;
   AttemptId attempt_;

@@ -17,7 +17,7 @@ constexpr double fade_out_mm = 1.5;
 
 /// (u - 1) / |grad u|: the gradient's own slope is left out, which is exact on the surface.
 Dual normalised_gauge(const Dual& u) {
-  const double steepness = std::sqrt(glm::dot(u.slope, u.slope));
+  const double steepness = length_of(u.slope);
   return {(u.value - 1.0) / steepness, u.slope / steepness};
 }
 
@@ -37,7 +37,7 @@ Dual cap_height(const EndCap& cap, const Vec3& point_mm) {
 Dual beyond(const EndCap& cap, double end_x_mm, double direction, const Vec3& point_mm) {
   const Dual quadric = cap_height(cap, point_mm);
   const Dual limited = smooth_min(quadric * direction, Dual{end_x_mm * direction}, end_blend_mm);
-  const double steepness = std::sqrt(1.0 + glm::dot(quadric.slope, quadric.slope));
+  const double steepness = std::sqrt(1.0 + squared_length(quadric.slope));
   return {(point_mm.x * direction - limited.value) / steepness,
           (Vec3{direction, 0.0, 0.0} - limited.slope) / steepness};
 }

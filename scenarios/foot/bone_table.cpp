@@ -1,3 +1,6 @@
+/// One line is one thing, told by its first word; numbers stand in the order that the refusal
+/// shows. A table is read by people who measure bones, so each refusal names the line and what to
+/// write there. What must be there once is counted while reading and checked at the end.
 #include "scenarios/foot/bone_table.h"
 
 #include <charconv>

@@ -56,14 +56,14 @@ const Feature& feature_named(const BoneTable& table, std::string_view name) {
 /// centre.
 Vec3 groove_bottom(const LandmarkSources& sources, const Vec3& on_line_mm, double radius_mm) {
   const Vec3 inward = sources.table.cartilage.centre_mm - on_line_mm;
-  const double share = radius_mm / std::sqrt(glm::dot(inward, inward));
-  return sources.field.onto_surface(sources.field.stretched(on_line_mm + inward * share));
+  const double share = radius_mm / length_of(inward);
+  return on_surface(sources, on_line_mm + inward * share);
 }
 
 Vec3 feature_point(const LandmarkSources& sources, std::string_view name) {
   const Feature& feature = feature_named(sources.table, name);
   if (feature.kind == FeatureKind::Bump) {
-    return sources.field.onto_surface(sources.field.stretched(feature.centre_mm));
+    return on_surface(sources, feature.centre_mm);
   }
   return groove_bottom(sources, 0.5 * (feature.centre_mm + feature.end_mm), feature.radius_mm);
 }
@@ -72,19 +72,18 @@ Vec3 feature_point(const LandmarkSources& sources, std::string_view name) {
 Vec3 medial_sulcus(const LandmarkSources& sources) {
   const std::vector<Vec3>& bottom = sources.field.sulcus_bottom_mm();
   if (bottom.empty()) return feature_point(sources, "sag_sulcus");
-  return sources.field.onto_surface(sources.field.stretched(bottom[bottom.size() / 2]));
+  return on_surface(sources, bottom[bottom.size() / 2]);
 }
 
 /// Where the cartilage ends in the sagittal plane through the head's centre.
 Vec3 cartilage_edge(const LandmarkSources& sources, double angle_rad) {
   const HeadCartilage& c = sources.table.cartilage;
   const Vec3 direction{elementary::cos(angle_rad), elementary::sin(angle_rad), 0.0};
-  return sources.field.onto_surface(sources.field.stretched(c.centre_mm + c.radius_mm * direction));
+  return on_surface(sources, c.centre_mm + c.radius_mm * direction);
 }
 
 std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
   const simulator::IndexedMesh& mesh = sources.outer;
-  const EndCap& base = sources.table.base;
   const double length = sources.length_mm;
   const Vec3 medial{0.0, 0.0, -1.0};
   return {
@@ -96,8 +95,7 @@ std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
       {"sesamoid_groove_med", feature_point(sources, "ses_groove_m")},
       {"sesamoid_groove_lat", feature_point(sources, "ses_groove_l")},
       {"crista", feature_point(sources, "crista")},
-      {"tmt_centre",
-       sources.field.onto_surface(sources.field.stretched({base.x_mm, base.y_mm, base.z_mm}))},
+      {"tmt_centre", cap_centre(sources, sources.table.base)},
       {"shaft_proximal", slice_centroid(mesh, length / 3.0)},
       {"shaft_distal", slice_centroid(mesh, length * 2.0 / 3.0)},
       {"shaft_medial", extreme_point(mesh, medial, 0.62 * length, 0.66 * length)},

@@ -19,10 +19,6 @@ Vec3 base_rim(const LandmarkSources& sources, const Vec3& side) {
   return slice_extreme(sources.outer, 2, sources.table.base.z_mm, side - distal);
 }
 
-Vec3 cap_centre(const LandmarkSources& sources, const EndCap& cap) {
-  return sources.field.onto_surface(sources.field.stretched({cap.x_mm, cap.y_mm, cap.z_mm}));
-}
-
 /// x of the narrowest station.
 double waist_mm(const LandmarkSources& sources) {
   const std::vector<Station>& stations = sources.table.stations;

@@ -1,6 +1,5 @@
 #include "scenarios/foot/half_edge_surface.h"
 
-#include <array>
 #include <cstdint>
 
 #include "scenarios/scenario_error.h"

@@ -30,6 +30,14 @@ void for_each_slice_segment(const simulator::IndexedMesh& mesh, glm::length_t ax
 
 }  // namespace
 
+Vec3 on_surface(const LandmarkSources& sources, const Vec3& point_in_table_mm) {
+  return sources.field.onto_surface(sources.field.stretched(point_in_table_mm));
+}
+
+Vec3 cap_centre(const LandmarkSources& sources, const EndCap& cap) {
+  return on_surface(sources, {cap.x_mm, cap.y_mm, cap.z_mm});
+}
+
 Vec3 slice_centroid(const simulator::IndexedMesh& mesh, double x_mm) {
   // Green's theorem over the segments.
   double area = 0.0;

@@ -13,6 +13,10 @@ struct LandmarkSources {
   double length_mm = 0.0;
 };
 
+/// The bone's point nearest to a place in the table.
+Vec3 on_surface(const LandmarkSources& sources, const Vec3& point_in_table_mm);
+/// The same of an end's middle.
+Vec3 cap_centre(const LandmarkSources& sources, const EndCap& cap);
 /// Centroid of the area in which the plane x = x_mm cuts the surface; exact for the mesh.
 /// needs   the plane cuts the mesh
 Vec3 slice_centroid(const simulator::IndexedMesh& mesh, double x_mm);

@@ -1,3 +1,8 @@
+/// A cube of nodes is six tetrahedra around its diagonal; each is cut in one way by the signs of
+/// its corners, so neighbours always agree and the surface is closed without cases to break a tie.
+/// Marching cubes would need fewer triangles and a table of them; remeshing takes either away.
+/// Values keep away from zero, and blocks that lie further off than the field is steep are filled
+/// from one sample.
 #include "scenarios/foot/march_tetrahedra.h"
 
 #include <algorithm>
@@ -138,7 +143,7 @@ void sample_block(const Field& field, const Block& block, double steepest, Sampl
   const double centre = field(first + half).value;
   // One spacing more than the block itself: the cubes between two blocks must not be skipped by
   // both.
-  const double reach = std::sqrt(glm::dot(half, half)) + samples.spacing_mm;
+  const double reach = length_of(half) + samples.spacing_mm;
   const bool is_far = std::abs(centre) > steepest * reach;
   for (std::int32_t k = block.k; k < block.k_end; ++k) {
     for (std::int32_t j = block.j; j < block.j_end; ++j) {

@@ -37,8 +37,6 @@ constexpr double flip_turn = 0.4;
 constexpr int least_neighbours = 3;
 constexpr int most_neighbours = 12;
 
-double squared_length(const Vec3& v) { return glm::dot(v, v); }
-double length_of(const Vec3& v) { return std::sqrt(squared_length(v)); }
 std::size_t row_of(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
 /// The third corner of the half-edge's triangle.
@@ -56,7 +54,7 @@ Diamond diamond_at(const TriConnectivity& mesh, HalfedgeHandle h) {
           apex_of(mesh, mesh.opposite_halfedge_handle(h))};
 }
 
-double squared_length(const HalfEdgeSurface& surface, EdgeHandle e) {
+double squared_edge_length(const HalfEdgeSurface& surface, EdgeHandle e) {
   const HalfedgeHandle h = surface.connections.halfedge_handle(e, 0);
   return squared_length(surface.at(surface.connections.to_vertex_handle(h)) -
                         surface.at(surface.connections.from_vertex_handle(h)));
@@ -75,7 +73,7 @@ Vec3 area_vector(const HalfEdgeSurface& surface, VertexHandle a, VertexHandle b,
 
 void split_long(HalfEdgeSurface& surface, double longest_mm) {
   for (const EdgeHandle e : surface.connections.edges()) {
-    if (squared_length(surface, e) <= longest_mm * longest_mm) continue;
+    if (squared_edge_length(surface, e) <= longest_mm * longest_mm) continue;
     surface.points_mm.push_back(middle_of(surface, e));
     surface.connections.split(e, surface.connections.add_vertex());
   }
@@ -145,7 +143,7 @@ void collapse_short(HalfEdgeSurface& surface, Valences& valences, double shortes
                     double longest_mm) {
   TriConnectivity& mesh = surface.connections;
   for (const EdgeHandle e : mesh.edges()) {
-    if (squared_length(surface, e) >= shortest_mm * shortest_mm) continue;
+    if (squared_edge_length(surface, e) >= shortest_mm * shortest_mm) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
     const Diamond d = diamond_at(mesh, h);
     const Vec3 middle_mm = middle_of(surface, e);

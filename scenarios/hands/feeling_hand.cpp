@@ -1,7 +1,10 @@
+/// The operation is a list of acts made beforehand: turn to a cut, saw a stroke, wait, say. A tick
+/// feels, holds the blade, and carries on with the act at hand; several short acts may end in one
+/// tick. The blade's plane is the hand's own frame: once a kerf is frozen the hand lays that frame
+/// into the slot, and the handle stays where it is.
 #include "scenarios/hands/feeling_hand.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
@@ -16,10 +19,6 @@ constexpr double overlap_mm = 3.0;
 /// What a hand takes a newton aside for: so far is the handle out of the slot [mm].
 constexpr double give_mm_per_newton = 0.5;
 constexpr double far_hovers = 3.0, turn_hovers = 2.0;  ///< how far off the bone, in hover_mm
-
-std::size_t index_of_cut(const Plan& plan, std::string_view name) {
-  return static_cast<std::size_t>(find_cut(plan, name) - plan.cuts.data());
-}
 
 std::size_t first_cut_of(const Scenario& scenario, const Plan& plan) {
   const auto step =
@@ -104,7 +103,8 @@ void FeelingHand::plan_acts(const Scenario& scenario, const Plan& plan) {
 
 bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                            simulator::RawDeviceState& state) noexcept {
-  const std::int64_t ticks = std::clamp<std::int64_t>(tick - tick_, 1, 3);
+  const std::int64_t ticks =
+      std::clamp<std::int64_t>(tick - tick_, 1, simulator::ticks_per_line_max);
   tick_ = tick;
   const double span_s = static_cast<double>(ticks) * step_s;
   queued_ = taken_ = 0;
@@ -116,9 +116,8 @@ bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   }
   if (tick + 1 >= last_tick) queue({CommandKind::Finish, 0, 0});
   state.world_from_handle = pose();
-  using simulator::Switch;
-  state.switches = (handle_.saw_runs ? static_cast<std::uint32_t>(Switch::SawRuns) : 0U) |
-                   (handle_.irrigates ? static_cast<std::uint32_t>(Switch::Irrigates) : 0U);
+  state.switches = (handle_.saw_runs ? bit(simulator::Switch::SawRuns) : 0U) |
+                   (handle_.irrigates ? bit(simulator::Switch::Irrigates) : 0U);
   return true;
 }
 
@@ -163,8 +162,8 @@ void FeelingHand::begin_turn(const Act& act) noexcept {
   handle_.along_mm = act.stroke.along_mm;
   out_.mean(0.0);
   tilt_x_.mean(0.0);
-  const Vec3 way = held_pose().translation_mm - turned_from_.translation_mm;
-  turn_s_ = std::max(step_s, std::sqrt(glm::dot(way, way)) / skill_.approach_mm_s);
+  const double way_mm = length_of(held_pose().translation_mm - turned_from_.translation_mm);
+  turn_s_ = std::max(step_s, way_mm / skill_.approach_mm_s);
 }
 
 bool FeelingHand::is_turning() const noexcept {
@@ -182,7 +181,7 @@ void FeelingHand::feel(const Vec3& force_in_world_newton, std::int64_t ticks) no
   const Vec3 on_hand_newton = transform_direction(blade_from_world, force_in_world_newton);
   const Vec3 tool_mm = transform_point(blade_from_world, world_from_tool_.translation_mm);
   felt_newton_ = -on_hand_newton.x;
-  senses_.take_in({felt_newton_, on_hand_newton.z, engaged_mm_, tool_mm.x, tool_mm.z,
+  senses_.observe({felt_newton_, on_hand_newton.z, engaged_mm_, tool_mm.x, tool_mm.z,
                    tilt_x_.value(), tilt_y_.value()},
                   ticks);
 }
@@ -213,21 +212,21 @@ RigidTransform FeelingHand::pose() const noexcept {
   return interpolate(turned_from_, held_pose(), std::min(1.0, act_s_ / turn_s_));
 }
 
-void FeelingHand::see(const simulator::StepOutput& output) noexcept {
+void FeelingHand::observe(const simulator::StepOutput& output) noexcept {
   world_from_tool_ = simulator::transform_from(output.sample.world_from_tool);
   engaged_mm_ = output.engaged.width_mm();
   for (const simulator::CutEvent& event : output.events) {
-    if (event.kind == simulator::CutEventKind::PlaneFrozen) follow_slot(event.pose);
+    if (event.kind == simulator::CutEventKind::PlaneFrozen) align_with_slot(event.pose);
   }
 }
 
 /// The slot that the blade has begun is the plane from now on; the handle stays where it is.
-void FeelingHand::follow_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept {
+void FeelingHand::align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept {
   const RigidTransform world_from_handle = held_pose();
   const RigidTransform world_from_slot =
       world_from_bone_ * simulator::transform_from(bone_from_frozen);
-  const Vec3 normal = transform_direction(world_from_slot, Vec3{0.0, 0.0, 1.0});
-  const Vec3 ahead = transform_direction(world_from_blade_, Vec3{1.0, 0.0, 0.0});
+  const Vec3 normal = axis_z(world_from_slot);
+  const Vec3 ahead = axis_x(world_from_blade_);
   const Vec3 flat_ahead = ahead - glm::dot(ahead, normal) * normal;
   const Vec3& origin = world_from_blade_.translation_mm;
   const double off_mm = glm::dot(origin - world_from_slot.translation_mm, normal);

@@ -42,7 +42,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   }
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 simulator::RawDeviceState& state) noexcept override;
-  void see(const simulator::StepOutput& output) noexcept override;
+  void observe(const simulator::StepOutput& output) noexcept override;
   bool take_command(simulator::Command& command) noexcept override;
   double fraction_done() const noexcept override;
 
@@ -74,7 +74,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   bool is_turning() const noexcept;
   void feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept;
   void hold_blade(double span_s) noexcept;
-  void follow_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
+  void align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
   void queue(const simulator::Command& command) noexcept;
   /// Once it has turned.
   RigidTransform held_pose() const noexcept;

@@ -1,3 +1,8 @@
+/// A first cut is tilted about the middle of its planned section and then shifted until the largest
+/// distance over the section is the drawn one: angle and place are what a rubric measures, so they
+/// are what is drawn. A second cut of a wedge is measured off from the first, as a surgeon does who
+/// sees it. Each cut draws from random streams of its own, named by cut, so that another cut in the
+/// scenario changes none of the others.
 #include "scenarios/hands/hand_aim.h"
 
 #include <algorithm>
@@ -61,7 +66,7 @@ const SectionRegion* region_near(const Section& section, const Vec3& point_in_bo
   for (const SectionRegion& region : section.regions) {
     const double dx = std::max({region.min_mm.x - local.x, 0.0, local.x - region.max_mm.x});
     const double dy = std::max({region.min_mm.y - local.y, 0.0, local.y - region.max_mm.y});
-    const double distance_mm = std::sqrt(dx * dx + dy * dy);
+    const double distance_mm = length_of(Vec2{dx, dy});
     if (distance_mm < best_mm) {
       best_mm = distance_mm;
       best = &region;
@@ -127,21 +132,21 @@ void aim_at_plan(const Target& target, const Sight& planned, const AimErrors& er
   const Vec3 pivot = transform_point(bone_from_plan, Vec3{middle.x, middle.y, 0.0}) -
                      0.5 * target.kerf_mm * cut.face.normal;
   aimed.face.normal = tilted(cut.face.normal, planned.plane, errors);
-  double reach_low_mm = 0.0, reach_high_mm = 0.0;
+  double least_off_mm = 0.0, greatest_off_mm = 0.0;
   for (const simulator::Contour& contour : planned.region.contours) {
     for (const Vec2& point : contour) {
       const Vec3 offset = transform_direction(bone_from_plan, Vec3{point - middle, 0.0});
       // How far the tilted face stands off the plan above this point of the section.
       const double stand_off_mm =
           -glm::dot(offset, aimed.face.normal) / glm::dot(cut.face.normal, aimed.face.normal);
-      reach_low_mm = std::min(reach_low_mm, stand_off_mm);
-      reach_high_mm = std::max(reach_high_mm, stand_off_mm);
+      least_off_mm = std::min(least_off_mm, stand_off_mm);
+      greatest_off_mm = std::max(greatest_off_mm, stand_off_mm);
     }
   }
-  const double reach_mm = errors.side > 0.0 ? reach_high_mm : -reach_low_mm;
-  const double shift_mm = errors.side * std::max(0.0, errors.location_mm - reach_mm);
+  const double tilt_off_mm = errors.side > 0.0 ? greatest_off_mm : -least_off_mm;
+  const double shift_mm = errors.side * std::max(0.0, errors.location_mm - tilt_off_mm);
   aimed.face.offset_mm = glm::dot(aimed.face.normal, pivot + shift_mm * cut.face.normal);
-  aimed.location_error_mm = std::max({errors.location_mm, reach_high_mm, -reach_low_mm});
+  aimed.location_error_mm = std::max({errors.location_mm, greatest_off_mm, -least_off_mm});
 }
 
 /// Where the bone of a section reaches furthest along the feed.
@@ -173,7 +178,7 @@ struct FirstCut {
 /// What the turn from the planned first face to the aimed one makes of a direction.
 Vec3 turned_like(const FirstCut& first, const Vec3& direction) {
   const Vec3 axis = glm::cross(first.planned.face.normal, first.aimed.face.normal);
-  const double sine = std::sqrt(glm::dot(axis, axis));
+  const double sine = length_of(axis);
   const double angle_rad =
       elementary::atan2(sine, glm::dot(first.planned.face.normal, first.aimed.face.normal));
   return transform_direction({rotation_about(axis / sine, angle_rad), {}}, direction);
@@ -224,8 +229,8 @@ void plan_stop(const Plan& plan, const HandSkill& skill, const Target& target, A
   const PlannedHinge* hinge = find_hinge(plan, target.cut.hinge);
   if (hinge == nullptr) return;
   const double error_mm = stop_error_mm(*hinge, target.cut, skill, target.seed);
-  aimed.stop_mm = far_point(aimed.region).x - hinge->thickness_mm + error_mm;
-  aimed.loses_hinge = error_mm >= hinge->thickness_mm;
+  aimed.stop_mm = far_point(aimed.region).x - hinge->bridge.line.thickness_mm + error_mm;
+  aimed.loses_hinge = error_mm >= hinge->bridge.line.thickness_mm;
 }
 
 }  // namespace
@@ -244,10 +249,11 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     aimed.angle_error_rad = errors.angle_rad;
     if (target.cut.kind == FaceKind::ThroughHinge) {
       const PlannedHinge& hinge = *find_hinge(plan, target.cut.hinge);
-      const PlannedCut& first = *find_cut(plan, hinge.first_cut);
-      const AimedCut& made = aims[static_cast<std::size_t>(&first - plan.cuts.data())];
-      aim_at_line(target, planned, {first, made, line_point(made, hinge.thickness_mm)}, errors,
-                  skill, aimed);
+      const std::size_t first = index_of_cut(plan, hinge.first_cut);
+      const AimedCut& made = aims[first];
+      aim_at_line(target, planned,
+                  {plan.cuts[first], made, line_point(made, hinge.bridge.line.thickness_mm)},
+                  errors, skill, aimed);
     } else {
       aim_at_plan(target, planned, errors, aimed);
     }

@@ -22,7 +22,7 @@ constexpr double sine_min = 1.0e-3;
 Vec3 direction_at(const JsonNode& key, std::string_view field) {
   const JsonNode node = key.at(field);
   const Vec3 direction = node.vector(-length_max, length_max);
-  const double length = std::sqrt(glm::dot(direction, direction));
+  const double length = length_of(direction);
   if (!(length >= length_min && length <= length_max)) {
     node.refuse_value("give a vector with a length from 0.001 to 1000");
   }
@@ -35,8 +35,8 @@ simulator::HandKey key_from(const JsonNode& key) {
   const Vec3 normal = direction_at(key, "normal");
   const Vec3 across = glm::cross(normal, direction);
   const double across_min =
-      sine_min * std::sqrt(glm::dot(direction, direction) * glm::dot(normal, normal));
-  if (!(std::sqrt(glm::dot(across, across)) > across_min)) {
+      sine_min * std::sqrt(squared_length(direction) * squared_length(normal));
+  if (!(length_of(across) > across_min)) {
     key.at("normal").refuse_value("direction and normal must not be parallel");
   }
   simulator::HandKey parsed;
@@ -45,7 +45,7 @@ simulator::HandKey key_from(const JsonNode& key) {
   parsed.world_from_handle = {rotation_from_axes(direction, across),
                               key.at("tip_mm").vector(-tip_limit_mm, tip_limit_mm)};
   if (key.has("saw") && key.at("saw").boolean()) {
-    parsed.switches = static_cast<std::uint32_t>(simulator::Switch::SawRuns);
+    parsed.switches = bit(simulator::Switch::SawRuns);
   }
   return parsed;
 }

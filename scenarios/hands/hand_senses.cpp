@@ -22,7 +22,7 @@ HandSenses::HandSenses(const Perception& perception, Random random) noexcept
       eye_mm_(perception.eye_mm),
       random_(random) {}
 
-void HandSenses::take_in(const Sensed& now, std::int64_t ticks) noexcept {
+void HandSenses::observe(const Sensed& now, std::int64_t ticks) noexcept {
   for (std::int64_t i = 0; i < ticks; ++i) {
     past_[next_] = now;
     next_ = (next_ + 1) % capacity;

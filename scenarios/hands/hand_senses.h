@@ -33,7 +33,7 @@ class HandSenses {
 
   /// Takes in how it is now; a state of 1 to 3 ticks.
   /// thread  haptic; allocates nothing
-  void take_in(const Sensed& now, std::int64_t ticks) noexcept;
+  void observe(const Sensed& now, std::int64_t ticks) noexcept;
   const Sensed& noticed() const noexcept { return noticed_; }
   /// Of the teeth as the eye follows them, over about a fifth of a second [mm/s].
   double noticed_feed_mm_s() const noexcept { return feed_mm_s_; }

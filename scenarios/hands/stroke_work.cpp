@@ -1,7 +1,9 @@
+/// A stroke is a small machine: a phase has one way to move the handle and a few signs that end it.
+/// All signs come from the senses, a reaction time late, and none from the simulation: a hand that
+/// plunges through the far cortex does so because it noticed too late.
 #include "scenarios/hands/stroke_work.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/elementary.h"
 

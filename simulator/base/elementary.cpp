@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/base/polynomial.h"
+
 /// The functions of angles. An argument is first brought near zero by subtracting a multiple of a
 /// constant written as a sum of parts (Cody and Waite 1980): the leading parts have so few bits
 /// that their product with the multiple is exact. What is left is small enough for the Taylor
@@ -50,13 +52,6 @@ Reduced reduce(double x) noexcept {
   const double high = second.high + low;
   const int quadrant = static_cast<int>(turns) & 3;
   return {{high, (second.high - high) + low}, quadrant};
-}
-
-template <std::size_t Count>
-double polynomial(const std::array<double, Count>& coefficients, double x) noexcept {
-  double value = coefficients[Count - 1];
-  for (std::size_t i = Count - 1; i-- > 0;) value = value * x + coefficients[i];
-  return value;
 }
 
 double sine_near_zero(const Sum& angle) noexcept {

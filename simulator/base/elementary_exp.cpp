@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "simulator/base/elementary.h"
+#include "simulator/base/polynomial.h"
 
 /// exp and log. Powers of two are taken off by the exponent bits, which is exact; what is left is
 /// small enough for a series.
@@ -23,13 +24,6 @@ constexpr double one_over_ln2 = 0x1.71547652b82fep+0;
 /// 2^power, for -1022 <= power <= 1023.
 double power_of_two(int power) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52U);
-}
-
-template <std::size_t Count>
-double polynomial(const std::array<double, Count>& coefficients, double x) noexcept {
-  double value = coefficients[Count - 1];
-  for (std::size_t i = Count - 1; i-- > 0;) value = value * x + coefficients[i];
-  return value;
 }
 
 /// For -746 < x < 710.

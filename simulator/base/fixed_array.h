@@ -6,7 +6,6 @@
 /// here.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -16,7 +15,7 @@ namespace hallux {
 
 /// errors  std::bad_alloc
 void* take_memory(std::size_t bytes);
-void give_memory_back(void* memory) noexcept;
+void free_memory(void* memory) noexcept;
 
 template <typename Value>
 class FixedArray {
@@ -33,7 +32,7 @@ class FixedArray {
   }
   FixedArray(const FixedArray& other) : FixedArray(std::span<const Value>(other)) {}
   FixedArray& operator=(const FixedArray&) = delete;
-  ~FixedArray() { give_memory_back(values_); }
+  ~FixedArray() { free_memory(values_); }
 
   std::size_t size() const noexcept { return count_; }
   Value& operator[](std::size_t index) noexcept { return values_[index]; }

@@ -56,9 +56,8 @@ Quat quaternion_from_columns(const Vec3& x, const Vec3& y, const Vec3& z) noexce
 }  // namespace
 
 Quat rotation_from_axes(const Vec3& x_axis, const Vec3& y_hint) noexcept {
-  const Vec3 x = x_axis / std::sqrt(glm::dot(x_axis, x_axis));
-  const Vec3 across = glm::cross(x, y_hint);
-  const Vec3 z = across / std::sqrt(glm::dot(across, across));
+  const Vec3 x = unit(x_axis);
+  const Vec3 z = unit(glm::cross(x, y_hint));
   return normalised(quaternion_from_columns(x, glm::cross(z, x), z));
 }
 

@@ -20,6 +20,16 @@ Vec3 transform_point(const RigidTransform& to_from_from, const Vec3& point_mm) n
 Vec3 transform_direction(const RigidTransform& to_from_from, const Vec3& direction) noexcept;
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c) noexcept;
 RigidTransform inverse(const RigidTransform& a_from_b) noexcept;
+/// The right-hand frame's axes, said in the left-hand frame.
+inline Vec3 axis_x(const RigidTransform& to_from_from) noexcept {
+  return transform_direction(to_from_from, Vec3{1.0, 0.0, 0.0});
+}
+inline Vec3 axis_y(const RigidTransform& to_from_from) noexcept {
+  return transform_direction(to_from_from, Vec3{0.0, 1.0, 0.0});
+}
+inline Vec3 axis_z(const RigidTransform& to_from_from) noexcept {
+  return transform_direction(to_from_from, Vec3{0.0, 0.0, 1.0});
+}
 /// The pose a share of the way from one to the other: translations linear, rotations by their
 /// normalised sum.
 RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to,

@@ -1,7 +1,5 @@
 #include "simulator/bone/blade_sweep.h"
 
-#include <cmath>
-
 namespace hallux::simulator {
 
 namespace {
@@ -13,14 +11,12 @@ constexpr double turn_step = 0.02;
 PlanarPose projected(const RigidTransform& kerf_from_mesh, const SweepPose& pose) {
   const Vec3 tip_mm = transform_point(kerf_from_mesh, pose.tip_in_mesh_mm);
   const Vec3 direction = transform_direction(kerf_from_mesh, pose.direction);
-  const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-  return {Vec2(tip_mm.x, tip_mm.y), Vec2(direction.x / length, direction.y / length)};
+  return {Vec2(tip_mm.x, tip_mm.y), unit(Vec2(direction.x, direction.y))};
 }
 
 PlanarPose between(const PlanarPose& from, const PlanarPose& to, double part) {
-  const Vec2 direction = from.direction + part * (to.direction - from.direction);
   return {from.tip_mm + part * (to.tip_mm - from.tip_mm),
-          direction / std::sqrt(glm::dot(direction, direction))};
+          unit(from.direction + part * (to.direction - from.direction))};
 }
 
 }  // namespace
@@ -35,10 +31,9 @@ BladePath path_in_plane(const Sweep& sweep, const KerfPlane& kerf) {
 void stamp_motion(KerfField& field, const Blade& blade, const PlanarPose& from,
                   const PlanarPose& to) {
   FieldWindow changed;
-  const Vec2 turn = to.direction - from.direction;
   const bool turns_back = glm::dot(from.direction, to.direction) < -0.99;
-  const int steps =
-      turns_back ? 1 : 1 + static_cast<int>(std::sqrt(glm::dot(turn, turn)) / turn_step);
+  const double turn = length_of(to.direction - from.direction);
+  const int steps = turns_back ? 1 : 1 + static_cast<int>(turn / turn_step);
   for (int i = 0; i < steps; ++i) {
     const PlanarPose start = i == 0 ? from : between(from, to, static_cast<double>(i) / steps);
     const PlanarPose end =

@@ -1,13 +1,14 @@
+/// The bench knows two kerfs and no plan: the wedge is the body with a wall of each, the hinge's
+/// line is where the planes meet, outward leads away from the wedge, and the bridge's thickness is
+/// whatever is left there. From then on it is the attempt's own closing. Of several bodies between
+/// kerfs that cross the sharpest is the wedge.
 #include "simulator/bone/close_wedge.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "simulator/base/units.h"
 #include "simulator/cutting/hinge/hinge_gap.h"
 #include "simulator/cutting/slice/plane_slice.h"
 #include "simulator/mesh/mesh_error.h"
@@ -19,10 +20,6 @@ namespace {
 /// Planes nearer to parallel than half a degree meet nowhere near the bone.
 constexpr double least_sine = 0.0087;
 
-Vec3 unit(const Vec3& direction) noexcept {
-  return direction / std::sqrt(glm::dot(direction, direction));
-}
-
 /// Which walls of one kerf a body has: those it stands above (+1), those it stands below (-1).
 struct Walls {
   bool above = false, below = false;
@@ -33,10 +30,10 @@ struct Walls {
 
 Walls walls_of(const CutSolid& body, const OpenedKerf& kerf) noexcept {
   Walls walls;
-  for (const FaceOrigin& origin : body.origins) {
-    if (origin.kerf != kerf.number) continue;
-    walls.above = walls.above || origin.side > 0;
-    walls.below = walls.below || origin.side < 0;
+  for (const FaceSource& source : body.sources) {
+    if (source.kerf != kerf.number) continue;
+    walls.above = walls.above || source.side > 0;
+    walls.below = walls.below || source.side < 0;
   }
   return walls;
 }
@@ -102,15 +99,16 @@ HingeRequest request_of(SawnBone& bone, const OpenedKerf& first, const OpenedKer
   HingeRequest request;
   request.first = first.plane;
   request.second = second.plane;
-  request.line = hinge_line(first, second, wedge);
+  HingeLine& line = request.bridge.line;
+  line = hinge_line(first, second, wedge);
   // The line is planned where the planes meet: that is as far from the far cortex as it happens to
   // be.
-  const Vec3 far_mm = gap_of(bone, first, request.line).far_in_bone_mm;
-  request.line.thickness_mm = std::max(
-      hinge_row_step_mm, glm::dot(request.line.outward, far_mm - request.line.point_in_bone_mm));
-  request.first_gap = gap_of(bone, first, request.line);
-  request.second_gap = gap_of(bone, second, request.line);
-  request.toward_moved = unit(wedge.from_first - wedge.from_second);
+  const Vec3 far_mm = gap_of(bone, first, line).far_in_bone_mm;
+  line.thickness_mm =
+      std::max(hinge_row_step_mm, glm::dot(line.outward, far_mm - line.point_in_bone_mm));
+  request.first_gap = gap_of(bone, first, line);
+  request.second_gap = gap_of(bone, second, line);
+  request.bridge.toward_moved = unit(wedge.from_first - wedge.from_second);
   return request;
 }
 
@@ -139,7 +137,8 @@ void break_bridge(const HingeRequest& request, WedgeClosure& closure,
   CutSolid& body = bodies[closure.fixed];
   DividedBone halves = divide_at_hinge(body, Bvh(body.mesh), plane);
   if (halves.above.mesh.triangles.empty() || halves.below.mesh.triangles.empty()) return;
-  if (glm::dot(axes_of(plane).z, request.toward_moved) < 0.0) std::swap(halves.above, halves.below);
+  if (glm::dot(axes_of(plane).z, request.bridge.toward_moved) < 0.0)
+    std::swap(halves.above, halves.below);
   body = std::move(halves.below);
   bodies.push_back(std::move(halves.above));
   closure.moved = bodies.size() - 1;

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "simulator/bone/numbered_pieces.h"
@@ -20,7 +19,7 @@ namespace hallux::simulator {
 
 /// A kerf as far as it is open at one moment.
 struct OpenedKerf {
-  /// The number that the faces of its walls carry (FaceOrigin::kerf).
+  /// The number that the faces of its walls carry (FaceSource::kerf).
   std::int32_t number = 0;
   KerfPlane plane;
   FieldGrid grid;

@@ -8,7 +8,7 @@ GrowingKerf::GrowingKerf(const SolidWithTree& stands, const KerfPlane& plane, st
       builder_(contact_),
       tracker_(grid) {}
 
-bool GrowingKerf::follow(const KerfField& field, SolidPatch& patch) {
+bool GrowingKerf::build(const KerfField& field, SolidPatch& patch) {
   tracker_.update(field);
   return builder_.build(tracker_.outline(), patch);
 }

@@ -21,12 +21,12 @@ class GrowingKerf {
   /// The patch of what the field has open now, at a cost of what changed since the last call.
   /// needs   the same field each time
   /// errors  false where its outline is not simple: the patch stays as it was
-  bool follow(const KerfField& field, SolidPatch& patch);
+  bool build(const KerfField& field, SolidPatch& patch);
   /// The same of any region.
   bool build(const RegionOutline& region, SolidPatch& patch) {
     return builder_.build(region, patch);
   }
-  /// What the field had open when it was followed last.
+  /// What the field had open when a patch of it was built last.
   const RegionOutline& region() const noexcept { return tracker_.outline(); }
 
  private:

@@ -1,7 +1,6 @@
 #include "simulator/bone/numbered_pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace hallux::simulator {
@@ -29,15 +28,12 @@ bool lies_in(const CutSolid& piece, const Bvh& body) {
   const std::size_t step = std::max<std::size_t>(1, count / points_asked);
   std::size_t asked = 0, inside = 0;
   for (std::size_t i = 0; i < count; i += step) {
-    const Triangle& corners = piece.mesh.triangles[i];
-    const Vec3& a = piece.mesh.points_mm[corners[0]];
-    const Vec3& b = piece.mesh.points_mm[corners[1]];
-    const Vec3& c = piece.mesh.points_mm[corners[2]];
-    const Vec3 outward = glm::cross(b - a, c - a);
-    const double length = std::sqrt(glm::dot(outward, outward));
+    const std::array<Vec3, 3> corners_mm = corners_of(piece.mesh, i);
+    const Vec3 outward = glm::cross(corners_mm[1] - corners_mm[0], corners_mm[2] - corners_mm[0]);
+    const double length = length_of(outward);
     if (length == 0.0) continue;
     ++asked;
-    const Vec3 point_mm = (a + b + c) / 3.0 - inward_mm / length * outward;
+    const Vec3 point_mm = middle_of(corners_mm) - inward_mm / length * outward;
     if (body.contains(point_mm)) ++inside;
   }
   return 2 * inside > asked;

@@ -1,3 +1,7 @@
+/// A plane asked for again within half a degree and a tenth of a millimetre is the kerf that is
+/// there: it is moved to the end of the order and goes on from its own field. A blade's field lies
+/// around the section of the whole bone, so it need not grow when other kerfs have taken parts
+/// away.
 #include "simulator/bone/sawn_bone.h"
 
 #include <algorithm>
@@ -63,9 +67,8 @@ bool is_same_plane(const OpenedKerf& kerf, const KerfPlane& asked) {
   const Vec2 middle_mm = 0.5 * (kerf.grid.origin_mm + far_corner_mm(kerf.grid));
   const Vec3 middle_in_bone_mm = axes.origin_mm + middle_mm.x * axes.x + middle_mm.y * axes.y;
   const KerfAxes asked_axes = axes_of(asked);
-  const Vec3 tilt = glm::cross(axes.z, asked_axes.z);
   return kerf.plane.thickness_mm == asked.thickness_mm &&
-         std::sqrt(glm::dot(tilt, tilt)) <= radian_from_degree(rejoin_degree) &&
+         length_of(glm::cross(axes.z, asked_axes.z)) <= radian_from_degree(rejoin_degree) &&
          std::abs(height_mm(asked_axes, middle_in_bone_mm)) <= rejoin_mm;
 }
 
@@ -83,7 +86,7 @@ SawnBone::SawnBone(IndexedMesh mesh) : bone_(std::move(mesh)) {
 
 /// The frame's axes lie along the mesh's where the normal is one of them.
 KerfPlane SawnBone::plane_of(const Vec3& normal, double offset, double kerf_mm) const {
-  const double length = std::sqrt(glm::dot(normal, normal));
+  const double length = length_of(normal);
   const Vec3 z = normal / length;
   const Vec3 origin_mm = middle_mm_ + (offset / length - glm::dot(z, middle_mm_)) * z;
   const Vec3 size(std::abs(z.x), std::abs(z.y), std::abs(z.z));
@@ -91,8 +94,7 @@ KerfPlane SawnBone::plane_of(const Vec3& normal, double offset, double kerf_mm) 
                       : size.y >= size.z                   ? Vec3(1.0, 0.0, 0.0)
                                                            : Vec3(0.0, 1.0, 0.0);
   const Vec3 x = glm::cross(y_hint, z);
-  return {{rotation_from_axes(x / std::sqrt(glm::dot(x, x)), glm::cross(z, x)), origin_mm},
-          kerf_mm};
+  return {{rotation_from_axes(unit(x), glm::cross(z, x)), origin_mm}, kerf_mm};
 }
 
 std::optional<std::size_t> SawnBone::find_kerf(const KerfPlane& asked) const {

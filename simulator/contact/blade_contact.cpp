@@ -1,3 +1,7 @@
+/// The blade is a row of teeth and a grid of balls on its faces. Asking the bone is dear, so each
+/// ball remembers what it asked last: a clearance falls by no more than the way since, and most
+/// balls are answered by that alone. Walls of open kerfs are the teeth's matter; only beside
+/// missing pieces, or near a wall, is the exact search called, at most so many times a tick.
 #include "simulator/contact/blade_contact.h"
 
 #include <algorithm>
@@ -57,8 +61,6 @@ struct NearSurface {
   double height_mm = 0.0;  ///< outside of it; negative inside
 };
 
-double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
-
 /// One search over the blade's points; counts what is dear.
 class ContactSearch {
  public:
@@ -68,7 +70,7 @@ class ContactSearch {
   /// learns what was asked.
   std::optional<NearSurface> near_surface(const Vec3& point_mm, double within_mm,
                                           SurfaceMemory& memory) noexcept {
-    const double moved_mm = length_mm(point_mm - memory.asked_mm);
+    const double moved_mm = length_of(point_mm - memory.asked_mm);
     if (memory.is_known && memory.clearance_mm - moved_mm > within_mm) return std::nullopt;
     // In its own slot a blade is between two walls, which its teeth feel.
     if (bone_.removed_pieces.empty() && bone_.kerfs.is_open(point_mm)) return std::nullopt;
@@ -146,7 +148,7 @@ class ContactSearch {
 }  // namespace
 
 BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                            double reach_mm, BladeMemory& memory) noexcept {
+                            double margin_mm, BladeMemory& memory) noexcept {
   BladeContacts contacts;
   ContactSearch search(bone);
   SurfaceMemory last;
@@ -154,9 +156,9 @@ BladeContacts find_contacts(const RigidTransform& bone_from_tool, const Remainin
     const Ball part = ball(point, bone.kerfs.blade());
     const Vec3 arm_mm = transform_direction(bone_from_tool, part.in_tool_mm);
     const Vec3 centre_mm = bone_from_tool.translation_mm + arm_mm;
-    const double within_mm = part.radius_mm + reach_mm;
+    const double within_mm = part.radius_mm + margin_mm;
     // What the point before it has just learnt may be enough.
-    if (last.is_known && last.clearance_mm - length_mm(centre_mm - last.asked_mm) > within_mm)
+    if (last.is_known && last.clearance_mm - length_of(centre_mm - last.asked_mm) > within_mm)
       continue;
     SurfaceMemory& own = memory[point];
     const std::optional<NearSurface> near = search.near_surface(centre_mm, within_mm, own);

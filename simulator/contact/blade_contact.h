@@ -57,12 +57,12 @@ constexpr bool is_tooth(const BladeContact& contact) noexcept {
   return contact.point < contact_tooth_count;
 }
 
-/// All points whose ball is within `reach_mm` of standing bone. Left out are points in an open kerf
-/// while no piece is missing (its walls are the teeth's), and points more than a millimetre inside
-/// bone, which have no way out.
+/// All points whose ball is within `margin_mm` of standing bone. Left out are points in an open
+/// kerf while no piece is missing (its walls are the teeth's), and points more than a millimetre
+/// inside bone, which have no way out.
 /// errors  none: total, allocates nothing
 /// thread  haptic
 BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                            double reach_mm, BladeMemory& memory) noexcept;
+                            double margin_mm, BladeMemory& memory) noexcept;
 
 }  // namespace hallux::simulator

@@ -1,3 +1,6 @@
+/// Distances are exact: blade and capsule are a rectangle and a line with thicknesses taken off
+/// afterwards, and their nearest points lie at an end, on an edge, or where they cross. A contact
+/// begins at once and ends with a margin and a wait, so that a trembling hand tells one contact.
 #include "simulator/contact/danger_zone.h"
 
 #include <algorithm>
@@ -10,7 +13,6 @@ namespace hallux::simulator {
 
 namespace {
 
-constexpr std::int64_t ticks_at_most = 3;
 /// A segment shorter than this is a point [mm squared].
 constexpr double point_mm2 = 1.0e-12;
 
@@ -18,12 +20,11 @@ struct Segment {
   Vec3 from, to;
 };
 
-double square(const Vec3& vector) noexcept { return glm::dot(vector, vector); }
-
 /// source  Ericson 2005, Real-Time Collision Detection, 5.1.9
 double squared_distance_mm2(const Segment& a, const Segment& b) noexcept {
   const Vec3 along_a = a.to - a.from, along_b = b.to - b.from, between = a.from - b.from;
-  const double aa = square(along_a), bb = square(along_b), ab = glm::dot(along_a, along_b);
+  const double aa = squared_length(along_a), bb = squared_length(along_b),
+               ab = glm::dot(along_a, along_b);
   const double ar = glm::dot(along_a, between), br = glm::dot(along_b, between);
   double share_a = 0.0, share_b = 0.0;
   if (aa > point_mm2) {
@@ -32,7 +33,7 @@ double squared_distance_mm2(const Segment& a, const Segment& b) noexcept {
   }
   if (bb > point_mm2) share_b = std::clamp((ab * share_a + br) / bb, 0.0, 1.0);
   if (aa > point_mm2) share_a = std::clamp((ab * share_b - ar) / aa, 0.0, 1.0);
-  return square(between + share_a * along_a - share_b * along_b);
+  return squared_length(between + share_a * along_a - share_b * along_b);
 }
 
 /// The blade's rectangle in the tool frame: x in [-depth, 0], y within half the width, z = 0.
@@ -55,8 +56,8 @@ struct Rectangle {
 /// cross.
 double distance_mm(const Rectangle& blade, const Segment& segment) noexcept {
   if (blade.is_crossed_by(segment)) return 0.0;
-  double least_mm2 = std::min(square(segment.from - blade.nearest(segment.from)),
-                              square(segment.to - blade.nearest(segment.to)));
+  double least_mm2 = std::min(squared_length(segment.from - blade.nearest(segment.from)),
+                              squared_length(segment.to - blade.nearest(segment.to)));
   const Vec3 front_low{0.0, -blade.half_width_mm, 0.0}, front_high{0.0, blade.half_width_mm, 0.0};
   const Vec3 back{-blade.depth_mm, 0.0, 0.0};
   for (const Segment& edge :
@@ -89,7 +90,8 @@ DangerWatch::DangerWatch(const RigidTransform& world_from_bone, const Blade& bla
 }
 
 void DangerWatch::apply(const ToolSample& sample) noexcept {
-  const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
+  const std::int64_t ticks =
+      std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_per_line_max);
   last_tick_ = sample.tick;
   const bool is_running =
       has(sample.status, ToolStatus::Running) && has(sample.status, ToolStatus::SawOn);

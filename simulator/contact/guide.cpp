@@ -40,10 +40,10 @@ GuidePush guide_push(const RigidTransform& bone_from_tool, const GuidePlane& pla
 
   // The blade has two faces; it turns the shorter way. A sine serves as its angle: where they
   // differ, the torque is at its limit.
-  const Vec3 blade_normal = transform_direction(bone_from_tool, Vec3{0.0, 0.0, 1.0});
+  const Vec3 blade_normal = axis_z(bone_from_tool);
   const double side = glm::dot(blade_normal, normal) < 0.0 ? -1.0 : 1.0;
   const Vec3 way_back = side * glm::cross(blade_normal, normal);
-  const double sine = std::sqrt(glm::dot(way_back, way_back));
+  const double sine = length_of(way_back);
   if (sine > guide_play_rad) push.torque_newton_mm = (-turned.pull(sine) / sine) * way_back;
   return push;
 }

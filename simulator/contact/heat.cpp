@@ -1,3 +1,7 @@
+/// A cell's temperature follows one linear law with a constant source over a short span, and that
+/// has an exact solution: so cells may be followed every sixteenth step, row group by row group,
+/// without a step size that could become unstable. Heat goes to the cells behind the teeth, shared
+/// by two neighbours along the tooth line. Only cells that were ever warmed are visited.
 #include "simulator/contact/heat.h"
 
 #include <algorithm>
@@ -12,15 +16,13 @@ namespace hallux::simulator {
 namespace {
 
 constexpr std::int32_t cells_per_kerf = heat_cells * heat_cells;
-constexpr double reach_mm = 0.5 * heat_cell_mm * heat_cells;
+constexpr double grid_half_mm = 0.5 * heat_cell_mm * heat_cells;
 constexpr double cell_capacity_joule_per_kelvin =
     bone_heat_joule_per_mm3_kelvin * heat_cell_volume_mm3;
 /// Places behind each tooth at which its share of the heat is put.
 constexpr int rubbing_parts = 4;
 /// As far in front of the recorded teeth bone is asked for: they stand on bone, not in it.
 constexpr double probe_ahead_mm = 0.02;
-/// No line of the tape covers more.
-constexpr std::int64_t ticks_at_most = 3;
 
 /// Which tissue each tooth is about to cut.
 struct Teeth {
@@ -47,16 +49,14 @@ Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const RemainingTissue
 
 /// The hand's push along the feed direction, as the record has it [N].
 double push_newton(const ToolSample& sample) noexcept {
-  const Vec3 ahead =
-      transform_direction(transform_from(sample.world_from_tool), Vec3{1.0, 0.0, 0.0});
-  const Vec3 on_hand_newton = force_newton(sample);
-  return std::max(0.0, -glm::dot(on_hand_newton, ahead));
+  const Vec3 ahead = axis_x(transform_from(sample.world_from_tool));
+  return std::max(0.0, -glm::dot(force_newton(sample), ahead));
 }
 
 Vec2 middle_of(std::int32_t number) noexcept {
   const std::int32_t u = number / heat_cells;
   const std::int32_t v = number % heat_cells;
-  return {(u + 0.5) * heat_cell_mm - reach_mm, (v + 0.5) * heat_cell_mm - reach_mm};
+  return {(u + 0.5) * heat_cell_mm - grid_half_mm, (v + 0.5) * heat_cell_mm - grid_half_mm};
 }
 
 bool is_within(std::int32_t index) noexcept { return index >= 0 && index < heat_cells; }
@@ -89,8 +89,8 @@ HeatField::Cell& HeatField::cell(std::int32_t kerf, std::int32_t number) noexcep
 }
 
 std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
-  const std::int32_t u = index_of((place_mm.x + reach_mm) / heat_cell_mm);
-  const std::int32_t v = index_of((place_mm.y + reach_mm) / heat_cell_mm);
+  const std::int32_t u = index_of((place_mm.x + grid_half_mm) / heat_cell_mm);
+  const std::int32_t v = index_of((place_mm.y + grid_half_mm) / heat_cell_mm);
   return is_within(u) && is_within(v) ? u * heat_cells + v : -1;
 }
 
@@ -105,7 +105,8 @@ double HeatField::hottest_now_celsius() const noexcept {
 }
 
 void HeatField::apply(const ToolSample& sample, const RemainingTissue& bone) noexcept {
-  const std::int64_t ticks = std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_at_most);
+  const std::int64_t ticks =
+      std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_per_line_max);
   last_tick_ = sample.tick;
   if (!has(sample.status, ToolStatus::Running)) {
     last_kerf_ = -1;
@@ -165,7 +166,7 @@ void HeatField::rub(const Stroke& stroke, const RemainingTissue& bone) noexcept 
 /// than cells would warm some of them twice as much as others. What rubs in air warms nothing.
 void HeatField::add_heat(std::int32_t kerf, const RemainingTissue& bone, const Vec2& place_mm,
                          double joule) noexcept {
-  const double v_cells = (place_mm.y + reach_mm) / heat_cell_mm - 0.5;
+  const double v_cells = (place_mm.y + grid_half_mm) / heat_cell_mm - 0.5;
   const double upper_share = v_cells - std::floor(v_cells);
   const Vec2 down_mm{0.0, upper_share * heat_cell_mm};
   const std::int32_t lower = cell_at(place_mm - down_mm);
@@ -217,14 +218,14 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
       if (u < warmed.u_first) continue;
       for (std::int32_t v = warmed.v_first; v <= warmed.v_last; ++v) {
         const std::int32_t number = u * heat_cells + v;
-        follow_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
+        update_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
         hottest_celsius_[group] = std::max(hottest_celsius_[group], cell(kerf, number).celsius);
       }
     }
   }
 }
 
-void HeatField::follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
+void HeatField::update_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                             double span_s) noexcept {
   Cell& cell = this->cell(kerf, number);
   const double before_celsius = cell.celsius, before_min = cell.dose_min;

@@ -112,7 +112,7 @@ class HeatField {
   void add_to_cell(std::int32_t kerf, std::int32_t number, double joule) noexcept;
   bool is_bone_cell(std::int32_t kerf, std::int32_t number, const RemainingTissue& bone) noexcept;
   void cool(std::int32_t rinsed_kerf) noexcept;
-  void follow_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
+  void update_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                    double span_s) noexcept;
   void mark(HeatMarkKind kind, std::int32_t kerf, std::int32_t number) noexcept;
   std::int32_t cell_at(const Vec2& place_mm) const noexcept;

@@ -13,8 +13,8 @@ constexpr double log_two = 0.693147180559945309;
 
 }  // namespace
 
-double mean_tooth_speed_mm_s(double reach_mm, double cycles_per_minute) noexcept {
-  const double stroke_mm = 2.0 * reach_mm * elementary::sin(0.5 * saw_arc_rad);
+double mean_tooth_speed_mm_s(double depth_mm, double cycles_per_minute) noexcept {
+  const double stroke_mm = 2.0 * depth_mm * elementary::sin(0.5 * saw_arc_rad);
   return 2.0 * stroke_mm * cycles_per_minute / 60.0;
 }
 

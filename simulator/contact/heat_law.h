@@ -37,7 +37,7 @@ inline constexpr double rinse_per_s = 2.76;
 inline constexpr double saw_arc_rad = 0.0785398163397448310;
 
 /// Over a whole swing to and fro of a blade that reaches so far from its pivot [mm/s].
-double mean_tooth_speed_mm_s(double reach_mm, double cycles_per_minute) noexcept;
+double mean_tooth_speed_mm_s(double depth_mm, double cycles_per_minute) noexcept;
 
 /// Work of taking away bone; 0 for what is no bone [J/mm3].
 constexpr double cutting_work_joule_per_mm3(Tissue tissue) noexcept {

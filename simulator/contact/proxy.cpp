@@ -19,8 +19,6 @@ constexpr double slack_mm = 0.002;
 /// the second.
 constexpr double slip_share = 0.999, rest_share = 0.95;
 
-double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
-
 double allowed_gap_mm(const BladeContact& contact) noexcept {
   if (contact.gap_mm >= 0.0) return contact.gap_mm;
   return is_tooth(contact) ? 0.0 : std::min(0.0, contact.gap_mm + slack_mm);
@@ -39,7 +37,7 @@ struct Search {
     return motion.translation_mm + glm::cross(motion.rotation_rad, contact.arm_mm);
   }
   /// How far the contact moves for a load of one along the unit direction.
-  double give(const BladeContact& contact, const Vec3& direction) const noexcept {
+  double compliance(const BladeContact& contact, const Vec3& direction) const noexcept {
     const Vec3 lever = glm::cross(contact.arm_mm, direction);
     return 1.0 + glm::dot(lever, lever) / grip2_mm2;
   }
@@ -53,7 +51,7 @@ double relax(Search& search, const BladeContact& contact, double friction,
   const double short_mm =
       -allowed_gap_mm(contact) - glm::dot(contact.normal, search.motion_at(contact));
   const double wanted_mm =
-      std::max(0.0, normal_mm + short_mm / search.give(contact, contact.normal));
+      std::max(0.0, normal_mm + short_mm / search.compliance(contact, contact.normal));
   const double pushed_mm = wanted_mm - normal_mm;
   normal_mm = wanted_mm;
   search.push(contact, pushed_mm * contact.normal);
@@ -63,12 +61,12 @@ double relax(Search& search, const BladeContact& contact, double friction,
   const double arm2_mm2 = glm::dot(contact.arm_mm, contact.arm_mm);
   Vec3 held = tangential_mm - across / (1.0 + arm2_mm2 / search.grip2_mm2);
   held -= glm::dot(held, contact.normal) * contact.normal;
-  const double most_mm = friction * normal_mm, length = length_mm(held);
+  const double most_mm = friction * normal_mm, length = length_of(held);
   if (length > most_mm) held *= length > 0.0 ? most_mm / length : 0.0;
   const Vec3 more_mm = held - tangential_mm;
   tangential_mm = held;
   search.push(contact, more_mm);
-  return std::abs(pushed_mm) + length_mm(more_mm);
+  return std::abs(pushed_mm) + length_of(more_mm);
 }
 
 /// Points that touch nothing bear nothing.
@@ -127,7 +125,7 @@ ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact>
     if (is_tooth(contact)) result.tooth_mm += normal_mm * contact.normal + tangential_mm;
   }
   const double limit = load.slides ? rest_share : slip_share;
-  load.slides = result.normal_mm > 0.0 && length_mm(held_mm) >= limit * most_mm;
+  load.slides = result.normal_mm > 0.0 && length_of(held_mm) >= limit * most_mm;
   return result;
 }
 

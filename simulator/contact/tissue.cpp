@@ -9,11 +9,6 @@ namespace {
 /// Thicker than any bone: without a law all of it is cortical.
 constexpr double all_cortical_mm = 1.0e6;
 
-double distance_mm(const Vec3& a, const Vec3& b) noexcept {
-  const Vec3 way = a - b;
-  return std::sqrt(glm::dot(way, way));
-}
-
 }  // namespace
 
 TissueMap::TissueMap(const Bone& bone) : outer_(bone.outer), cortex_(bone.cortex) {
@@ -27,7 +22,7 @@ double TissueMap::clearance_mm(const Vec3& point_in_bone_mm) const noexcept {
 Tissue TissueMap::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   const double cortex_mm =
       cortex_ ? cortex_thickness_mm(*cortex_, point_in_bone_mm.x) : all_cortical_mm;
-  const double moved_mm = distance_mm(point_in_bone_mm, memory.outer_asked_mm);
+  const double moved_mm = length_of(point_in_bone_mm - memory.outer_asked_mm);
   const auto is_settled = [&](double threshold_mm) {
     return std::abs(memory.clearance_mm - threshold_mm) > moved_mm;
   };
@@ -45,7 +40,7 @@ Tissue TissueMap::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const n
 
 bool TissueMap::is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   if (!canal_) return false;
-  const double moved_mm = distance_mm(point_in_bone_mm, memory.canal_asked_mm);
+  const double moved_mm = length_of(point_in_bone_mm - memory.canal_asked_mm);
   if (!memory.knows_canal || std::abs(memory.canal_mm) <= moved_mm) {
     // The canal's shell faces inward: outside of it, seen as a solid, is the bone around the
     // marrow.

@@ -1,3 +1,8 @@
+/// In its kerf the blade has three freedoms that the step solves one after the other: it turns and
+/// shifts in the plane until an edge meets bone, advances by the feed law, and bends a little out
+/// of the plane under the hand. Each is walked in small steps from the pose before, so the blade
+/// never lies in bone that stands and no wall is jumped, however fast the hand is. A spring is
+/// pulled by what is left of the way; friction holds part of that pull back.
 #include "simulator/contact/tool_in_kerf.h"
 
 #include <algorithm>
@@ -29,14 +34,6 @@ constexpr double drawn_back_limit_mm = 1.0;
 /// out aslant.
 constexpr double behind_far_side_mm = 1.0;
 
-Vec3 axis_x(const RigidTransform& to_from_tool) noexcept {
-  return transform_direction(to_from_tool, Vec3{1.0, 0.0, 0.0});
-}
-
-Vec3 axis_z(const RigidTransform& to_from_tool) noexcept {
-  return transform_direction(to_from_tool, Vec3{0.0, 0.0, 1.0});
-}
-
 RigidTransform moved(const RigidTransform& pose, const Vec3& by_mm) noexcept {
   return {pose.rotation, pose.translation_mm + by_mm};
 }
@@ -52,7 +49,7 @@ double comply(double deviation, double play, double share) noexcept {
 /// their way, and how far until the collar stands on the bone.
 struct Push {
   double wanted_mm = 0.0;
-  double reach_mm = 0.0;
+  double travel_limit_mm = 0.0;
   double room_mm = 0.0;
 };
 
@@ -62,7 +59,7 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
             const RemainingTissue& bone, const ContactSettings& settings, TeethMemory& teeth,
             ToolOutcome& outcome) noexcept {
   const Vec3 ahead = axis_x(bone_from_tool);
-  const double free_mm = std::min({push.wanted_mm, push.reach_mm, push.room_mm});
+  const double free_mm = std::min({push.wanted_mm, push.travel_limit_mm, push.room_mm});
   double done_mm = 0.0;
   for (int i = 0; i == 0 || (i < walk_steps && done_mm < free_mm); ++i) {
     outcome.engaged = engagement(bone_from_tool, bone, probe_ahead_mm, teeth);
@@ -89,7 +86,7 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
 /// as stretch of the spring.
 Vec2 after_friction(const Vec2& pull_mm, double push_mm, const ContactSettings& settings,
                     bool& slides) noexcept {
-  const double length_mm = std::sqrt(glm::dot(pull_mm, pull_mm));
+  const double length_mm = length_of(pull_mm);
   const double hold_mm = settings.friction * push_mm;
   const double slide_mm = settings.kinetic_ratio * hold_mm;
   slides = length_mm > (slides ? rest_share * slide_mm : hold_mm);
@@ -156,11 +153,12 @@ double towards(double from, double to, double step) noexcept {
 }
 
 /// From one bend towards another; no point of the blade goes further by any of the three.
-Bend bent_towards(const Bend& from, const Bend& to, double reach_mm, double depth_mm) noexcept {
-  const double reach_rad = reach_mm / depth_mm;
-  return {towards(from.out_mm, to.out_mm, reach_mm),
-          towards(from.tilt_x_rad, to.tilt_x_rad, reach_rad),
-          towards(from.tilt_y_rad, to.tilt_y_rad, reach_rad)};
+Bend bent_towards(const Bend& from, const Bend& to, double travel_limit_mm,
+                  double depth_mm) noexcept {
+  const double turn_limit_rad = travel_limit_mm / depth_mm;
+  return {towards(from.out_mm, to.out_mm, travel_limit_mm),
+          towards(from.tilt_x_rad, to.tilt_x_rad, turn_limit_rad),
+          towards(from.tilt_y_rad, to.tilt_y_rad, turn_limit_rad)};
 }
 
 /// The pose in the kerf's frame from its planar part and its bend.
@@ -195,24 +193,24 @@ struct Steps {
   int count = 1;
   double share = 1.0;
 };
-Steps steps_of(double way, double step, double reach) noexcept {
-  const int count = std::clamp(static_cast<int>(std::min(way, reach) / step) + 1, 1, walk_steps);
-  return {count, std::min({1.0, reach / way, count * step / way}) / count};
+Steps steps_of(double way, double step, double limit) noexcept {
+  const int count = std::clamp(static_cast<int>(std::min(way, limit) / step) + 1, 1, walk_steps);
+  return {count, std::min({1.0, limit / way, count * step / way}) / count};
 }
 
 /// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would
 /// meet bone.
-void turn_aside(PlanarPose& planar, const Vec2& wanted, double reach_mm, const KerfPlane& plane,
-                const RemainingTissue& bone, TeethMemory& teeth) noexcept {
-  const double turn = planar.direction.x * wanted.y - planar.direction.y * wanted.x;
+void turn_aside(PlanarPose& planar, const Vec2& wanted, double travel_limit_mm,
+                const KerfPlane& plane, const RemainingTissue& bone, TeethMemory& teeth) noexcept {
+  const double turn = cross(planar.direction, wanted);
   if (std::abs(turn) < turn_worth_asking) return;
   const double depth_mm = bone.kerfs.blade().depth_mm;
   const auto [steps, share] =
-      steps_of(std::abs(turn), walk_step_mm / depth_mm, reach_mm / depth_mm);
+      steps_of(std::abs(turn), walk_step_mm / depth_mm, travel_limit_mm / depth_mm);
   const Vec2 from = planar.direction;
   for (int i = 1; i <= steps; ++i) {
     const Vec2 sum = from + (share * i) * (wanted - from);
-    const double length = std::sqrt(glm::dot(sum, sum));
+    const double length = length_of(sum);
     if (!(length > 0.5)) return;  // about to turn round: no way to go is shorter
     const PlanarPose turned{planar.tip_mm, sum / length};
     const RigidTransform pose = flat_pose(plane, turned);
@@ -224,13 +222,13 @@ void turn_aside(PlanarPose& planar, const Vec2& wanted, double reach_mm, const K
 }
 
 /// Shifts the blade along its tooth line, step by step, until the edge in front would meet bone.
-void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double reach_mm,
+void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double travel_limit_mm,
                  const KerfPlane& plane, const RemainingTissue& bone) noexcept {
   const Vec2 along{-planar.direction.y, planar.direction.x};
   const double shift_mm = glm::dot(wanted_tip_mm - planar.tip_mm, along);
   if (std::abs(shift_mm) < shift_worth_asking_mm) return;
   const double side = shift_mm < 0.0 ? -1.0 : 1.0;
-  double left_mm = std::min(std::abs(shift_mm), reach_mm);
+  double left_mm = std::min(std::abs(shift_mm), travel_limit_mm);
   for (int i = 0; i < walk_steps && left_mm > 0.0; ++i) {
     const double step_mm = std::min(walk_step_mm, left_mm);
     const PlanarPose shifted{planar.tip_mm + (side * step_mm) * along, planar.direction};
@@ -249,8 +247,7 @@ double collar_room_mm(const RigidTransform& bone_from_tool, const RemainingTissu
   for (SurfaceMemory& known : memory) {
     const Vec3 point_mm =
         transform_point(bone_from_tool, Vec3{-blade.depth_mm, side * blade.width_mm, 0.0});
-    const Vec3 way_mm = point_mm - known.asked_mm;
-    double least_mm = known.clearance_mm - std::sqrt(glm::dot(way_mm, way_mm));
+    double least_mm = known.clearance_mm - length_of(point_mm - known.asked_mm);
     if (!known.is_known || least_mm < enough_mm) {
       least_mm = bone.original.clearance_mm(point_mm);
       known = {point_mm, least_mm, true};
@@ -305,7 +302,8 @@ std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const Remaini
 }  // namespace
 
 void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept {
+                  const ContactSettings& settings, double travel_limit_mm,
+                  ToolOutcome& outcome) noexcept {
   const KerfPlane& plane = bone.kerfs.plane(tool.kerf);
   const RigidTransform kerf_from_handle =
       bone.kerfs.kerf_from_bone(tool.kerf) * input.bone_from_handle;
@@ -316,22 +314,22 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue
   const double push_mm = std::abs(held_mm - bent_aside_mm(held_mm, settings));
   const Vec2 target_mm =
       planar.tip_mm + after_friction(wanted.tip_mm - planar.tip_mm, push_mm, settings, tool.slides);
-  turn_aside(planar, wanted.direction, reach_mm, plane, bone, tool.teeth);
-  shift_aside(planar, target_mm, reach_mm, plane, bone);
+  turn_aside(planar, wanted.direction, travel_limit_mm, plane, bone, tool.teeth);
+  shift_aside(planar, target_mm, travel_limit_mm, plane, bone);
 
   const double forward_mm = glm::dot(target_mm - planar.tip_mm, planar.direction);
   RigidTransform flat = flat_pose(plane, planar);
-  double fed_mm = std::max(forward_mm, -reach_mm);
+  double fed_mm = std::max(forward_mm, -travel_limit_mm);
   if (forward_mm >= 0.0) {
-    const double room_mm = collar_room_mm(flat, bone, reach_mm + walk_step_mm, tool.collar);
-    const Push push{forward_mm, reach_mm, room_mm};
+    const double room_mm = collar_room_mm(flat, bone, travel_limit_mm + walk_step_mm, tool.collar);
+    const Push push{forward_mm, travel_limit_mm, room_mm};
     fed_mm = feed(flat, push, input, bone, settings, tool.teeth, outcome);
   }
   planar.tip_mm += fed_mm * planar.direction;
   const Bend wanted_bend = bend_under(deviation(planar, kerf_from_handle), settings);
   tool.bone_from_tool =
-      plane.bone_from_kerf *
-      bent_pose(planar, bent_towards(bend, wanted_bend, reach_mm, bone.kerfs.blade().depth_mm));
+      plane.bone_from_kerf * bent_pose(planar, bent_towards(bend, wanted_bend, travel_limit_mm,
+                                                            bone.kerfs.blade().depth_mm));
 
   outcome.broke_through = breaks_through(tool, outcome.engaged.width_mm() > 0.0, fed_mm,
                                          flat_pose(plane, planar), bone);
@@ -347,7 +345,7 @@ std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const Remai
   for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
     const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * bone_from_tool;
     const Vec3 normal = axis_z(kerf_from_tool);
-    const double tilt_sine = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    const double tilt_sine = length_of(Vec2{normal.x, normal.y});
     const double offset_mm = std::abs(kerf_from_tool.translation_mm.z);
     if (normal.z <= 0.0 || tilt_sine > settings.capture_angle_rad) continue;
     if (tilt_sine <= settings.rejoin_angle_rad && offset_mm <= settings.rejoin_offset_mm)

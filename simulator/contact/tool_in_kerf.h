@@ -7,8 +7,10 @@
 
 namespace hallux::simulator {
 
-/// Moves the tool along the kerf's plane; through air, open kerf and aside by at most `reach_mm`.
+/// Moves the tool along the kerf's plane; through air, open kerf and aside by at most
+/// `travel_limit_mm`.
 void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept;
+                  const ContactSettings& settings, double travel_limit_mm,
+                  ToolOutcome& outcome) noexcept;
 
 }  // namespace hallux::simulator

@@ -12,24 +12,24 @@ namespace hallux::simulator {
 namespace {
 
 /// No tool goes further in one tick: that of a faster hand comes after it.
-constexpr double reach_limit_mm = 1.5;
+constexpr double tick_travel_limit_mm = 1.5;
 
 /// How far the tool may go. A tool that bone holds, or held until now, comes after the hand at no
 /// more than the speed of giving way; one in air follows at once.
-double reach_mm(ToolState& tool, const ToolInput& input, const Blade& blade,
-                const ContactSettings& settings) noexcept {
+double travel_limit_mm(ToolState& tool, const ToolInput& input, const Blade& blade,
+                       const ContactSettings& settings) noexcept {
   const ProxyMotion hand = motion_between(tool.bone_from_handle, input.bone_from_handle);
   const bool is_free = tool.stage == ToolStage::Free && !tool.is_held;
   const double follows_mm = reach_of(hand, blade) + settings.release_speed_mm_s * input.duration_s;
   const bool is_gentle = tool.knows_handle && !is_free;
   tool.bone_from_handle = input.bone_from_handle;
   tool.knows_handle = true;
-  return is_gentle ? std::min(reach_limit_mm, follows_mm) : reach_limit_mm;
+  return is_gentle ? std::min(tick_travel_limit_mm, follows_mm) : tick_travel_limit_mm;
 }
 
 /// The part of a force or torque that is within its limit.
 double share_within(const Vec3& value, double limit) noexcept {
-  const double size = std::sqrt(glm::dot(value, value));
+  const double size = length_of(value);
   return size > limit ? limit / size : 1.0;
 }
 
@@ -103,8 +103,7 @@ void kick_hand(ToolState& tool, const ToolInput& input, const RemainingTissue& b
   tool.kick.saw_ran = input.saw_runs;
   const double newton = kick_newton(tool.kick, input.duration_s);
   if (!(std::abs(newton) > 0.0)) return;
-  const Vec3 along_teeth = transform_direction(tool.bone_from_tool, Vec3{0.0, 1.0, 0.0});
-  push_hand(newton * along_teeth, settings, outcome);
+  push_hand(newton * axis_y(tool.bone_from_tool), settings, outcome);
 }
 
 }  // namespace
@@ -112,11 +111,11 @@ void kick_hand(ToolState& tool, const ToolInput& input, const RemainingTissue& b
 ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
                       const ContactSettings& settings) noexcept {
   ToolOutcome outcome;
-  const double reach = reach_mm(tool, input, bone.kerfs.blade(), settings);
+  const double limit_mm = travel_limit_mm(tool, input, bone.kerfs.blade(), settings);
   if (tool.stage == ToolStage::InKerf) {
-    move_in_kerf(tool, input, bone, settings, reach, outcome);
+    move_in_kerf(tool, input, bone, settings, limit_mm, outcome);
   } else {
-    move_outside(tool, input, bone, settings, reach, outcome);
+    move_outside(tool, input, bone, settings, limit_mm, outcome);
     if (outcome.began_contact) {
       const std::int32_t kerf = find_kerf_to_join(tool.bone_from_tool, bone, settings);
       if (kerf >= 0) enter_kerf(tool, kerf);

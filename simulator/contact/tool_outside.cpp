@@ -1,3 +1,7 @@
+/// Outside a kerf the tool is a proxy (proxy.h). A tick's way is gone in parts of a quarter of a
+/// millimetre near bone, with contacts looked for anew in each; in one part a fast hand would slide
+/// around an edge that it should have met. Teeth that run advance by the feed law of what they
+/// alone bear, and a touch that goes deep enough asks for a kerf.
 #include "simulator/contact/tool_outside.h"
 
 #include <algorithm>
@@ -18,8 +22,6 @@ constexpr double leave_mm = 0.1;
 constexpr double on_surface_mm = 0.01;
 /// A spring stretched by less is slack.
 constexpr double slack_mm = 0.001;
-
-double length_mm(const Vec3& way) noexcept { return std::sqrt(glm::dot(way, way)); }
 
 ProxyMotion scaled(const ProxyMotion& motion, double share) noexcept {
   return {share * motion.translation_mm, share * motion.rotation_rad};
@@ -54,14 +56,14 @@ void move_contacts(BladeContacts& contacts, const ProxyMotion& motion) noexcept 
 }
 
 Walk walk(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-          const ContactSettings& settings, double reach_mm) noexcept {
+          const ContactSettings& settings, double travel_limit_mm) noexcept {
   const double grip_mm =
       std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
   const ProxyFriction friction{settings.friction, settings.kinetic_ratio,
                                input.saw_runs ? settings.tooth_friction : settings.friction};
   const Blade& blade = bone.kerfs.blade();
   Walk walked;
-  double left_mm = reach_mm;
+  double left_mm = travel_limit_mm;
   for (int part = 0; part < part_limit; ++part) {
     const ProxyMotion wanted = motion_between(tool.bone_from_tool, input.bone_from_handle);
     const double look_mm = std::max(part_mm, std::min(left_mm, reach_of(wanted, blade)));
@@ -99,7 +101,7 @@ double room_ahead_mm(const BladeContacts& contacts, const Vec3& ahead, double wa
 double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
                   const ContactSettings& settings, ToolOutcome& outcome) noexcept {
   if (!input.saw_runs || tool.is_refused) return 0.0;
-  const Vec3 ahead = transform_direction(tool.bone_from_tool, Vec3{1.0, 0.0, 0.0});
+  const Vec3 ahead = axis_x(tool.bone_from_tool);
   const double force_newton =
       std::min(settings.force_limit_newton,
                -settings.coupling_newton_per_mm * glm::dot(walked.proxy.tooth_mm, ahead));
@@ -141,12 +143,13 @@ void go_on_touching(ToolState& tool, const ToolInput& input, const Walk& walked,
 }  // namespace
 
 double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept {
-  return length_mm(motion.translation_mm) + blade.depth_mm * length_mm(motion.rotation_rad);
+  return length_of(motion.translation_mm) + blade.depth_mm * length_of(motion.rotation_rad);
 }
 
 void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept {
-  const Walk walked = walk(tool, input, bone, settings, reach_mm);
+                  const ContactSettings& settings, double travel_limit_mm,
+                  ToolOutcome& outcome) noexcept {
+  const Walk walked = walk(tool, input, bone, settings, travel_limit_mm);
   outcome.engaged = engagement(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth);
   const bool is_pushed = walked.proxy.normal_mm > 0.0 || tool.stage == ToolStage::Touching;
   const ProxyMotion left = motion_between(tool.bone_from_tool, input.bone_from_handle);

@@ -11,8 +11,9 @@ namespace hallux::simulator {
 /// The way of the blade's points in a motion, at most [mm].
 double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept;
 
-/// Moves the tool by at most `reach_mm`. In Touching running teeth are fed into the bone.
+/// Moves the tool by at most `travel_limit_mm`. In Touching running teeth are fed into the bone.
 void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
-                  const ContactSettings& settings, double reach_mm, ToolOutcome& outcome) noexcept;
+                  const ContactSettings& settings, double travel_limit_mm,
+                  ToolOutcome& outcome) noexcept;
 
 }  // namespace hallux::simulator

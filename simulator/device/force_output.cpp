@@ -12,14 +12,6 @@ namespace {
 constexpr double longest_tick_s = 0.003;
 constexpr double shortest_tick_s = 0.0005;
 
-std::uint32_t bit(ForceLimit limit) noexcept { return static_cast<std::uint32_t>(limit); }
-
-double length(const Vec3& vector) noexcept { return std::sqrt(glm::dot(vector, vector)); }
-
-bool is_finite(const Vec3& vector) noexcept {
-  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
-
 bool is_possible(const DeviceLimits& limits) noexcept {
   return limits.force_newton > 0.0 && limits.continuous_force_newton > 0.0 &&
          limits.thermal_time_s > 0.0 && limits.stiffness_newton_per_mm > 0.0 &&
@@ -36,7 +28,7 @@ DeviceForce stop(ForceOutputState& state, ForceLimit why) noexcept {
 
 /// At most `limit_newton` long, in its own direction.
 bool shorten(Vec3& force_newton, double limit_newton) noexcept {
-  const double length_newton = length(force_newton);
+  const double length_newton = length_of(force_newton);
   if (!(length_newton > limit_newton)) return false;
   force_newton *= limit_newton / length_newton;
   return true;
@@ -94,7 +86,7 @@ DeviceForce output_force(ForceOutputState& state, const ForceOutputSettings& set
   const double duration_s = std::isfinite(input.duration_s)
                                 ? std::clamp(input.duration_s, shortest_tick_s, longest_tick_s)
                                 : longest_tick_s;
-  warm(state.thermal, settings.thermal, length(state.sent_newton), duration_s);
+  warm(state.thermal, settings.thermal, length_of(state.sent_newton), duration_s);
   const bool is_sane = is_finite(input.simulated_in_world_newton) &&
                        is_finite(input.handle_in_world_mm) &&
                        is_finite(input.vibration_in_world_newton);
@@ -102,7 +94,7 @@ DeviceForce output_force(ForceOutputState& state, const ForceOutputSettings& set
   const HandleMotion motion{
       state.has_handle ? input.handle_in_world_mm - state.handle_in_world_mm : Vec3(0.0, 0.0, 0.0),
       duration_s};
-  if (!(length(motion.way_mm) <= settings.speed_limit_mm_s * duration_s)) {
+  if (!(length_of(motion.way_mm) <= settings.speed_limit_mm_s * duration_s)) {
     return stop(state, ForceLimit::TooFast);
   }
   state.handle_in_world_mm = input.handle_in_world_mm;

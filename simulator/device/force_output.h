@@ -10,6 +10,7 @@
 
 #include <cstdint>
 
+#include "simulator/base/bits.h"
 #include "simulator/device/device_limits.h"
 #include "simulator/device/passivity.h"
 #include "simulator/device/thermal_budget.h"
@@ -33,10 +34,6 @@ enum class ForceLimit : std::uint32_t {
   /// As fast as it may change.
   Slew = 1U << 6U
 };
-
-constexpr bool has(std::uint32_t bits, ForceLimit bit) noexcept {
-  return (bits & static_cast<std::uint32_t>(bit)) != 0;
-}
 
 struct ForceOutputSettings {
   /// Device newtons per simulated newton.

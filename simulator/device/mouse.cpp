@@ -1,7 +1,6 @@
 #include "simulator/device/mouse.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/units.h"
 
@@ -30,12 +29,12 @@ RigidTransform steered(const RigidTransform& world_from_target, const Quat& worl
 }
 
 RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& middle_in_world_mm,
-                           double reach_mm) noexcept {
+                           double radius_mm) noexcept {
   RigidTransform kept = world_from_target;
   const Vec3 away_mm = kept.translation_mm - middle_in_world_mm;
-  const double distance_mm = std::sqrt(glm::dot(away_mm, away_mm));
-  if (distance_mm > reach_mm) {
-    kept.translation_mm = middle_in_world_mm + reach_mm / distance_mm * away_mm;
+  const double distance_mm = length_of(away_mm);
+  if (distance_mm > radius_mm) {
+    kept.translation_mm = middle_in_world_mm + radius_mm / distance_mm * away_mm;
   }
   return kept;
 }
@@ -57,19 +56,20 @@ bool MouseDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   const std::int64_t ticks =
       tick_ < 0 ? 1 : std::clamp<std::int64_t>(tick - tick_, 1, ticks_at_most);
   tick_ = tick;
-  for (std::int64_t i = 0; i < ticks; ++i) follow(target.world_from_handle, force_in_world_newton);
+  for (std::int64_t i = 0; i < ticks; ++i)
+    pull_towards(target.world_from_handle, force_in_world_newton);
   state = {world_from_hand_, tick - heard_tick_ > silence_ticks ? 0U : target.switches};
   return true;
 }
 
 /// Semi-implicit Euler: the velocity first, then the way with the new velocity.
-void MouseDevice::follow(const RigidTransform& world_from_target,
-                         const Vec3& force_newton) noexcept {
+void MouseDevice::pull_towards(const RigidTransform& world_from_target,
+                               const Vec3& force_newton) noexcept {
   const Vec3 ahead_mm = world_from_target.translation_mm - world_from_hand_.translation_mm;
   const Vec3 sum_newton = coupling_.stiffness_newton_per_mm * ahead_mm -
                           coupling_.damping_newton_s_per_mm * velocity_mm_s_ + force_newton;
   velocity_mm_s_ += step_s * mm_per_m / coupling_.mass_kg * sum_newton;
-  const double speed_mm_s = std::sqrt(glm::dot(velocity_mm_s_, velocity_mm_s_));
+  const double speed_mm_s = length_of(velocity_mm_s_);
   if (speed_mm_s > coupling_.speed_limit_mm_s) {
     velocity_mm_s_ *= coupling_.speed_limit_mm_s / speed_mm_s;
   }

@@ -43,12 +43,12 @@ struct PointerMotion {
 inline constexpr double fine_share = 0.2;
 
 /// The target after that motion, seen by one whose view has these axes (x right, y up, z to the
-/// person). It turns about the middle of the tooth line and stays within `reach_mm` of `middle_mm`.
+/// person). It turns about the middle of the tooth line.
 RigidTransform steered(const RigidTransform& world_from_target, const Quat& world_from_view,
                        const PointerMotion& motion);
-/// Kept within a ball, so that nobody loses the saw behind the picture's edge.
+/// Kept within a ball of `radius_mm`, so that nobody loses the saw behind the picture's edge.
 RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& middle_in_world_mm,
-                           double reach_mm) noexcept;
+                           double radius_mm) noexcept;
 
 class MouseDevice final : public SteeredDevice {
  public:
@@ -61,7 +61,7 @@ class MouseDevice final : public SteeredDevice {
                 RawDeviceState& state) noexcept override;
 
  private:
-  void follow(const RigidTransform& world_from_target, const Vec3& force_newton) noexcept;
+  void pull_towards(const RigidTransform& world_from_target, const Vec3& force_newton) noexcept;
 
   struct Target {
     RawDeviceState state;

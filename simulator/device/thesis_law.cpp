@@ -1,7 +1,6 @@
 #include "simulator/device/thesis_law.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/units.h"
 
@@ -14,11 +13,6 @@ constexpr double m_per_mm = 0.001;
 /// What reaches into the surface, as a vector; nothing where it leads away.
 Vec3 part_into(const Vec3& vector, const Vec3& normal) noexcept {
   return std::min(0.0, glm::dot(vector, normal)) * normal;
-}
-
-Vec3 within(const Vec3& force_newton, double limit_newton) noexcept {
-  const double length_newton = std::sqrt(glm::dot(force_newton, force_newton));
-  return length_newton > limit_newton ? limit_newton / length_newton * force_newton : force_newton;
 }
 
 }  // namespace
@@ -39,7 +33,7 @@ Vec3 thesis_law_force(ThesisLawState& state, const ThesisLawSettings& settings,
     const Vec3 total_newton = newton_per_mm_s * (velocity_mm_s - state.velocity_mm_s);
     force_newton -= part_into(total_newton - state.force_newton, *normal);
   }
-  state = {handle_mm, velocity_mm_s, within(force_newton, settings.force_limit_newton), 0,
+  state = {handle_mm, velocity_mm_s, shortened(force_newton, settings.force_limit_newton), 0,
            std::min(2, state.frames + 1)};
   return state.force_newton;
 }

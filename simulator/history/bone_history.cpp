@@ -1,3 +1,7 @@
+/// A kerf grows on a bone whose other kerfs stand still: so an attempt falls into stretches, one
+/// mesh each, and any moment is a stretch and a threshold of its field. Pieces and hinge are
+/// computed again by the attempt's own jobs, each at the tick whose state it saw; what was taken
+/// out is drawn no more by the triangles that lie on its body.
 #include "simulator/history/bone_history.h"
 
 #include <algorithm>
@@ -78,15 +82,10 @@ BoneStretch stretch_from(BoneAtTick& bone, const std::vector<KerfGrowth>& kerfs,
   return stretch;
 }
 
-Vec3 middle_of(const IndexedMesh& mesh, const Triangle& triangle) {
-  return (mesh.points_mm[triangle[0]] + mesh.points_mm[triangle[1]] + mesh.points_mm[triangle[2]]) /
-         3.0;
-}
-
 std::vector<std::uint32_t> triangles_on(const IndexedMesh& mesh, const Bvh& body) {
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (lies_on(body, middle_of(mesh, mesh.triangles[i])))
+    if (lies_on(body, middle_of(corners_of(mesh, i))))
       found.push_back(static_cast<std::uint32_t>(i));
   }
   return found;

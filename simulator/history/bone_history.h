@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/bone/planned_bridge.h"
+#include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/field/opened_field.h"
 #include "simulator/cutting/slice/slab_slice.h"
 #include "simulator/mesh/bone.h"

@@ -1,3 +1,6 @@
+/// A moment is a patch on its stretch's mesh, built anew only where the kerf has grown since or a
+/// piece has gone. Rays are asked of what is shown, triangle by triangle: a click is not a frame,
+/// and the mesh changes with each moment.
 #include "simulator/history/bone_moment.h"
 
 #include <algorithm>
@@ -44,8 +47,7 @@ struct NearestHit {
         ++next;
         continue;
       }
-      const Triangle& triangle = mesh.triangles[i];
-      ask({mesh.points_mm[triangle[0]], mesh.points_mm[triangle[1]], mesh.points_mm[triangle[2]]});
+      ask(corners_of(mesh, i));
     }
   }
 };
@@ -116,14 +118,13 @@ void BoneMoment::leave_out_taken() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < patch_.triangles.size(); ++i) {
       const auto corners = patch_corners(mesh(), patch_, patch_.triangles[i]);
-      if (lies_on(*history_.taken[piece].body, (corners[0] + corners[1] + corners[2]) / 3.0))
-        continue;
+      if (lies_on(*history_.taken[piece].body, middle_of(corners))) continue;
       patch_.triangles[kept] = patch_.triangles[i];
-      patch_.origins[kept] = patch_.origins[i];
+      patch_.sources[kept] = patch_.sources[i];
       ++kept;
     }
     patch_.triangles.resize(kept);
-    patch_.origins.resize(kept);
+    patch_.sources.resize(kept);
   }
 }
 
@@ -156,7 +157,7 @@ Vec3 BoneMoment::moved_place(const Vec3& point_in_bone_mm) const {
   const auto off = [&](const CutSolid& half) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& point : half.mesh.points_mm)
-      least = std::min(least, glm::length(point - point_in_bone_mm));
+      least = std::min(least, length_of(point - point_in_bone_mm));
     return least;
   };
   const bool is_moved = off(history_.closed->moved) < off(history_.closed->fixed);

@@ -26,7 +26,7 @@ AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
                                  std::optional<PlannedBridge> bridge)
     : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(solid_of(bone)) {}
 
-void AttemptGeometry::follow(const CutEvent& event) {
+void AttemptGeometry::apply(const CutEvent& event) {
   if (event.kind == CutEventKind::PlaneFrozen) {
     CHECK(kerfs_.freeze(event.pose) == event.subject);
     has_risen_.push_back(1);
@@ -34,8 +34,8 @@ void AttemptGeometry::follow(const CutEvent& event) {
   if (event.kind == CutEventKind::PieceRemoved) bone_.take_out(event.subject);
 }
 
-void AttemptGeometry::follow(const ToolSample& sample) {
-  if (kerfs_.follow(sample).is_empty()) return;
+void AttemptGeometry::apply(const ToolSample& sample) {
+  if (kerfs_.apply(sample).is_empty()) return;
   has_risen_[static_cast<std::size_t>(sample.kerf)] = 1;
 }
 
@@ -58,14 +58,14 @@ std::unique_ptr<const JobResult> AttemptGeometry::run(const JobRequest& request)
   }
   CHECK(request.kerf >= 0 && request.kerf < kerfs_.count());
   if (request.kind == JobKind::Section) {
-    run_contact(*result);
+    run_section(*result);
   } else {
     run_pieces(*result);
   }
   return result;
 }
 
-void AttemptGeometry::run_contact(JobResult& result) {
+void AttemptGeometry::run_section(JobResult& result) {
   const std::int32_t kerf = result.request.kerf;
   const SolidWithTree stands = bone_.before(kerf);
   result.section_mm2 = section_area_mm2(

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/bone/planned_bridge.h"
+#include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/mesh/bone.h"
 
@@ -59,9 +59,9 @@ class AttemptGeometry {
  public:
   AttemptGeometry(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
 
-  /// Follows what the step gave out; events of a tick before its sample.
-  void follow(const CutEvent& event);
-  void follow(const ToolSample& sample);
+  /// Applies what the step gave out; events of a tick before its sample.
+  void apply(const CutEvent& event);
+  void apply(const ToolSample& sample);
   /// thread  worker, or the caller's in virtual time
   std::unique_ptr<const JobResult> run(const JobRequest& request);
 
@@ -73,11 +73,11 @@ class AttemptGeometry {
   /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none),
   /// for a display that shows that one's cut on it. Nothing where a piece that was taken out would
   /// hang on the bone again.
-  /// thread  the one that follows
+  /// thread  the one that applies
   std::optional<CutSolid> solid_without(std::int32_t kerf);
 
  private:
-  void run_contact(JobResult& result);
+  void run_section(JobResult& result);
   void run_pieces(JobResult& result);
   /// Opens the bone's kerfs as far as the fields are open now.
   void bring_up_to_date();
@@ -85,7 +85,7 @@ class AttemptGeometry {
   KerfSet kerfs_;
   std::optional<PlannedBridge> bridge_;
   CutBone bone_;
-  /// Per kerf: its field rose since the bone followed it.
+  /// Per kerf: its field rose since the bone was opened as far.
   std::vector<std::uint8_t> has_risen_;
 };
 

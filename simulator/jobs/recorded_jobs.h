@@ -10,7 +10,7 @@
 namespace hallux::simulator {
 
 struct RecordedJob {
-  /// As the step asked for it; the kerf is known of Contact alone.
+  /// As the step asked for it; the kerf is known of Section alone.
   JobRequest request;
   /// When its result entered the step.
   std::int64_t applied_tick = 0;

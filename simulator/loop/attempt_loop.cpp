@@ -1,3 +1,8 @@
+/// One line of the tape at a time: read the device, add commands and ready jobs, step, give the
+/// device its force, hand on what came out. In real time each line has a deadline of its own; ticks
+/// that were missed go into the next line, and beyond three of them, or where a ring is nearly
+/// full, the attempt pauses instead of jumping on. In virtual time the loop waits for room. Nothing
+/// here decides about bone: the same tape gives the same outputs without this file.
 #include "simulator/loop/attempt_loop.h"
 
 #include <algorithm>
@@ -17,8 +22,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds tick_time{1};
-/// Beyond this many ticks in one line the attempt pauses instead of jumping on.
-constexpr std::int64_t ticks_per_line = 3;
 constexpr std::int64_t ticks_per_progress = 512;
 /// While it waits for room, each of them a tick long.
 constexpr std::int64_t rests_per_progress = 100;
@@ -73,8 +76,8 @@ class AttemptRun {
     }
     const SimulationSetup& simulated = setup.simulation;
     if (setup.pacing == Pacing::RealTime) {
-      own_jobs_ = std::make_unique<ThreadedJobs>(simulated.bone, simulated.saw.blade,
-                                                 setup.job_delay, simulated.bridge);
+      own_jobs_ =
+          std::make_unique<ThreadedJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
     } else {
       own_jobs_ =
           std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
@@ -99,7 +102,7 @@ class AttemptRun {
     } catch (...) {
       failure = std::current_exception();
     }
-    device_.let_go();
+    device_.release();
     if (simulation_.is_over()) statistics_.end = AttemptEnd::Finished;
     channels_.closed.store(true, std::memory_order_release);
     if (setup_.watch != nullptr) close_watch();
@@ -130,7 +133,7 @@ class AttemptRun {
   }
 
   void tell_progress() {
-    if (setup_.pacing == Pacing::RealTime) clocks_.see(read_clocks());
+    if (setup_.pacing == Pacing::RealTime) clocks_.observe(read_clocks());
     if (progress_ && !progress_(fraction_done())) statistics_.end = AttemptEnd::Cancelled;
   }
 
@@ -142,7 +145,8 @@ class AttemptRun {
 
   void summarise() {
     statistics_.ticks = tick_;
-    statistics_.unseen_us = std::chrono::duration_cast<std::chrono::microseconds>(unseen_).count();
+    statistics_.unsampled_us =
+        std::chrono::duration_cast<std::chrono::microseconds>(unsampled_).count();
     statistics_.clock_steps = clocks_.steps();
     step_times_.summarise(statistics_.step_p50_us, statistics_.step_p99_us,
                           statistics_.step_max_us);
@@ -157,7 +161,7 @@ class AttemptRun {
     late_times_.add(late);
     late_max_us_ = std::max(late_max_us_, microseconds(late));
     const std::int64_t missed = late / tick_time;
-    if (missed >= ticks_per_line || must_wait()) return pause_gap();
+    if (missed >= ticks_per_line_max || must_wait()) return pause_gap();
     deadline_ += tick_time * (1 + missed);
     statistics_.missed_ticks += missed;
     return 1 + missed;
@@ -213,20 +217,20 @@ class AttemptRun {
   std::int64_t pause_gap() {
     ++statistics_.pauses;
     is_gap_ = true;
-    device_.let_go();
+    device_.release();
     Clock::duration for_storage{};
     for (std::int64_t rests = 1; must_wait() && !is_cut_short(); ++rests) {
       const Clock::time_point before = Clock::now();
       const bool is_for_storage = is_storage_full();
       show_storage(is_for_storage);
       std::this_thread::sleep_for(tick_time);
-      device_.let_go();
+      device_.release();
       if (is_for_storage) for_storage += Clock::now() - before;
       if (rests % rests_per_progress == 0) tell_progress();
     }
     show_storage(false);
     const Clock::time_point now = Clock::now();
-    unseen_ += now - deadline_ - for_storage;
+    unsampled_ += now - deadline_ - for_storage;
     deadline_ = now + tick_time;
     return 1;
   }
@@ -250,15 +254,15 @@ class AttemptRun {
     const StepOutput output = simulation_.step({line, results});
     step_times_.add(Clock::now() - before);
 
-    device_.give(output, ticks);
-    if (setup_.attempt_operator != nullptr) setup_.attempt_operator->see(output);
+    device_.set_force(output, ticks);
+    if (setup_.attempt_operator != nullptr) setup_.attempt_operator->observe(output);
     statistics_.force_limits |= device_.limits();
     const bool is_running = has(output.sample.status, ToolStatus::Running);
     if (line.device.faults != 0 && is_running) statistics_.faulted_ticks += ticks;
     push(channels_.tape, line);
     for (const CutEvent& event : output.events) push(channels_.events, event);
     push(channels_.samples, output.sample);
-    CHECK(jobs_->follow(output));
+    CHECK(jobs_->apply(output));
     tick_ += ticks;
     ++statistics_.lines;
     if (setup_.watch != nullptr) show(output);
@@ -318,7 +322,7 @@ class AttemptRun {
   LoopView view_;
   double late_max_us_ = 0.0;  ///< since the view showed it last
   Clock::time_point deadline_;
-  Clock::duration unseen_{};  ///< that the hand moved in gaps
+  Clock::duration unsampled_{};  ///< that the hand moved in gaps
   ClockWatch clocks_;
   std::int64_t tick_ = 0;
   std::size_t next_command_ = 0;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "simulator/base/progress.h"
@@ -31,8 +30,6 @@ struct AttemptSetup {
   std::vector<HandCommand> commands = {};
   /// The attempt ends after this tick, or after Finish.
   std::int64_t last_tick = 0;
-  /// RealTime only.
-  JobDelay job_delay = {};
   /// Of somebody who operates live; outlives the attempt.
   AttemptWatch* watch = nullptr;
   /// What an arm is made to feel; nothing else.
@@ -57,7 +54,7 @@ struct LoopStatistics {
   /// RealTime: gaps beyond three ticks, a full ring or disk.
   std::int64_t pauses = 0;
   /// RealTime: how long they took, waiting for a full disk left out.
-  std::int64_t unseen_us = 0;
+  std::int64_t unsampled_us = 0;
   /// RealTime: see ClockWatch.
   std::int64_t clock_steps = 0;
   /// With a fault of the device while the attempt's clock ran.

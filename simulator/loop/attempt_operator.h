@@ -12,7 +12,7 @@ class AttemptOperator {
 
   /// What the step has made of the line before.
   /// thread  haptic; allocates nothing
-  virtual void see(const StepOutput& output) noexcept = 0;
+  virtual void observe(const StepOutput& output) noexcept = 0;
   /// The next command for the line at hand, asked after the device of that line was read; false:
   /// none.
   virtual bool take_command(Command& command) noexcept = 0;

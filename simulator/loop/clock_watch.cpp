@@ -24,7 +24,7 @@ ClockReading read_clocks() noexcept {
   return reading;
 }
 
-void ClockWatch::see(const ClockReading& reading) noexcept {
+void ClockWatch::observe(const ClockReading& reading) noexcept {
   if (reading.paced_after - reading.paced_before > longest_reading) return;
   const std::chrono::nanoseconds apart = reading.machine - reading.paced_before;
   if (apart_ && std::chrono::abs(apart - *apart_) > least_step) ++steps_;

@@ -25,7 +25,7 @@ class ClockWatch {
   /// Counts a step where the two moved apart by more than 10 ms since the reading before. A reading
   /// that took longer than a millisecond (the thread was put aside meanwhile) says nothing and is
   /// passed over.
-  void see(const ClockReading& reading) noexcept;
+  void observe(const ClockReading& reading) noexcept;
   std::int64_t steps() const noexcept { return steps_; }
 
  private:

@@ -1,7 +1,6 @@
 #include "simulator/loop/device_link.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
@@ -50,7 +49,7 @@ DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcep
   return watchdog_.judge(came, raw, ticks);
 }
 
-void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
+void DeviceLink::set_force(const StepOutput& output, std::int64_t ticks) noexcept {
   const ToolSample& sample = output.sample;
   const Vec3 simulated_newton = simulator::force_newton(sample);
   if (!settings_) {
@@ -66,7 +65,7 @@ void DeviceLink::give(const StepOutput& output, std::int64_t ticks) noexcept {
                                ? thesis_law_newton(simulated_newton, is_touching, ticks)
                                : simulated_newton;
   const double duration_s = static_cast<double>(ticks) * step_s;
-  const double push_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
+  const double push_newton = length_of(simulated_newton);
   force_ = output_force(
       output_, *settings_,
       {felt_newton, watchdog_.last_good().translation_mm,
@@ -86,14 +85,13 @@ Vec3 DeviceLink::vibration_newton(const StepOutput& output, double push_newton, 
         cutting_watt(output.engaged, saw_.blade.kerf_mm,
                      feed_rate_mm_s(output.engaged, push_newton, saw_, bone_quality_));
   }
-  const Vec3 along_teeth =
-      transform_direction(transform_from(sample.world_from_tool), Vec3(0.0, 1.0, 0.0));
+  const Vec3 along_teeth = axis_y(transform_from(sample.world_from_tool));
   return vibration_scale_ * vibrate(vibration_, input) * along_teeth;
 }
 
 Vec3 DeviceLink::thesis_law_newton(const Vec3& simulated_newton, bool is_touching,
                                    std::int64_t ticks) noexcept {
-  const double touch_newton = std::sqrt(glm::dot(simulated_newton, simulated_newton));
+  const double touch_newton = length_of(simulated_newton);
   std::optional<Vec3> normal;
   if (is_touching && touch_newton > least_touch_newton) normal = simulated_newton / touch_newton;
   const ThesisLawSettings settings{.force_limit_newton = settings_->force_newton};
@@ -101,7 +99,7 @@ Vec3 DeviceLink::thesis_law_newton(const Vec3& simulated_newton, bool is_touchin
   return thesis_law_force(thesis_law_, settings, handle_mm, normal, ticks) / settings_->scale;
 }
 
-void DeviceLink::let_go() noexcept {
+void DeviceLink::release() noexcept {
   if (!settings_) return;
   force_ = output_force(output_, *settings_, {.is_live = false});
   RawDeviceState ignored;

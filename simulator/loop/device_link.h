@@ -35,7 +35,7 @@ class DeviceLink {
   /// stiffness.
   DeviceLink(HapticDevice& device, const SimulationSetup& simulated,
              ForceLaw law = ForceLaw::Simulated);
-  ~DeviceLink() { let_go(); }
+  ~DeviceLink() { release(); }
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
 
@@ -44,10 +44,10 @@ class DeviceLink {
   /// thread  haptic; allocates nothing
   DeviceState read(std::int64_t last_tick, std::int64_t ticks) noexcept;
   /// Makes the force for the next exchange of what the step has computed of that state.
-  void give(const StepOutput& output, std::int64_t ticks) noexcept;
+  void set_force(const StepOutput& output, std::int64_t ticks) noexcept;
   /// No force from now on, said to the device at once where it has motors; what is given later
   /// begins softly.
-  void let_go() noexcept;
+  void release() noexcept;
 
   const Vec3& force_newton() const noexcept { return force_.force_in_world_newton; }
   /// Bits of ForceLimit.

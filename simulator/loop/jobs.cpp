@@ -15,9 +15,9 @@ constexpr std::chrono::microseconds idle_rest{500};
 
 }  // namespace
 
-bool ImmediateJobs::follow(const StepOutput& output) {
-  for (const CutEvent& event : output.events) geometry_.follow(event);
-  geometry_.follow(output.sample);
+bool ImmediateJobs::apply(const StepOutput& output) {
+  for (const CutEvent& event : output.events) geometry_.apply(event);
+  geometry_.apply(output.sample);
   for (const JobRequest& request : output.requests) results_.push_back(geometry_.run(request));
   return true;
 }
@@ -33,18 +33,16 @@ const JobResult* ImmediateJobs::find(std::int32_t job) const noexcept {
   return nullptr;
 }
 
-ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay,
+ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade,
                            std::optional<PlannedBridge> bridge)
     : geometry_(bone, blade, bridge),
-      delay_(delay),
-      random_(delay.seed),
       feed_(feed_capacity),
       ready_(ready_capacity),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 ThreadedJobs::~ThreadedJobs() = default;
 
-bool ThreadedJobs::follow(const StepOutput& output) {
+bool ThreadedJobs::apply(const StepOutput& output) {
   bool has_room = true;
   for (const CutEvent& event : output.events) has_room = feed_.push(event) && has_room;
   has_room = feed_.push(output.sample) && has_room;
@@ -59,15 +57,6 @@ const JobResult* ThreadedJobs::take_ready() noexcept {
   return ready_.pop(result) ? result : nullptr;
 }
 
-void ThreadedJobs::wait_for_delay(const std::stop_token& stop) {
-  if (delay_.limit_ms <= 0) return;
-  auto left = std::chrono::milliseconds{
-      static_cast<std::int64_t>(random_.uniform() * static_cast<double>(delay_.limit_ms))};
-  for (; left.count() > 0 && !stop.stop_requested(); left -= std::chrono::milliseconds{1}) {
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  }
-}
-
 std::exception_ptr ThreadedJobs::failure() const noexcept {
   return has_failed_.load(std::memory_order_acquire) ? thrown_ : nullptr;
 }
@@ -77,7 +66,7 @@ void ThreadedJobs::work(const std::stop_token& stop) {
     Feed feed;
     while (!stop.stop_requested()) {
       if (feed_.pop(feed)) {
-        take_in(feed, stop);
+        apply(feed, stop);
       } else {
         std::this_thread::sleep_for(idle_rest);
       }
@@ -88,13 +77,12 @@ void ThreadedJobs::work(const std::stop_token& stop) {
   }
 }
 
-void ThreadedJobs::take_in(const Feed& feed, const std::stop_token& stop) {
-  if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.follow(*sample);
-  if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.follow(*event);
+void ThreadedJobs::apply(const Feed& feed, const std::stop_token& stop) {
+  if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.apply(*sample);
+  if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.apply(*event);
   const auto* request = std::get_if<JobRequest>(&feed);
   if (request == nullptr) return;
   results_.push_back(geometry_.run(*request));
-  wait_for_delay(stop);
   while (!ready_.push(results_.back().get()) && !stop.stop_requested()) {
     std::this_thread::sleep_for(idle_rest);
   }

@@ -1,7 +1,7 @@
 /// Where jobs run: at once on the caller's thread (virtual time, replay), or on a worker beside the
 /// haptic thread. Inside this corner only.
 ///
-/// Both follow the same outputs in the same order, so the same request gives the same result; only
+/// Both apply the same outputs in the same order, so the same request gives the same result; only
 /// the tick at which it is ready differs, and that tick is recorded.
 #pragma once
 
@@ -14,7 +14,6 @@
 #include <variant>
 #include <vector>
 
-#include "simulator/base/random.h"
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/record/ring.h"
 #include "simulator/step/simulation.h"
@@ -28,7 +27,7 @@ class JobRunner {
   /// errors  std::bad_alloc where jobs run at once; none on the threaded runner, which allocates
   ///         nothing here
   /// thread  haptic
-  virtual bool follow(const StepOutput& output) = 0;
+  virtual bool apply(const StepOutput& output) = 0;
   /// What a job on another thread threw, or nothing; no job runs after it.
   virtual std::exception_ptr failure() const noexcept { return nullptr; }
   /// Whether a second's outputs still find room; without it the attempt must pause.
@@ -44,7 +43,7 @@ class ImmediateJobs final : public JobRunner {
   ImmediateJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {})
       : geometry_(bone, blade, bridge) {}
 
-  bool follow(const StepOutput& output) override;
+  bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
   const JobResult* take_ready() noexcept override;
   /// The result of that job, or null where none of that number was asked for.
@@ -57,20 +56,13 @@ class ImmediateJobs final : public JobRunner {
   std::size_t taken_ = 0;
 };
 
-/// For tests of late results: each job waits a random time up to the limit before it is ready.
-struct JobDelay {
-  std::uint64_t seed = 0;
-  std::int32_t limit_ms = 0;
-};
-
 /// Runs jobs on a thread of its own, in the order of their requests.
 class ThreadedJobs final : public JobRunner {
  public:
-  ThreadedJobs(const Bone& bone, const Blade& blade, JobDelay delay = {},
-               std::optional<PlannedBridge> bridge = {});
+  ThreadedJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
   ~ThreadedJobs() override;
 
-  bool follow(const StepOutput& output) override;
+  bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override;
   std::exception_ptr failure() const noexcept override;
   const JobResult* take_ready() noexcept override;
@@ -78,13 +70,10 @@ class ThreadedJobs final : public JobRunner {
  private:
   using Feed = std::variant<ToolSample, CutEvent, JobRequest>;
   void work(const std::stop_token& stop);
-  void take_in(const Feed& feed, const std::stop_token& stop);
-  void wait_for_delay(const std::stop_token& stop);
+  void apply(const Feed& feed, const std::stop_token& stop);
 
   /// Worker's.
   AttemptGeometry geometry_;
-  JobDelay delay_;
-  Random random_;
   /// Worker's.
   std::vector<std::unique_ptr<const JobResult>> results_;
   Ring<Feed> feed_;

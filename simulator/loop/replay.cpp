@@ -46,8 +46,8 @@ class ReplayRun {
   /// The results that the line's ApplyJob commands name; false where the tape names a job that was
   /// not asked for.
   bool find_results(const TapeLine& line, StepInput& input) {
-    const bool is_possible = line.ticks >= 1 && line.ticks <= 3 && line.tick == next_tick_ &&
-                             line.command_count <= commands_per_tick;
+    const bool is_possible = line.ticks >= 1 && line.ticks <= ticks_per_line_max &&
+                             line.tick == next_tick_ && line.command_count <= commands_per_tick;
     if (!is_possible) {
       differ(next_tick_, "the input tape does not follow on");
       return false;
@@ -79,7 +79,7 @@ class ReplayRun {
     outputs_.samples.push_back(output.sample);
     const bool is_same = at < recording_.samples.size() && recording_.samples[at] == output.sample;
     if (!is_same && result_.difference.empty()) differ(output.sample.tick, "a tool sample differs");
-    jobs_.follow(output);
+    jobs_.apply(output);
   }
 
   void compare_counts() {

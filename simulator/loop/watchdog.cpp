@@ -18,8 +18,6 @@ constexpr double least_length = 0.5, greatest_length = 2.0;
 /// transport, the motors are without force 5 ms after the first packet that did not come.
 constexpr std::int64_t late_ticks = 2;
 
-std::uint32_t bit(DeviceFault fault) noexcept { return static_cast<std::uint32_t>(fault); }
-
 /// No part that is no number gets through: its comparison is false.
 bool is_rotation(const Quat& rotation) noexcept {
   const double squared = glm::dot(rotation, rotation);
@@ -27,17 +25,15 @@ bool is_rotation(const Quat& rotation) noexcept {
 }
 
 bool is_pose(const RigidTransform& pose) noexcept {
-  return std::isfinite(pose.translation_mm.x) && std::isfinite(pose.translation_mm.y) &&
-         std::isfinite(pose.translation_mm.z) && is_rotation(pose.rotation);
+  return is_finite(pose.translation_mm) && is_rotation(pose.rotation);
 }
 
 /// Whether no hand comes from one to the other in so many ticks.
 /// needs   both is_pose
 bool is_far(const RigidTransform& from, const RigidTransform& to, std::int64_t ticks) noexcept {
   const auto count = static_cast<double>(ticks);
-  const Vec3 way_mm = to.translation_mm - from.translation_mm;
   const double limit_mm = jump_limit_mm * count;
-  if (glm::dot(way_mm, way_mm) > limit_mm * limit_mm) return true;
+  if (squared_length(to.translation_mm - from.translation_mm) > limit_mm * limit_mm) return true;
   const double half_turn_cosine = glm::dot(normalised(from.rotation), normalised(to.rotation));
   return std::abs(half_turn_cosine) < elementary::cos(0.5 * jump_limit_rad * count);
 }

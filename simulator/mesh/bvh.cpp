@@ -14,8 +14,6 @@ namespace hallux::simulator {
 
 namespace {
 
-bool is_zero(const Vec3& value) noexcept { return value == Vec3{0.0, 0.0, 0.0}; }
-
 /// Visits the leaves whose boxes are wanted. `wants(box)` and `visit(slot)` may not throw.
 template <typename Wants, typename Visit>
 void visit_leaves(const std::vector<TreeNode>& nodes, const std::vector<TreeSlot>& slots,
@@ -43,46 +41,29 @@ struct Candidate {
   const TreeSlot* slot = nullptr;
 };
 
+ClosestPoint closest_on(const TreeSlot& slot, const Vec3& point_mm) noexcept {
+  return slot.is_sliver ? closest_on_edges(slot.corner_mm, point_mm)
+                        : closest_on_triangle(slot.corner_mm, point_mm);
+}
+
 void try_slots(const TreeSlot* slot, std::uint32_t count, const Vec3& point_mm,
                Candidate& best) noexcept {
   for (const TreeSlot* const end = slot + count; slot != end; ++slot) {
-    const ClosestPoint closest = slot->is_sliver ? closest_on_edges(slot->corner_mm, point_mm)
-                                                 : closest_on_triangle(slot->corner_mm, point_mm);
+    const ClosestPoint closest = closest_on(*slot, point_mm);
     const Vec3 apart = point_mm - closest.point_mm;
     const double squared_mm2 = glm::dot(apart, apart);
     if (squared_mm2 < best.squared_mm2) best = {squared_mm2, closest, slot};
   }
 }
 
-/// The nearest triangle below the squared distance that `best` comes with; nearer boxes first.
+/// The nearest triangle below the squared distance that `best` comes with.
 void find_nearest(const std::vector<TreeNode>& nodes, const std::vector<TreeSlot>& slots,
                   const Vec3& point_mm, Candidate& best) noexcept {
-  struct Waiting {
-    std::uint32_t node;
-    double squared_mm2;
-  };
-  if (nodes.empty()) return;
-  std::array<Waiting, tree_stack_size> stack;
-  stack[0] = {0, 0.0};
-  std::size_t height = 1;
-  while (height > 0) {
-    const Waiting top = stack[--height];
-    if (!(top.squared_mm2 < best.squared_mm2)) continue;
-    const TreeNode& node = nodes[top.node];
-    const std::array<double, 2> away{squared_distance(node.box[0], point_mm),
-                                     squared_distance(node.box[1], point_mm)};
-    const std::size_t near = away[1] < away[0] ? 1 : 0;
-    for (const std::size_t side : {near, 1 - near}) {
-      if (node.count[side] > 0 && away[side] < best.squared_mm2) {
-        try_slots(slots.data() + node.child[side], node.count[side], point_mm, best);
-      }
-    }
-    for (const std::size_t side : {1 - near, near}) {
-      if (node.count[side] == 0 && away[side] < best.squared_mm2) {
-        stack[height++] = {node.child[side], away[side]};
-      }
-    }
-  }
+  walk_nearer(
+      nodes, slots, point_mm, [&](double squared_mm2) { return squared_mm2 < best.squared_mm2; },
+      [&](const TreeSlot* slot, std::uint32_t count, double) {
+        try_slots(slot, count, point_mm, best);
+      });
 }
 
 /// Whether the vertical line through the point meets the triangle, by the parity of its edges to
@@ -182,8 +163,9 @@ std::optional<NearestPoint> Bvh::nearest(const Vec3& point_mm, double within_mm)
   nearest.point_mm = best.closest.point_mm;
   const Vec3 normal = tree_->normals.at(best.slot->triangle, best.closest);
   // No normal beside slivers: there the crossings are counted.
-  nearest.is_inside =
-      is_zero(normal) ? contains(point_mm) : glm::dot(point_mm - nearest.point_mm, normal) < 0.0;
+  nearest.is_inside = normal == Vec3{0.0, 0.0, 0.0}
+                          ? contains(point_mm)
+                          : glm::dot(point_mm - nearest.point_mm, normal) < 0.0;
   return nearest;
 }
 
@@ -261,14 +243,16 @@ void Bvh::visit_near(const Vec3& point_mm, double within_mm, NearVisit visit,
                      void* context) const noexcept {
   double limit_mm2 = within_mm * within_mm;
   walk_nearer(
-      tree_->nodes, tree_->slots, limit_mm2,
-      [&](const TreeBox& box) { return squared_distance(box, point_mm); },
-      [&](const TreeSlot& slot) {
-        const ClosestPoint closest = slot.is_sliver ? closest_on_edges(slot.corner_mm, point_mm)
-                                                    : closest_on_triangle(slot.corner_mm, point_mm);
-        const NearTriangle found{slot.triangle, slot.corner_mm, closest.point_mm};
-        const double lowered_mm = visit(context, found);
-        limit_mm2 = lowered_mm < 0.0 ? -1.0 : std::min(limit_mm2, lowered_mm * lowered_mm);
+      tree_->nodes, tree_->slots, point_mm,
+      [&](double squared_mm2) { return squared_mm2 <= limit_mm2; },
+      [&](const TreeSlot* slot, std::uint32_t count, double box_mm2) {
+        for (const TreeSlot* const end = slot + count; slot != end && box_mm2 <= limit_mm2;
+             ++slot) {
+          const NearTriangle found{slot->triangle, slot->corner_mm,
+                                   closest_on(*slot, point_mm).point_mm};
+          const double lowered_mm = visit(context, found);
+          limit_mm2 = lowered_mm < 0.0 ? -1.0 : std::min(limit_mm2, lowered_mm * lowered_mm);
+        }
       });
 }
 

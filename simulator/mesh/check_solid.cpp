@@ -1,4 +1,3 @@
-#include <cmath>
 #include <string>
 
 #include "simulator/mesh/edge_pairs.h"
@@ -17,15 +16,8 @@ void check_points(const IndexedMesh& mesh, std::string_view name) {
   for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
     const Vec3& point = mesh.points_mm[i];
     if (is_usable(point.x) && is_usable(point.y) && is_usable(point.z)) continue;
-    const bool is_finite =
-        std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
     const std::string which = "point " + std::to_string(i + 1);
-    if (!is_finite) {
-      refuse_mesh(
-          name,
-          which +
-              " has a coordinate that is not a finite number; repair the mesh and export it again");
-    }
+    if (!is_finite(point)) refuse_not_finite(name, which);
     refuse_mesh(
         name,
         which + " is more than a kilometre away; export the bone in millimetres, near the origin");

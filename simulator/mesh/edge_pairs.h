@@ -1,5 +1,4 @@
 /// Which half-edge runs against which: the one question behind closedness, pseudonormals and fans.
-/// Inside this corner only.
 ///
 /// Half-edge 3 t + k runs from corner k to corner k + 1 of triangle t.
 #pragma once
@@ -37,9 +36,6 @@ EdgePairs pair_edges(const IndexedMesh& mesh);
 
 inline std::uint32_t next_in_triangle(std::uint32_t half_edge) noexcept {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
-}
-inline std::uint32_t previous_in_triangle(std::uint32_t half_edge) noexcept {
-  return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
 }
 inline std::uint32_t origin_of(const IndexedMesh& mesh, std::uint32_t half_edge) noexcept {
   return mesh.triangles[half_edge / 3][half_edge % 3];

@@ -7,11 +7,9 @@ double signed_volume_mm3(const IndexedMesh& mesh) noexcept {
   // From a point of the mesh: far from the origin the tetrahedra would be large and cancel.
   const Vec3 apex_mm = mesh.points_mm.front();
   double six_volumes_mm3 = 0.0;
-  for (const Triangle& triangle : mesh.triangles) {
-    const Vec3 a = mesh.points_mm[triangle[0]] - apex_mm;
-    const Vec3 b = mesh.points_mm[triangle[1]] - apex_mm;
-    const Vec3 c = mesh.points_mm[triangle[2]] - apex_mm;
-    six_volumes_mm3 += glm::dot(a, glm::cross(b, c));
+  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+    const auto [a, b, c] = corners_of(mesh, triangle);
+    six_volumes_mm3 += glm::dot(a - apex_mm, glm::cross(b - apex_mm, c - apex_mm));
   }
   return six_volumes_mm3 / 6.0;
 }

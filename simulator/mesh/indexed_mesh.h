@@ -21,6 +21,14 @@ struct IndexedMesh {
   friend bool operator==(const IndexedMesh&, const IndexedMesh&) = default;
 };
 
+inline std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, std::size_t triangle) noexcept {
+  const Triangle& corners = mesh.triangles[triangle];
+  return {mesh.points_mm[corners[0]], mesh.points_mm[corners[1]], mesh.points_mm[corners[2]]};
+}
+inline Vec3 middle_of(const std::array<Vec3, 3>& corners_mm) noexcept {
+  return (corners_mm[0] + corners_mm[1] + corners_mm[2]) / 3.0;
+}
+
 /// The volume enclosed by a closed mesh, negative for an inward-facing shell [mm3].
 double signed_volume_mm3(const IndexedMesh& mesh) noexcept;
 /// The name of the content: counts, coordinates bit for bit, indices.

@@ -37,6 +37,12 @@ void refuse_mesh(std::string_view name, const std::string& what) {
   throw MeshError(std::string{name} + ": " + what);
 }
 
+void refuse_not_finite(std::string_view name, const std::string& which) {
+  refuse_mesh(name, which +
+                        " has a coordinate that is not a finite number; repair the mesh and "
+                        "export it again");
+}
+
 std::string place_text(const Vec3& point_mm) {
   return tenth_text(point_mm.x) + " " + tenth_text(point_mm.y) + " " + tenth_text(point_mm.z) +
          " mm";

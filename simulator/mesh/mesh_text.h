@@ -14,6 +14,8 @@ namespace hallux::simulator {
 
 /// errors  always MeshError: "name: what"
 [[noreturn]] void refuse_mesh(std::string_view name, const std::string& what);
+/// errors  always MeshError, of a point that is no place; `which` begins the sentence
+[[noreturn]] void refuse_not_finite(std::string_view name, const std::string& which);
 /// "12.1 4.0 7.7 mm"
 std::string place_text(const Vec3& point_mm);
 /// The word as it may stand in a sentence: at most 24 characters, others than printable ones as

@@ -1,3 +1,6 @@
+/// A header is believed only as far as its file goes: counts are compared with the bytes that
+/// follow, by division, before any memory is taken for them. Elements and properties that nobody
+/// here knows are kept, so that their numbers can be passed over.
 #include "simulator/mesh/ply_header.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "simulator/mesh/read_mesh.h"
 
-#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <string>

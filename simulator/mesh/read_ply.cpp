@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -122,12 +121,7 @@ void read_vertices(const MeshSource& source, const PlyElement& element, PlyNumbe
         point[static_cast<glm::length_t>(axis)] = numbers.real(property.type);
       }
     }
-    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
-      refuse_mesh(
-          source.name,
-          "point " + std::to_string(i + 1) +
-              " has a coordinate that is not a finite number; repair the mesh and export it again");
-    }
+    if (!is_finite(point)) refuse_not_finite(source.name, "point " + std::to_string(i + 1));
     mesh.points_mm.push_back(point);
   }
 }

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -49,10 +47,8 @@ IndexedMesh parse_binary(const MeshSource& source, std::size_t count) {
       const std::size_t at = header_bytes + triangle * record_bytes + 12 + corner * 12;
       const Vec3 point{float_at(source.bytes, at), float_at(source.bytes, at + 4),
                        float_at(source.bytes, at + 8)};
-      if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
-        refuse_mesh(source.name, "triangle " + std::to_string(triangle + 1) +
-                                     " has a coordinate that is not a finite number; repair the "
-                                     "mesh and export it again");
+      if (!is_finite(point)) {
+        refuse_not_finite(source.name, "triangle " + std::to_string(triangle + 1));
       }
       corners_mm.push_back(point);
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "simulator/base/elementary.h"
 #include "simulator/mesh/edge_pairs.h"
@@ -19,15 +18,14 @@ Vec3 unit_normal_of(const std::array<Vec3, 3>& corner_mm) noexcept {
   const Vec3 ac = corner_mm[2] - corner_mm[0];
   const Vec3 bc = corner_mm[2] - corner_mm[1];
   const Vec3 normal = glm::cross(ab, ac);
-  const double longest_mm2 = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
-  const double length = std::sqrt(glm::dot(normal, normal));
+  const double longest_mm2 = std::max({squared_length(ab), squared_length(ac), squared_length(bc)});
+  const double length = length_of(normal);
   if (!(length > sliver_limit * longest_mm2)) return Vec3{0.0, 0.0, 0.0};
   return normal / length;
 }
 
 double angle_rad(const Vec3& a, const Vec3& b) noexcept {
-  const Vec3 across = glm::cross(a, b);
-  return elementary::atan2(std::sqrt(glm::dot(across, across)), glm::dot(a, b));
+  return elementary::atan2(length_of(glm::cross(a, b)), glm::dot(a, b));
 }
 
 bool is_zero(const Vec3& value) noexcept { return value == Vec3{0.0, 0.0, 0.0}; }

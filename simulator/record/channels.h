@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 
 #include "simulator/record/record.h"
 #include "simulator/record/ring.h"

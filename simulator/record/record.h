@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "simulator/base/bits.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/transform.h"
 
@@ -95,6 +96,9 @@ inline constexpr std::int32_t paused_by_operator = 0;
 inline constexpr std::int32_t paused_by_loop = 1;
 
 inline constexpr std::size_t commands_per_tick = 4;
+
+/// Beyond this many ticks in one line an attempt pauses instead of jumping on.
+inline constexpr std::int64_t ticks_per_line_max = 3;
 
 /// Everything the step may depend on at one tick; one line of the input tape.
 struct TapeLine {
@@ -223,12 +227,5 @@ std::array<std::int64_t, event_columns> columns_of(const CutEvent& event) noexce
 TapeLine tape_line_from(const std::array<std::int64_t, tape_columns>& columns) noexcept;
 ToolSample tool_sample_from(const std::array<std::int64_t, sample_columns>& columns) noexcept;
 CutEvent cut_event_from(const std::array<std::int64_t, event_columns>& columns) noexcept;
-
-constexpr bool has(std::uint32_t bits, Switch bit) noexcept {
-  return (bits & static_cast<std::uint32_t>(bit)) != 0;
-}
-constexpr bool has(std::uint32_t bits, ToolStatus bit) noexcept {
-  return (bits & static_cast<std::uint32_t>(bit)) != 0;
-}
 
 }  // namespace hallux::simulator

@@ -1,8 +1,6 @@
 /// The force of a sample in newtons.
 #pragma once
 
-#include <cmath>
-
 #include "simulator/base/units.h"
 #include "simulator/base/vector.h"
 #include "simulator/record/record.h"
@@ -16,8 +14,7 @@ inline Vec3 force_newton(const ToolSample& sample) noexcept {
 }
 
 inline double force_size_newton(const ToolSample& sample) noexcept {
-  const Vec3 newton = force_newton(sample);
-  return std::sqrt(glm::dot(newton, newton));
+  return length_of(force_newton(sample));
 }
 
 }  // namespace hallux::simulator

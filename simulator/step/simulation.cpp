@@ -1,3 +1,8 @@
+/// The order within a step is the record's: commands and results of jobs, faults, pieces that are
+/// announced, then the tool, its sample, what the sample opened, and last the effects, which have
+/// the events' room that is left. Small machines beside this file keep clock, pieces, hinge and
+/// guide; what stands here passes things between them. Work without a bound is asked for and comes
+/// back as a command some ticks later: a replay applies it at the same tick.
 #include "simulator/step/simulation.h"
 
 #include "simulator/base/units.h"
@@ -22,7 +27,7 @@ static_assert(events_of_commands + events_of_fault + pieces_per_step + events_of
               events_per_step);
 
 void mark(ToolSample& sample, ToolStatus status, bool is_so) noexcept {
-  if (is_so) sample.status |= static_cast<std::uint32_t>(status);
+  if (is_so) sample.status |= bit(status);
 }
 
 std::int64_t thousandths(double value) noexcept {
@@ -231,7 +236,7 @@ void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
       transform_direction(world_from_bone_, outcome.torque_in_bone_newton_mm);
   // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on
   // unrounded, else a feed below half a micrometre a tick would stand still.
-  const FieldWindow opened = kerfs_.follow(output.sample);
+  const FieldWindow opened = kerfs_.apply(output.sample);
   piece_requests_.watch({kerf_before, kerf_of_tool(), !opened.is_empty(), outcome.broke_through});
   if (!output.requests.is_full() && piece_requests_.ask()) {
     ask(JobKind::Pieces, piece_requests_.last_opened(), output);
@@ -244,7 +249,7 @@ void Simulation::stand_still(StepOutput& output) noexcept {
   output.sample.tick = tick_;
   output.sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
   // A sample in no kerf ends a sweep, here as for those who follow the record.
-  kerfs_.follow(output.sample);
+  kerfs_.apply(output.sample);
 }
 
 ToolSample Simulation::sample_of(const ToolInput& input,

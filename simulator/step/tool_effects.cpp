@@ -44,9 +44,7 @@ void ToolEffects::bend(const ToolSample& sample, const RemainingTissue& bone) no
     flex_.free_length_mm =
         free_length_mm(transform_from(bone_from_tool_), blade_.depth_mm, bone.original);
   }
-  const Vec3 normal =
-      transform_direction(transform_from(sample.world_from_tool), Vec3{0.0, 0.0, 1.0});
-
+  const Vec3 normal = axis_z(transform_from(sample.world_from_tool));
   flex_.deflection_mm = deflection_mm({flex_.free_length_mm, blade_.width_mm, blade_.thickness_mm},
                                       glm::dot(force_newton(sample), normal));
 }

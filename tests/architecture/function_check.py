@@ -58,10 +58,6 @@ RULES = (
          r"std::ios_base|std::(cout|cerr|clog)"),
 )
 
-# OpenMesh's own virtual functions stand in the table of its meshes though nothing of ours calls them; feature edges
-# serve normals, and a solid's normals are computed in simulator/mesh/bvh.
-UNCALLED = re.compile(r"^OpenMesh::PolyMeshT<.*>::is_estimated_feature_edge\(")
-
 SPELLED = re.compile(rf"\b(?:std|glm)::(?:{TRANSCENDENTAL})[fl]?\s*\(")
 
 
@@ -77,27 +73,6 @@ def read_symbols(archive):
             yield member, match.group(2).split("@", 1)[0]
 
 
-def referring_sections(archive, member, symbol):
-    """The mangled functions, or plain sections, of `member` in which `symbol` is referred to."""
-    printed = subprocess.run(["readelf", "-rW", str(archive)], capture_output=True, text=True, check=True)
-    here, section = archive.name == member, None
-    for line in printed.stdout.splitlines():
-        if line.startswith("File: "):
-            here = line.endswith(f"({member})")
-        elif line.startswith("Relocation section"):
-            section = line.split("'")[1]
-        elif here and re.search(rf"\s{re.escape(symbol)}( [+-] |$)", line):
-            yield re.sub(r"^\.rela\.text\.(unlikely\.|startup\.)?", "", section)
-
-
-def is_uncalled(archive, member, symbol):
-    """Whether only functions of UNCALLED refer to `symbol`."""
-    mangled = "\n".join(sorted(set(referring_sections(archive, member, symbol))))
-    functions = subprocess.run(["c++filt"], input=mangled, capture_output=True, text=True, check=True)
-    names = functions.stdout.splitlines()
-    return bool(names) and all(UNCALLED.search(name) for name in names)
-
-
 def built_objects(build, room):
     """The archives of one room: what CMake built in its folder, not in the folders below."""
     return sorted((build / room).glob("*.a")) + sorted((build / room).glob("*.o"))
@@ -107,8 +82,7 @@ def check_symbols(build, room, findings):
     for archive in built_objects(build, room):
         for member, symbol in read_symbols(archive):
             for each in RULES:
-                if room in each.rooms and each.symbol.search(symbol) \
-                        and not is_uncalled(archive, member, symbol):
+                if room in each.rooms and each.symbol.search(symbol):
                     findings.append((f"{room}/{member}", f"{each.name}: {symbol}"))
 
 

@@ -70,7 +70,7 @@ Costs retrace(const RecordedSilver& recorded) {
     const simulator::StepOutput output = simulation.step(input);
     costs.step_us.push_back(microseconds_since(before_step));
     const Clock::time_point before_jobs = Clock::now();
-    jobs.follow(output);
+    jobs.apply(output);
     const double jobs_ms = 0.001 * microseconds_since(before_jobs);
     for (const simulator::JobRequest& request : output.requests) {
       double& longest_ms =

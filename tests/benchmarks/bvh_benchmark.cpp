@@ -95,7 +95,7 @@ void nearest_standing(benchmark::State& state) {
     sample.kerf = 0;
     sample.status = static_cast<std::uint32_t>(simulator::ToolStatus::SawOn);
     sample.world_from_tool = simulator::quantise({blade_down(), Vec3(0.0, y_mm, 0.0)});
-    kerfs.follow(sample);
+    kerfs.apply(sample);
   }
   const simulator::RemainingBone bone{tree, kerfs, {}};
   const double y_mm = state.range(1) == 0 ? 4.01 : state.range(1) == 1 ? 3.0 : 12.2;

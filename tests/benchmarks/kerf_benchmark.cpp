@@ -85,7 +85,7 @@ void stamp_of_one_tick(benchmark::State& state) {
     benchmark::DoNotOptimize(changed);
     from = to;
     if (!feed.is_over()) continue;
-    field.reset();
+    field = KerfField(FieldGrid{});
     feed.start_again();
     from = feed.next();
     field.stamp(blade, from, from, changed);
@@ -104,7 +104,7 @@ void first_stamp(benchmark::State& state) {
   Feed feed(state);
   Timings timings;
   for (auto _ : state) {
-    field.reset();
+    field = KerfField(FieldGrid{});
     const PlanarPose pose = feed.next();
     timings.time(state, [&] { field.stamp(blade, pose, pose, changed); });
     benchmark::DoNotOptimize(changed);
@@ -132,7 +132,8 @@ void outline_of_one_frame(benchmark::State& state) {
     timings.time(state, [&] { tracker.update(field); });
     corners = std::max(corners, static_cast<double>(tracker.outline().corners_mm.size()));
     if (!feed.is_over()) continue;
-    field.reset();
+    field = KerfField(FieldGrid{});
+    tracker = OutlineTracker(FieldGrid{});
     feed.start_again();
     from = feed.next();
     advance();

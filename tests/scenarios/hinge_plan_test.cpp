@@ -73,10 +73,10 @@ TEST(HingePlan, PutsTheLineItsThicknessInsideTheFarCortex) {
     const Plan plan = plan_on(load_shipped_scenario("akin"), bone);
     ASSERT_EQ(plan.hinges.size(), 1U);
     const PlannedHinge& hinge = plan.hinges[0];
-    EXPECT_NEAR(hinge.point_in_bone_mm.x, 6.0, rounding);
-    EXPECT_NEAR(hinge.point_in_bone_mm.z, 6.5, rounding);
-    expect_near(hinge.axis, Vec3(0.0, 1.0, 0.0), rounding);
-    expect_near(hinge.outward, Vec3(0.0, 0.0, 1.0), rounding);
+    EXPECT_NEAR(hinge.bridge.line.point_in_bone_mm.x, 6.0, rounding);
+    EXPECT_NEAR(hinge.bridge.line.point_in_bone_mm.z, 6.5, rounding);
+    expect_near(hinge.bridge.line.axis, Vec3(0.0, 1.0, 0.0), rounding);
+    expect_near(hinge.bridge.line.outward, Vec3(0.0, 0.0, 1.0), rounding);
     EXPECT_NEAR(hinge.wedge_rad, radian_from_degree(10.0), rounding);
   }
 }
@@ -87,13 +87,14 @@ TEST(HingePlan, GivesBothFacesTheLineAndTheirWasteBetweenThem) {
   for (const PlannedCut& cut : plan.cuts) {
     EXPECT_EQ(cut.hinge, hinge.name);
     for (const double along_mm : {-5.0, 5.0}) {
-      const Vec3 point = hinge.point_in_bone_mm + along_mm * hinge.axis;
+      const Vec3 point = hinge.bridge.line.point_in_bone_mm + along_mm * hinge.bridge.line.axis;
       EXPECT_NEAR(glm::dot(cut.face.normal, point), cut.face.offset_mm, rounding);
     }
     // In the middle of the wedge, 10 mm from the line.
-    const Vec3 inside = hinge.point_in_bone_mm - 10.0 * hinge.outward + Vec3(0.5, 0.0, 0.0);
+    const Vec3 inside =
+        hinge.bridge.line.point_in_bone_mm - 10.0 * hinge.bridge.line.outward + Vec3(0.5, 0.0, 0.0);
     EXPECT_GT(glm::dot(cut.face.normal, inside), cut.face.offset_mm);
-    expect_near(cut.exit_point_in_bone_mm, hinge.point_in_bone_mm, rounding);
+    expect_near(cut.exit_point_in_bone_mm, hinge.bridge.line.point_in_bone_mm, rounding);
     EXPECT_NEAR(cut.entry_point_in_bone_mm.z, -7.5, rounding);
   }
   EXPECT_EQ(find_cut(plan, "distal_face"), &plan.cuts[1]);
@@ -132,8 +133,8 @@ TEST(HingePlan, OnTheMedialSideIsItsMirrorImage) {
   const Plan there = plan_on(load_shipped_scenario("akin"), cylinder());
   const Plan here = plan_on(mirrored, cylinder());
   const auto mirror = [](const Vec3& v) { return Vec3(v.x, v.y, -v.z); };
-  expect_near(here.hinges.at(0).point_in_bone_mm, mirror(there.hinges.at(0).point_in_bone_mm),
-              rounding);
+  expect_near(here.hinges.at(0).bridge.line.point_in_bone_mm,
+              mirror(there.hinges.at(0).bridge.line.point_in_bone_mm), rounding);
   for (std::size_t i = 0; i < 2; ++i) {
     expect_near(here.cuts[i].face.normal, mirror(there.cuts[i].face.normal), rounding);
     EXPECT_NEAR(here.cuts[i].face.offset_mm, there.cuts[i].face.offset_mm, rounding);

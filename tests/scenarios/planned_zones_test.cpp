@@ -59,10 +59,10 @@ TEST(PlannedZones, CountEachEndFromItsLandmark) {
   DangerZone zone = tendon();
   zone.from_landmark = "base_centre";
   zone.to_landmark = "head_centre";
-  const auto capsules = capsules_of(plan_zones(with_zone(zone), block()));
-  ASSERT_EQ(capsules.size(), 1U);
-  EXPECT_EQ(capsules[0].from_in_bone_mm, Vec3(-30.0, 12.0, 0.0));
-  EXPECT_EQ(capsules[0].to_in_bone_mm, Vec3(25.0, 14.0, 3.0));
+  const auto zones = plan_zones(with_zone(zone), block());
+  ASSERT_EQ(zones.size(), 1U);
+  EXPECT_EQ(zones[0].capsule.from_in_bone_mm, Vec3(-30.0, 12.0, 0.0));
+  EXPECT_EQ(zones[0].capsule.to_in_bone_mm, Vec3(25.0, 14.0, 3.0));
 }
 
 TEST(PlannedZones, OfALandmarkThatTheBoneLacksAreRefusedWithThoseItHas) {

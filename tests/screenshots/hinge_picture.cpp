@@ -40,15 +40,16 @@ Osteotomy make_osteotomy() {
   const Blade& blade = bone.scenario.saw.blade;
   const Bvh bvh(bone.solid.mesh);
   Osteotomy made;
-  made.request.line = planned_hinge_line(bone);
+  made.request.bridge.line = planned_hinge_line(bone);
   made.request.first = planned_kerf(bone, 0, blade.kerf_mm);
   made.request.second = planned_kerf(bone, 1, blade.kerf_mm);
   const KerfField field = opened_by_hand(blade);
   made.region = outline_of(field);
   made.section = slice_section(bone.solid, bvh, made.request.first);
   const Section other = slice_section(bone.solid, bvh, made.request.second);
-  made.request.first_gap = measure_hinge_gap(made.section, made.region, made.request.line).value();
-  made.request.second_gap = measure_hinge_gap(other, made.region, made.request.line).value();
+  made.request.first_gap =
+      measure_hinge_gap(made.section, made.region, made.request.bridge.line).value();
+  made.request.second_gap = measure_hinge_gap(other, made.region, made.request.bridge.line).value();
   const CutSolid once =
       commit_patch(bone.solid, frame_of(bone.solid, made.request.first, field, 0).patch);
   const CutSolid twice = commit_patch(once, frame_of(once, made.request.second, field, 1).patch);

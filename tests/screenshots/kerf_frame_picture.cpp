@@ -64,7 +64,7 @@ IndexedMesh blade_mesh(const KerfPlane& plane, const Blade& blade) {
 Scene undivided_scene(const CutSolid& solid) {
   Scene scene;
   for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i) {
-    if (solid.origins[i].kerf != -1) continue;
+    if (solid.sources[i].kerf != -1) continue;
     const auto& [a, b, c] = solid.mesh.triangles[i];
     scene.add({solid.mesh.points_mm[a], solid.mesh.points_mm[b], solid.mesh.points_mm[c]},
               Paint::Skin);

@@ -44,7 +44,7 @@ std::string contour_path(const PlaneView& view, const SlabSlice& contact, int le
                          std::int32_t kerf) {
   std::string d;
   for (const StripEdge& edge : contact.edges) {
-    if (edge.level != level || contact.origins[edge.touched].kerf != kerf) continue;
+    if (edge.level != level || contact.sources[edge.touched].kerf != kerf) continue;
     d += path_through(view.pages({place_of(contact, edge.a), place_of(contact, edge.b)}), false);
   }
   return d;

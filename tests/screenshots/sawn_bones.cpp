@@ -16,9 +16,9 @@ namespace {
 /// none of ours.
 constexpr double on_plane_mm = 1.0e-9;
 
-Paint paint_of_wall(const FaceOrigin& origin) {
-  if (origin.side == 0) return Paint::Front;
-  return origin.side > 0 ? Paint::UpperWall : Paint::LowerWall;
+Paint paint_of_wall(const FaceSource& source) {
+  if (source.side == 0) return Paint::Front;
+  return source.side > 0 ? Paint::UpperWall : Paint::LowerWall;
 }
 
 }  // namespace
@@ -35,20 +35,17 @@ PlannedBone akin_phalanx(double edge_mm) {
 
 KerfPlane planned_kerf(const PlannedBone& bone, std::size_t cut, double kerf_mm) {
   const scenarios::PlannedCut& planned = bone.plan.cuts.at(cut);
-  const scenarios::PlannedHinge& hinge = bone.plan.hinges.at(0);
+  const HingeLine& line = bone.plan.hinges.at(0).bridge.line;
   const Vec3 normal = planned.face.normal;
-  const Vec3 side = hinge.axis;
+  const Vec3 side = line.axis;
   Vec3 feed = glm::cross(side, normal);
   const Vec3 inward = planned.exit_point_in_bone_mm - planned.entry_point_in_bone_mm;
   if (glm::dot(feed, inward) < 0.0) feed = -feed;
-  return {{rotation_from_axes(feed, side), hinge.point_in_bone_mm + 0.5 * kerf_mm * normal},
+  return {{rotation_from_axes(feed, side), line.point_in_bone_mm + 0.5 * kerf_mm * normal},
           kerf_mm};
 }
 
-HingeLine planned_hinge_line(const PlannedBone& bone) {
-  const scenarios::PlannedHinge& hinge = bone.plan.hinges.at(0);
-  return {hinge.point_in_bone_mm, hinge.axis, hinge.outward, hinge.thickness_mm};
-}
+HingeLine planned_hinge_line(const PlannedBone& bone) { return bone.plan.hinges.at(0).bridge.line; }
 
 Vec3 point_in_bone_mm(const KerfPlane& plane, const Vec2& place, double height) {
   return transform_point(plane.bone_from_kerf, Vec3(place.x, place.y, height));
@@ -94,9 +91,9 @@ std::vector<Paint> paints_of(const CutSolid& solid, const SawnFrame& frame) {
   const std::size_t standing = shown.triangles.size() - frame.patch.triangles.size();
   std::vector<Paint> paints;
   for (std::size_t i = 0; i < frame.patch.triangles.size(); ++i) {
-    const FaceOrigin& origin = frame.patch.origins[i];
-    if (origin.kerf == frame.contact.kerf) {
-      paints.push_back(paint_of_wall(origin));
+    const FaceSource& source = frame.patch.sources[i];
+    if (source.kerf == frame.contact.kerf) {
+      paints.push_back(paint_of_wall(source));
     } else {
       const int level = level_of(frame.contact.plane, shown, shown.triangles[standing + i]);
       paints.push_back(level == 0 ? Paint::Strip : Paint::OuterPart);
@@ -117,15 +114,15 @@ Scene shown_scene(const CutSolid& solid, const SawnFrame& frame) {
 
 std::vector<Paint> paints_of(const CutSolid& solid, bool has_earlier) {
   std::vector<Paint> paints;
-  for (const FaceOrigin& origin : solid.origins) {
-    if (origin.kerf == -1) {
+  for (const FaceSource& source : solid.sources) {
+    if (source.kerf == -1) {
       paints.push_back(Paint::Skin);
-    } else if (origin.kerf < 0) {
+    } else if (source.kerf < 0) {
       paints.push_back(Paint::Division);
-    } else if (has_earlier && origin.kerf == 0) {
-      paints.push_back(origin.side == 0 ? Paint::Front : Paint::OtherWall);
+    } else if (has_earlier && source.kerf == 0) {
+      paints.push_back(source.side == 0 ? Paint::Front : Paint::OtherWall);
     } else {
-      paints.push_back(paint_of_wall(origin));
+      paints.push_back(paint_of_wall(source));
     }
   }
   return paints;

@@ -41,7 +41,7 @@ TEST(Scene, ShowsWhatStandsAndThePatchByKind) {
             sawn.bone.solid.mesh.triangles.size() - patch.hidden.size() + patch.triangles.size());
   const auto walls = [&](int side) {
     return static_cast<std::size_t>(
-        std::count(patch.origins.begin(), patch.origins.end(), FaceOrigin{0, side}));
+        std::count(patch.sources.begin(), patch.sources.end(), FaceSource{0, side}));
   };
   EXPECT_EQ(scene.count(Paint::UpperWall), walls(1));
   EXPECT_EQ(scene.count(Paint::LowerWall), walls(-1));

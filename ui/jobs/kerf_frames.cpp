@@ -33,13 +33,13 @@ class KerfFrames {
   }
 
   /// What the blade opened in the end.
-  RegionOutline follow(const BladePath& path, const Progress& progress) {
+  RegionOutline open_along(const BladePath& path, const Progress& progress) {
     KerfField& field = bone_.field();
     for (std::size_t i = 0; i < path.poses.size(); ++i) {
       hallux::report(progress, static_cast<double>(i) / static_cast<double>(path.poses.size()));
       const auto start = Clock::now();
       stamp_motion(field, path.blade, path.poses[i == 0 ? 0 : i - 1], path.poses[i]);
-      note(growing_.follow(field, patch_));
+      note(growing_.build(field, patch_));
       outcome_.frame_ms.push_back(milliseconds_since(start));
     }
     return growing_.region();
@@ -101,8 +101,9 @@ GroupOutcome saw(SawnBone& bone, const CutGroup& group, const Progress& progress
   outcome.kerf = begun.number;
   if (!begun.can_open) return outcome;
   KerfFrames frames(bone, outcome);
-  RegionOutline region = sweep ? frames.follow(path_in_plane(*sweep, bone.begun().plane), progress)
-                               : frames.open_all();
+  RegionOutline region =
+      sweep ? frames.open_along(path_in_plane(*sweep, bone.begun().plane), progress)
+            : frames.open_all();
   commit(bone, std::move(region), outcome);
   outcome.removed_mm3 = bone.removed_mm3() - before_mm3;
   return outcome;

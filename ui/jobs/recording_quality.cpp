@@ -55,7 +55,7 @@ Quality quality_of(const simulator::LoopStatistics& loop,
   certificate.duplicates = recorder.duplicates;
   certificate.missed_ticks = loop.missed_ticks;
   certificate.pauses = loop.pauses;
-  certificate.unseen_us = loop.unseen_us;
+  certificate.unsampled_us = loop.unsampled_us;
   certificate.clock_steps = loop.clock_steps;
   certificate.faulted_ticks = loop.faulted_ticks;
   certificate.late_p50_us = loop.late_p50_us;

@@ -77,7 +77,7 @@ class Queue {
     alSourceUnqueueBuffers(source_, 1, &buffer);
     return alGetError() == AL_NO_ERROR ? buffer : 0;
   }
-  void give(ALuint buffer, std::span<const std::int16_t> samples) {
+  void queue_samples(ALuint buffer, std::span<const std::int16_t> samples) {
     alBufferData(buffer, AL_FORMAT_MONO16, samples.data(),
                  static_cast<ALsizei>(samples.size_bytes()), sound_rate_hz);
     alSourceQueueBuffers(source_, 1, &buffer);
@@ -117,15 +117,15 @@ SawTone SawPlayer::tone_now() noexcept {
 }
 
 void SawPlayer::run(const std::stop_token& stop) {
-  const auto give_up = [&] { state_.store(State::NoDevice, std::memory_order_release); };
-  if (!may_have_sound()) return give_up();
+  const auto stay_silent = [&] { state_.store(State::NoDevice, std::memory_order_release); };
+  if (!may_have_sound()) return stay_silent();
   const std::unique_ptr<ALCdevice, CloseDevice> device(alcOpenDevice(nullptr));
-  if (!device) return give_up();
+  if (!device) return stay_silent();
   const std::unique_ptr<ALCcontext, DestroyContext> context(
       alcCreateContext(device.get(), nullptr));
-  if (!context || alcMakeContextCurrent(context.get()) == ALC_FALSE) return give_up();
+  if (!context || alcMakeContextCurrent(context.get()) == ALC_FALSE) return stay_silent();
   Queue queue;
-  if (alGetError() != AL_NO_ERROR) return give_up();
+  if (alGetError() != AL_NO_ERROR) return stay_silent();
   state_.store(State::Playing, std::memory_order_release);
 
   SawSound sound(noise_seed);
@@ -133,7 +133,7 @@ void SawPlayer::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     while (const ALuint buffer = queue.take()) {
       sound.fill(tone_now(), samples);
-      queue.give(buffer, samples);
+      queue.queue_samples(buffer, samples);
       buffers_.fetch_add(1, std::memory_order_relaxed);
     }
     queue.keep_playing();

@@ -1,3 +1,7 @@
+/// A stamp raises nodes to a value that depends on stamp and node alone, and the field keeps the
+/// greatest: order, repetition and subdivision do not matter. Values end at a limit a few nodes
+/// deep, so a line is a rim, a deep run that is filled at once, and a rim. Covers say which lines
+/// cannot rise any more. Tiles of cells count revisions for whoever follows the outline.
 #include "simulator/cutting/field/kerf.h"
 
 #include <algorithm>
@@ -18,12 +22,12 @@ bool is_finite(const PlanarPose& pose) noexcept {
          std::isfinite(pose.direction.x) && std::isfinite(pose.direction.y);
 }
 
-void take_in(NodeSpan& span, std::int32_t v) noexcept {
+void include(NodeSpan& span, std::int32_t v) noexcept {
   span = span.is_empty() ? NodeSpan{v, v + 1}
                          : NodeSpan{std::min(span.first, v), std::max(span.last, v + 1)};
 }
 
-void take_in(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept {
+void include(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept {
   if (window.is_empty()) {
     window = {u, span.first, u + 1, span.last};
     return;
@@ -38,11 +42,11 @@ void take_in(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept
 
 PlanarPose planar_pose(const KerfPlane& plane, const RigidTransform& bone_from_tool) noexcept {
   const RigidTransform kerf_from_tool = inverse(plane.bone_from_kerf) * bone_from_tool;
-  const Vec3 direction = transform_direction(kerf_from_tool, Vec3(1.0, 0.0, 0.0));
-  const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+  const Vec3 ahead = axis_x(kerf_from_tool);
+  const Vec2 direction(ahead.x, ahead.y);
   PlanarPose pose;
   pose.tip_mm = Vec2(kerf_from_tool.translation_mm.x, kerf_from_tool.translation_mm.y);
-  if (length > 0.0) pose.direction = Vec2(direction.x / length, direction.y / length);
+  if (length_of(direction) > 0.0) pose.direction = unit(direction);
   return pose;
 }
 
@@ -75,15 +79,6 @@ bool KerfField::is_open(const Vec2& point_mm) const noexcept {
   return (1.0 - part_v) * lower + part_v * upper > 0.0;
 }
 
-void KerfField::reset() noexcept {
-  std::fill(inside_mm_.begin(), inside_mm_.end(), -limit_mm_);
-  deep_.clear();
-  open_.clear();
-  std::fill(covers_.begin(), covers_.end(), LineCover{});
-  ++revision_;
-  for (std::uint32_t& tile : tile_revisions_) tile = tile == 0 ? 0 : revision_;
-}
-
 void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm) noexcept {
   ++revision_;
   FieldWindow all_changed;
@@ -91,7 +86,7 @@ void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm)
   for (std::int32_t u = window.u_first; u < window.u_last; ++u) {
     NodeSpan changed;
     for (std::int32_t v = window.v_first; v < window.v_last; ++v) {
-      if (put_node(u, v, *next++)) take_in(changed, v);
+      if (put_node(u, v, *next++)) include(changed, v);
     }
     if (changed.is_empty()) continue;
     note_risen(u, changed, all_changed);
@@ -178,7 +173,7 @@ NodeSpan KerfField::raise_rim(const Rim& rim) noexcept {
     values_mm[v] = value_mm;
     if (value_mm > 0.0F) open_.set(rim.u, v);
     if (value_mm == limit_mm_) deep_.set(rim.u, v);
-    take_in(risen, v);
+    include(risen, v);
   }
   return risen;
 }
@@ -191,8 +186,8 @@ NodeSpan KerfField::fill_deep(std::int32_t u, const NodeSpan& deep) noexcept {
     const std::int32_t first = v + std::countr_zero(missing);
     const std::int32_t last = v + 64 - std::countl_zero(missing);
     std::fill(values_mm + first, values_mm + last, limit_mm_);
-    take_in(risen, first);
-    take_in(risen, last - 1);
+    include(risen, first);
+    include(risen, last - 1);
   });
   if (risen.is_empty()) return risen;
   open_.set_span(u, risen.first, risen.last);
@@ -202,7 +197,7 @@ NodeSpan KerfField::fill_deep(std::int32_t u, const NodeSpan& deep) noexcept {
 
 /// Node u belongs to cells u and u + 1.
 void KerfField::note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept {
-  take_in(changed, u, risen);
+  include(changed, u, risen);
   for (std::int32_t column = u / tile_cells; column <= (u + 1) / tile_cells; ++column) {
     const std::int32_t start = column * tile_rows_;
     const std::int32_t first_tile = start + risen.first / tile_cells;

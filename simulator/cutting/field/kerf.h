@@ -67,8 +67,6 @@ class KerfField {
   }
   /// Bilinear between nodes; closed outside the grid.
   bool is_open(const Vec2& point_mm) const noexcept;
-  /// Closes every node again, for another kerf.
-  void reset() noexcept;
 
   /// Raises the field to the inside-distance of the blade's rectangle (x in [-depth, 0], y within
   /// +-width/2 of the tool frame) on its way from `from` to `to`: the hull of the two.

@@ -18,7 +18,7 @@ std::int32_t KerfSet::freeze(const QuantisedPose& bone_from_tool) noexcept {
   return count_++;
 }
 
-FieldWindow KerfSet::follow(const ToolSample& sample) noexcept {
+FieldWindow KerfSet::apply(const ToolSample& sample) noexcept {
   FieldWindow changed;
   const bool cuts =
       sample.kerf >= 0 && sample.kerf < count_ && has(sample.status, ToolStatus::SawOn);

@@ -38,7 +38,7 @@ class KerfSet {
   std::int32_t freeze(const QuantisedPose& bone_from_tool) noexcept;
   /// Stamps what this sample opened; the window of nodes that rose (empty where nothing did).
   /// thread  haptic; allocates nothing
-  FieldWindow follow(const ToolSample& sample) noexcept;
+  FieldWindow apply(const ToolSample& sample) noexcept;
 
   /// Opens a frozen kerf as its field was kept: instead of its samples.
   void put(std::int32_t kerf, const FieldWindow& window,

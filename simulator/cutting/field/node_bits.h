@@ -15,7 +15,6 @@ class NodeBits {
       : line_words_(static_cast<std::size_t>(up_to_tiles(v_count) + 1) / 64 + 2),
         words_(line_words_ * static_cast<std::size_t>(up_to_tiles(u_count) + 1)) {}
 
-  void clear() noexcept { std::fill(words_.begin(), words_.end(), 0); }
   void set(std::int32_t u, std::int32_t v) noexcept {
     words_[word_of(u, v)] |= std::uint64_t{1} << bit_of(v);
   }

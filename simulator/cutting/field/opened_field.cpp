@@ -15,7 +15,7 @@ std::size_t width_of(const FieldWindow& window) noexcept {
   return static_cast<std::size_t>(window.v_last - window.v_first);
 }
 
-void take_in(FieldWindow& window, const FieldWindow& other) noexcept {
+void include(FieldWindow& window, const FieldWindow& other) noexcept {
   if (window.is_empty()) {
     window = other;
     return;
@@ -46,7 +46,7 @@ OpeningNotes::OpeningNotes(const FieldGrid& grid)
 void OpeningNotes::note(const KerfField& field, const FieldWindow& changed, std::int64_t tick) {
   if (changed.is_empty()) return;
   CHECK(tick >= 0 && tick < OpenedField::never);
-  take_in(window_, changed);
+  include(window_, changed);
   for (std::int32_t u = changed.u_first; u < changed.u_last; ++u) {
     std::int32_t* const line =
         opened_tick_.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(grid_.v_count);

@@ -10,8 +10,6 @@ namespace hallux::simulator {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
-
 struct Cone {
   Vec2 apex_mm{0.0, 0.0};
   Vec2 right_mm{0.0, 0.0}, left_mm{0.0, 0.0};  ///< from the apex; the region is on the left

@@ -32,10 +32,6 @@ constexpr std::array<NodeStep, 4> next_cell{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 constexpr std::size_t index_of(CellSide side) noexcept { return static_cast<std::size_t>(side); }
 
-constexpr CellSide opposite(CellSide side) noexcept {
-  return static_cast<CellSide>((static_cast<unsigned>(side) + 2) % 4);
-}
-
 constexpr bool is_ambiguous(unsigned corners) noexcept {
   return corners == (bl | tr) || corners == (br | tl);
 }
@@ -71,7 +67,7 @@ constexpr ExitTable all_exits() noexcept {
 constexpr ExitTable exits = all_exits();
 
 /// A direction that no straight side is square to by habit: its furthest corner begins the loop.
-double reach_mm(const Vec2& point_mm) noexcept { return point_mm.x + 0.381966 * point_mm.y; }
+double along_mm(const Vec2& point_mm) noexcept { return point_mm.x + 0.381966 * point_mm.y; }
 
 }  // namespace
 
@@ -80,8 +76,8 @@ void OutlineTile::contour(const KerfField& field, std::int32_t column, std::int3
   u_first_ = column * cells - 1;
   v_first_ = row * cells - 1;
   if (!read_bits(field)) return;
-  follow_from_sides(field);
-  follow_rest(field);
+  trace_from_sides(field);
+  trace_rest(field);
 }
 
 /// False where all nodes are of one kind.
@@ -111,42 +107,42 @@ unsigned OutlineTile::corners(std::int32_t i, std::int32_t j) const noexcept {
   return static_cast<unsigned>((left & 1) | (right & 1) << 1 | (right & 2) << 1 | (left & 2) << 2);
 }
 
-void OutlineTile::follow_from_sides(const KerfField& field) {
+void OutlineTile::trace_from_sides(const KerfField& field) {
   constexpr std::int32_t end = cells - 1;
   for (std::int32_t i = 0; i < cells; ++i) {
     const std::uint64_t left = open_[static_cast<std::size_t>(i)];
     const std::uint64_t right = open_[static_cast<std::size_t>(i) + 1];
-    if ((left & ~right & 1) != 0) follow(field, i, 0, CellSide::Bottom);
-    if ((right & ~left) >> cells != 0) follow(field, i, end, CellSide::Top);
+    if ((left & ~right & 1) != 0) trace(field, i, 0, CellSide::Bottom);
+    if ((right & ~left) >> cells != 0) trace(field, i, end, CellSide::Top);
   }
   for (std::uint64_t in = (open_[0] >> 1) & ~open_[0] & ((std::uint64_t{1} << cells) - 1); in != 0;
        in &= in - 1) {
-    follow(field, 0, std::countr_zero(in), CellSide::Left);
+    trace(field, 0, std::countr_zero(in), CellSide::Left);
   }
   const std::uint64_t last = open_[cells];
   for (std::uint64_t in = last & ~(last >> 1) & ((std::uint64_t{1} << cells) - 1); in != 0;
        in &= in - 1) {
-    follow(field, end, std::countr_zero(in), CellSide::Right);
+    trace(field, end, std::countr_zero(in), CellSide::Right);
   }
 }
 
 /// What enters from no side are loops within the tile.
-void OutlineTile::follow_rest(const KerfField& field) {
+void OutlineTile::trace_rest(const KerfField& field) {
   for (std::int32_t i = 0; i < cells; ++i) {
     std::uint64_t& segments = segments_[static_cast<std::size_t>(i)];
     std::uint64_t& seconds = seconds_[static_cast<std::size_t>(i)];
     while (segments != 0) {
       const std::int32_t j = std::countr_zero(segments);
-      follow(field, i, j, first_entry(corners(i, j)));
+      trace(field, i, j, first_entry(corners(i, j)));
     }
     while (seconds != 0) {
       const std::int32_t j = std::countr_zero(seconds);
-      follow(field, i, j, opposite(first_entry(corners(i, j))));
+      trace(field, i, j, opposite(first_entry(corners(i, j))));
     }
   }
 }
 
-/// False where the segment was followed before.
+/// False where the segment was traced before.
 bool OutlineTile::take_segment(std::int32_t i, std::int32_t j, CellSide entry) noexcept {
   const bool is_second =
       (entry == CellSide::Top || entry == CellSide::Left) && is_ambiguous(corners(i, j));
@@ -158,7 +154,7 @@ bool OutlineTile::take_segment(std::int32_t i, std::int32_t j, CellSide entry) n
   return true;
 }
 
-void OutlineTile::follow(const KerfField& field, std::int32_t i, std::int32_t j, CellSide entry) {
+void OutlineTile::trace(const KerfField& field, std::int32_t i, std::int32_t j, CellSide entry) {
   const auto place_on = [](CellSide side, std::int32_t cell_i, std::int32_t cell_j) {
     return side == CellSide::Bottom || side == CellSide::Top ? cell_i : cell_j;
   };
@@ -171,9 +167,9 @@ void OutlineTile::follow(const KerfField& field, std::int32_t i, std::int32_t j,
       break;
     }
     crossings_.push_back(crossing(field, i, j, entry));
-    const double reach = reach_mm(crossings_.back().at_mm);
-    if (crossings_.size() == chain.first + 1 || reach > chain.reach_mm) {
-      chain.reach_mm = reach;
+    const double here_mm = along_mm(crossings_.back().at_mm);
+    if (crossings_.size() == chain.first + 1 || here_mm > chain.along_mm) {
+      chain.along_mm = here_mm;
       chain.furthest = static_cast<std::uint32_t>(crossings_.size() - 1);
     }
     const CellSide exit = exits[corners(i, j)][index_of(entry)];

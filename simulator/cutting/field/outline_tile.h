@@ -26,6 +26,10 @@ enum class CellSide : std::uint8_t {
   Left
 };  // v falls, u grows, v grows, u falls
 
+constexpr CellSide opposite(CellSide side) noexcept {
+  return static_cast<CellSide>((static_cast<unsigned>(side) + 2) % 4);
+}
+
 /// Where a chain passes from one tile to the next: the edge's side of the tile that is entered or
 /// left, and its place there.
 struct TileGate {
@@ -43,10 +47,10 @@ struct OutlineChain {
   TileGate entry, exit;
   /// A loop within the tile.
   bool is_closed = false;
-  /// The crossing with the greatest `reach_mm`.
+  /// The crossing with the greatest `along_mm`.
   std::uint32_t furthest = 0;
   /// In a direction of no meaning, the same for all.
-  double reach_mm = 0.0;
+  double along_mm = 0.0;
   /// For who follows the chains: the last time this one was met.
   std::uint64_t linked_in = 0;
 };
@@ -72,9 +76,9 @@ class OutlineTile {
   static constexpr std::int32_t cells = KerfField::tile_cells;
 
   bool read_bits(const KerfField& field) noexcept;
-  void follow_from_sides(const KerfField& field);
-  void follow_rest(const KerfField& field);
-  void follow(const KerfField& field, std::int32_t i, std::int32_t j, CellSide entry);
+  void trace_from_sides(const KerfField& field);
+  void trace_rest(const KerfField& field);
+  void trace(const KerfField& field, std::int32_t i, std::int32_t j, CellSide entry);
   bool take_segment(std::int32_t i, std::int32_t j, CellSide entry) noexcept;
   unsigned corners(std::int32_t i, std::int32_t j) const noexcept;
   Crossing crossing(const KerfField& field, std::int32_t i, std::int32_t j,
@@ -86,7 +90,7 @@ class OutlineTile {
   std::int32_t u_first_ = 0, v_first_ = 0;
   /// Per line of nodes: open ones, bit j is node (i, j).
   std::array<std::uint64_t, cells + 1> open_{};
-  /// Per line of cells: those with a segment that was not followed yet, and those with a second
+  /// Per line of cells: those with a segment that was not traced yet, and those with a second
   /// one.
   std::array<std::uint64_t, cells> segments_{}, seconds_{};
 };

@@ -14,10 +14,6 @@ constexpr std::size_t usual_crossings = 96;
 constexpr std::size_t usual_chains = 8;
 constexpr std::size_t usual_corners = 1024;
 
-CellSide opposite(CellSide side) noexcept {
-  return static_cast<CellSide>((static_cast<unsigned>(side) + 2) % 4);
-}
-
 }  // namespace
 
 OutlineTracker::OutlineTracker(const FieldGrid& grid)
@@ -86,7 +82,7 @@ void OutlineTracker::append_loop(ChainRef start) {
     OutlineChain& chain = chain_at(at);
     if (chain.linked_in == linkings_) break;
     chain.linked_in = linkings_;
-    if (!chains_.empty() && chain.reach_mm > chain_at(chains_[furthest]).reach_mm) {
+    if (!chains_.empty() && chain.along_mm > chain_at(chains_[furthest]).along_mm) {
       furthest = chains_.size();
     }
     chains_.push_back(at);

@@ -1,3 +1,7 @@
+/// Along a line of nodes every edge of the hull is a linear function, so where a stamp is above the
+/// limit is an interval, and only its two rims need values. What a line has got from earlier stamps
+/// is remembered as a cover (line_cover.h): a trembling saw stamps the same lines again and again,
+/// and what lies under a cover is passed over without changing a bit.
 #include "simulator/cutting/field/swept_blade.h"
 
 #include <algorithm>
@@ -23,8 +27,6 @@ struct Corner {
   Vec2 at_mm{0.0, 0.0};
   bool is_at_end = false;  ///< of the motion
 };
-
-double cross(const Vec2& a, const Vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
 Vec2 side_of(const PlanarPose& pose) noexcept { return {-pose.direction.y, pose.direction.x}; }
 
@@ -85,15 +87,15 @@ SweptBlade::SweptBlade(const FieldGrid& grid, const Blade& blade, const PlanarPo
   sort_edges();
   // Values reach -limit at most two limits beyond the hull: its angles are right ones or wider, and
   // no edge's function is flatter than 1 / 1.42.
-  const double reach_mm = 3.0 * limit_mm;
-  lines_ = {clamped_node(std::floor((u_min_mm - reach_mm) / grid.spacing_mm), grid.u_count),
-            clamped_node(std::ceil((u_max_mm + reach_mm) / grid.spacing_mm), grid.u_count)};
+  const double margin_mm = 3.0 * limit_mm;
+  lines_ = {clamped_node(std::floor((u_min_mm - margin_mm) / grid.spacing_mm), grid.u_count),
+            clamped_node(std::ceil((u_max_mm + margin_mm) / grid.spacing_mm), grid.u_count)};
 }
 
 void SweptBlade::add_edge(const Vec2& a_mm, const Vec2& b_mm, const PlanarPose& pose,
                           double spacing_mm) noexcept {
   const Vec2 edge_mm = b_mm - a_mm;
-  const double length_mm = std::sqrt(edge_mm.x * edge_mm.x + edge_mm.y * edge_mm.y);
+  const double length_mm = length_of(edge_mm);
   if (length_mm < shortest_edge_mm) return;
   const Vec2 inward(-edge_mm.y / length_mm, edge_mm.x / length_mm);
   const double corner_share =

@@ -1,3 +1,7 @@
+/// Corners are passed from left to right; two bits, whether the loop comes from the left and
+/// whether it goes there, say what a corner does to the gaps: begin, part, end, join, or go on
+/// along an edge. Anything that does not fit, an edge that is not there, a corner outside all gaps,
+/// ends the sweep without triangles, and the ears are clipped instead.
 #include "simulator/cutting/fill/sweep_triangulator.h"
 
 #include <algorithm>

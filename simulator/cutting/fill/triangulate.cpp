@@ -1,3 +1,7 @@
+/// Ears are clipped where the sweep gave up: rings that touch or cross themselves. Rounds go from
+/// strict to lenient: spikes without area first, then proper ears, at last any corner at all, so a
+/// ring of n corners always ends in n - 2 triangles and the solid stays closed. Reflex corners wait
+/// in a uniform grid: only they can lie in an ear.
 #include "simulator/cutting/fill/triangulate.h"
 
 #include <algorithm>
@@ -42,7 +46,11 @@ class Triangulator::Polygon {
   /// The first ring is the outer one; returns a corner of the ring.
   std::uint32_t add_ring(std::span<const std::uint32_t> loop);
   /// The ring of all points in their order.
-  std::uint32_t add_ring_of_all();
+  std::uint32_t add_ring_of_all() {
+    all_.resize(points_.size());
+    std::iota(all_.begin(), all_.end(), 0U);
+    return add_ring(all_);
+  }
   void join_holes(std::vector<std::uint32_t> holes, std::uint32_t outer);
   void clip_ears(std::uint32_t start, std::vector<Triangle>& triangles);
 
@@ -64,11 +72,11 @@ class Triangulator::Polygon {
   std::uint32_t clip_one(std::uint32_t corner, std::vector<Triangle>& triangles);
   void clip(std::uint32_t corner, std::vector<Triangle>& triangles);
   void clip_round(Leniency leniency, std::vector<Triangle>& triangles);
-  void add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i, std::uint32_t count);
   std::vector<std::uint32_t> ring_of(std::uint32_t start) const;
   void watch_reflex_corners(std::uint32_t start);
 
   std::span<const LatticePoint> points_;
+  std::vector<std::uint32_t> all_;
   std::vector<Corner> corners_;
   ReflexGrid grid_;
   std::size_t left_ = 0;                           // corners in the ring that is clipped
@@ -78,22 +86,13 @@ class Triangulator::Polygon {
       is_clipped_;  // per corner: in next_round_; no longer in the ring
 };
 
-void Triangulator::Polygon::add_corner(std::uint32_t point, std::uint32_t first, std::uint32_t i,
-                                       std::uint32_t count) {
-  corners_.push_back({point, first + (i > 0 ? i : count) - 1, first + (i + 1 < count ? i + 1 : 0)});
-}
-
 std::uint32_t Triangulator::Polygon::add_ring(std::span<const std::uint32_t> loop) {
   const auto first = static_cast<std::uint32_t>(corners_.size());
   const auto count = static_cast<std::uint32_t>(loop.size());
-  for (std::uint32_t i = 0; i < count; ++i) add_corner(loop[i], first, i, count);
-  return first;
-}
-
-std::uint32_t Triangulator::Polygon::add_ring_of_all() {
-  const auto first = static_cast<std::uint32_t>(corners_.size());
-  const auto count = static_cast<std::uint32_t>(points_.size());
-  for (std::uint32_t i = 0; i < count; ++i) add_corner(i, first, i, count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    corners_.push_back(
+        {loop[i], first + (i > 0 ? i : count) - 1, first + (i + 1 < count ? i + 1 : 0)});
+  }
   return first;
 }
 

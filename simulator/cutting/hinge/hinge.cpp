@@ -1,3 +1,7 @@
+/// The bone is divided in the plane of the kerf that left less, by taking out a slab without
+/// thickness: nothing is lost, and the halves are told apart shell by shell. The joint runs through
+/// the middle of the bridge's inner edge; contact is looked for beyond the bridge, where the halves
+/// share points.
 #include "simulator/cutting/hinge/hinge.h"
 
 #include <algorithm>
@@ -19,11 +23,7 @@ constexpr double least_sine = 0.0087;
 /// Which triangles stand above the plane, by shells: after the division no shell lies on both
 /// sides, and its furthest point says on which it is, whatever rounding did near the plane.
 std::vector<bool> triangles_above(const IndexedMesh& mesh, const KerfAxes& axes) {
-  DisjointSets shells(mesh.triangles.size());
-  const std::vector<EdgeUse> uses = edge_uses(mesh.triangles);
-  for (std::size_t i = 1; i < uses.size(); ++i) {
-    if (uses[i].edge == uses[i - 1].edge) shells.join(uses[i].triangle, uses[i - 1].triangle);
-  }
+  DisjointSets shells = sets_by_edges(mesh.triangles);
   std::vector<double> furthest_mm(mesh.triangles.size(), 0.0);
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     double& shell_mm = furthest_mm[shells.root(i)];
@@ -54,19 +54,16 @@ CutSolid half_of(const CutSolid& solid, const std::vector<bool>& is_above, bool 
       corner = new_index[corner];
     }
     half.mesh.triangles.push_back(corners);
-    half.origins.push_back(solid.origins[i]);
+    half.sources.push_back(solid.sources[i]);
   }
   return half;
-}
-
-Vec3 unit(const Vec3& direction) noexcept {
-  return direction / std::sqrt(glm::dot(direction, direction));
 }
 
 /// Along the line in which the kerfs' planes meet; parallel planes leave the planned direction.
 Vec3 joint_direction(const HingeRequest& request, const KerfAxes& dividing) noexcept {
   const Vec3 meeting = glm::cross(axes_of(request.first).z, axes_of(request.second).z);
-  const Vec3 planned = request.line.axis - glm::dot(request.line.axis, dividing.z) * dividing.z;
+  const Vec3& axis = request.bridge.line.axis;
+  const Vec3 planned = axis - glm::dot(axis, dividing.z) * dividing.z;
   if (glm::dot(meeting, meeting) < least_sine * least_sine) return unit(planned);
   return unit(meeting);
 }
@@ -78,16 +75,15 @@ TurnAxis joint_of(const HingeRequest& request, const KerfAxes& dividing, const V
   joint.point_mm = middle_mm;
   joint.axis = joint_direction(request, dividing);
   joint.toward_gap = unit(glm::cross(dividing.z, joint.axis));
-  if (glm::dot(joint.toward_gap, request.line.outward) > 0.0) joint.toward_gap *= -1.0;
-  const bool is_moved_above = glm::dot(dividing.z, request.toward_moved) > 0.0;
+  if (glm::dot(joint.toward_gap, request.bridge.line.outward) > 0.0) joint.toward_gap *= -1.0;
+  const bool is_moved_above = glm::dot(dividing.z, request.bridge.toward_moved) > 0.0;
   const Vec3 toward_moved = is_moved_above ? dividing.z : -dividing.z;
   joint.axis = glm::cross(toward_moved, joint.toward_gap);
   return joint;
 }
 
 double squared_radius_mm2(const TurnAxis& joint, const Vec3& point_mm) noexcept {
-  const Vec3 across = glm::cross(point_mm - joint.point_mm, joint.axis);
-  return glm::dot(across, across);
+  return squared_length(glm::cross(point_mm - joint.point_mm, joint.axis));
 }
 
 double radius_around(const TurnAxis& joint, const DividedBone& divided) noexcept {
@@ -152,11 +148,11 @@ ClosedHinge close_hinge(const CutSolid& solid, const Bvh& bvh, const HingeReques
   const KerfPlane& plane = is_first_deeper ? request.first : request.second;
   ClosedHinge closed;
   closed.thickness_mm = gap.thickness_mm;
-  if (gap.thickness_mm < request.breaks_below_mm) {
+  if (gap.thickness_mm < request.bridge.breaks_below_mm) {
     closed.outcome = HingeOutcome::Broken;
     return closed;
   }
-  if (gap.thickness_mm > request.bends_up_to_mm) return closed;
+  if (gap.thickness_mm > request.bridge.bends_up_to_mm) return closed;
   const KerfAxes axes = axes_of(plane);
   DividedBone divided = divide_at_hinge(solid, bvh, plane);
   closed.joint = joint_of(request, axes, gap.middle_in_bone_mm);
@@ -164,7 +160,7 @@ ClosedHinge close_hinge(const CutSolid& solid, const Bvh& bvh, const HingeReques
   // At the bridge's rim the halves share points; within a kerf of it their skins may pass each
   // other.
   closed.bridge_radius_mm = radius_around(closed.joint, divided) + plane.thickness_mm;
-  const bool is_moved_above = glm::dot(axes.z, request.toward_moved) > 0.0;
+  const bool is_moved_above = glm::dot(axes.z, request.bridge.toward_moved) > 0.0;
   closed.moved = std::move(is_moved_above ? divided.above : divided.below);
   closed.fixed = std::move(is_moved_above ? divided.below : divided.above);
   const std::optional<TurnContact> contact =

@@ -36,18 +36,21 @@ struct DividedBone {
 ///         triangles that do not cross the plane keep their bits
 DividedBone divide_at_hinge(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane);
 
+/// A bridge that is to be left and closed, said in the bone frame.
+struct PlannedBridge {
+  HingeLine line;
+  /// From the half that stays to the one that turns.
+  Vec3 toward_moved{1.0, 0.0, 0.0};
+  double breaks_below_mm = 0.3, bends_up_to_mm = 2.5;
+};
+
 /// The bridge as the jobs ask for it.
 struct HingeRequest {
   /// Of the two kerfs that end at the bridge.
   KerfPlane first, second;
   /// Measured in them.
   HingeGap first_gap, second_gap;
-  /// As planned.
-  HingeLine line;
-  /// From the half that stays to the one that turns.
-  Vec3 toward_moved{1.0, 0.0, 0.0};
-  double breaks_below_mm = 0.3;
-  double bends_up_to_mm = 2.5;
+  PlannedBridge bridge;
   /// Below pi / 2.
   double most_rad = radian_from_degree(45.0);
 };

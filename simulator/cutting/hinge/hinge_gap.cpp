@@ -1,3 +1,7 @@
+/// Section and opened region are cut into rows across the hinge's line; in a row both are sorted
+/// crossings, and the bridge is what the bone has beyond the furthest opened one. Rows stand in the
+/// middles of steps, where edges along a row are rare. Distances are said along the hinge's own two
+/// directions, in a tilted kerf too: that is what was planned and what a ruler would show.
 #include "simulator/cutting/hinge/hinge_gap.h"
 
 #include <algorithm>

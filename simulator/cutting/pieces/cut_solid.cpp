@@ -16,26 +16,6 @@ struct Piece : SolidPiece {
   Vec3 min_mm{0.0, 0.0, 0.0}, max_mm{0.0, 0.0, 0.0};
 };
 
-/// The triangles of each shell, shells in the order of their first triangle.
-std::vector<std::vector<std::uint32_t>> shells_of(const IndexedMesh& mesh) {
-  DisjointSets sets(mesh.triangles.size());
-  const std::vector<EdgeUse> uses = edge_uses(mesh.triangles);
-  for (std::size_t i = 1; i < uses.size(); ++i) {
-    if (uses[i].edge == uses[i - 1].edge) sets.join(uses[i].triangle, uses[i - 1].triangle);
-  }
-  std::vector<std::vector<std::uint32_t>> shells;
-  std::vector<std::size_t> shell_of_root(mesh.triangles.size());
-  for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-    const std::uint32_t root = sets.root(triangle);
-    if (root == triangle) {
-      shell_of_root[root] = shells.size();
-      shells.emplace_back();
-    }
-    shells[shell_of_root[root]].push_back(triangle);
-  }
-  return shells;
-}
-
 Piece piece_of(const CutSolid& solid, const std::vector<std::uint32_t>& triangles,
                std::vector<std::uint32_t>& index_scratch) {
   constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
@@ -60,7 +40,7 @@ Piece piece_of(const CutSolid& solid, const std::vector<std::uint32_t>& triangle
     const Triangle& corners = solid.mesh.triangles[triangle];
     piece.solid.mesh.triangles.push_back(
         {index_scratch[corners[0]], index_scratch[corners[1]], index_scratch[corners[2]]});
-    piece.solid.origins.push_back(solid.origins[triangle]);
+    piece.solid.sources.push_back(solid.sources[triangle]);
   }
   for (const std::uint32_t point : points) index_scratch[point] = absent;
   piece.volume_mm3 = signed_volume_mm3(piece.solid.mesh);
@@ -79,10 +59,8 @@ bool passes_above(const Vec3& a, const Vec3& b, const Vec3& point_mm) noexcept {
 /// By the parity of crossings of a ray along x.
 bool encloses(const IndexedMesh& mesh, const Vec3& point_mm) noexcept {
   bool is_inside = false;
-  for (const Triangle& corners : mesh.triangles) {
-    const Vec3& a = mesh.points_mm[corners[0]];
-    const Vec3& b = mesh.points_mm[corners[1]];
-    const Vec3& c = mesh.points_mm[corners[2]];
+  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+    const auto [a, b, c] = corners_of(mesh, triangle);
     const bool is_over_triangle = (passes_above(a, b, point_mm) != passes_above(b, c, point_mm)) !=
                                   passes_above(c, a, point_mm);
     if (!is_over_triangle) continue;
@@ -118,20 +96,20 @@ void add_shell(Piece& piece, const Piece& shell) {
 
 CutSolid uncut_solid(IndexedMesh mesh) {
   CutSolid solid;
-  solid.origins.resize(mesh.triangles.size());
+  solid.sources.resize(mesh.triangles.size());
   solid.mesh = std::move(mesh);
   return solid;
 }
 
 void append_solid(CutSolid& solid, const CutSolid& added) {
   append_mesh(solid.mesh, added.mesh);
-  solid.origins.insert(solid.origins.end(), added.origins.begin(), added.origins.end());
+  solid.sources.insert(solid.sources.end(), added.sources.begin(), added.sources.end());
 }
 
 std::vector<SolidPiece> find_pieces(const CutSolid& solid) {
   std::vector<Piece> outward, inward;
   std::vector<std::uint32_t> index_scratch(solid.mesh.points_mm.size());
-  for (const std::vector<std::uint32_t>& shell : shells_of(solid.mesh)) {
+  for (const std::vector<std::uint32_t>& shell : sets_by_edges(solid.mesh.triangles).groups()) {
     Piece piece = piece_of(solid, shell, index_scratch);
     (piece.volume_mm3 < 0.0 ? inward : outward).push_back(std::move(piece));
   }

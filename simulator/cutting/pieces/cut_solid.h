@@ -11,24 +11,24 @@ namespace hallux::simulator {
 /// kerf -1: the bone's own surface. Otherwise the wall that this kerf left: side +1 lies at
 /// +thickness/2 (the solid stands above it, its face looks down the kerf's z), side -1 at
 /// -thickness/2.
-struct FaceOrigin {
+struct FaceSource {
   std::int32_t kerf = -1;
   std::int32_t side = 0;
 
-  friend bool operator==(const FaceOrigin&, const FaceOrigin&) = default;
+  friend bool operator==(const FaceSource&, const FaceSource&) = default;
 };
 
 struct CutSolid {
   /// Closed, oriented; may hold several pieces and inward-facing canal shells.
   IndexedMesh mesh;
   /// One per triangle.
-  std::vector<FaceOrigin> origins;
+  std::vector<FaceSource> sources;
 };
 
 /// The solid of a bone that was never cut.
 CutSolid uncut_solid(IndexedMesh mesh);
 
-/// Appends the faces of `added` with their origins.
+/// Appends the faces of `added` with their sources.
 void append_solid(CutSolid& solid, const CutSolid& added);
 
 /// The pieces of a solid, largest first; an inward-facing shell goes with the piece around it.

@@ -1,7 +1,6 @@
 #include "simulator/cutting/pieces/edge_uses.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace hallux::simulator {
@@ -48,25 +47,13 @@ std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles,
   return uses;
 }
 
-DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
-  std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t DisjointSets::root(std::uint32_t member) noexcept {
-  while (parent_[member] != member) {
-    parent_[member] = parent_[parent_[member]];
-    member = parent_[member];
+DisjointSets sets_by_edges(std::span<const Triangle> triangles) {
+  DisjointSets sets(triangles.size());
+  const std::vector<EdgeUse> uses = edge_uses(triangles);
+  for (std::size_t i = 1; i < uses.size(); ++i) {
+    if (uses[i].edge == uses[i - 1].edge) sets.join(uses[i].triangle, uses[i - 1].triangle);
   }
-  return member;
-}
-
-void DisjointSets::join(std::uint32_t a, std::uint32_t b) noexcept {
-  const std::uint32_t root_a = root(a), root_b = root(b);
-  if (root_a < root_b) {
-    parent_[root_b] = root_a;
-  } else {
-    parent_[root_a] = root_b;
-  }
+  return sets;
 }
 
 }  // namespace hallux::simulator

@@ -1,11 +1,11 @@
-/// Which triangles share which edges, by sorting; and sets that are joined step by step.
-/// Inside this room only.
+/// Which triangles share which edges, by sorting. Inside this room only.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "simulator/base/disjoint_sets.h"
 #include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::simulator {
@@ -28,15 +28,7 @@ std::vector<EdgeUse> edge_uses_from(std::uint32_t first_triangle,
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles,
                                std::span<const std::uint32_t> chosen);
 
-/// Disjoint sets of 0 .. count-1; the root of a set is its lowest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count);
-  std::uint32_t root(std::uint32_t member) noexcept;
-  void join(std::uint32_t a, std::uint32_t b) noexcept;
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+/// The triangles, joined where they share an edge: each set is a shell.
+DisjointSets sets_by_edges(std::span<const Triangle> triangles);
 
 }  // namespace hallux::simulator

@@ -26,9 +26,9 @@ std::optional<RemainingPoint> RemainingBone::nearest(const Vec3& point_in_bone_m
 
 Advance RemainingBone::first_contact(std::span<const Vec3> points_in_body_mm,
                                      const RigidMotion& motion) const noexcept {
-  double reach_mm2 = 0.0;
+  double radius_mm2 = 0.0;
   for (const Vec3& point : points_in_body_mm) {
-    reach_mm2 = std::max(reach_mm2, glm::dot(point, point));
+    radius_mm2 = std::max(radius_mm2, squared_length(point));
   }
   const auto gap_mm = [&](const RigidTransform& pose, double within_mm) {
     double least_mm = within_mm;
@@ -38,7 +38,7 @@ Advance RemainingBone::first_contact(std::span<const Vec3> points_in_body_mm,
     }
     return least_mm;
   };
-  return advance_until_contact(motion, std::sqrt(reach_mm2), gap_mm);
+  return advance_until_contact(motion, std::sqrt(radius_mm2), gap_mm);
 }
 
 }  // namespace hallux::simulator

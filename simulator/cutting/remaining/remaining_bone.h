@@ -35,10 +35,6 @@ struct RemainingPoint {
   BoneSide side = BoneSide::Skin;
   /// Of a wall or front.
   std::int32_t kerf = -1;
-  /// +1 or -1, as FaceOrigin's.
-  std::int32_t wall_side = 0;
-  /// Of the original surface, on skin.
-  std::uint32_t triangle = 0;
 };
 
 /// Borrows all it names. All questions: total, without allocation, bounded by the trees and the

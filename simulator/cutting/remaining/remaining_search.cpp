@@ -1,3 +1,8 @@
+/// The nearest point of what stands is looked for among candidates: walls straight across, skin by
+/// the tree, lines where two walls meet, fronts along the rim. A candidate counts where bone stands
+/// a micrometre behind it. Skin that a slab covers is clipped to what lies outside the slab; a rim
+/// behind which a ball of air is known is not asked again. Every candidate lowers the distance that
+/// the next ones must beat.
 #include "simulator/cutting/remaining/remaining_search.h"
 
 #include <algorithm>
@@ -17,8 +22,6 @@ constexpr double on_mm = 1.0e-6;
 /// Inside a kerf by more than this: not on its wall.
 constexpr double in_slab_mm = 1.0e-9;
 
-double squared(const Vec3& arm) noexcept { return glm::dot(arm, arm); }
-
 Vec2 closest_on_segment(const RimSegment& segment, const Vec2& place_mm) noexcept {
   const Vec2 way = segment.end_mm - segment.start_mm;
   const double length2 = glm::dot(way, way);
@@ -35,9 +38,9 @@ RemainingSearch::RemainingSearch(const RemainingBone& bone, const Vec3& point_mm
   for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
     const KerfPlane& plane = bone.kerfs.plane(kerf);
     Slab& slab = slabs_[static_cast<std::size_t>(kerf)];
-    slab.axis_x = transform_direction(plane.bone_from_kerf, Vec3(1.0, 0.0, 0.0));
-    slab.axis_y = transform_direction(plane.bone_from_kerf, Vec3(0.0, 1.0, 0.0));
-    slab.axis_z = transform_direction(plane.bone_from_kerf, Vec3(0.0, 0.0, 1.0));
+    slab.axis_x = axis_x(plane.bone_from_kerf);
+    slab.axis_y = axis_y(plane.bone_from_kerf);
+    slab.axis_z = axis_z(plane.bone_from_kerf);
     slab.origin_mm = plane.bone_from_kerf.translation_mm;
     slab.half_mm = 0.5 * plane.thickness_mm;
     slab.local_mm = slab.to_local(point_mm);
@@ -96,7 +99,7 @@ bool RemainingSearch::skin_stands(const Vec3& on_skin_mm) const noexcept {
 }
 
 void RemainingSearch::offer(RemainingPoint found) noexcept {
-  found.distance_mm = std::sqrt(squared(found.point_in_bone_mm - point_mm_));
+  found.distance_mm = length_of(found.point_in_bone_mm - point_mm_);
   if (!(found.distance_mm < within_mm_)) return;
   within_mm_ = found.distance_mm;
   best_ = found;
@@ -111,7 +114,7 @@ void RemainingSearch::try_walls(std::int32_t kerf) noexcept {
     const Vec3 across(at.local_mm.x, at.local_mm.y, level_mm);
     if (!stands(at.to_bone(across + Vec3(0.0, 0.0, side * behind_mm)), kerf)) continue;
     const double out = -side;
-    offer({0.0, at.to_bone(across), out * at.axis_z, BoneSide::Wall, kerf, side});
+    offer({0.0, at.to_bone(across), out * at.axis_z, BoneSide::Wall, kerf});
   }
 }
 
@@ -127,16 +130,15 @@ void RemainingSearch::try_skin() noexcept {
 void RemainingSearch::offer_skin(const Vec3& on_skin_mm, const NearTriangle& of) noexcept {
   RemainingPoint found;
   found.point_in_bone_mm = on_skin_mm;
-  found.triangle = of.triangle;
   const Vec3 normal =
       glm::cross(of.corner_mm[1] - of.corner_mm[0], of.corner_mm[2] - of.corner_mm[0]);
-  const double length = std::sqrt(squared(normal));
+  const double length = length_of(normal);
   if (length > 0.0) found.normal = normal / length;
   offer(found);
 }
 
 void RemainingSearch::try_triangle(const NearTriangle& found) noexcept {
-  if (!(squared(found.closest_mm - point_mm_) < within_mm_ * within_mm_)) return;
+  if (!(squared_length(found.closest_mm - point_mm_) < within_mm_ * within_mm_)) return;
   if (skin_stands(found.closest_mm)) {
     offer_skin(found.closest_mm, found);
     return;
@@ -173,8 +175,8 @@ void RemainingSearch::try_polygon(const Polygon& polygon, std::int32_t kerf,
         closest_on_triangle({polygon.corner_mm[0], polygon.corner_mm[i - 1], polygon.corner_mm[i]},
                             point_mm_)
             .point_mm;
-    if (!(squared(closest - point_mm_) < least_mm2)) continue;
-    least_mm2 = squared(closest - point_mm_);
+    if (!(squared_length(closest - point_mm_) < least_mm2)) continue;
+    least_mm2 = squared_length(closest - point_mm_);
     nearest_mm = closest;
     is_near = true;
   }
@@ -202,7 +204,7 @@ void RemainingSearch::try_lines(std::int32_t first, std::int32_t second) noexcep
   const Slab& a = slab(first);
   const Slab& b = slab(second);
   const Vec3 along = glm::cross(a.axis_z, b.axis_z);
-  const double sine2 = squared(along);
+  const double sine2 = squared_length(along);
   if (sine2 < 1.0e-12) return;
   const double cosine = glm::dot(a.axis_z, b.axis_z);
   for (const std::int32_t side_a : {1, -1}) {
@@ -211,7 +213,7 @@ void RemainingSearch::try_lines(std::int32_t first, std::int32_t second) noexcep
       const double up_b = side_b * b.half_mm - b.local_mm.z;
       const Vec3 way =
           ((up_a - cosine * up_b) / sine2) * a.axis_z + ((up_b - cosine * up_a) / sine2) * b.axis_z;
-      if (!(squared(way) < within_mm_ * within_mm_)) continue;
+      if (!(squared_length(way) < within_mm_ * within_mm_)) continue;
       const Vec3 meeting = point_mm_ + way;
       const Vec3 in_a = a.to_local(meeting), in_b = b.to_local(meeting);
       if (!field(first).is_open(Vec2(in_a.x, in_a.y))) continue;
@@ -222,7 +224,7 @@ void RemainingSearch::try_lines(std::int32_t first, std::int32_t second) noexcep
                                                       static_cast<double>(side_b) * b.axis_z);
       const Vec3 behind = meeting + into;
       if (is_open(first, behind, in_slab_mm) || !stands(behind, first)) continue;
-      offer({0.0, meeting, static_cast<double>(-side_a) * a.axis_z, BoneSide::Wall, first, side_a});
+      offer({0.0, meeting, static_cast<double>(-side_a) * a.axis_z, BoneSide::Wall, first});
     }
   }
 }
@@ -233,13 +235,13 @@ void RemainingSearch::try_lines(std::int32_t first, std::int32_t second) noexcep
 void RemainingSearch::try_rim(std::int32_t kerf) noexcept {
   const Slab& at = slab(kerf);
   const double above_mm = std::max(0.0, std::abs(at.local_mm.z) - at.half_mm);
-  const auto reach_mm = [&] {
+  const auto rim_distance_mm = [&] {
     return std::sqrt(std::max(0.0, within_mm_ * within_mm_ - above_mm * above_mm));
   };
-  visit_rim(field(kerf), Vec2(at.local_mm.x, at.local_mm.y), reach_mm(),
+  visit_rim(field(kerf), Vec2(at.local_mm.x, at.local_mm.y), rim_distance_mm(),
             [&](const RimSegment& segment) {
               try_segment(kerf, segment);
-              return reach_mm();
+              return rim_distance_mm();
             });
 }
 
@@ -269,7 +271,7 @@ void RemainingSearch::try_segment(std::int32_t kerf, const RimSegment& segment) 
   if (!(glm::dot(arm, arm) + up_mm * up_mm < within_mm_ * within_mm_)) return;
   if (is_barren(at, segment)) return;
   const Vec2 way = segment.end_mm - segment.start_mm;
-  const double length = std::sqrt(glm::dot(way, way));
+  const double length = length_of(way);
   if (!(length > 0.0)) return;
   const Vec3 along(way.x / length, way.y / length, 0.0);
   const FrontPoint front{Vec3(rim_mm.x, rim_mm.y, height_mm), Vec3(along.y, -along.x, 0.0)};
@@ -282,8 +284,7 @@ void RemainingSearch::try_segment(std::int32_t kerf, const RimSegment& segment) 
     barren_[1] = {behind, bone_.original.signed_distance_mm(behind)};
     if (is_barren(at, segment)) return;
   }
-  const double to_start_mm =
-      std::sqrt(glm::dot(rim_mm - segment.start_mm, rim_mm - segment.start_mm));
+  const double to_start_mm = length_of(rim_mm - segment.start_mm);
   try_along(kerf, front, Vec3(0.0, 0.0, 1.0), at.half_mm - height_mm);
   try_along(kerf, front, Vec3(0.0, 0.0, -1.0), at.half_mm + height_mm);
   try_along(kerf, front, along, length - to_start_mm);

@@ -16,9 +16,9 @@ struct RigidMotion {
   RigidTransform bone_from_start, bone_from_end;
 };
 
-/// At least the speed of any point within `reach_mm` of the frame's origin, in millimetres per
+/// At least the speed of any point within `radius_mm` of the frame's origin, in millimetres per
 /// whole motion.
-double greatest_speed_mm(const RigidMotion& motion, double reach_mm) noexcept;
+double greatest_speed_mm(const RigidMotion& motion, double radius_mm) noexcept;
 
 /// Nearer than this to the surface is contact [mm]; a motion stops up to this far before it and
 /// never beyond.
@@ -38,9 +38,9 @@ struct Advance {
 /// shape   gap_mm(pose, within_mm): distance to the surface at a pose of the motion, or `within_mm`
 ///         where it is at least that
 template <typename Gap>
-Advance advance_until_contact(const RigidMotion& motion, double reach_mm,
+Advance advance_until_contact(const RigidMotion& motion, double radius_mm,
                               const Gap& gap_mm) noexcept {
-  const double speed_mm = greatest_speed_mm(motion, reach_mm);
+  const double speed_mm = greatest_speed_mm(motion, radius_mm);
   Advance advance{0.0};
   for (int i = 0; i < advance_limit; ++i) {
     const RigidTransform pose =

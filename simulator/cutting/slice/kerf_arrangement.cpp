@@ -1,3 +1,8 @@
+/// Crossings are asked edge by edge on integers; states are carried, not asked: from the first
+/// point of a skin along its tree, from the first corner of a loop along its edges, each crossing
+/// adding its sign. A state other than in and out, or a loop that does not come back to its
+/// beginning, refuses the region. Along one edge entries and exits are sorted apart and dealt out
+/// in turn, so two crossings that rounding has exchanged cannot open the solid.
 #include "simulator/cutting/slice/kerf_arrangement.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "simulator/cutting/slice/nesting.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hallux::simulator {
 

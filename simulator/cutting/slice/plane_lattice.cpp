@@ -6,7 +6,7 @@ namespace hallux::simulator {
 
 namespace {
 
-constexpr double reach_steps = 67108863.0;  // 2^26 - 1
+constexpr double half_size_steps = 67108863.0;  // 2^26 - 1
 
 /// floor(steps + 0.5); without -march the library's floor is a call.
 std::int64_t nearest_step(double steps) noexcept {
@@ -19,8 +19,8 @@ std::int64_t nearest_step(double steps) noexcept {
 
 PlaneLattice::PlaneLattice(const Vec2& min_mm, const Vec2& max_mm) noexcept
     : middle_mm_(0.5 * (min_mm + max_mm)) {
-  const double reach_mm = std::max(max_mm.x - middle_mm_.x, max_mm.y - middle_mm_.y);
-  while (reach_mm > step_mm_ * reach_steps) step_mm_ *= 2.0;
+  const double half_size_mm = std::max(max_mm.x - middle_mm_.x, max_mm.y - middle_mm_.y);
+  while (half_size_mm > step_mm_ * half_size_steps) step_mm_ *= 2.0;
 }
 
 LatticePoint PlaneLattice::snap(const Vec2& place_mm) const noexcept {

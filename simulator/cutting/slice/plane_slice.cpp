@@ -88,9 +88,8 @@ StripPolygon clipped(const StripPolygon& polygon, double sign, double half_mm) n
 
 KerfAxes axes_of(const KerfPlane& plane) noexcept {
   const RigidTransform& bone_from_kerf = plane.bone_from_kerf;
-  return {bone_from_kerf.translation_mm, transform_direction(bone_from_kerf, Vec3(1.0, 0.0, 0.0)),
-          transform_direction(bone_from_kerf, Vec3(0.0, 1.0, 0.0)),
-          transform_direction(bone_from_kerf, Vec3(0.0, 0.0, 1.0))};
+  return {bone_from_kerf.translation_mm, axis_x(bone_from_kerf), axis_y(bone_from_kerf),
+          axis_z(bone_from_kerf)};
 }
 
 PlaneSlice slice_plane(const IndexedMesh& mesh, const KerfAxes& axes,

@@ -1,3 +1,7 @@
+/// What hangs together in the slab is one region: skins that share an edge there, a canal and the
+/// skin around it, a void between the planes and the bone that a ray from it meets first. Sets of
+/// triangles are joined until that holds. A region is found from its skin and not from one plane's
+/// contours, which may fall apart where a bone is hollow or bent.
 #include "simulator/cutting/slice/section.h"
 
 #include <algorithm>
@@ -122,16 +126,14 @@ void Strip::join_enclosed_voids() {
   for (std::uint32_t place = 0; place < triangles_.size(); ++place) {
     const std::uint32_t root = parts_.root(place);
     if (is_looped.contains(root)) continue;
-    const Triangle& corners = mesh_.triangles[triangles_[place]];
-    const Vec3 a = mesh_.points_mm[corners[0]] - axes_.origin_mm;
-    const Vec3 b = mesh_.points_mm[corners[1]] - axes_.origin_mm;
-    const Vec3 c = mesh_.points_mm[corners[2]] - axes_.origin_mm;
-    loopless_mm3[root] += glm::dot(a, glm::cross(b, c));
+    const auto [a, b, c] = corners_of(mesh_, triangles_[place]);
+    loopless_mm3[root] +=
+        glm::dot(a - axes_.origin_mm, glm::cross(b - axes_.origin_mm, c - axes_.origin_mm));
   }
   for (const auto& [root, volume_mm3] : loopless_mm3) {
     if (volume_mm3 >= 0.0) continue;
-    const Triangle& corners = mesh_.triangles[triangles_[root]];
-    const auto around = first_ahead(mesh_.points_mm[corners[0]], parts_.root(root));
+    const Vec3 first_mm = corners_of(mesh_, triangles_[root])[0];
+    const auto around = first_ahead(first_mm, parts_.root(root));
     if (around) parts_.join(root, *around);
   }
 }
@@ -142,15 +144,9 @@ std::vector<std::vector<std::uint32_t>> Strip::regions() {
   join_nested(half_mm_);
   join_nested(-half_mm_);
   join_enclosed_voids();
-  std::vector<std::vector<std::uint32_t>> regions;
-  std::vector<std::size_t> region_of_root(triangles_.size());
-  for (std::uint32_t place = 0; place < triangles_.size(); ++place) {
-    const std::uint32_t root = parts_.root(place);
-    if (root == place) {
-      region_of_root[root] = regions.size();
-      regions.emplace_back();
-    }
-    regions[region_of_root[root]].push_back(triangles_[place]);
+  std::vector<std::vector<std::uint32_t>> regions = parts_.groups();
+  for (std::vector<std::uint32_t>& region : regions) {
+    for (std::uint32_t& place : region) place = triangles_[place];
   }
   return regions;
 }
@@ -178,7 +174,7 @@ void measure_section(SectionRegion& region, const IndexedMesh& mesh, const KerfA
     for (std::size_t i = 0; i < contour.size(); ++i) {
       const Vec2 a = contour[i] - contour.front();
       const Vec2 b = contour[(i + 1) % contour.size()] - contour.front();
-      region.area_mm2 += 0.5 * (a.x * b.y - a.y * b.x);
+      region.area_mm2 += 0.5 * cross(a, b);
     }
   }
 }

@@ -1,3 +1,8 @@
+/// Each touched triangle is cut by both planes as one walk around its corners, which yields its
+/// ring inside the slab and the corners beyond a plane. Crossings are computed from the edge's
+/// lower mesh point and found again by the edge, never by position: the neighbour gets the same
+/// bits, and the strip is closed. Then the strip's points are put into a tree by its edges, so that
+/// a region asks one point of each skin and follows crossings for the rest.
 #include "simulator/cutting/slice/slab_slice.h"
 
 #include <algorithm>
@@ -281,7 +286,7 @@ PlaneLattice lattice_over(const SlabSkin& skin, const KerfAxes& axes, Vec2 min_m
 
 void reserve_for(SlabSlice& contact, std::size_t touched_count) {
   contact.touched.reserve(touched_count);
-  contact.origins.reserve(touched_count);
+  contact.sources.reserve(touched_count);
   contact.points.reserve(2 * touched_count);
   contact.edges.reserve(4 * touched_count);
   contact.triangles.reserve(2 * touched_count);
@@ -303,7 +308,7 @@ SlabSlice slice_slab(const CutSolid& solid, const Bvh& bvh, const KerfPlane& pla
   // In a loop of their own these scattered reads overlap.
   for (const std::uint32_t triangle : skin.triangles) {
     contact.touched.push_back({triangle});
-    contact.origins.push_back(solid.origins[triangle]);
+    contact.sources.push_back(solid.sources[triangle]);
   }
   ContactSlicer slicer(skin, contact);
   for (std::uint32_t i = 0; i < skin.triangles.size(); ++i) slicer.slice(i);

@@ -91,7 +91,7 @@ struct SlabSlice {
   /// Ascending by base_triangle.
   std::vector<TouchedTriangle> touched;
   /// Of each touched triangle.
-  std::vector<FaceOrigin> origins;
+  std::vector<FaceSource> sources;
   std::uint32_t skin_count = 0;
 
   /// The strip's points in an order in which each but the first of a skin comes after its parent.

@@ -19,7 +19,7 @@ CutSolid commit_patch(const CutSolid& solid, const SolidPatch& patch) {
                                patch.points_in_bone_mm.end());
   const std::size_t kept = solid.mesh.triangles.size() - patch.hidden.size();
   result.mesh.triangles.reserve(kept + patch.triangles.size());
-  result.origins.reserve(kept + patch.triangles.size());
+  result.sources.reserve(kept + patch.triangles.size());
   std::size_t next = 0;
   for (std::uint32_t i = 0; i < solid.mesh.triangles.size(); ++i) {
     if (next < patch.hidden.size() && patch.hidden[next] == i) {
@@ -27,12 +27,12 @@ CutSolid commit_patch(const CutSolid& solid, const SolidPatch& patch) {
       continue;
     }
     result.mesh.triangles.push_back(solid.mesh.triangles[i]);
-    result.origins.push_back(solid.origins[i]);
+    result.sources.push_back(solid.sources[i]);
   }
   const auto first_new = static_cast<std::uint32_t>(result.mesh.triangles.size());
   result.mesh.triangles.insert(result.mesh.triangles.end(), patch.triangles.begin(),
                                patch.triangles.end());
-  result.origins.insert(result.origins.end(), patch.origins.begin(), patch.origins.end());
+  result.sources.insert(result.sources.end(), patch.sources.begin(), patch.sources.end());
   separate_repeated_edges(result, first_new);
   drop_unused_points(result.mesh);
   return result;

@@ -12,7 +12,7 @@ namespace hallux::simulator {
 namespace {
 
 /// Splits two triangles that share an edge at the point in its middle.
-void split_shared_edge(std::vector<Triangle>& triangles, std::vector<FaceOrigin>& origins,
+void split_shared_edge(std::vector<Triangle>& triangles, std::vector<FaceSource>& sources,
                        const std::array<std::uint32_t, 2>& ends, std::uint32_t middle,
                        const std::array<std::uint32_t, 2>& shared_by) {
   for (const std::uint32_t index : shared_by) {
@@ -24,7 +24,7 @@ void split_shared_edge(std::vector<Triangle>& triangles, std::vector<FaceOrigin>
     while (!is_edge_start()) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     triangles[index] = {corners[0], middle, corners[2]};
     triangles.push_back({middle, corners[1], corners[2]});
-    origins.push_back(FaceOrigin{origins[index]});
+    sources.push_back(FaceSource{sources[index]});
   }
 }
 
@@ -78,7 +78,7 @@ bool separate_once(CutSolid& solid, std::uint32_t first_triangle) {
     const std::array<std::uint32_t, 2> ends{
         static_cast<std::uint32_t>(uses[first].edge >> 32U),
         static_cast<std::uint32_t>(uses[first].edge & 0xffffffffU)};
-    split_shared_edge(triangles, solid.origins, ends, add_middle(solid.mesh, ends[0], ends[1]),
+    split_shared_edge(triangles, solid.sources, ends, add_middle(solid.mesh, ends[0], ends[1]),
                       {uses[up].triangle, uses[down].triangle});
   }
   return found;

@@ -11,7 +11,6 @@
 #include "simulator/cutting/solid/remove_slab.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/fill/triangulate.h"
@@ -33,7 +32,7 @@ struct SlabSide {
 
 /// Adds the part of a triangle on one side, as a fan.
 void add_outer_part(CutSolid& result, const IndexedMesh& mesh, const KerfAxes& axes,
-                    const SlabSide& side, std::uint32_t triangle, const FaceOrigin& origin) {
+                    const SlabSide& side, std::uint32_t triangle, const FaceSource& source) {
   const Triangle& corners = mesh.triangles[triangle];
   std::array<bool, 3> is_kept{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -50,7 +49,7 @@ void add_outer_part(CutSolid& result, const IndexedMesh& mesh, const KerfAxes& a
   }
   for (std::size_t i = 2; i < count; ++i) {
     result.mesh.triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
-    result.origins.push_back(origin);
+    result.sources.push_back(source);
   }
 }
 
@@ -60,7 +59,7 @@ void add_cap(CutSolid& result, const KerfAxes& axes, const SlabSide& side, std::
     if (side.side > 0) std::swap(triangle[1], triangle[2]);
     for (std::uint32_t& corner : triangle) corner += side.first_point;
     result.mesh.triangles.push_back(triangle);
-    result.origins.push_back({kerf, side.side});
+    result.sources.push_back({kerf, side.side});
   }
 }
 
@@ -96,7 +95,7 @@ CutSolid remove_slab(const CutSolid& solid, const Bvh&, const Section& section, 
       continue;
     }
     result.mesh.triangles.push_back(solid.mesh.triangles[i]);
-    result.origins.push_back(solid.origins[i]);
+    result.sources.push_back(solid.sources[i]);
   }
   const auto first_new = static_cast<std::uint32_t>(result.mesh.triangles.size());
   const KerfAxes axes = axes_of(section.plane);
@@ -105,7 +104,7 @@ CutSolid remove_slab(const CutSolid& solid, const Bvh&, const Section& section, 
     const SlabSide side =
         make_side(result, solid.mesh, axes, touched, side_sign * half_mm, side_sign);
     for (const std::uint32_t triangle : touched) {
-      add_outer_part(result, solid.mesh, axes, side, triangle, solid.origins[triangle]);
+      add_outer_part(result, solid.mesh, axes, side, triangle, solid.sources[triangle]);
     }
     add_cap(result, axes, side, kerf);
   }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -141,8 +140,7 @@ double slab_volume_mm3(const CutSolid& solid, const Section& section,
   CHECK(is_removed.size() == section.regions.size());
   const IndexedMesh& mesh = solid.mesh;
   const RigidTransform& bone_from_kerf = section.plane.bone_from_kerf;
-  const Slab slab{bone_from_kerf.translation_mm,
-                  transform_direction(bone_from_kerf, Vec3(0.0, 0.0, 1.0)),
+  const Slab slab{bone_from_kerf.translation_mm, axis_z(bone_from_kerf),
                   0.5 * section.plane.thickness_mm};
   SlabSkin skin(mesh, slab);
   std::vector<bool> is_label_removed(mesh.triangles.size(), false);

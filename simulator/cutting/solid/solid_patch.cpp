@@ -1,3 +1,8 @@
+/// Every face is gathered as directed edges and filled from them: skin around the region, two walls
+/// on the planes, a front over each edge of the outline. An edge is cut into pieces once, by
+/// pairing the signed marks along it in order, and used by its two faces in opposite directions; so
+/// the patch is closed whatever rounding does, and no tolerance decides about it. Windings that do
+/// not pair refuse the frame, and the patch before it stays.
 #include "simulator/cutting/solid/solid_patch.h"
 
 #include <algorithm>
@@ -58,7 +63,7 @@ bool PatchBuilder::build(const RegionOutline& region, SolidPatch& patch) {
   patch.parents.assign(made_.parents.begin(), made_.parents.end());
   std::swap(patch.hidden, made_.hidden);
   std::swap(patch.triangles, made_.triangles);
-  std::swap(patch.origins, made_.origins);
+  std::swap(patch.sources, made_.sources);
   return true;
 }
 
@@ -69,7 +74,7 @@ void PatchBuilder::begin() {
   made_.parents.resize(static_points_);
   made_.hidden.clear();
   made_.triangles.clear();
-  made_.origins.clear();
+  made_.sources.clear();
   cuts_.clear();
   newest_cut_of_.assign(arrangement_.corners().size(), no_index);
 }
@@ -141,9 +146,9 @@ void PatchBuilder::add_corner_points() {
   }
 }
 
-void PatchBuilder::push_triangle(const Triangle& triangle, const FaceOrigin& origin) {
+void PatchBuilder::push_triangle(const Triangle& triangle, const FaceSource& source) {
   made_.triangles.push_back({named_[triangle[0]], named_[triangle[1]], named_[triangle[2]]});
-  made_.origins.push_back(origin);
+  made_.sources.push_back(source);
 }
 
 bool PatchBuilder::add_skin() {
@@ -170,11 +175,11 @@ bool PatchBuilder::add_skin() {
 /// beginning.
 void PatchBuilder::add_outer_part(const OuterPart& part) {
   const StripEdge& edge = contact_.edges[part.edge];
-  const FaceOrigin& origin = contact_.origins[part.touched];
+  const FaceSource& source = contact_.sources[part.touched];
   std::uint32_t last = named_[edge.b];
   const auto add = [&](std::uint32_t next) {
     made_.triangles.push_back({part.corners[0], last, next});
-    made_.origins.push_back(origin);
+    made_.sources.push_back(source);
     last = next;
   };
   if (part.corner_count == 2) {
@@ -192,7 +197,7 @@ bool PatchBuilder::add_strip_triangle(std::uint32_t triangle) {
   for (const std::uint32_t edge : strip.edges) is_cut = is_cut || !arrangement_.chain(edge).empty();
   if (is_cut) return add_cut_triangle(triangle);
   if (!arrangement_.is_open(strip.points[0])) {
-    push_triangle(strip.points, contact_.origins[strip.touched]);
+    push_triangle(strip.points, contact_.sources[strip.touched]);
   }
   return true;
 }
@@ -210,7 +215,7 @@ bool PatchBuilder::add_cut_triangle(std::uint32_t triangle) {
     });
   }
   gather_cut_ends(triangle);
-  return join_cut_ends() && fill(view_of(triangle), contact_.origins[strip.touched]);
+  return join_cut_ends() && fill(view_of(triangle), contact_.sources[strip.touched]);
 }
 
 /// The walk around the triangle stays outside the region: where a side goes in, the walk goes on
@@ -345,10 +350,10 @@ bool PatchBuilder::find_uprights() {
   return true;
 }
 
-bool PatchBuilder::fill(FaceView view, const FaceOrigin& origin) {
+bool PatchBuilder::fill(FaceView view, const FaceSource& source) {
   face_.clear();
   if (!filler_.fill(corners_, view, face_)) return false;
-  for (const Triangle& triangle : face_) push_triangle(triangle, origin);
+  for (const Triangle& triangle : face_) push_triangle(triangle, source);
   return true;
 }
 

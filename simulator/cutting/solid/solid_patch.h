@@ -9,7 +9,6 @@
 /// steps.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +27,7 @@ struct SolidPatch {
   /// the others are patch points behind them.
   std::vector<Triangle> triangles;
   /// Per triangle; walls {kerf, +-1}, fronts {kerf, 0}.
-  std::vector<FaceOrigin> origins;
+  std::vector<FaceSource> sources;
 };
 
 class PatchBuilder {
@@ -84,13 +83,13 @@ class PatchBuilder {
   bool join_cut_ends();
   bool add_front(std::uint32_t region_edge);
   bool add_wall(std::int8_t level);
-  bool fill(FaceView view, const FaceOrigin& origin);
+  bool fill(FaceView view, const FaceSource& source);
 
   void mark(double at, std::uint32_t point, std::int32_t count);
   bool pair_marks(std::vector<Piece>& pieces);
   bool find_section_pieces();
   bool find_uprights();
-  void push_triangle(const Triangle& triangle, const FaceOrigin& origin);
+  void push_triangle(const Triangle& triangle, const FaceSource& source);
   /// The pieces of a strip edge inside or outside the region, in the edge's direction.
   template <typename Visit>
   void for_pieces(std::uint32_t strip_edge, bool in_region, Visit&& visit) const {

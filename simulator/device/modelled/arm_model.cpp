@@ -10,11 +10,6 @@ namespace {
 
 constexpr double mm_per_m = 1000.0;
 
-Vec3 within(const Vec3& force_newton, double limit_newton) noexcept {
-  const double length_newton = std::sqrt(glm::dot(force_newton, force_newton));
-  return length_newton > limit_newton ? limit_newton / length_newton * force_newton : force_newton;
-}
-
 }  // namespace
 
 void send_force(ArmState& arm, const Vec3& force_newton) noexcept {
@@ -26,7 +21,7 @@ void send_force(ArmState& arm, const Vec3& force_newton) noexcept {
 
 void advance(ArmState& arm, const ArmTraits& traits, const HandGrip& hand) noexcept {
   const double substep_s = step_s / static_cast<double>(traits.substeps);
-  const Vec3 motors_newton = within(
+  const Vec3 motors_newton = shortened(
       arm.sent_newton[static_cast<std::size_t>(traits.transport_ticks)], traits.motor_limit_newton);
   for (std::int32_t i = 0; i < traits.substeps; ++i) {
     const Vec3 hand_newton = hand.stiffness_newton_per_mm * (hand.wanted_mm - arm.place_mm) -

@@ -89,7 +89,7 @@ Percentiles cost_us(const Bone& bone, const simulator::Recording& recording) {
     const Stopwatch watch;
     const simulator::StepOutput output = simulation.step(input);
     times_us.push_back(1000.0 * watch.worked_milliseconds());
-    jobs.follow(output);
+    jobs.apply(output);
   }
   return percentiles_of(std::move(times_us));
 }

@@ -5,7 +5,6 @@
 
 #include "assessment/rebuild/rebuild.h"
 #include "scenarios/plan.h"
-#include "scenarios/planned_bridge.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/random.h"
 #include "tests/benchmarks/report/percentiles.h"

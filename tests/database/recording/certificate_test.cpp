@@ -40,8 +40,8 @@ TEST(Certificate, OneRowLostLeftOutOrDoubledIsTooMany) {
 
 TEST(Certificate, HasALimitForWhatIsOnlyTooMuchOf) {
   // A twentieth of a minute unseen is allowed, a microsecond more is not; so with the others.
-  EXPECT_EQ(reasons_after([](auto& c) { c.unseen_us = 3'000'000; }), Reasons{});
-  EXPECT_EQ(reasons_after([](auto& c) { c.unseen_us = 3'000'001; }),
+  EXPECT_EQ(reasons_after([](auto& c) { c.unsampled_us = 3'000'000; }), Reasons{});
+  EXPECT_EQ(reasons_after([](auto& c) { c.unsampled_us = 3'000'001; }),
             Reasons{Invalidity::TimeUnseen});
   EXPECT_EQ(reasons_after([](auto& c) { c.missed_ticks = 20'000; }), Reasons{});
   EXPECT_EQ(reasons_after([](auto& c) { c.missed_ticks = 20'001; }),
@@ -66,7 +66,7 @@ TEST(Certificate, NamesAllThatIsWrongInOrder) {
   const Reasons reasons = reasons_after([](auto& c) {
     c.received_samples = 0;
     c.gaps = c.duplicates = c.clock_steps = 1;
-    c.unseen_us = 60'000'000;
+    c.unsampled_us = 60'000'000;
     c.missed_ticks = c.faulted_ticks = 60'000;
   });
   EXPECT_EQ(reasons, Reasons(invalidities.begin(), invalidities.end()));
@@ -79,7 +79,7 @@ TEST(Certificate, IsReadAsItWasWritten) {
   written.duplicates = 2;
   written.missed_ticks = 3;
   written.pauses = 4;
-  written.unseen_us = 5;
+  written.unsampled_us = 5;
   written.clock_steps = 6;
   written.faulted_ticks = 7;
   written.late_p50_us = 8.5;

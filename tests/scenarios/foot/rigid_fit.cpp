@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/mat3x3.hpp>
 #include <limits>
 #include <numeric>
 
@@ -69,7 +70,7 @@ std::array<Vec3, 3> principal_axes(const std::vector<Vec3>& points, const Vec3& 
 RigidTransform best_motion(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   const Vec3 from_mean = mean_of(from);
   const Vec3 to_mean = mean_of(to);
-  Mat3 s{0.0};
+  glm::dmat3 s{0.0};
   for (std::size_t i = 0; i < from.size(); ++i) {
     s += glm::outerProduct(to[i] - to_mean, from[i] - from_mean);
   }

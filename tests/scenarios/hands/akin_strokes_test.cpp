@@ -63,7 +63,7 @@ KerfSet kerfs_of(const Patient& patient, const Recording& recording) {
       const simulator::CutEvent& event = recording.events[next];
       if (event.kind == simulator::CutEventKind::PlaneFrozen) kerfs.freeze(event.pose);
     }
-    kerfs.follow(sample);
+    kerfs.apply(sample);
   }
   return kerfs;
 }
@@ -185,7 +185,7 @@ TEST(AkinStrokes, OfAnExpertLeaveAHingeThatBendsAndOfANoviceOftenNone) {
   for (std::size_t hand = 0; hand < hands.size(); ++hand) print(hands[hand], rows[hand]);
   const auto& [expert, novice] = rows;
   const auto is_in_band = [&](const Row& row) {
-    const scenarios::PlannedHinge& hinge = patient.plan.hinges.at(0);
+    const scenarios::ReferenceHinge& hinge = patient.akin.hinges.at(0);
     return bridge_mm(row) >= hinge.target_low_mm && bridge_mm(row) <= hinge.target_high_mm;
   };
   EXPECT_GE(std::count_if(expert.begin(), expert.end(), is_in_band), 13);

@@ -31,7 +31,7 @@ TEST(FeelingHand, TakesNoMemoryInAHundredThousandTicks) {
     if (has(state.switches, simulator::Switch::SawRuns)) ++ticks_sawn;
     force_newton.y = 2.0 * std::max(0.0, 10.0 - state.world_from_handle.translation_mm.y);
     output.sample.world_from_tool = simulator::quantise(state.world_from_handle);
-    hand.see(output);
+    hand.observe(output);
   }
   EXPECT_EQ(tests::allocations_of_this_thread() - before, 0U);
   EXPECT_GE(commands, 2);

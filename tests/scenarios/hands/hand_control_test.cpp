@@ -55,7 +55,7 @@ TEST(PushControl, OfAnImpatientHandGrowsWhereNothingMovesAndCalmsDown) {
 TEST(HandSenses, NoticeAReactionTimeLater) {
   HandSenses senses({.reaction_s = 0.2, .eye_mm = 0.0}, Random(1, "eye"));
   for (int tick = 0; tick < 1000; ++tick) {
-    senses.take_in({.push_newton = static_cast<double>(tick)}, 1);
+    senses.observe({.push_newton = static_cast<double>(tick)}, 1);
     EXPECT_EQ(senses.noticed().push_newton, std::max(0, tick - 200));
   }
 }
@@ -63,7 +63,7 @@ TEST(HandSenses, NoticeAReactionTimeLater) {
 TEST(HandSenses, CountTheTicksThatALineCovers) {
   HandSenses senses({.reaction_s = 0.2, .eye_mm = 0.0}, Random(1, "eye"));
   for (int tick = 0; tick < 999; tick += 3) {
-    senses.take_in({.push_newton = static_cast<double>(tick)}, 3);
+    senses.observe({.push_newton = static_cast<double>(tick)}, 3);
   }
   EXPECT_NEAR(senses.noticed().push_newton, 996.0 - 200.0, 3.0);
 }
@@ -73,7 +73,7 @@ TEST(HandSenses, SeeTheDepthAsWellAsTheEyeIs) {
   double squares = 0.0, largest_mm = 0.0;
   constexpr int count = 400'000;
   for (int i = 0; i < count; ++i) {
-    senses.take_in({.feed_mm = 7.0}, 1);
+    senses.observe({.feed_mm = 7.0}, 1);
     const double error_mm = senses.noticed().feed_mm - 7.0;
     squares += error_mm * error_mm;
     largest_mm = std::max(largest_mm, std::abs(error_mm));
@@ -84,7 +84,7 @@ TEST(HandSenses, SeeTheDepthAsWellAsTheEyeIs) {
 
 TEST(HandSenses, FollowTheTeeth) {
   HandSenses senses({.reaction_s = 0.1, .eye_mm = 0.3}, Random(1, "eye"));
-  for (int tick = 0; tick < 2000; ++tick) senses.take_in({.feed_mm = 0.002 * tick}, 1);
+  for (int tick = 0; tick < 2000; ++tick) senses.observe({.feed_mm = 0.002 * tick}, 1);
   EXPECT_NEAR(senses.noticed_feed_mm_s(), 2.0, 0.01);
 }
 

@@ -39,7 +39,7 @@ class Tracer {
     trace_.bone_mm = region.max_mm.x - region.min_mm.x;
   }
 
-  void follow(const ToolSample& sample, const Simulation& simulation) {
+  void add(const ToolSample& sample, const Simulation& simulation) {
     const RigidTransform plane_from_tool =
         plane_from_world_ * simulator::transform_from(sample.world_from_tool);
     const Vec3 force = simulator::force_newton(sample);
@@ -101,8 +101,8 @@ HandTrace trace_hand(const scenarios::Scenario& scenario, const simulator::Bone&
       }
     }
     const simulator::StepOutput output = simulation.step(input);
-    jobs.follow(output);
-    tracer.follow(output.sample, simulation);
+    jobs.apply(output);
+    tracer.add(output.sample, simulation);
   }
   return tracer.finish(simulation);
 }

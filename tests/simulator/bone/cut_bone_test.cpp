@@ -81,7 +81,7 @@ TEST(CutBone, AllButOneIsTheBoneWhoseOtherKerfsWereCut) {
   bone.put_kerf(1, across(1, -2.0, 3.0));
   other.put_kerf(0, across(1, -2.0, 3.0));
   EXPECT_EQ(bone.all_but(0).mesh, other.after_all().mesh);
-  EXPECT_EQ(bone.all_but(0).origins, other.after_all().origins);
+  EXPECT_EQ(bone.all_but(0).sources, other.after_all().sources);
   EXPECT_EQ(bone.all_but(1).mesh, bone.before(1).solid.mesh);
   EXPECT_EQ(bone.all_but(-1).mesh, bone.after_all().mesh);
 }

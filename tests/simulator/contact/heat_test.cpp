@@ -49,7 +49,7 @@ class SawnBlock {
     }
     if (saw_runs) sample.status |= static_cast<std::uint32_t>(ToolStatus::SawOn);
     if (sawing_.is_irrigated) sample.status |= static_cast<std::uint32_t>(ToolStatus::Irrigated);
-    kerfs_.follow(sample);
+    kerfs_.apply(sample);
     field_.apply(sample, {tissue_, kerfs_, {}});
     for (HeatMark mark; field_.take_mark(mark);) marks.push_back({sample.tick, mark});
   }

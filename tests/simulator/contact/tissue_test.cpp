@@ -114,7 +114,7 @@ TEST(Tissue, StandsNoMoreInAnOpenKerfNorInAPieceTakenOut) {
   sample.world_from_tool = quantise(bone.world_from_bone * bone_from_tool);
   sample.kerf = 0;
   sample.status = static_cast<std::uint32_t>(ToolStatus::SawOn);
-  kerfs.follow(sample);
+  kerfs.apply(sample);
   const Bvh piece{tests::moved(tests::solid_block({10.0, 20.0, 20.0}), {{}, {15.0, 0.0, 0.0}})};
   const std::array<const Bvh*, 1> removed{&piece};
   const RemainingTissue standing{map, kerfs, removed};

@@ -22,7 +22,7 @@ void freeze(AttemptGeometry& geometry, std::int32_t kerf, double x_mm) {
   event.kind = CutEventKind::PlaneFrozen;
   event.subject = kerf;
   event.pose = quantise(blade_down({x_mm, 2.0, 0.0}));
-  geometry.follow(event);
+  geometry.apply(event);
 }
 
 /// The blade in that kerf, its teeth at `y_mm`; it is 20 mm deep and wider than the block.
@@ -32,7 +32,7 @@ void sweep(AttemptGeometry& geometry, const Bone& bone, std::int32_t kerf, doubl
   sample.world_from_tool = quantise(bone.world_from_bone * blade_down({x_mm, y_mm, 0.0}));
   sample.status = static_cast<std::uint32_t>(ToolStatus::SawOn);
   sample.kerf = kerf;
-  geometry.follow(sample);
+  geometry.apply(sample);
 }
 
 std::unique_ptr<const JobResult> cut(AttemptGeometry& geometry, const Bone& bone, std::int32_t kerf,
@@ -123,7 +123,7 @@ TEST(PiecesJob, ABodyThatWasTakenOutStaysOutWhenItsKerfGoesOn) {
   CutEvent event;
   event.kind = CutEventKind::PieceRemoved;
   event.subject = 1;
-  geometry.follow(event);
+  geometry.apply(event);
   const auto second = cut(geometry, bone, 1, -5.0);
   ASSERT_EQ(second->pieces.size(), 2U);
   EXPECT_EQ(second->pieces[0].id, 0);
@@ -164,7 +164,7 @@ TEST(PiecesJob, APieceTakenOutIsNoMoreInTheSolid) {
   CutEvent event;
   event.kind = CutEventKind::PieceRemoved;
   event.subject = 1;
-  geometry.follow(event);
+  geometry.apply(event);
   EXPECT_NEAR(signed_volume_mm3(geometry.solid().mesh), result->pieces[0].volume_mm3, 1e-9);
 }
 

@@ -43,7 +43,7 @@ TEST(VirtualLoop, PushesEveryLineAndEverySample) {
 /// Starts, sees a hundred steps, and finishes.
 class CountingOperator final : public AttemptOperator {
  public:
-  void see(const StepOutput& output) noexcept override { seen_tick = output.sample.tick; }
+  void observe(const StepOutput& output) noexcept override { seen_tick = output.sample.tick; }
   bool take_command(Command& command) noexcept override {
     const bool is_first = said == 0, is_last = said == 1 && seen_tick == 99;
     if (!is_first && !is_last) return false;
@@ -217,7 +217,7 @@ class StuckJobs : public JobRunner {
  public:
   explicit StuckJobs(std::int64_t stuck_line) : stuck_line_(stuck_line) {}
 
-  bool follow(const StepOutput&) override { return ++lines_ <= stuck_line_; }
+  bool apply(const StepOutput&) override { return ++lines_ <= stuck_line_; }
   bool has_room() const noexcept override {
     if (lines_ < stuck_line_) return true;
     ++asked_;
@@ -242,7 +242,7 @@ class FailingJobs final : public StuckJobs {
 /// They throw at once, on the loop's own thread.
 class ThrowingJobs final : public JobRunner {
  public:
-  bool follow(const StepOutput& output) override {
+  bool apply(const StepOutput& output) override {
     if (output.sample.tick == 100) throw std::bad_alloc();
     return true;
   }

@@ -15,37 +15,38 @@ ClockReading at(milliseconds paced, milliseconds machine) {
 
 TEST(ClockWatch, SeesNoStepWhereBothClocksGoOn) {
   ClockWatch watch;
-  for (int i = 0; i < 100; ++i) watch.see(at(milliseconds{500 * i}, milliseconds{9000 + 501 * i}));
+  for (int i = 0; i < 100; ++i)
+    watch.observe(at(milliseconds{500 * i}, milliseconds{9000 + 501 * i}));
   EXPECT_EQ(watch.steps(), 0);
 }
 
 TEST(ClockWatch, CountsAMachineThatSleptOnce) {
   ClockWatch watch;
-  watch.see(at(milliseconds{0}, milliseconds{0}));
-  watch.see(at(milliseconds{500}, milliseconds{60'500}));
-  watch.see(at(milliseconds{1000}, milliseconds{61'000}));
+  watch.observe(at(milliseconds{0}, milliseconds{0}));
+  watch.observe(at(milliseconds{500}, milliseconds{60'500}));
+  watch.observe(at(milliseconds{1000}, milliseconds{61'000}));
   EXPECT_EQ(watch.steps(), 1);
 }
 
 TEST(ClockWatch, CountsAPacedClockThatJumpsEitherWay) {
   ClockWatch watch;
-  watch.see(at(milliseconds{1000}, milliseconds{1000}));
-  watch.see(at(milliseconds{5000}, milliseconds{1500}));
-  watch.see(at(milliseconds{2000}, milliseconds{2000}));
+  watch.observe(at(milliseconds{1000}, milliseconds{1000}));
+  watch.observe(at(milliseconds{5000}, milliseconds{1500}));
+  watch.observe(at(milliseconds{2000}, milliseconds{2000}));
   EXPECT_EQ(watch.steps(), 2);
 }
 
 TEST(ClockWatch, PassesOverAReadingInWhichTheThreadWasPutAside) {
   ClockWatch watch;
-  watch.see(at(milliseconds{0}, milliseconds{0}));
-  watch.see({milliseconds{500}, milliseconds{530}, milliseconds{530}});
-  watch.see(at(milliseconds{1000}, milliseconds{1000}));
+  watch.observe(at(milliseconds{0}, milliseconds{0}));
+  watch.observe({milliseconds{500}, milliseconds{530}, milliseconds{530}});
+  watch.observe(at(milliseconds{1000}, milliseconds{1000}));
   EXPECT_EQ(watch.steps(), 0);
 }
 
 TEST(ClockWatch, ReadsThisMachinesClocksWithoutAStep) {
   ClockWatch watch;
-  for (int i = 0; i < 1000; ++i) watch.see(read_clocks());
+  for (int i = 0; i < 1000; ++i) watch.observe(read_clocks());
   EXPECT_EQ(watch.steps(), 0);
 }
 

@@ -31,7 +31,6 @@ class SilverRun {
     const AttemptSetup setup{.simulation = simulation_,
                              .commands = {},
                              .last_tick = scenarios::FeelingHand::last_tick,
-                             .job_delay = {},
                              .attempt_operator = &hand};
     return tests::record(setup, hand).recording;
   }

@@ -51,8 +51,7 @@ TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
   const HandMotion motion = wavering_motion(bone);
   const AttemptSetup setup{.simulation = {.bone = bone, .danger_zones = {below_the_tube}},
                            .commands = motion.commands,
-                           .last_tick = motion.last_tick(),
-                           .job_delay = {}};
+                           .last_tick = motion.last_tick()};
   ScriptedDevice device(motion);
   const Recording recording = tests::record(setup, device).recording;
   const auto kinds = tests::kinds_of(recording);

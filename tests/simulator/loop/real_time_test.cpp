@@ -7,7 +7,9 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 
+#include "simulator/base/random.h"
 #include "simulator/device/force_output.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "simulator/loop/locked_memory.h"
@@ -18,11 +20,37 @@
 namespace hallux::simulator {
 namespace {
 
-tests::RecordedRun record_in_real_time(const Bone& bone, std::int64_t last_tick, JobDelay delay) {
+/// Each result waits a random time beyond its own before it is ready.
+class LateJobs final : public JobRunner {
+ public:
+  LateJobs(const Bone& bone, std::uint64_t seed, double delay_max_ms)
+      : jobs_(bone, Blade{}), random_(seed), delay_max_ms_(delay_max_ms) {}
+
+  bool apply(const StepOutput& output) override { return jobs_.apply(output); }
+  bool has_room() const noexcept override { return jobs_.has_room(); }
+  /// Asked once a tick while nothing is ready.
+  const JobResult* take_ready() noexcept override {
+    if (late_ == nullptr) {
+      late_ = jobs_.take_ready();
+      left_ms_ = random_.uniform(0.0, delay_max_ms_);
+    }
+    if (late_ == nullptr || --left_ms_ > 0.0) return nullptr;
+    return std::exchange(late_, nullptr);
+  }
+
+ private:
+  ThreadedJobs jobs_;
+  Random random_;
+  double delay_max_ms_, left_ms_ = 0.0;
+  const JobResult* late_ = nullptr;
+};
+
+tests::RecordedRun record_in_real_time(const Bone& bone, std::int64_t last_tick,
+                                       JobRunner* jobs = nullptr) {
   const HandMotion motion = tests::sawing_motion(bone, last_tick);
   AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
   setup.pacing = Pacing::RealTime;
-  setup.job_delay = delay;
+  setup.job_runner = jobs;
   ScriptedDevice device(motion);
   return tests::record(setup, device, 65536);
 }
@@ -39,7 +67,8 @@ std::size_t count_tapes_that_replay(std::uint64_t count, std::int64_t last_tick)
   const Bone bone = tests::loop_block();
   std::set<std::string> tapes;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
-    const tests::RecordedRun run = record_in_real_time(bone, last_tick, {seed, 500});
+    LateJobs jobs(bone, seed, 500.0);
+    const tests::RecordedRun run = record_in_real_time(bone, last_tick, &jobs);
     EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
     EXPECT_EQ(ticks_on(run.recording.tape), run.statistics.ticks);
     const ReplayResult result = replay(run.recording, {bone, {}, {}, {}});
@@ -64,7 +93,7 @@ TEST(RealTimeReplay, RunsWithLateJobsDifferAndEachReplaysToItsOwnHash) {
 
 TEST(RealTimeLoop, KeepsTheClocksPaceWithoutLosingATick) {
   const Bone bone = tests::loop_block();
-  const tests::RecordedRun run = record_in_real_time(bone, 1000, {});
+  const tests::RecordedRun run = record_in_real_time(bone, 1000);
   EXPECT_EQ(run.statistics.end, AttemptEnd::Finished);
   EXPECT_EQ(ticks_on(run.recording.tape), run.statistics.ticks);
   EXPECT_EQ(run.statistics.lines, static_cast<std::int64_t>(run.recording.tape.size()));
@@ -111,8 +140,7 @@ tests::RecordedRun record_with_a_stall(const Bone& bone, std::vector<HandCommand
   const AttemptSetup setup{.simulation = {bone},
                            .pacing = Pacing::RealTime,
                            .commands = std::move(commands),
-                           .last_tick = last_tick,
-                           .job_delay = {}};
+                           .last_tick = last_tick};
   StallingDevice device(tests::sawing_motion(bone, 300), stall);
   return tests::record(setup, device, 65536);
 }
@@ -132,7 +160,8 @@ TEST(RealTimeLoop, AGapIsAPauseAndAResumeOnTheTape) {
   const Bone bone = tests::loop_block();
   const tests::RecordedRun run = record_with_a_stall(bone, {{0, {CommandKind::Start, 0, 0}}});
   EXPECT_GE(run.statistics.pauses, 1);
-  EXPECT_GE(run.statistics.unseen_us, 3'000 * run.statistics.pauses) << "each beyond three ticks";
+  EXPECT_GE(run.statistics.unsampled_us, 3'000 * run.statistics.pauses)
+      << "each beyond three ticks";
   EXPECT_EQ(run.statistics.clock_steps, 0);
   const auto kinds = pauses_of(run.recording);
   ASSERT_GE(kinds.size(), 2U);
@@ -193,11 +222,8 @@ TEST(RealTimeLoop, IsLockedInMemoryWhereItIsWatchedAndTheSystemAllowsIt) {
   AttemptWatch watch;
   for (AttemptWatch* watching : {&watch, static_cast<AttemptWatch*>(nullptr)}) {
     ScriptedDevice device(tests::sawing_motion(bone, 50));
-    const AttemptSetup setup{.simulation = {bone},
-                             .pacing = Pacing::RealTime,
-                             .last_tick = 50,
-                             .job_delay = {},
-                             .watch = watching};
+    const AttemptSetup setup{
+        .simulation = {bone}, .pacing = Pacing::RealTime, .last_tick = 50, .watch = watching};
     const LoopStatistics statistics = tests::record(setup, device, 65536).statistics;
     EXPECT_EQ(statistics.has_locked_memory, is_allowed && watching != nullptr);
     EXPECT_EQ(statistics.force_scale, 1.0) << "a scripted hand is pushed by nobody";

@@ -56,8 +56,7 @@ HandMotion sawing_motion(const Bone& bone, std::int64_t last_tick) {
 
 simulator::AttemptSetup setup_for(const Bone& bone, const HandMotion& motion,
                                   std::int64_t last_tick) {
-  return {
-      .simulation = {bone}, .commands = motion.commands, .last_tick = last_tick, .job_delay = {}};
+  return {.simulation = {bone}, .commands = motion.commands, .last_tick = last_tick};
 }
 
 RecordedRun record(const simulator::AttemptSetup& setup, simulator::HapticDevice& device,

@@ -106,7 +106,8 @@ TEST(WatchedLoop, AFullDiskPausesForAsLongAndIsShown) {
   });
   const tests::RecordedRun run = tests::record(attempt.setup, attempt.device, channels);
   EXPECT_GE(run.statistics.pauses, 1);
-  EXPECT_LT(run.statistics.unseen_us, 500'000) << "the tool is safe while the disk is waited for";
+  EXPECT_LT(run.statistics.unsampled_us, 500'000)
+      << "the tool is safe while the disk is waited for";
   const ReplayResult again = replay(run.recording, {attempt.bone, {}, {}, {}});
   EXPECT_TRUE(again.is_identical) << again.difference;
 }

@@ -10,8 +10,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr DevicePulse living{.flicker_ticks = 2, .numbers_packets = true};
 
-std::uint32_t bit(DeviceFault fault) { return static_cast<std::uint32_t>(fault); }
-
 RawDeviceState at_x(double x_mm, std::uint64_t packet) {
   return {{{1.0, 0.0, 0.0, 0.0}, {x_mm, 0.0, 0.0}}, 1, packet};
 }

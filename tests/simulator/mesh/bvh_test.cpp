@@ -28,11 +28,6 @@ Vec3 any_point(Random& random, double reach_mm) {
           random.uniform(-reach_mm, reach_mm)};
 }
 
-std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, std::size_t triangle) {
-  const Triangle& corners = mesh.triangles[triangle];
-  return {mesh.points_mm[corners[0]], mesh.points_mm[corners[1]], mesh.points_mm[corners[2]]};
-}
-
 double nearest_by_force_mm(const IndexedMesh& mesh, const Vec3& point_mm) {
   double least_mm2 = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

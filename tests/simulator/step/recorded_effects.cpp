@@ -17,7 +17,7 @@ RecordedEffects::RecordedEffects(const simulator::Bone& bone, const simulator::R
     for (; next != recording.events.end() && next->tick <= sample.tick; ++next) {
       if (next->kind == CutEventKind::PlaneFrozen) kerfs_.freeze(next->pose);
     }
-    kerfs_.follow(sample);
+    kerfs_.apply(sample);
     effects_.apply(sample, {tissue_, kerfs_, {}});
     for (CutEvent event; effects_.take_event(kerfs_, event);) events_.push_back(event);
   }

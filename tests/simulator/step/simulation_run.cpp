@@ -67,7 +67,7 @@ StepOutput SimulationRun::step(std::initializer_list<Command> commands) {
   recording_.samples.push_back(output.sample);
   recording_.events.insert(recording_.events.end(), output.events.begin(), output.events.end());
   requests_.insert(requests_.end(), output.requests.begin(), output.requests.end());
-  jobs_.follow(output);
+  jobs_.apply(output);
   tick_ += line.ticks;
   return output;
 }

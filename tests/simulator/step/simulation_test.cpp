@@ -260,7 +260,7 @@ struct FieldComparison {
 FieldComparison compare_with_record(const SimulationRun& run, const Bone& bone) {
   KerfSet followed({}, bone.world_from_bone);
   followed.freeze(run.events(CutEventKind::PlaneFrozen).at(0).pose);
-  for (const ToolSample& sample : run.recording().samples) followed.follow(sample);
+  for (const ToolSample& sample : run.recording().samples) followed.apply(sample);
   const FieldGrid& grid = followed.field(0).grid();
   FieldComparison result;
   for (std::int32_t v = 0; v < grid.v_count; ++v) {

@@ -76,7 +76,7 @@ std::uint64_t allocations_of_steps(const Bone& bone, const Recording& recording)
     const std::uint64_t before = tests::allocations_of_this_thread();
     const StepOutput output = simulation.step(input);
     allocations += tests::allocations_of_this_thread() - before;
-    jobs.follow(output);
+    jobs.apply(output);
   }
   return allocations;
 }

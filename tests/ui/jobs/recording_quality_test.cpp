@@ -9,8 +9,6 @@ namespace {
 
 using simulator::ForceLimit;
 
-std::uint32_t bit(ForceLimit limit) { return static_cast<std::uint32_t>(limit); }
-
 TEST(RecordingQuality, IsReadAsItWasWritten) {
   simulator::LoopStatistics loop;
   loop.lines = 12'000;
@@ -45,7 +43,7 @@ TEST(RecordingQuality, IsReadAsItWasWritten) {
 TEST(RecordingQuality, TakesFromLoopAndRecorderWhatTheCertificateNames) {
   simulator::LoopStatistics loop;
   loop.lines = 10;
-  loop.unseen_us = 1;
+  loop.unsampled_us = 1;
   loop.clock_steps = 2;
   loop.faulted_ticks = 3;
   loop.ring_share_max = 0.5;
@@ -56,7 +54,7 @@ TEST(RecordingQuality, TakesFromLoopAndRecorderWhatTheCertificateNames) {
   recorder.gaps = 6;
   recorder.duplicates = 7;
   const auto certificate = quality_of(loop, recorder).certificate;
-  EXPECT_EQ(certificate.unseen_us, 1);
+  EXPECT_EQ(certificate.unsampled_us, 1);
   EXPECT_EQ(certificate.clock_steps, 2);
   EXPECT_EQ(certificate.faulted_ticks, 3);
   EXPECT_EQ(certificate.ring_share_max, 0.5);

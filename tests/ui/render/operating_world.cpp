@@ -103,7 +103,7 @@ void OperatingWorld::Parts::commit_cut(const char* name, int kerf) {
   RigidTransform plane = bone_from_face(name);
   plane.translation_mm += 0.25 * side;  // the kerf lies in the waste
   const scenarios::PlannedHinge& hinge = plan.hinges.front();
-  const double reach = transform_point(inverse(plane), hinge.point_in_bone_mm).x;
+  const double reach = transform_point(inverse(plane), hinge.bridge.line.point_in_bone_mm).x;
   const CutSolid& solid = phalanx_mesh.solid;
   Sawing cut(solid, *bvh, {plane, 0.5}, kerf);
   for (const double height_mm : {-7.0, 0.0, 7.0}) {

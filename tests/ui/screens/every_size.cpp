@@ -50,7 +50,7 @@ bool shows_word(const Driver& driver, const std::string& word) {
   return false;
 }
 
-std::string all_words(const Driver& driver) {
+std::string all_text(const Driver& driver) {
   std::string words;
   for (const std::string& text : driver.texts()) words += text + " ";
   return words;

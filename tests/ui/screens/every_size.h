@@ -21,7 +21,7 @@ std::vector<std::string> faults_at_every_size(
 bool shows_word(const Driver& driver, const std::string& word);
 
 /// All texts of the frame behind each other, so that a sentence is found that is broken into lines.
-std::string all_words(const Driver& driver);
+std::string all_text(const Driver& driver);
 
 /// Presses Tab until `id` has the focus, then Enter.
 /// errors  fails the test where Tab does not come there

@@ -146,17 +146,17 @@ void DemoPeople::add_cohorts(database::AdministratorDesk& desk) {
 
 void DemoPeople::add_catalogue(database::AdministratorDesk& desk,
                                const std::vector<DemoOperation>& operated) {
-  const auto take_in = [&](const scenarios::Scenario& scenario) {
+  const auto import_version = [&](const scenarios::Scenario& scenario) {
     return desk.import_scenario(
         {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
   };
   for (const DemoOperation& operation : operated) {
-    versions_.push_back(take_in(operation.scenario));
+    versions_.push_back(import_version(operation.scenario));
     desk.publish_scenario(versions_.back());
   }
   const scenarios::Scenario& first = operated.front().scenario;
-  take_in(changed_scenario(first, first.name, first.version + 1));
-  const auto tried = take_in(changed_scenario(first, first.name + "_trial", 1));
+  import_version(changed_scenario(first, first.name, first.version + 1));
+  const auto tried = import_version(changed_scenario(first, first.name + "_trial", 1));
   desk.publish_scenario(tried);
   desk.retire_scenario(tried);
 }

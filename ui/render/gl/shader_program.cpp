@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view include_begin = "#include \"";
 
-/// A shader's text with its includes taken in; `#line` keeps the driver's line numbers true to the
+/// A shader's text with its includes in place; `#line` keeps the driver's line numbers true to the
 /// files.
 class ShaderSource {
  public:
@@ -26,7 +26,7 @@ class ShaderSource {
       : files_(files) {
     text_ = "#version 330 core\n";
     text_ += settings;
-    take_in(main);
+    add_file(main);
   }
 
   const std::string& text() const noexcept { return text_; }
@@ -40,7 +40,7 @@ class ShaderSource {
   }
 
  private:
-  void take_in(std::string_view name) {
+  void add_file(std::string_view name) {
     const auto file =
         std::find_if(files_.begin(), files_.end(), [&](const auto& f) { return f.name == name; });
     if (file == files_.end()) {
@@ -65,7 +65,7 @@ class ShaderSource {
       return;
     }
     const std::string_view name = words.substr(include_begin.size());
-    take_in(name.substr(0, name.find('"')));
+    add_file(name.substr(0, name.find('"')));
     say_line(line + 1, number);
   }
 

@@ -11,7 +11,7 @@ namespace hallux::ui {
 
 namespace {
 
-using simulator::FaceOrigin;
+using simulator::FaceSource;
 using simulator::no_index;
 using simulator::Triangle;
 
@@ -34,62 +34,57 @@ Vec3 normal_of(const BoneVertex& vertex) {
   return Vec3(share_of(vertex.normal[0]), share_of(vertex.normal[1]), share_of(vertex.normal[2]));
 }
 
-/// Points become vertices, one for each origin of the faces around them.
+/// Points become vertices, one for each source of the faces around them.
 class VertexTable {
  public:
-  struct Source {
+  struct Entry {
     std::uint32_t point = 0;
-    FaceOrigin origin;
+    FaceSource face;
     Vec3 area_normal{0.0, 0.0, 0.0};  ///< sum over its faces, as long as twice their area
   };
 
   explicit VertexTable(std::size_t point_count) { vertices_.reserve(2 * point_count); }
 
-  std::uint32_t vertex_of(std::uint32_t point, const FaceOrigin& origin) {
+  std::uint32_t vertex_of(std::uint32_t point, const FaceSource& source) {
     // A kerf's number and side below 2^30 and 2^2: one word with the point.
-    const std::uint64_t face = 4U * static_cast<std::uint64_t>(origin.kerf + 1) +
-                               static_cast<std::uint64_t>(origin.side + 1);
+    const std::uint64_t face = 4U * static_cast<std::uint64_t>(source.kerf + 1) +
+                               static_cast<std::uint64_t>(source.side + 1);
     const auto [at, is_new] =
-        vertices_.try_emplace((face << 32U) | point, static_cast<std::uint32_t>(sources_.size()));
-    if (is_new) sources_.push_back({point, origin});
+        vertices_.try_emplace((face << 32U) | point, static_cast<std::uint32_t>(entries_.size()));
+    if (is_new) entries_.push_back({point, source});
     return at->second;
   }
-  std::vector<Source>& sources() noexcept { return sources_; }
+  std::vector<Entry>& entries() noexcept { return entries_; }
 
  private:
   std::unordered_map<std::uint64_t, std::uint32_t> vertices_;
-  std::vector<Source> sources_;
+  std::vector<Entry> entries_;
 };
 
 template <typename PointAt>
-Triangle add_triangle(VertexTable& table, const Triangle& points, const FaceOrigin& origin,
+Triangle add_triangle(VertexTable& table, const Triangle& points, const FaceSource& source,
                       PointAt point_at) {
   const Vec3 first_mm = point_at(points[0]);
   const Vec3 area_normal =
       glm::cross(point_at(points[1]) - first_mm, point_at(points[2]) - first_mm);
   Triangle triangle{};
   for (std::size_t k = 0; k < 3; ++k) {
-    triangle[k] = table.vertex_of(points[k], origin);
-    table.sources()[triangle[k]].area_normal += area_normal;
+    triangle[k] = table.vertex_of(points[k], source);
+    table.entries()[triangle[k]].area_normal += area_normal;
   }
   return triangle;
 }
 
-bool is_skin(const FaceOrigin& origin, const Vec3& middle_mm, const DepthVolume& depth) {
-  return origin.kerf < 0 && depth_at(depth, middle_mm) < canal_depth_mm;
+bool is_skin(const FaceSource& source, const Vec3& middle_mm, const DepthVolume& depth) {
+  return source.kerf < 0 && depth_at(depth, middle_mm) < canal_depth_mm;
 }
 
-Vec3 middle_of(const simulator::IndexedMesh& mesh, const Triangle& triangle) {
-  return (mesh.points_mm[triangle[0]] + mesh.points_mm[triangle[1]] + mesh.points_mm[triangle[2]]) /
-         3.0;
-}
-
-BoneVertex vertex_from(const VertexTable::Source& source, const Vec3& point_mm) {
+BoneVertex vertex_from(const VertexTable::Entry& entry, const Vec3& point_mm) {
   BoneVertex vertex;
   vertex.point_in_bone_mm = to_float(point_mm);
-  set_normal(vertex, source.area_normal);
-  vertex.kerf = static_cast<std::int16_t>(source.origin.kerf);
-  vertex.side = static_cast<std::int16_t>(source.origin.side);
+  set_normal(vertex, entry.area_normal);
+  vertex.kerf = static_cast<std::int16_t>(entry.face.kerf);
+  vertex.side = static_cast<std::int16_t>(entry.face.side);
   return vertex;
 }
 
@@ -134,7 +129,8 @@ std::vector<TriangleCluster> add_clustered(BoneMesh& mesh, const std::vector<Tri
   const simulator::IndexedMesh& solid = mesh.solid.mesh;
   std::vector<Vec3> middles_mm;
   middles_mm.reserve(picked.size());
-  for (const std::uint32_t i : picked) middles_mm.push_back(middle_of(solid, solid.triangles[i]));
+  for (const std::uint32_t i : picked)
+    middles_mm.push_back(simulator::middle_of(corners_of(solid, i)));
   std::vector<std::uint32_t> ordered = order_by_place(middles_mm);
   for (std::uint32_t& number : ordered) number = picked[number];
   std::vector<TriangleCluster> clusters;
@@ -155,8 +151,8 @@ void sort_by_kind(BoneMesh& mesh, const std::vector<Triangle>& triangles, const 
   const simulator::IndexedMesh& solid = mesh.solid.mesh;
   std::vector<std::uint32_t> skin, others;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const Vec3 middle_mm = middle_of(solid, solid.triangles[i]);
-    (is_skin(mesh.solid.origins[i], middle_mm, look.depth) ? skin : others).push_back(i);
+    const Vec3 middle_mm = simulator::middle_of(corners_of(solid, i));
+    (is_skin(mesh.solid.sources[i], middle_mm, look.depth) ? skin : others).push_back(i);
   }
   mesh.place_of.resize(triangles.size());
   mesh.triangles.reserve(triangles.size());
@@ -201,20 +197,20 @@ void take_from_parent(BoneVertex& vertex, const BoneMesh& mesh, std::uint32_t pa
 /// A vertex of the patch: a point of the mesh as it is there, a new point as its parent, else by
 /// its own faces.
 BoneVertex patch_vertex(const BoneMesh& mesh, const simulator::SolidPatch& patch,
-                        const VertexTable::Source& source) {
+                        const VertexTable::Entry& entry) {
   const auto base_count = static_cast<std::uint32_t>(mesh.solid.mesh.points_mm.size());
-  const bool is_of_mesh = source.point < base_count;
-  if (is_of_mesh && source.origin.kerf < 0) {
-    const std::uint32_t same = mesh.skin_vertex_of[source.point];
+  const bool is_of_mesh = entry.point < base_count;
+  if (is_of_mesh && entry.face.kerf < 0) {
+    const std::uint32_t same = mesh.skin_vertex_of[entry.point];
     if (same != no_index) return mesh.vertices[same];
   }
-  const Vec3& point_mm = is_of_mesh ? mesh.solid.mesh.points_mm[source.point]
-                                    : patch.points_in_bone_mm[source.point - base_count];
-  BoneVertex vertex = vertex_from(source, point_mm);
+  const Vec3& point_mm = is_of_mesh ? mesh.solid.mesh.points_mm[entry.point]
+                                    : patch.points_in_bone_mm[entry.point - base_count];
+  BoneVertex vertex = vertex_from(entry, point_mm);
   vertex.openness = 0;
   if (is_of_mesh) return vertex;
-  const std::uint32_t parent = patch.parents[source.point - base_count];
-  if (parent != no_index && mesh.solid.origins[parent] == source.origin) {
+  const std::uint32_t parent = patch.parents[entry.point - base_count];
+  if (parent != no_index && mesh.solid.sources[parent] == entry.face) {
     take_from_parent(vertex, mesh, parent);
   }
   return vertex;
@@ -223,7 +219,7 @@ BoneVertex patch_vertex(const BoneMesh& mesh, const simulator::SolidPatch& patch
 }  // namespace
 
 BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneLook& look) {
-  CHECK(id != 0 && solid.origins.size() == solid.mesh.triangles.size());
+  CHECK(id != 0 && solid.sources.size() == solid.mesh.triangles.size());
   BoneMesh made;
   made.id = id;
   made.solid = solid;
@@ -232,14 +228,14 @@ BoneMesh mesh_of(std::uint64_t id, const simulator::CutSolid& solid, const BoneL
   std::vector<Triangle> triangles;
   triangles.reserve(solid.mesh.triangles.size());
   for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i) {
-    triangles.push_back(add_triangle(table, solid.mesh.triangles[i], solid.origins[i], point_at));
+    triangles.push_back(add_triangle(table, solid.mesh.triangles[i], solid.sources[i], point_at));
   }
   made.skin_vertex_of.assign(solid.mesh.points_mm.size(), no_index);
-  for (const VertexTable::Source& source : table.sources()) {
-    if (source.origin.kerf < 0) {
-      made.skin_vertex_of[source.point] = static_cast<std::uint32_t>(made.vertices.size());
+  for (const VertexTable::Entry& entry : table.entries()) {
+    if (entry.face.kerf < 0) {
+      made.skin_vertex_of[entry.point] = static_cast<std::uint32_t>(made.vertices.size());
     }
-    made.vertices.push_back(vertex_from(source, point_at(source.point)));
+    made.vertices.push_back(vertex_from(entry, point_at(entry.point)));
     light_skin(made.vertices.back(), look.depth);
   }
   sort_by_kind(made, triangles, look);
@@ -265,10 +261,10 @@ void make_patch_mesh(const BoneMesh& mesh, const simulator::SolidPatch& patch, P
   std::vector<Triangle> all;
   all.reserve(patch.triangles.size());
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
-    all.push_back(add_triangle(table, patch.triangles[i], patch.origins[i], point_at));
+    all.push_back(add_triangle(table, patch.triangles[i], patch.sources[i], point_at));
   }
-  for (const VertexTable::Source& source : table.sources()) {
-    made.vertices.push_back(patch_vertex(mesh, patch, source));
+  for (const VertexTable::Entry& entry : table.entries()) {
+    made.vertices.push_back(patch_vertex(mesh, patch, entry));
   }
   for (const Triangle& triangle : all) {
     const bool is_of_skin = made.vertices[triangle[0]].kerf == -1;

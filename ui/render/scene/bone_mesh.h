@@ -23,7 +23,7 @@ struct BoneVertex {
   std::array<std::int16_t, 3> normal{};
   /// How much light comes here, 0 to 32767.
   std::int16_t openness = 32767;
-  /// Of the face, see FaceOrigin; the canal's wall: canal_kerf.
+  /// Of the face, see FaceSource; the canal's wall: canal_kerf.
   std::int16_t kerf = -1, side = 0;
 };
 
@@ -47,7 +47,7 @@ struct BoneMesh {
   std::vector<std::uint32_t> skin_vertex_of;
 };
 
-/// Vertices are shared where faces of one origin meet, so that skins are smooth and walls are sharp
+/// Vertices are shared where faces of one source meet, so that skins are smooth and walls are sharp
 /// at their rims.
 /// needs   id is not 0 and was not given to another content; look is of the bone that the solid was
 ///         cut from

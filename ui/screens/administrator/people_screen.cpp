@@ -129,8 +129,8 @@ std::vector<RowColumn<PeopleScreen::Listed>> PeopleScreen::columns_of(const Ui& 
 std::vector<const PeopleScreen::Listed*> PeopleScreen::found() const {
   std::vector<const Listed*> found;
   for (const Listed& listed : people_.value()) {
-    const bool is_found = holds_words(listed.person.login, search_) ||
-                          holds_words(listed.person.display_name, search_);
+    const bool is_found = contains_text(listed.person.login, search_) ||
+                          contains_text(listed.person.display_name, search_);
     if (is_found && is_in_tab(listed.admission, tab_)) found.push_back(&listed);
   }
   return found;

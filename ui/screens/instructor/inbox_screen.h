@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
 
 namespace hallux::ui {
 
@@ -34,11 +34,11 @@ class InboxScreen : public Screen {
   /// the way.
   using Drafts = std::map<database::HelpRequestId, std::string>;
 
-  /// `places` outlives the screen.
-  InboxScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `destinations` outlives the screen.
+  InboxScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
               std::shared_ptr<Drafts> drafts, Counted counted = {})
       : signed_in_(std::move(signed_in)),
-        places_(places),
+        destinations_(destinations),
         drafts_(std::move(drafts)),
         counted_(std::move(counted)) {}
 
@@ -56,7 +56,7 @@ class InboxScreen : public Screen {
   const InboxRequest* chosen() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Destinations& destinations_;
   std::shared_ptr<Drafts> drafts_;
   Counted counted_;
   Loaded<std::vector<InboxRequest>> inbox_;

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "scenarios/planned_bridge.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 
@@ -15,8 +14,6 @@ using namespace simulator;
 
 /// A patch for each frame that a display may show.
 constexpr std::chrono::milliseconds between_patches{15};
-/// Where only the whole mesh can show what is cut.
-constexpr std::int64_t ticks_between_solids = 500;
 
 }  // namespace
 
@@ -31,26 +28,13 @@ BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_direc
   return picture;
 }
 
-/// What a patch is built with; the mesh it lies on stays while it is at hand.
-struct BoneBeingCut::KerfAtHand {
-  KerfAtHand(std::shared_ptr<const BoneMesh> on, const Bvh& bvh, const KerfSet& kerfs,
-             std::int32_t number)
-      : kerf(number),
-        mesh(std::move(on)),
-        growing({mesh->solid, bvh}, kerfs.plane(number), number, kerfs.field(number).grid()) {}
-
-  std::int32_t kerf;
-  std::shared_ptr<const BoneMesh> mesh;
-  GrowingKerf growing;
-};
-
 BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
     : name_(attempt.attempt().text),
       world_from_bone_(attempt.table().bone.world_from_bone),
       picture_(std::move(picture)),
       watch_(attempt.watch()),
-      geometry_(attempt.table().bone, attempt.table().scenario.saw.blade,
-                scenarios::planned_bridge(attempt.table().plan)) {
+      cut_(attempt.table().bone, attempt.table().scenario.saw.blade,
+           scenarios::planned_bridge(attempt.table().plan)) {
   newest_.bodies = {{picture_.mesh, world_from_bone_}};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -87,23 +71,23 @@ std::vector<CutEvent> BoneBeingCut::take_events() {
 /// Without a picture the attempt goes on: then the feed is only kept from filling.
 void BoneBeingCut::run(const std::stop_token& stop) {
   try {
-    follow(stop);
+    show_feed(stop);
   } catch (const std::exception&) {
     has_failed_.store(true, std::memory_order_release);
   }
-  GeometryFeed unseen;
+  GeometryFeed dropped;
   while (!stop.stop_requested() && !watch_.closed.load(std::memory_order_acquire)) {
-    while (watch_.feed.pop(unseen)) continue;
+    while (watch_.feed.pop(dropped)) continue;
     std::this_thread::sleep_for(between_patches);
   }
 }
 
-void BoneBeingCut::follow(const std::stop_token& stop) {
+void BoneBeingCut::show_feed(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const bool is_closed = watch_.closed.load(std::memory_order_acquire);
     if (take_feed()) is_up_to_date_.store(false, std::memory_order_release);
     bring_up_to_date();
-    if (!has_grown_ && !is_solid_due_) is_up_to_date_.store(true, std::memory_order_release);
+    if (!cut_.is_due()) is_up_to_date_.store(true, std::memory_order_release);
     if (is_closed && watch_.feed.size() == 0) return;
     std::this_thread::sleep_for(between_patches);
   }
@@ -114,78 +98,41 @@ bool BoneBeingCut::take_feed() {
   GeometryFeed feed;
   const std::size_t waiting = watch_.feed.size();
   for (std::size_t i = 0; i < waiting && watch_.feed.pop(feed); ++i) {
-    std::visit([this](const auto& value) { take(value); }, feed);
+    std::visit([this](const auto& value) { cut_.apply(value); }, feed);
+    if (const auto* event = std::get_if<CutEvent>(&feed)) note(*event);
   }
-  return has_grown_ || is_solid_due_;
+  return cut_.is_due();
 }
 
-void BoneBeingCut::take(const ToolSample& sample) {
-  tick_ = sample.tick;
-  geometry_.follow(sample);
-  if (sample.kerf < 0 || !has(sample.status, ToolStatus::SawOn)) return;
-  kerf_ = sample.kerf;
-  has_grown_ = true;
-}
-
-void BoneBeingCut::take(const CutEvent& event) {
-  geometry_.follow(event);
-  if (event.kind == CutEventKind::PieceRemoved) {
-    at_hand_.reset();
-    is_solid_due_ = true;
+void BoneBeingCut::note(const CutEvent& event) {
+  if (event.kind == CutEventKind::HingeClosed && cut_.closed_hinge() != nullptr) {
+    show_hinge(*cut_.closed_hinge(), transform_from(event.pose));
   }
-  if (event.kind == CutEventKind::HingeClosed) show_hinge(transform_from(event.pose));
   const std::scoped_lock turn(turn_);
   events_.push_back(event);
 }
 
-/// The same jobs at the same places as the loop's own: so pieces have the same numbers here.
-void BoneBeingCut::take(const JobRequest& request) {
-  if (request.kind == JobKind::Section) return;
-  std::unique_ptr<const JobResult> result = geometry_.run(request);
-  if (request.kind == JobKind::Hinge) hinge_ = std::move(result);
-}
-
 void BoneBeingCut::bring_up_to_date() {
-  if (has_grown_ && (at_hand_ == nullptr || at_hand_->kerf != kerf_)) begin_kerf(kerf_);
-  if (has_grown_ && at_hand_ != nullptr) show_patch();
-  if (has_grown_ && at_hand_ == nullptr && tick_ >= solid_tick_ + ticks_between_solids) {
-    is_solid_due_ = true;
+  if (const std::optional<PatchBase> base = cut_.take_base()) {
+    base_ = base->is_uncut ? picture_.mesh : lit_mesh(base->solid);
   }
-  if (!is_solid_due_) return;
-  if (const std::optional<CutSolid> solid = geometry_.solid_without(-1)) show_solid(*solid);
-  is_solid_due_ = has_grown_ = false;
-  solid_tick_ = tick_;
+  // A frame whose outline is not simple shows the patch before it.
+  if (cut_.build_patch(patch_)) show_patch();
+  if (const std::optional<CutSolid> whole = cut_.take_whole()) {
+    publish({{lit_mesh(*whole), world_from_bone_}});
+  }
 }
 
-void BoneBeingCut::begin_kerf(std::int32_t kerf) {
-  at_hand_.reset();
-  const std::optional<CutSolid> base = geometry_.solid_without(kerf);
-  if (!base) return;
-  auto mesh = geometry_.is_only_kerf(kerf) ? picture_.mesh : lit_mesh(*base);
-  const Bvh bvh(mesh->solid.mesh);
-  at_hand_ = std::make_unique<KerfAtHand>(std::move(mesh), bvh, geometry_.kerfs(), kerf);
-}
-
-/// A frame whose outline is not simple shows the patch before it.
 void BoneBeingCut::show_patch() {
-  has_grown_ = false;
-  if (!at_hand_->growing.follow(geometry_.kerfs().field(at_hand_->kerf), patch_)) return;
   const std::scoped_lock turn(turn_);
-  newest_.bodies = {{at_hand_->mesh, world_from_bone_}};
+  newest_.bodies = {{base_, world_from_bone_}};
   std::swap(newest_.patch, patch_);
   newest_.patch_revision = next_revision_++;
 }
 
-void BoneBeingCut::show_solid(const CutSolid& solid) {
-  publish({{lit_mesh(solid), world_from_bone_}});
-}
-
-void BoneBeingCut::show_hinge(const RigidTransform& bone_from_moved) {
-  if (hinge_ == nullptr || hinge_->hinge.outcome != HingeOutcome::Closed) return;
-  at_hand_.reset();
-  is_solid_due_ = has_grown_ = false;
-  publish({{lit_mesh(hinge_->hinge.fixed), world_from_bone_},
-           {lit_mesh(hinge_->hinge.moved), world_from_bone_ * bone_from_moved}});
+void BoneBeingCut::show_hinge(const ClosedHinge& hinge, const RigidTransform& bone_from_moved) {
+  publish({{lit_mesh(hinge.fixed), world_from_bone_},
+           {lit_mesh(hinge.moved), world_from_bone_ * bone_from_moved}});
 }
 
 std::shared_ptr<const BoneMesh> BoneBeingCut::lit_mesh(const CutSolid& solid) {

@@ -1,13 +1,9 @@
 /// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
 /// feeds anything back. Inside this corner only.
 ///
-///     feed of the loop --> copy of the kerfs --> patch of the kerf at hand --> newest picture
-///                              |                 on a mesh that stands still
-///                              '--> after a piece was taken out, another kerf, a closed hinge:
-///                                   another mesh
-///
-/// A patch shows a kerf on the bone without it. Where that bone cannot be had, because what the
-/// kerf freed was taken out already, the mesh itself is made anew twice a second instead.
+///     feed of the loop --> LiveCut --> patch of the kerf at hand --> newest picture
+///                             |        on a mesh that stands still
+///                             '--> another kerf, the whole, a closed hinge: another mesh
 #pragma once
 
 #include <filesystem>
@@ -18,7 +14,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/bone/growing_kerf.h"
+#include "simulator/jobs/live_cut.h"
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene/scene.h"
 
@@ -65,19 +61,14 @@ class BoneBeingCut {
     /// 0: no patch.
     std::uint64_t patch_revision = 0;
   };
-  struct KerfAtHand;
 
   void run(const std::stop_token& stop);
-  void follow(const std::stop_token& stop);
+  void show_feed(const std::stop_token& stop);
   bool take_feed();
-  void take(const simulator::ToolSample& sample);
-  void take(const simulator::CutEvent& event);
-  void take(const simulator::JobRequest& request);
+  void note(const simulator::CutEvent& event);
   void bring_up_to_date();
-  void begin_kerf(std::int32_t kerf);
   void show_patch();
-  void show_solid(const simulator::CutSolid& solid);
-  void show_hinge(const RigidTransform& bone_from_moved);
+  void show_hinge(const simulator::ClosedHinge& hinge, const RigidTransform& bone_from_moved);
   std::shared_ptr<const BoneMesh> lit_mesh(const simulator::CutSolid& solid);
   void publish(std::vector<Body> bodies);
 
@@ -87,19 +78,12 @@ class BoneBeingCut {
   const BonePicture picture_;
   simulator::AttemptWatch& watch_;
   // the thread's
-  simulator::AttemptGeometry geometry_;
-  std::unique_ptr<KerfAtHand> at_hand_;
-  std::unique_ptr<const simulator::JobResult> hinge_;
+  simulator::LiveCut cut_;
+  /// Of the patch at hand.
+  std::shared_ptr<const BoneMesh> base_;
   simulator::SolidPatch patch_;
   std::uint64_t next_revision_ = 1;
   int meshes_ = 0;
-  /// In which the teeth were last.
-  std::int32_t kerf_ = -1;
-  /// Since it was shown.
-  bool has_grown_ = false;
-  /// Another mesh must be made.
-  bool is_solid_due_ = false;
-  std::int64_t solid_tick_ = 0, tick_ = 0;
   // between the two
   std::mutex turn_;
   Shown newest_;

@@ -12,8 +12,6 @@ using simulator::Switch;
 
 constexpr double silence_s = static_cast<double>(SteeredDevice::silence_ticks) * step_s;
 
-std::uint32_t bit(Switch value) noexcept { return static_cast<std::uint32_t>(value); }
-
 }  // namespace
 
 bool LedSaw::is_silent(double now_s) const noexcept { return now_s > led_s_ + silence_s; }
@@ -29,7 +27,7 @@ void LedSaw::lead(std::span<const simulator::PointerMotion> motions, const Quat&
   led_s_ = now_s;
 }
 
-void LedSaw::let_go() noexcept {
+void LedSaw::release() noexcept {
   is_on_ = false;
   device_->aim(world_from_target_, 0);
 }

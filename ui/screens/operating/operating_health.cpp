@@ -15,7 +15,7 @@ constexpr double shown_for_s = 1.0;
 /// Of the loop and of its rings, beyond which people are told.
 constexpr double late_limit_us = 2000.0, ring_limit = 0.5;
 
-constexpr std::array<std::pair<ForceLimit, std::string_view>, 7> limit_words{{
+constexpr std::array<std::pair<ForceLimit, std::string_view>, 7> limit_texts{{
     {ForceLimit::Stopped, "limit.stopped"},
     {ForceLimit::TooFast, "limit.too_fast"},
     {ForceLimit::Heat, "limit.heat"},
@@ -49,7 +49,7 @@ std::string_view trouble_of(const simulator::LoopView& view, bool has_lost_pictu
   return view.has_priority ? "operate.trouble.busy" : "operate.trouble.priority";
 }
 
-void RecentLimits::see(std::uint32_t limits, double now_s) noexcept {
+void RecentLimits::observe(std::uint32_t limits, double now_s) noexcept {
   if (now_s - since_s_ >= shown_for_s) {
     before_ = std::exchange(now_, 0);
     since_s_ = now_s;
@@ -59,7 +59,7 @@ void RecentLimits::see(std::uint32_t limits, double now_s) noexcept {
 
 std::vector<std::string_view> words_of_limits(std::uint32_t limits) {
   std::vector<std::string_view> words;
-  for (const auto& [limit, id] : limit_words) {
+  for (const auto& [limit, id] : limit_texts) {
     if (has(limits, limit)) words.push_back(id);
   }
   return words;

@@ -41,10 +41,11 @@ std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& step
 
 }  // namespace
 
-OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
-                                 const OperationChoice& choice, LendDevice lend_device)
+OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in,
+                                 Destinations& destinations, const OperationChoice& choice,
+                                 LendDevice lend_device)
     : signed_in_(std::move(signed_in)),
-      places_(places),
+      destinations_(destinations),
       choice_(choice),
       lend_device_(std::move(lend_device)),
       session_(choice.kind) {}
@@ -121,10 +122,10 @@ void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
   const AreaResponse area = ui.area("operate.view", ui.text("operate.view"), ui.display());
   if (session_.is_open()) viewport_.look(ui, area, table());
   hear_hands(ui, area, shell);
-  if (running_) follow_loop(ui, shell);
+  if (running_) apply_loop(ui, shell);
   show_scene(ui, shell);
   draw_cards(ui, shell);
-  if (running_) follow_end(ui, shell);
+  if (running_) lead_on(ui, shell);
 }
 
 void OperatingScreen::hear_hands(Ui& ui, const AreaResponse& area, Shell& shell) {
@@ -135,7 +136,7 @@ void OperatingScreen::hear_hands(Ui& ui, const AreaResponse& area, Shell& shell)
   if (session_.is_led()) {
     steer(ui, area);
   } else {
-    viewport_.let_go();
+    viewport_.release_pointer();
   }
 }
 
@@ -166,11 +167,11 @@ void OperatingScreen::steer(Ui& ui, const AreaResponse& area) {
 }
 
 /// What came back from the loop and its recorder since the last frame.
-void OperatingScreen::follow_loop(Ui& ui, Shell& shell) {
+void OperatingScreen::apply_loop(Ui& ui, Shell& shell) {
   running_->loop = running_->live->view();
   if (session_.phase() != Phase::Operating && session_.phase() != Phase::Sealing) return;
-  tell(ui, shell, session_.follow(running_->bone->take_events(), ui.time_s()));
-  if (session_.follow_storage()) ui.want_frame_in_s(0.0);
+  tell(ui, shell, session_.apply(running_->bone->take_events(), ui.time_s()));
+  if (session_.update_storage()) ui.want_frame_in_s(0.0);
   if (session_.pausing().is_storage_full()) ui.want_frame_in_s(look_again_s);
 }
 
@@ -229,7 +230,8 @@ void OperatingScreen::draw_cards(Ui& ui, Shell& shell) {
   if (phase == Phase::Operating && panels_.are_shown) draw_hud(ui, shell);
   if (session_.asked() != Asked::Nothing) return ask(ui);
   if (is_storage_full) {
-    if (draw_storage_full_card(ui, running_->live->directory())) session_.give_up(ui.time_s());
+    if (draw_storage_full_card(ui, running_->live->directory()))
+      session_.abandon_unstored(ui.time_s());
   } else if (phase == Phase::Sealing) {
     draw_sealing(ui, session_.ended_s());
   } else if (session_.pausing().is_paused()) {
@@ -265,7 +267,7 @@ OperatingHud OperatingScreen::hud(const Ui& ui, Shell& shell) {
 
 OperatingHealth OperatingScreen::health(const Ui& ui, Shell& shell) {
   const simulator::LoopView& loop = running_->loop;
-  panels_.limits.see(loop.force_limits, ui.time_s());
+  panels_.limits.observe(loop.force_limits, ui.time_s());
   OperatingHealth health = health_of(loop, running_->live->force_scale(), panels_.limits.bits());
   health.frame_ms = viewport_.frame_ms();
   if (panels_.is_health_open) health.log_bytes = running_->live->log_bytes();
@@ -284,9 +286,9 @@ void OperatingScreen::ask(Ui& ui) {
 
 // -- the end
 
-void OperatingScreen::follow_end(Ui& ui, Shell& shell) {
+void OperatingScreen::lead_on(Ui& ui, Shell& shell) {
   if (session_.phase() == Phase::Sealing) ui.want_frame_in_s(soon_s);
-  switch (session_.follow_end()) {
+  switch (session_.take_end()) {
     case OperatingSession::Onward::Nowhere:
       break;
     case OperatingSession::Onward::Stopped:
@@ -319,13 +321,13 @@ void OperatingScreen::score(const Ui& ui, Shell& shell) {
 void OperatingScreen::show_result(Shell& shell) {
   session_.close();
   shell.pop();
-  places_.show_result(running_->live->attempt());
+  destinations_.show_result(running_->live->attempt());
 }
 
 void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
   const StoppedAnswer answer = draw_stopped_card(ui, session_.stop(), running_ != nullptr);
   if (answer != StoppedAnswer::Waiting) shell.pop();
-  if (answer == StoppedAnswer::SeeKept) places_.show_replay(running_->live->attempt(), 0.0);
+  if (answer == StoppedAnswer::SeeKept) destinations_.show_replay(running_->live->attempt(), 0.0);
 }
 
 }  // namespace hallux::ui

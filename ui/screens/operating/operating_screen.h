@@ -10,8 +10,8 @@
 #include "ui/screens/operating/operating_session.h"
 #include "ui/screens/operating/operating_viewport.h"
 #include "ui/screens/operating/operation_work.h"
+#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/sound/saw_player.h"
 #include "ui/window/shell/shell.h"
@@ -32,7 +32,7 @@ using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
 
 class OperatingScreen : public Screen {
  public:
-  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
                   const OperationChoice& choice, LendDevice lend_device);
 
   WindowChrome surround() const override { return WindowChrome::Badge; }
@@ -71,7 +71,7 @@ class OperatingScreen : public Screen {
   void hear_hands(Ui& ui, const AreaResponse& area, Shell& shell);
   void hear_keys(Ui& ui, Shell& shell);
   void steer(Ui& ui, const AreaResponse& area);
-  void follow_loop(Ui& ui, Shell& shell);
+  void apply_loop(Ui& ui, Shell& shell);
   void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
   void show_scene(Ui& ui, Shell& shell);
   void sound_the_saw(Shell& shell);
@@ -86,12 +86,12 @@ class OperatingScreen : public Screen {
   void ask(Ui& ui);
   void draw_stopped(Ui& ui, Shell& shell);
 
-  void follow_end(Ui& ui, Shell& shell);
+  void lead_on(Ui& ui, Shell& shell);
   void score(const Ui& ui, Shell& shell);
   void show_result(Shell& shell);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Destinations& destinations_;
   OperationChoice choice_;
   LendDevice lend_device_;
   /// Of the last frame.

@@ -48,7 +48,7 @@ void OperatingSession::watch(const HandsSeen& hands, double now_s) {
 
 void OperatingSession::pause(PausedBy by) {
   if (phase_ != Phase::Operating || !pausing_.pause(by)) return;
-  saw_.let_go();
+  saw_.release();
   attempt_->pause();
 }
 
@@ -82,11 +82,11 @@ void OperatingSession::press_step(double now_s) {
   }
 }
 
-std::vector<StepNotice> OperatingSession::follow(std::span<const simulator::CutEvent> events,
-                                                 double now_s) {
+std::vector<StepNotice> OperatingSession::apply(std::span<const simulator::CutEvent> events,
+                                                double now_s) {
   std::vector<StepNotice> notices;
   for (const simulator::CutEvent& event : events) {
-    const StepNews news = steps_.follow(event);
+    const StepNews news = steps_.apply(event);
     if (news.is_fulfilled) end_step();
     if (news.notice) notices.push_back(*news.notice);
   }
@@ -119,7 +119,7 @@ void OperatingSession::answer(bool is_agreed, double now_s) {
   }
 }
 
-bool OperatingSession::follow_storage() {
+bool OperatingSession::update_storage() {
   if (phase_ != Phase::Operating && phase_ != Phase::Sealing) return false;
   const bool is_full = attempt_->is_storage_full();
   if (is_full == pausing_.is_storage_full()) return false;
@@ -132,7 +132,7 @@ bool OperatingSession::follow_storage() {
   return true;
 }
 
-void OperatingSession::give_up(double now_s) {
+void OperatingSession::abandon_unstored(double now_s) {
   seal(now_s);
   attempt_->abandon();
 }
@@ -142,7 +142,7 @@ void OperatingSession::seal(double now_s) noexcept {
   ending_.since_s = now_s;
 }
 
-OperatingSession::Onward OperatingSession::follow_end() {
+OperatingSession::Onward OperatingSession::take_end() {
   if (phase_ != Phase::Operating && phase_ != Phase::Sealing) return Onward::Nowhere;
   const LiveEnd* end = attempt_->end();
   if (end == nullptr) return Onward::Nowhere;

@@ -110,7 +110,7 @@ class OperatingSession {
   void press_step(double now_s);
   /// Takes what happened at the bone since the last frame; told are the steps that did not come
   /// off.
-  std::vector<StepNotice> follow(std::span<const simulator::CutEvent> events, double now_s);
+  std::vector<StepNotice> apply(std::span<const simulator::CutEvent> events, double now_s);
 
   // -- the end
   /// Pauses and asks; nothing but while operating without a question.
@@ -119,11 +119,11 @@ class OperatingSession {
   /// meanwhile.
   void answer(bool is_agreed, double now_s);
   /// Waits for a disk that is full. True where that changed.
-  bool follow_storage();
+  bool update_storage();
   /// Waits no longer for room: ends as a failure of the disk does.
-  void give_up(double now_s);
+  void abandon_unstored(double now_s);
   /// Takes the end of the attempt, once.
-  Onward follow_end();
+  Onward take_end();
   /// Scoring -> over.
   void close() noexcept { phase_ = Phase::Over; }
 

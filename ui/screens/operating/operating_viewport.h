@@ -39,7 +39,7 @@ class OperatingViewport {
   std::array<simulator::PointerMotion, 2> motions(Ui& ui, const AreaResponse& area,
                                                   const Vec3& tip_in_world_mm);
   /// Nobody leads the saw in this frame.
-  void let_go() noexcept { steering_.let_go(); }
+  void release_pointer() noexcept { steering_.release_pointer(); }
   bool is_led_by_pointer() const noexcept { return steering_.is_led_by_pointer(); }
   const Quat& world_from_view() const noexcept { return sight_.camera.world_from_view; }
 

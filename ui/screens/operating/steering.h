@@ -38,7 +38,7 @@ class Steering {
   simulator::PointerMotion motion(const AreaResponse& area, const Modifiers& modifiers,
                                   const Sight& sight, const Vec3& tip_in_world_mm);
   /// The pointer does not lead now; where it goes on later, it begins there.
-  void let_go() noexcept { pointer_.reset(); }
+  void release_pointer() noexcept { pointer_.reset(); }
   bool is_led_by_pointer() const noexcept { return pointer_.has_value(); }
   /// The same by keys: arrows across, Page Up and Page Down in depth; with Ctrl they turn.
   simulator::PointerMotion motion_by_keys(Ui& ui) const;

@@ -18,12 +18,12 @@ using simulator::Recording;
 constexpr double least_duration_s = 0.001;
 constexpr double rounded_force_up_to = 5.0;
 
-struct EventWords {
+struct EventText {
   CutEventKind kind;
   Meaning meaning;
   std::string_view words;
 };
-constexpr EventWords event_words[] = {
+constexpr EventText event_texts[] = {
     {CutEventKind::Started, Meaning::Neutral, "replay.event.started"},
     {CutEventKind::Scratch, Meaning::Warn, "replay.event.scratch"},
     {CutEventKind::Kick, Meaning::Warn, "replay.event.kick"},
@@ -53,9 +53,9 @@ std::vector<AttemptEvent> events_of(const Recording& recording) {
   std::vector<AttemptEvent> events;
   for (const CutEvent& event : recording.events) {
     const auto* words =
-        std::find_if(std::begin(event_words), std::end(event_words),
-                     [&](const EventWords& each) { return each.kind == event.kind; });
-    if (words == std::end(event_words)) continue;
+        std::find_if(std::begin(event_texts), std::end(event_texts),
+                     [&](const EventText& each) { return each.kind == event.kind; });
+    if (words == std::end(event_texts)) continue;
     events.push_back({second_from_tick(event.tick), words->meaning, words->words});
   }
   return events;

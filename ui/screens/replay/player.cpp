@@ -17,7 +17,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
-constexpr std::array<std::string_view, 6> speed_words{"0.1\xC3\x97", "0.25\xC3\x97", "0.5\xC3\x97",
+constexpr std::array<std::string_view, 6> speed_texts{"0.1\xC3\x97", "0.25\xC3\x97", "0.5\xC3\x97",
                                                       "1\xC3\x97",   "2\xC3\x97",    "4\xC3\x97"};
 constexpr double sample_s = 0.001, second_s = 1.0, ten_seconds_s = 10.0;
 /// Two moments nearer than this are the same one.
@@ -111,10 +111,10 @@ void Player::draw(Ui& ui, const Rect& line) {
   ui.canvas().text_in(take_left(rest, now_width, 8.0F), {Type::BodyStrong, ui.theme().text}, now);
   ui.canvas().text_in(take_left(rest, ui.width_of(Type::Small, of) + 2.0F, 20.0F),
                       {Type::Small, ui.theme().text_caption}, of);
-  const float width = segmented_width(ui, speed_words);
+  const float width = segmented_width(ui, speed_texts);
   if (rest.w < width) return;
   const Rect place = take_left(rest, width, 24.0F);
-  segmented(ui, "replay.speed", {place.x, place.mid_y() - 17.0F, place.w, 34.0F}, speed_words,
+  segmented(ui, "replay.speed", {place.x, place.mid_y() - 17.0F, place.w, 34.0F}, speed_texts,
             speed_);
   draw_keys(ui, rest);
 }

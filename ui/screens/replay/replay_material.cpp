@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "scenarios/planned_bridge.h"
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"

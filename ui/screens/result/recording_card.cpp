@@ -28,7 +28,7 @@ std::string limits_text(const Texts& texts, std::uint32_t limits) {
   return words.empty() ? std::string(texts.text("limit.none")) : words;
 }
 
-constexpr std::array<std::string_view, database::invalidities.size()> invalidity_words{
+constexpr std::array<std::string_view, database::invalidities.size()> invalidity_texts{
     "invalid.samples_lost",  "invalid.ticks_left_out", "invalid.ticks_doubled",
     "invalid.clock_stepped", "invalid.time_unseen",    "invalid.ticks_missed",
     "invalid.device_faulted"};
@@ -38,7 +38,7 @@ std::string validity_text(const Texts& texts, const ResultFacts& facts) {
   if (facts.header.is_valid.value_or(true)) return std::string(texts.text("operate.yes"));
   std::string reasons;
   for (const database::Invalidity reason : verdict_of(facts.quality->certificate).reasons) {
-    const std::string_view id = invalidity_words.at(static_cast<std::size_t>(reason));
+    const std::string_view id = invalidity_texts.at(static_cast<std::size_t>(reason));
     reasons += (reasons.empty() ? "" : "; ") + std::string(texts.text(id));
   }
   // By limits of another day it would be valid.

@@ -179,7 +179,7 @@ std::vector<Takeaway> takeaways_of(const Texts& texts, const ResultFacts& facts)
   return taken;
 }
 
-std::string_view decision_words(const Texts& texts, const Decision& decision) {
+std::string_view decision_text(const Texts& texts, const Decision& decision) {
   switch (decision.kind) {
     case DecisionKind::Confirmed:
       return texts.text("result.decision.confirmed");
@@ -196,7 +196,7 @@ MessageRow decision_row(const Texts& texts, const Decision& decision, const std:
                           : decision.kind == DecisionKind::Overridden ? Meaning::Info
                                                                       : Meaning::Good;
   return {decision.is_in_force ? meaning : Meaning::Neutral,
-          decision_words(texts, decision),
+          decision_text(texts, decision),
           decision.reason,
           right,
           {}};

@@ -106,6 +106,6 @@ bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) n
 
 /// Where both say the same score, `stored` says it in the words of `fresh`: an older program may
 /// have worded it otherwise. Returns whether any word changed; numbers never do.
-bool adopt_words(database::ScoreCard& stored, const database::ScoreCard& fresh);
+bool adopt_text(database::ScoreCard& stored, const database::ScoreCard& fresh);
 
 }  // namespace hallux::ui

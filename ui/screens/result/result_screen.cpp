@@ -30,7 +30,7 @@ double second_of(std::int64_t time_us) noexcept { return static_cast<double>(tim
 /// When points were lost, as a way to that moment; true where it was taken.
 bool draw_moment(Ui& ui, const LedgerLine& line, const Rect& cell) {
   if (line.end_us == 0 || !line.is_measured) {
-    draw_cell_words(ui, cell, Align::Right, caption_cell, "\xE2\x80\x93");
+    draw_cell_text(ui, cell, Align::Right, caption_cell, "\xE2\x80\x93");
     return false;
   }
   return link(ui, "result.moment." + line.item, {cell.right(), cell.mid_y()},
@@ -59,7 +59,7 @@ void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   const bool is_waiting = facts_.is_ready() && !facts().score;
   if (is_waiting && examined_.is_ready() && examined_.value()->was_stored) facts_.read_again();
   if (facts_.has_value() && facts_.value().score && examined_.has_value())
-    adopt_words(facts_.value().score->card, examined_.value()->card);
+    adopt_text(facts_.value().score->card, examined_.value()->card);
   Rect page = inset(content, space::page, 0.0F);
   if (!facts_.draw_until_ready(ui, "result.failed", inset(content, space::page), 10)) return;
   const float height = std::max(page_height_, content.h);
@@ -147,7 +147,7 @@ float ResultScreen::draw_actions(Ui& ui, Rect line) {
   };
   ButtonSpec replay{ui.text("result.replay"), ButtonLook::Primary, Icon::Play};
   if (action("result.replay", replay)) {
-    places_.show_replay(facts().header.id, chosen_moment_s().value_or(0.0));
+    destinations_.show_replay(facts().header.id, chosen_moment_s().value_or(0.0));
   }
   if (facts().rights.may_ask_for_help &&
       action("result.ask", {ui.text("result.ask"), ButtonLook::Secondary, Icon::Flag}))
@@ -247,7 +247,8 @@ void ResultScreen::choose_line(std::size_t line) {
 
 void ResultScreen::watch(std::size_t line) {
   choose_line(line);
-  places_.show_replay(facts().header.id, second_of(facts().score->card.ledger[line].start_us));
+  destinations_.show_replay(facts().header.id,
+                            second_of(facts().score->card.ledger[line].start_us));
 }
 
 std::optional<double> ResultScreen::chosen_moment_s() const {
@@ -374,7 +375,7 @@ void ResultScreen::draw_wound_card(Ui& ui, const Rect& rect) {
   }
   if (!examined_.draw_until_ready(ui, "result.wound.unseen", inside, 6)) return;
   const auto asked_s = draw_wound(ui, inside, examined_.value()->wound, chosen_moment_s());
-  if (asked_s) places_.show_replay(facts().header.id, *asked_s);
+  if (asked_s) destinations_.show_replay(facts().header.id, *asked_s);
 }
 
 void ResultScreen::draw_forms(Ui& ui, Shell& shell) {

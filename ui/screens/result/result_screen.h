@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/message_form.h"
-#include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/result/decide_form.h"
 #include "ui/screens/result/plan_card.h"
@@ -20,11 +20,11 @@ namespace hallux::ui {
 
 class ResultScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `destinations` outlives the screen.
+  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
                database::AttemptId attempt)
       : signed_in_(std::move(signed_in)),
-        places_(places),
+        destinations_(destinations),
         attempt_(std::move(attempt)),
         decide_(signed_in_) {}
 
@@ -60,7 +60,7 @@ class ResultScreen : public Screen {
   std::optional<double> chosen_moment_s() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Destinations& destinations_;
   database::AttemptId attempt_;
   Loaded<ResultFacts> facts_;
   Loaded<std::shared_ptr<const ExaminedAttempt>> examined_;

@@ -70,13 +70,13 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   if (is_stacked) {
     draw_picture(ui, take_top(rest, stacked_picture, gap), shell);
     draw_start(ui, take_top(rest, start, gap));
-    return draw_words_card(ui, rest);
+    return draw_text_card(ui, rest);
   }
   Rect left = take_left(rest, rest.w * picture_share, gap);
   const Rect below = take_bottom(left, start, gap);
   draw_picture(ui, left, shell);
   draw_start(ui, below);
-  draw_words_card(ui, rest);
+  draw_text_card(ui, rest);
 }
 
 // -- the picture
@@ -180,7 +180,7 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
     // What was chosen for a practice means nothing for an assessment.
     const bool is_practice = kind_ == 0;
-    places_.operate(
+    destinations_.operate(
         scenario_,
         is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
         is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);
@@ -189,14 +189,14 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
 
 // -- the words
 
-float BriefingScreen::draw_words(Ui& ui, const Rect& rect) const {
+float BriefingScreen::draw_text(Ui& ui, const Rect& rect) const {
   const scenarios::Scenario& scenario = *operation_.value().scenario;
   if (tab_ == 1) return draw_steps(ui, rect, scenario);
   if (tab_ == 2) return draw_scoring(ui, rect, scenario);
   return draw_about(ui, rect, scenario);
 }
 
-void BriefingScreen::draw_words_card(Ui& ui, const Rect& rect) {
+void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect) {
   Rect inside = card(ui, rect, {});
   inside.y -= 8.0F;
   inside.h += 8.0F;
@@ -205,7 +205,7 @@ void BriefingScreen::draw_words_card(Ui& ui, const Rect& rect) {
   const float scrolled = ui.begin_scroll(
       "brief.words", tab_labels(ui)[static_cast<std::size_t>(tab_)], view, words_height_ + 8.0F);
   const Rect words{inside.x, inside.y + 4.0F - scrolled, inside.w - 8.0F, inside.h};
-  const float height = draw_words(ui, words);
+  const float height = draw_text(ui, words);
   ui.end_scroll();
   if (height != words_height_) ui.want_frame_in_s(0.0);
   words_height_ = height;

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "ui/jobs/course/standing_jobs.h"
+#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/patient_pictures.h"
@@ -15,11 +15,11 @@ namespace hallux::ui {
 
 class BriefingScreen : public Screen {
  public:
-  /// `places` and `pictures` outlive the screen.
-  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `destinations` and `pictures` outlive the screen.
+  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
                  PatientPictures& pictures, database::ScenarioVersionId scenario)
       : signed_in_(std::move(signed_in)),
-        places_(places),
+        destinations_(destinations),
         pictures_(pictures),
         scenario_(scenario) {}
 
@@ -37,11 +37,11 @@ class BriefingScreen : public Screen {
   std::string words_of_choice(const Ui& ui) const;
   bool may_begin() const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
-  float draw_words(Ui& ui, const Rect& rect) const;
-  void draw_words_card(Ui& ui, const Rect& rect);
+  float draw_text(Ui& ui, const Rect& rect) const;
+  void draw_text_card(Ui& ui, const Rect& rect);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Destinations& destinations_;
   PatientPictures& pictures_;
   database::ScenarioVersionId scenario_;
   Loaded<OwnOperation> operation_;

@@ -94,7 +94,7 @@ const OwnOperation* next_operation(const std::vector<OwnOperation>& operations,
 std::vector<const OwnOperation*> OperationsScreen::shown() const {
   std::vector<const OwnOperation*> found;
   for (const OwnOperation& operation : operations_.value()) {
-    if (holds_words(operation.title() + " " + operation.published.name, search_) &&
+    if (contains_text(operation.title() + " " + operation.published.name, search_) &&
         is_in_segment(competence_of(operation, now_utc_), segment_)) {
       found.push_back(&operation);
     }
@@ -213,7 +213,7 @@ void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
                       {Type::Small, theme.text_secondary},
                       ui.text(why_next(competence_of(next, now_utc_))), true);
   if (button(ui, "operations.start", centred(place, width, button_height), start)) {
-    places_.brief(next.published.scenario);
+    destinations_.brief(next.published.scenario);
   }
 }
 
@@ -227,7 +227,7 @@ void OperationsScreen::draw_cards(Ui& ui, const Rect& page, Shell& shell) {
                     page.y + static_cast<float>(row) * (grid.card_height + space::between_cards),
                     grid.card_width, grid.card_height};
     if (draw_card(ui, rect, *cards[number], shell)) {
-      places_.brief(cards[number]->published.scenario);
+      destinations_.brief(cards[number]->published.scenario);
     }
   }
 }

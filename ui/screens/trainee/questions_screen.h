@@ -3,17 +3,17 @@
 
 #include <vector>
 
+#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
 
 namespace hallux::ui {
 
 class QuestionsScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  QuestionsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
-      : signed_in_(std::move(signed_in)), places_(places) {}
+  /// `destinations` outlives the screen.
+  QuestionsScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations)
+      : signed_in_(std::move(signed_in)), destinations_(destinations) {}
 
   std::string_view navigation_id() const override { return "nav.questions"; }
   /// What was answered in the meantime is read anew.
@@ -25,7 +25,7 @@ class QuestionsScreen : public Screen {
   void draw_chosen(Ui& ui, const Rect& content);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Destinations& destinations_;
   Loaded<std::vector<database::HelpRequest>> questions_;
   database::HelpRequestId chosen_;
 };

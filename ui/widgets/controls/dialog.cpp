@@ -39,7 +39,7 @@ Layout layout_of(const Ui& ui, const Dialog& shown) {
 }
 
 /// Sentence and error; leaves the place of the form in `rest`.
-void draw_words(Ui& ui, const Dialog& shown, const Layout& layout, Rect& rest) {
+void draw_text(Ui& ui, const Dialog& shown, const Layout& layout, Rect& rest) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   if (!shown.sentence.empty())
@@ -94,7 +94,7 @@ Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
       ui.begin_scroll(std::string(id) + ".form", shown.title, inset(layout.view, -ring_room),
                       layout.content + 2.0F * ring_room);
   Rect rest{layout.view.x, layout.view.y - offset, layout.view.w, layout.content};
-  draw_words(ui, shown, layout, rest);
+  draw_text(ui, shown, layout, rest);
   const bool is_ready = draw_form(rest);
   ui.end_scroll();
   const Answer answer = draw_buttons(ui, id, shown, is_ready, layout.buttons);

@@ -140,7 +140,6 @@ RC_GTEST_PROP(RegionOutlineProperty, IsTheSameHoweverItWasReached, (std::uint64_
   for (int i = 0; i < 25; ++i) {
     const RandomStamp stamp = random_stamp(random);
     field.stamp(stamp.blade, stamp.from, stamp.to, changed);
-    if (random.uniform() < 0.05) field.reset();
     if (random.uniform() < 0.4) continue;
     tracker.update(field);
     const RegionOutline expected = outline_of(field);

@@ -56,8 +56,8 @@ bool is_part_of(const std::array<Vec3, 3>& part_mm, const std::array<Vec3, 3>& w
 }
 
 bool is_wall(const PlayedFrame& frame, std::size_t triangle) {
-  return frame.patch.origins[triangle].kerf == frame.kerf &&
-         frame.patch.origins[triangle].side != 0;
+  return frame.patch.sources[triangle].kerf == frame.kerf &&
+         frame.patch.sources[triangle].side != 0;
 }
 
 /// The weights of a triangle's corners at a point on it.
@@ -85,7 +85,7 @@ bool has_walls_on_planes(const PlayedFrame& frame) {
   const double half_mm = 0.5 * frame.contact.plane.thickness_mm;
   for (std::size_t i = 0; i < frame.patch.triangles.size(); ++i) {
     if (!is_wall(frame, i)) continue;
-    const double level_mm = frame.patch.origins[i].side * half_mm;
+    const double level_mm = frame.patch.sources[i].side * half_mm;
     for (const Vec3& corner_mm : corners_of(frame, frame.patch.triangles[i])) {
       if (std::abs(height_mm(frame.contact.axes, corner_mm) - level_mm) > 1e-9) return false;
     }
@@ -108,7 +108,7 @@ bool has_empty_kerf(const PlayedFrame& frame) {
 
 bool keeps_skin(const PlayedFrame& frame) {
   for (std::size_t i = 0; i < frame.patch.triangles.size(); ++i) {
-    if (frame.patch.origins[i].kerf == frame.kerf) continue;
+    if (frame.patch.sources[i].kerf == frame.kerf) continue;
     const std::array<Vec3, 3> part_mm = corners_of(frame, frame.patch.triangles[i]);
     const Vec3 normal = doubled_normal(part_mm);
     if (!(std::sqrt(glm::dot(normal, normal)) > 0.01 * longest_side_mm(part_mm))) continue;

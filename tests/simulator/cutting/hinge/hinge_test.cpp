@@ -46,7 +46,7 @@ HingeRequest request_for(const Notch& notch) {
   request.second = upper_plane(notch);
   request.first_gap = gap_of(7.0 - notch.tip_z_mm);
   request.second_gap = gap_of(7.0 - notch.tip_z_mm + 0.5);
-  request.line = notch_hinge();
+  request.bridge.line = notch_hinge();
   return request;
 }
 
@@ -101,8 +101,8 @@ TEST(Hinge, TheFacesOfTheDivisionAreNotWallsOfAKerf) {
   EXPECT_NEAR(divided.bridges_mm2[0], 12.0, 1e-12);
   for (const CutSolid* half : {&divided.above, &divided.below}) {
     double area_mm2 = 0.0;
-    for (std::size_t i = 0; i < half->origins.size(); ++i) {
-      if (half->origins[i].kerf != hinge_face) continue;
+    for (std::size_t i = 0; i < half->sources.size(); ++i) {
+      if (half->sources[i].kerf != hinge_face) continue;
       const Triangle& corners = half->mesh.triangles[i];
       const Vec3& a = half->mesh.points_mm[corners[0]];
       area_mm2 += 0.5 * glm::length(glm::cross(half->mesh.points_mm[corners[1]] - a,
@@ -150,7 +150,7 @@ TEST(Hinge, TheOrderAndTheSideOfTheKerfsDoNotMatter) {
 TEST(Hinge, TheOtherHalfMayTurnInstead) {
   const CutSolid solid = notched_block({});
   HingeRequest request = request_for({});
-  request.toward_moved = Vec3(-1.0, 0.0, 0.0);
+  request.bridge.toward_moved = Vec3(-1.0, 0.0, 0.0);
   const ClosedHinge hinge = close_hinge(solid, Bvh(solid.mesh), request);
   ASSERT_EQ(hinge.outcome, HingeOutcome::Closed);
   EXPECT_NEAR(hinge.angle_rad, closed({}).angle_rad, 1e-9);
@@ -208,8 +208,8 @@ SawnTube sawn_tube(double lean_rad, double reach_mm = 8.0) {
   SawnTube tube;
   tube.request.first = kerf_beside_face(0.0, 0.0, 1.0);
   tube.request.second = kerf_beside_face(10.0 * pi / 180.0, lean_rad, -1.0);
-  tube.request.line = notch_hinge();
-  tube.request.line.point_in_bone_mm = Vec3(0.0, 0.0, 6.5);
+  tube.request.bridge.line = notch_hinge();
+  tube.request.bridge.line.point_in_bone_mm = Vec3(0.0, 0.0, 6.5);
   // Feed ends at the hinge; from 2.5 to 4.5 mm before it the blade reached only to `reach_mm` on
   // one side.
   const RegionOutline opened{
@@ -221,7 +221,7 @@ SawnTube sawn_tube(double lean_rad, double reach_mm = 8.0) {
   for (const auto& [plane, gap] : {std::pair(&tube.request.first, &tube.request.first_gap),
                                    std::pair(&tube.request.second, &tube.request.second_gap)}) {
     const Section section = slice_section(tube.whole, Bvh(tube.whole.mesh), *plane);
-    *gap = measure_hinge_gap(section, opened, tube.request.line).value();
+    *gap = measure_hinge_gap(section, opened, tube.request.bridge.line).value();
     solid = cut_kerf(solid, Bvh(solid.mesh), *plane, kerf++, FieldGrid{}, opened).solid;
   }
   tube.pieces = split_pieces(solid);

@@ -30,15 +30,15 @@ CutSolid notched_block(const Notch& notch) {
     }
   }
   const auto count = static_cast<std::uint32_t>(outline.size());
-  const auto add = [&](const Triangle& triangle, const FaceOrigin& origin) {
+  const auto add = [&](const Triangle& triangle, const FaceSource& source) {
     solid.mesh.triangles.push_back(triangle);
-    solid.origins.push_back(origin);
+    solid.sources.push_back(source);
   };
   for (const auto& [a, b, c] : cap) {
     add({a, c, b}, {});
     add({count + a, count + b, count + c}, {});
   }
-  const auto wall_of = [](std::uint32_t side) -> FaceOrigin {
+  const auto wall_of = [](std::uint32_t side) -> FaceSource {
     if (side == 4) return {1, 1};
     if (side == 5) return {0, 1};
     if (side == 6) return {0, 0};

@@ -34,7 +34,7 @@ TEST(SplitPieces, ACanalGoesWithTheBoneAroundIt) {
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_NEAR(signed_volume_mm3(pieces[0].mesh), 64000.0 - 27000.0, 1e-7);
   EXPECT_NEAR(signed_volume_mm3(pieces[1].mesh), 8000.0 - 1000.0, 1e-7);
-  EXPECT_EQ(pieces[0].origins.size(), pieces[0].mesh.triangles.size());
+  EXPECT_EQ(pieces[0].sources.size(), pieces[0].mesh.triangles.size());
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ struct Sawn {
       sample.status = static_cast<std::uint32_t>(ToolStatus::SawOn);
       sample.world_from_tool =
           quantise(frozen * RigidTransform{Quat(1.0, 0.0, 0.0, 0.0), Vec3(fed_mm, 0.0, 0.0)});
-      kerfs.follow(sample);
+      kerfs.apply(sample);
     }
     commit(kerf);
   }

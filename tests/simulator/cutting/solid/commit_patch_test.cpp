@@ -46,7 +46,7 @@ TEST(CommitPatch, TrianglesThatWereNotHiddenKeepTheirOrderAndTheirBits) {
       continue;
     }
     ASSERT_EQ(places(committed, at), places(solid, i));
-    ASSERT_EQ(committed.origins[at], solid.origins[i]);
+    ASSERT_EQ(committed.sources[at], solid.sources[i]);
     ++at;
   }
   EXPECT_EQ(next_hidden, patch.hidden.size());
@@ -135,7 +135,7 @@ TEST(MendSolid, EdgesNamedTwiceGetPointsOfTheirOwn) {
                           Vec3(99.0, 0.0, 0.0)};
   solid.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3},
                           {0, 4, 1}, {0, 1, 5}, {0, 5, 4}, {1, 4, 5}};
-  solid.origins.assign(8, {2, 1});
+  solid.sources.assign(8, {2, 1});
   const double volume_mm3 = signed_volume_mm3(solid.mesh);
   ASSERT_TRUE(is_closed_as_chain(solid.mesh));
   ASSERT_FALSE(is_strictly_closed(solid.mesh));
@@ -143,7 +143,7 @@ TEST(MendSolid, EdgesNamedTwiceGetPointsOfTheirOwn) {
   drop_unused_points(solid.mesh);
   EXPECT_TRUE(is_strictly_closed(solid.mesh));
   EXPECT_EQ(solid.mesh.points_mm.size(), 7U);
-  EXPECT_EQ(solid.origins.size(), solid.mesh.triangles.size());
+  EXPECT_EQ(solid.sources.size(), solid.mesh.triangles.size());
   EXPECT_NEAR(signed_volume_mm3(solid.mesh), volume_mm3, 1e-15);
 }
 

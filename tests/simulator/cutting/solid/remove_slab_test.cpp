@@ -65,7 +65,7 @@ TEST(Cut, ATubesWallLeavesTheCanalOpen) {
   double wall_mm2 = 0.0;
   const double inner_mm = 5.0 * std::cos(3.14159265358979323846 / 64.0);
   for (std::size_t i = 0; i < cut.solid.mesh.triangles.size(); ++i) {
-    if (cut.solid.origins[i].kerf != 0 || cut.solid.origins[i].side != 1) continue;
+    if (cut.solid.sources[i].kerf != 0 || cut.solid.sources[i].side != 1) continue;
     const Triangle& corners = cut.solid.mesh.triangles[i];
     const Vec3& a = cut.solid.mesh.points_mm[corners[0]];
     const Vec3& b = cut.solid.mesh.points_mm[corners[1]];
@@ -128,7 +128,7 @@ TEST(Cut, ACutAcrossAUTakesOneArmAndLeavesTheOtherUntouched) {
       EXPECT_EQ(cut.mesh.points_mm[cut.mesh.triangles[at][k]],
                 solid.mesh.points_mm[solid.mesh.triangles[i][k]]);
     }
-    EXPECT_EQ(cut.origins[at++], FaceOrigin{});
+    EXPECT_EQ(cut.sources[at++], FaceSource{});
   }
 }
 
@@ -221,15 +221,15 @@ TEST(Cut, WallsStandHalfAKerfFromThePlane) {
   const KerfAxes axes = axes_of(plane);
   std::size_t walls = 0;
   for (std::size_t i = 0; i < cut.solid.mesh.triangles.size(); ++i) {
-    const FaceOrigin& origin = cut.solid.origins[i];
+    const FaceSource& source = cut.solid.sources[i];
     for (const std::uint32_t corner : cut.solid.mesh.triangles[i]) {
       const double z_mm = height_mm(axes, cut.solid.mesh.points_mm[corner]);
       EXPECT_GE(std::abs(z_mm), 0.3 - 1e-9);
-      if (origin.kerf == 2) {
-        EXPECT_NEAR(z_mm, 0.3 * origin.side, 1e-9);
+      if (source.kerf == 2) {
+        EXPECT_NEAR(z_mm, 0.3 * source.side, 1e-9);
       }
     }
-    if (origin.kerf == 2) ++walls;
+    if (source.kerf == 2) ++walls;
   }
   EXPECT_GT(walls, 0U);
 }

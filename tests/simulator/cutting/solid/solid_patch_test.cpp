@@ -34,7 +34,7 @@ struct Frame {
   std::vector<Triangle> faces(std::int32_t kerf, std::int32_t side) const {
     std::vector<Triangle> chosen;
     for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
-      if (patch.origins[i] == FaceOrigin{kerf, side}) chosen.push_back(patch.triangles[i]);
+      if (patch.sources[i] == FaceSource{kerf, side}) chosen.push_back(patch.triangles[i]);
     }
     return chosen;
   }

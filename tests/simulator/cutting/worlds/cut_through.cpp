@@ -61,7 +61,7 @@ void expect_closed(const CutSolid& solid) {
     EXPECT_TRUE(std::isfinite(point_mm.x) && std::isfinite(point_mm.y) &&
                 std::isfinite(point_mm.z));
   }
-  EXPECT_EQ(solid.origins.size(), solid.mesh.triangles.size());
+  EXPECT_EQ(solid.sources.size(), solid.mesh.triangles.size());
 }
 
 void expect_balance(const CutSolid& before, const CutOutcome& outcome) {

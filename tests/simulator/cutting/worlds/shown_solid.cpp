@@ -134,7 +134,7 @@ double balance_limit_mm3(const CutSolid& solid, const SolidPatch& patch) {
 
 bool are_same(const SolidPatch& a, const SolidPatch& b) {
   return a.hidden == b.hidden && a.points_in_bone_mm == b.points_in_bone_mm &&
-         a.parents == b.parents && a.triangles == b.triangles && a.origins == b.origins;
+         a.parents == b.parents && a.triangles == b.triangles && a.sources == b.sources;
 }
 
 }  // namespace hallux::tests

@@ -13,7 +13,7 @@ namespace hallux::tests {
 namespace {
 
 using simulator::CutSolid;
-using simulator::FaceOrigin;
+using simulator::FaceSource;
 using ui::BoneMesh;
 using ui::BoneVertex;
 
@@ -70,7 +70,7 @@ TEST(BoneMesh, SharesNormalsOnTheSkinAndNotAcrossARim) {
     const auto& t = block.mesh.triangles[i];
     bool is_top = true;
     for (const std::uint32_t corner : t) is_top = is_top && block.mesh.points_mm[corner].z > 4.9;
-    if (is_top) block.origins[i] = FaceOrigin{0, -1};
+    if (is_top) block.sources[i] = FaceSource{0, -1};
   }
   const BoneMesh mesh = ui::mesh_of(1, block, ui::look_of(1, block.mesh));
   EXPECT_EQ(mesh.vertices.size(), 8U + 4U);

@@ -220,7 +220,7 @@ TEST(ScenariosScreen, AWrongFileIsRefusedWithTheWholeFault) {
   const std::size_t known = course.administrator().scenarios().size();
   import(desk, file.path);
   EXPECT_TRUE(desk.driver().sees("The file was not taken in"));
-  const std::string shown = all_words(desk.driver());
+  const std::string shown = all_text(desk.driver());
   for (std::size_t begin = 0; begin < fault.size();) {
     const std::size_t end = std::min(fault.find(' ', begin), fault.size());
     if (end - begin < 20) {  // longer ones are broken between lines

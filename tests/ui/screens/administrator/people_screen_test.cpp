@@ -148,7 +148,7 @@ TEST(PeopleScreen, ErasesOnceLoginReasonAndOwnPasswordAreThere) {
   office.press("people.erase.keep");
   write_erasure(office, "ada", "asked for it", database::good_password);
   office.press("people.erase.act");
-  EXPECT_THAT(all_words(office.driver()), HasSubstr("The person was erased"));
+  EXPECT_THAT(all_text(office.driver()), HasSubstr("The person was erased"));
   EXPECT_FALSE(office.driver().has("people.row.ada"));
   EXPECT_FALSE(database::known_person(course.database(), "ada"));
   EXPECT_THAT(office.driver().faults(), IsEmpty());
@@ -160,7 +160,7 @@ TEST(PeopleScreen, AWrongPasswordErasesNobodyAndWhatWasTypedStays) {
   office.choose("ada");
   write_erasure(office, "ada", "asked for it", "not my password");
   office.press("people.erase.act");
-  EXPECT_THAT(all_words(office.driver()), HasSubstr("password is wrong"));
+  EXPECT_THAT(all_text(office.driver()), HasSubstr("password is wrong"));
   EXPECT_TRUE(office.driver().has("people.erase.act"));
   EXPECT_TRUE(database::known_person(course.database(), "ada"));
 }
@@ -191,7 +191,7 @@ TEST(PeopleScreen, WhatTheDeskRefusesIsSaidAndChangesNothing) {
   office.press("people.administrator");
   office.press("people.question.act");
   EXPECT_TRUE(office.driver().sees("Nothing was changed"));
-  EXPECT_THAT(all_words(office.driver()), HasSubstr("make another administrator first"));
+  EXPECT_THAT(all_text(office.driver()), HasSubstr("make another administrator first"));
   EXPECT_TRUE(office.person("root").is_administrator);
 }
 

@@ -19,8 +19,6 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t every_limit = (1U << 7U) - 1U;
 
-std::uint32_t bit(ForceLimit limit) { return static_cast<std::uint32_t>(limit); }
-
 /// The panels at a window and scale.
 struct Panels {
   explicit Panels(float scale = 1.0F, Point size = {1440.0F, 900.0F})
@@ -76,14 +74,14 @@ TEST(OperatingHealth, StaysInsideTheWindowAtEveryScaleWithAllThatMayBeSaid) {
 
 TEST(RecentLimits, AreReadForASecondAndGoAfterTwo) {
   RecentLimits limits;
-  limits.see(bit(ForceLimit::Slew), 10.0);
-  limits.see(0, 10.5);
+  limits.observe(bit(ForceLimit::Slew), 10.0);
+  limits.observe(0, 10.5);
   EXPECT_EQ(limits.bits(), bit(ForceLimit::Slew));
-  limits.see(bit(ForceLimit::Heat), 11.1);
+  limits.observe(bit(ForceLimit::Heat), 11.1);
   EXPECT_EQ(limits.bits(), bit(ForceLimit::Slew) | bit(ForceLimit::Heat));
-  limits.see(0, 12.2);
+  limits.observe(0, 12.2);
   EXPECT_EQ(limits.bits(), bit(ForceLimit::Heat));
-  limits.see(0, 13.3);
+  limits.observe(0, 13.3);
   EXPECT_EQ(limits.bits(), 0U);
 }
 
@@ -114,7 +112,7 @@ TEST(OperatingHealth, OfAModelledArmIsShownWhileItOperatesAndKeptForWhoeverDecid
   RecentLimits limits;
   ASSERT_TRUE(soon([&] {
     const simulator::LoopView& view = attempt.live->view();
-    limits.see(view.force_limits, 0.0);
+    limits.observe(view.force_limits, 0.0);
     return view.lines > 200;
   }));
   EXPECT_NE(limits.bits(), 0U) << "it began softly";

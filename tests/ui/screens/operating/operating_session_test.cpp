@@ -60,8 +60,8 @@ TEST(OperatingSession, HearsNobodyBeforeItRuns) {
   session.ask(Asked::Finish);
   EXPECT_FALSE(session.pausing().is_paused());
   EXPECT_EQ(session.asked(), Asked::Nothing);
-  EXPECT_FALSE(session.follow_storage());
-  EXPECT_EQ(session.follow_end(), Onward::Nowhere);
+  EXPECT_FALSE(session.update_storage());
+  EXPECT_EQ(session.take_end(), Onward::Nowhere);
 }
 
 // -- the hands
@@ -135,9 +135,9 @@ TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
   session.press_step(3.1);
   EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up"))
       << "a step that waits is not pressed again";
-  session.follow(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
+  session.apply(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
   session.press_step(5.0);
-  session.follow(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
+  session.apply(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
   EXPECT_EQ(session.steps().step(), 4U);
   session.press_step(7.0);
   EXPECT_EQ(session.asked(), Asked::Finish);
@@ -148,14 +148,14 @@ TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
 TEST(OperatingSession, TellsWhatDidNotComeOff) {
   LedOperation operation;
   OperatingSession& session = operation.session;
-  EXPECT_THAT(session.follow(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
+  EXPECT_THAT(session.apply(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
               ElementsAre(StepNotice::KerfRefused));
   session.press_step(1.0);
   session.press_step(1.0);
   session.press_step(1.0);
-  EXPECT_THAT(session.follow({}, 20.9), IsEmpty());
-  EXPECT_THAT(session.follow({}, 21.0), ElementsAre(StepNotice::NothingFree));
-  EXPECT_THAT(session.follow({}, 50.0), IsEmpty()) << "said once";
+  EXPECT_THAT(session.apply({}, 20.9), IsEmpty());
+  EXPECT_THAT(session.apply({}, 21.0), ElementsAre(StepNotice::NothingFree));
+  EXPECT_THAT(session.apply({}, 50.0), IsEmpty()) << "said once";
 }
 
 // -- questions
@@ -186,11 +186,11 @@ TEST(OperatingSession, ThatIsFinishedIsSealedAndScored) {
   session.answer(true, 5.0);
   EXPECT_EQ(session.phase(), Phase::Sealing);
   EXPECT_EQ(session.ended_s(), 5.0);
-  EXPECT_EQ(session.follow_end(), Onward::Nowhere);
+  EXPECT_EQ(session.take_end(), Onward::Nowhere);
   EXPECT_EQ(session.staying(), Staying::WhileRecorded);
   operation.end_with(sealed());
-  EXPECT_EQ(session.follow_end(), Onward::Score);
-  EXPECT_EQ(session.follow_end(), Onward::Nowhere) << "once";
+  EXPECT_EQ(session.take_end(), Onward::Score);
+  EXPECT_EQ(session.take_end(), Onward::Nowhere) << "once";
   EXPECT_EQ(session.staying(), Staying::WhileScored);
   session.close();
   EXPECT_EQ(session.staying(), Staying::No);
@@ -202,7 +202,7 @@ TEST(OperatingSession, ThatIsAbandonedIsOverWithoutAScore) {
   operation.session.ask(Asked::Abandon);
   operation.session.answer(true, 5.0);
   operation.end_with({});
-  EXPECT_EQ(operation.session.follow_end(), Onward::Abandoned);
+  EXPECT_EQ(operation.session.take_end(), Onward::Abandoned);
   EXPECT_EQ(operation.session.phase(), Phase::Over);
   EXPECT_EQ(operation.session.staying(), Staying::No);
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "abandon"));
@@ -212,7 +212,7 @@ TEST(OperatingSession, ThatRanToItsLastTickIsScored) {
   LedOperation operation;
   operation.session.ask(Asked::Abandon);
   operation.end_with(sealed());
-  EXPECT_EQ(operation.session.follow_end(), Onward::Score);
+  EXPECT_EQ(operation.session.take_end(), Onward::Score);
   EXPECT_EQ(operation.session.asked(), Asked::Nothing) << "there is nothing left to abandon";
 }
 
@@ -224,7 +224,7 @@ TEST(OperatingSession, AFailureStopsItAndTheSaw) {
   end.reason = "no memory";
   end.file = "course.db";
   operation.end_with(end);
-  EXPECT_EQ(operation.session.follow_end(), Onward::Stopped);
+  EXPECT_EQ(operation.session.take_end(), Onward::Stopped);
   EXPECT_EQ(operation.session.stop().failure, LiveFailure::MemoryFull);
   EXPECT_EQ(operation.session.stop().reason, "no memory");
   EXPECT_EQ(operation.session.stop().file, "course.db");
@@ -238,13 +238,13 @@ TEST(OperatingSession, AFullDiskPausesUntilThereIsRoomAndSomebodyGoesOn) {
   LedOperation operation;
   OperatingSession& session = operation.session;
   operation.attempt.is_full = true;
-  EXPECT_TRUE(session.follow_storage());
-  EXPECT_FALSE(session.follow_storage()) << "said once";
+  EXPECT_TRUE(session.update_storage());
+  EXPECT_FALSE(session.update_storage()) << "said once";
   EXPECT_TRUE(session.pausing().is_storage_full());
   session.toggle_pause();
   EXPECT_TRUE(session.pausing().is_paused()) << "nobody goes on without room";
   operation.attempt.is_full = false;
-  EXPECT_TRUE(session.follow_storage());
+  EXPECT_TRUE(session.update_storage());
   EXPECT_EQ(session.pausing().by(), PausedBy::RoomAgain);
   EXPECT_FALSE(session.is_led());
   session.go_on();
@@ -257,7 +257,7 @@ TEST(OperatingSession, ADiskThatFillsUpBesideAQuestionKeepsItPaused) {
   OperatingSession& session = operation.session;
   session.ask(Asked::Abandon);
   operation.attempt.is_full = true;
-  session.follow_storage();
+  session.update_storage();
   session.answer(false, 1.0);
   EXPECT_TRUE(session.pausing().is_storage_full());
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause"));
@@ -267,13 +267,13 @@ TEST(OperatingSession, WhoDoesNotWaitForRoomIsStoppedAndKeepsWhatWasSaved) {
   LedOperation operation;
   OperatingSession& session = operation.session;
   operation.attempt.is_full = true;
-  session.follow_storage();
-  session.give_up(3.0);
+  session.update_storage();
+  session.abandon_unstored(3.0);
   EXPECT_EQ(session.phase(), Phase::Sealing);
   LiveEnd end;
   end.failure = LiveFailure::DiskFull;
   operation.end_with(end);
-  EXPECT_EQ(session.follow_end(), Onward::Stopped);
+  EXPECT_EQ(session.take_end(), Onward::Stopped);
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "abandon"));
 }
 
@@ -283,10 +283,10 @@ TEST(OperatingSession, ADiskThatFillsUpWhileSealingIsWaitedForToo) {
   session.ask(Asked::Finish);
   session.answer(true, 1.0);
   operation.attempt.is_full = true;
-  EXPECT_TRUE(session.follow_storage());
+  EXPECT_TRUE(session.update_storage());
   EXPECT_TRUE(session.pausing().is_storage_full());
   operation.attempt.is_full = false;
-  EXPECT_TRUE(session.follow_storage());
+  EXPECT_TRUE(session.update_storage());
   EXPECT_EQ(session.phase(), Phase::Sealing);
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "finish"));
 }

@@ -10,7 +10,7 @@
 
 #include "simulator/base/progress.h"
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/noted_destinations.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 #include "ui/render/scene_painter.h"
@@ -128,10 +128,10 @@ TEST(PatientPictures, TheFormNeverWaitsForTheBoneBesideIt) {
 
 TEST(PatientPictures, ACardIsDrawnOnceAndAnewOnAnotherGround) {
   SomePublished published;
-  SomePlaces places;
+  NotedDestinations destinations;
   PatientPictures pictures{no_patient};
-  Gallery gallery(
-      std::make_unique<OperationsScreen>(visit_of(published.course(), "ada"), places, pictures));
+  Gallery gallery(std::make_unique<OperationsScreen>(visit_of(published.course(), "ada"),
+                                                     destinations, pictures));
   gallery.finish_work();
   gallery.driver.wait(1.0);
   EXPECT_THAT(gallery.painter.drawn_names, ElementsAre("operations.akin.dark"));
@@ -144,17 +144,17 @@ TEST(PatientPictures, ACardIsDrawnOnceAndAnewOnAnotherGround) {
 
 TEST(PatientPictures, OneBuildServesAllScreens) {
   SomePublished published;
-  SomePlaces places;
+  NotedDestinations destinations;
   int builds = 0;
   PatientPictures pictures{[&](const auto& scenario, const auto& progress) {
     ++builds;
     return no_patient(scenario, progress);
   }};
   const auto signed_in = visit_of(published.course(), "ada");
-  Gallery gallery(std::make_unique<OperationsScreen>(signed_in, places, pictures));
+  Gallery gallery(std::make_unique<OperationsScreen>(signed_in, destinations, pictures));
   gallery.finish_work();
   gallery.shell.push(
-      std::make_unique<BriefingScreen>(signed_in, places, pictures, published.akin()));
+      std::make_unique<BriefingScreen>(signed_in, destinations, pictures, published.akin()));
   gallery.driver.frame();
   gallery.finish_work();
   EXPECT_TRUE(gallery.driver.has("brief.picture"));

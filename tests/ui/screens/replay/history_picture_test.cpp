@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "assessment/rebuild/rebuild.h"
-#include "scenarios/planned_bridge.h"
+#include "scenarios/plan.h"
 #include "simulator/mesh/bvh.h"
 #include "tests/ui/screens/some_operation.h"
 

@@ -30,8 +30,8 @@ using testing::SizeIs;
 struct Reader : SomeReviewer {
   Reader(SomeCourse& course, const std::string& login, const AttemptId& attempt, float scale = 1.0F)
       : SomeReviewer(
-            [&](SomePlaces& places) {
-              return std::make_unique<ResultScreen>(visit_of(course, login), places, attempt);
+            [&](NotedDestinations& destinations) {
+              return std::make_unique<ResultScreen>(visit_of(course, login), destinations, attempt);
             },
             scale) {}
 };

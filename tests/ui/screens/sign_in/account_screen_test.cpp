@@ -64,7 +64,7 @@ TEST(AccountScreen, ANewPasswordWorksAndTheOldOneNoLonger) {
   AtAccount at(course);
   at.write(good_password, another_password, another_password);
   at.send();
-  EXPECT_THAT(all_words(at.driver()), HasSubstr("Your password was changed"));
+  EXPECT_THAT(all_text(at.driver()), HasSubstr("Your password was changed"));
   EXPECT_FALSE(at.driver().has("account.password.act"));
   EXPECT_TRUE(at.knows("lee", another_password));
   EXPECT_FALSE(at.knows("lee", good_password));
@@ -75,7 +75,7 @@ TEST(AccountScreen, AWrongOldPasswordIsSaidAndChangesNothing) {
   AtAccount at(course);
   at.write("not the right phrase", another_password, another_password);
   at.send();
-  EXPECT_THAT(all_words(at.driver()), HasSubstr("old password is wrong"));
+  EXPECT_THAT(all_text(at.driver()), HasSubstr("old password is wrong"));
   EXPECT_TRUE(at.driver().has("account.password.act")) << "what was typed stays";
   EXPECT_TRUE(at.knows("lee", good_password));
 }
@@ -93,7 +93,7 @@ TEST(AccountScreen, PasswordsThatDifferCannotBeSent) {
   database::SomeCourse course;
   AtAccount at(course);
   at.write(good_password, another_password, "quite another long phrasE");
-  EXPECT_THAT(all_words(at.driver()), HasSubstr("The two passwords differ"));
+  EXPECT_THAT(all_text(at.driver()), HasSubstr("The two passwords differ"));
   EXPECT_FALSE(at.driver().widget("account.password.act").is_enabled);
 }
 
@@ -115,7 +115,7 @@ TEST(AccountScreen, AnAdministratorSaysWhenWindowsLock) {
   AtAccount administrator(course, "root");
   administrator.driver().click("account.lock.2");
   administrator.visitor.finish_work();
-  EXPECT_THAT(all_words(administrator.driver()), HasSubstr("Windows lock after 20 minutes"));
+  EXPECT_THAT(all_text(administrator.driver()), HasSubstr("Windows lock after 20 minutes"));
   EXPECT_EQ(visit_of(course, "ada")->idle_lock_s(), 20.0 * 60.0);
 }
 
@@ -141,7 +141,7 @@ TEST(AccountScreen, ExportsWhatIsKeptOfOneselfIntoANewFolder) {
   at.driver().press(Key::A, {.control = true});
   at.driver().type(folder.string());
   at.send();
-  EXPECT_THAT(all_words(at.driver()), HasSubstr("It was exported"));
+  EXPECT_THAT(all_text(at.driver()), HasSubstr("It was exported"));
   EXPECT_TRUE(std::filesystem::exists(folder / "explanation.txt"));
   EXPECT_EQ(course.last_audit().action, "person_exported");
 }
@@ -153,7 +153,7 @@ TEST(AccountScreen, AnExportIntoAFolderThatHoldsSomethingIsRefusedAndSaid) {
   at.driver().press(Key::A, {.control = true});
   at.driver().type(course.database().directory().string());
   at.send();
-  EXPECT_THAT(all_words(at.driver()), HasSubstr("holds something already"));
+  EXPECT_THAT(all_text(at.driver()), HasSubstr("holds something already"));
   EXPECT_TRUE(at.driver().has("account.export.act")) << "what was typed stays";
 }
 

@@ -58,7 +58,7 @@ TEST(LockScreen, HidesWhatLiesOpenUntilTheSamePersonsPasswordComes) {
   EXPECT_FALSE(station.visitor.driver().sees("what lies open"));
   station.try_with("not the password");
   EXPECT_TRUE(station.visitor.shell().is_locked());
-  EXPECT_THAT(all_words(station.visitor.driver()), HasSubstr("The password is wrong"));
+  EXPECT_THAT(all_text(station.visitor.driver()), HasSubstr("The password is wrong"));
   station.try_with(good_password);
   EXPECT_FALSE(station.visitor.shell().is_locked());
   EXPECT_TRUE(station.visitor.driver().sees("what lies open"));
@@ -73,13 +73,13 @@ TEST(LockScreen, CountsDownAfterWrongPasswords) {
   station.try_with(good_password);
   Driver& driver = station.visitor.driver();
   EXPECT_TRUE(station.visitor.shell().is_locked());
-  EXPECT_THAT(all_words(driver), HasSubstr("You can try again in"));
+  EXPECT_THAT(all_text(driver), HasSubstr("You can try again in"));
   driver.click("lock.password");
   driver.type(good_password);
   EXPECT_FALSE(driver.widget("lock.open").is_enabled);
   driver.wait(8.5);
   EXPECT_TRUE(driver.widget("lock.open").is_enabled);
-  EXPECT_THAT(all_words(driver), Not(HasSubstr("try again in")));
+  EXPECT_THAT(all_text(driver), Not(HasSubstr("try again in")));
 }
 
 TEST(LockScreen, LetsSomebodyElseSignInWhereNothingIsRecorded) {
@@ -93,7 +93,7 @@ TEST(LockScreen, KeepsARecordingForWhoBeganIt) {
   database::SomeCourse course;
   LockedStation station(course, "The attempt is still being recorded.");
   EXPECT_FALSE(station.visitor.driver().has("lock.other"));
-  EXPECT_THAT(all_words(station.visitor.driver()), HasSubstr("only ada can go on"));
+  EXPECT_THAT(all_text(station.visitor.driver()), HasSubstr("only ada can go on"));
   for (const Key key : {Key::Escape, Key::F1}) station.visitor.driver().press(key);
   EXPECT_TRUE(station.visitor.shell().is_locked());
   station.try_with(good_password);

@@ -1,4 +1,4 @@
-#include "simulator/bone/planned_bridge.h"
+#include "simulator/bone/close_bridge.h"
 
 #include <algorithm>
 
@@ -35,15 +35,8 @@ ClosedHinge close_bridge(CutBone& bone, const PlannedBridge& bridge) {
   missing.outcome = HingeOutcome::FacesMissing;
   const std::vector<KerfGap> gaps = gaps_of_kerfs(bone, bridge.line);
   if (gaps.size() < 2) return missing;
-  HingeRequest request;
-  request.first = bone.kerf(gaps[0].place).plane;
-  request.second = bone.kerf(gaps[1].place).plane;
-  request.first_gap = gaps[0].gap;
-  request.second_gap = gaps[1].gap;
-  request.line = bridge.line;
-  request.toward_moved = bridge.toward_moved;
-  request.breaks_below_mm = bridge.breaks_below_mm;
-  request.bends_up_to_mm = bridge.bends_up_to_mm;
+  const HingeRequest request{bone.kerf(gaps[0].place).plane, bone.kerf(gaps[1].place).plane,
+                             gaps[0].gap, gaps[1].gap, bridge};
   const CutSolid solid = bone.pieces().gathered();
   return close_hinge(solid, Bvh(solid.mesh), request);
 }

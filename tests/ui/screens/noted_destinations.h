@@ -1,14 +1,14 @@
-/// Places that note where a screen wanted to lead.
+/// Destinations that note where a screen wanted to lead.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/destinations.h"
 
 namespace hallux::ui {
 
-class SomePlaces : public Places {
+class NotedDestinations : public Destinations {
  public:
   void brief(database::ScenarioVersionId scenario) override {
     asked.push_back("brief " + std::to_string(scenario.number));

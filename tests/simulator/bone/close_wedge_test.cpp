@@ -1,15 +1,17 @@
 #include "simulator/bone/close_wedge.h"
 
+#include <gtest/gtest.h>
+
+#include <cmath>
+
 #include "simulator/base/units.h"
+#include "simulator/bone/blade_sweep.h"
+#include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/read_mesh.h"
 #include "tests/support/worlds.h"
-#include "tests/ui/jobs/sweep_files.h"
 
-namespace hallux::tests {
+namespace hallux::simulator {
 namespace {
-
-using simulator::HingeOutcome;
-using simulator::signed_volume_mm3;
 
 constexpr double half_degree = 5.0;
 constexpr double half_kerf_mm = 0.25;
@@ -19,38 +21,49 @@ constexpr double balance_mm3 = 2.0e-5;
 
 /// A block of 30 x 14 x 12 mm with two kerfs whose planes meet in the line x = 0, y = 6, at 10
 /// degrees.
-class WedgedBlock : public SweepFiles {
+class WedgedBlock : public testing::Test {
  protected:
+  /// A blade goes straight to `tip_mm`; without it the cut goes all the way through.
+  void saw(const Vec3& normal, double offset, const std::optional<SweepPose>& tip = {}) {
+    const KerfPlane plane = bone_.plane_of(normal, offset, 2.0 * half_kerf_mm);
+    ASSERT_TRUE(bone_.begin(plane, tip.has_value()).can_open);
+    if (!tip) {
+      bone_.commit(bone_.open_all());
+      return;
+    }
+    const SweepPose start{tip->tip_in_mesh_mm - 20.0 * tip->direction, tip->direction};
+    const BladePath path = path_in_plane({13.0, 40.0, {start, *tip}}, bone_.begun().plane);
+    stamp_motion(bone_.field(), path.blade, path.poses[0], path.poses[1]);
+    bone_.commit(outline_of(bone_.field()));
+  }
   /// side -1: on the side of negative x. The teeth stop at `tip_y_mm`; without it the cut goes all
   /// the way through.
-  void saw(int side, std::optional<double> tip_y_mm) {
+  void saw_side(int side, std::optional<double> tip_y_mm) {
     const double tilt_rad = side * radian_from_degree(half_degree);
-    ui::CutGroup group;
-    group.normal = Vec3(std::cos(tilt_rad), std::sin(tilt_rad), 0.0);
-    group.offset = 6.0 * group.normal.y;
+    const Vec3 normal(std::cos(tilt_rad), std::sin(tilt_rad), 0.0);
+    const Vec3 direction(-normal.y, normal.x, 0.0);
+    std::optional<SweepPose> tip;
     if (tip_y_mm) {
-      const Vec3 direction(-group.normal.y, group.normal.x, 0.0);
-      const Vec3 tip_mm = Vec3(0.0, 6.0, 0.0) + (*tip_y_mm - 6.0) / direction.y * direction;
-      group.sweep_file = sweep({tip_mm, direction});
+      tip = {Vec3(0.0, 6.0, 0.0) + (*tip_y_mm - 6.0) / direction.y * direction, direction};
     }
-    ui::saw(bone_, group, {});
+    saw(normal, 6.0 * normal.y, tip);
   }
-  simulator::WedgeClosure close(std::optional<double> tip_y_mm) {
-    saw(-1, tip_y_mm);
-    saw(1, tip_y_mm);
-    bodies_ = simulator::split_pieces(bone_.solid());
-    return simulator::close_wedge(bone_, bone_.kerf(0), bone_.kerf(1), bodies_);
+  WedgeClosure close(std::optional<double> tip_y_mm) {
+    saw_side(-1, tip_y_mm);
+    saw_side(1, tip_y_mm);
+    bodies_ = split_pieces(bone_.solid());
+    return close_wedge(bone_, bone_.kerf(0), bone_.kerf(1), bodies_);
   }
   double volume_mm3(std::size_t body) const { return signed_volume_mm3(bodies_[body].mesh); }
 
-  simulator::SawnBone bone_{solid_block(Vec3(30.0, 14.0, 12.0))};
-  std::vector<simulator::CutSolid> bodies_;
+  SawnBone bone_{tests::solid_block(Vec3(30.0, 14.0, 12.0))};
+  std::vector<CutSolid> bodies_;
 };
 
 /// Where the outer walls leave the block they stand 10 degrees and both half kerfs apart, seen from
 /// the joint: there they touch first.
 TEST_F(WedgedBlock, TurnsUntilTheOuterWallsTouch) {
-  const simulator::WedgeClosure closure = close(6.0);
+  const WedgeClosure closure = close(6.0);
   ASSERT_EQ(closure.outcome, HingeOutcome::Closed);
   EXPECT_NEAR(closure.thickness_mm, 1.0, 2.0e-3);
   const double half_rad = radian_from_degree(half_degree);
@@ -61,11 +74,11 @@ TEST_F(WedgedBlock, TurnsUntilTheOuterWallsTouch) {
 
 TEST_F(WedgedBlock, IsDividedIntoTwoHalvesThatTouchAndLoseNothing) {
   const double uncut_mm3 = signed_volume_mm3(bone_.whole().mesh);
-  const simulator::WedgeClosure closure = close(6.0);
+  const WedgeClosure closure = close(6.0);
   ASSERT_EQ(bodies_.size(), 3U);
   double sum_mm3 = bone_.removed_mm3();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    EXPECT_NO_THROW(simulator::check_closed_solid(bodies_[i].mesh, "a body"));
+    EXPECT_NO_THROW(check_closed_solid(bodies_[i].mesh, "a body"));
     sum_mm3 += volume_mm3(i);
   }
   EXPECT_NEAR(sum_mm3, uncut_mm3, balance_mm3);
@@ -90,7 +103,7 @@ TEST_F(WedgedBlock, IsDividedIntoTwoHalvesThatTouchAndLoseNothing) {
 }
 
 TEST_F(WedgedBlock, DoesNotBendOverAThickBridge) {
-  const simulator::WedgeClosure closure = close(4.2);
+  const WedgeClosure closure = close(4.2);
   EXPECT_EQ(closure.outcome, HingeOutcome::Stiff);
   EXPECT_NEAR(closure.thickness_mm, 2.8, 2.0e-3);
   EXPECT_EQ(bodies_.size(), 2U);
@@ -98,7 +111,7 @@ TEST_F(WedgedBlock, DoesNotBendOverAThickBridge) {
 }
 
 TEST_F(WedgedBlock, BreaksOverAThinBridgeIntoTwoBodiesThatStay) {
-  const simulator::WedgeClosure closure = close(6.85);
+  const WedgeClosure closure = close(6.85);
   EXPECT_EQ(closure.outcome, HingeOutcome::Broken);
   EXPECT_NEAR(closure.thickness_mm, 0.15, 2.0e-3);
   EXPECT_NE(closure.fixed, closure.moved);
@@ -108,7 +121,7 @@ TEST_F(WedgedBlock, BreaksOverAThinBridgeIntoTwoBodiesThatStay) {
 }
 
 TEST_F(WedgedBlock, IsBrokenWhereTheCutsGoAllTheWayThrough) {
-  const simulator::WedgeClosure closure = close(std::nullopt);
+  const WedgeClosure closure = close(std::nullopt);
   EXPECT_EQ(closure.outcome, HingeOutcome::Broken);
   EXPECT_EQ(closure.thickness_mm, 0.0);
   EXPECT_NE(closure.fixed, closure.moved);
@@ -120,21 +133,17 @@ TEST_F(WedgedBlock, HasNothingToCloseWhereTheKerfsDoNotMeet) {
   try {
     close(-2.0);
     FAIL() << "a wedge was found";
-  } catch (const simulator::MeshError& error) {
+  } catch (const MeshError& error) {
     EXPECT_EQ(std::string(error.what()).find("the kerfs leave no wedge"), 0U) << error.what();
   }
 }
 
 TEST_F(WedgedBlock, HasNoHingeBetweenParallelPlanes) {
-  ui::CutGroup group;
-  group.normal = Vec3(1.0, 0.0, 0.0);
-  ui::saw(bone_, group, {});
-  group.offset = 3.0;
-  ui::saw(bone_, group, {});
-  bodies_ = simulator::split_pieces(bone_.solid());
-  EXPECT_THROW(simulator::close_wedge(bone_, bone_.kerf(0), bone_.kerf(1), bodies_),
-               simulator::MeshError);
+  saw(Vec3(1.0, 0.0, 0.0), 0.0);
+  saw(Vec3(1.0, 0.0, 0.0), 3.0);
+  bodies_ = split_pieces(bone_.solid());
+  EXPECT_THROW(close_wedge(bone_, bone_.kerf(0), bone_.kerf(1), bodies_), MeshError);
 }
 
 }  // namespace
-}  // namespace hallux::tests
+}  // namespace hallux::simulator

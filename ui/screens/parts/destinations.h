@@ -1,6 +1,5 @@
-/// Where a screen leads to. The screens know only this; which screen is behind a place is ui/app's
-/// to say, so that no screen
-/// needs to know another.
+/// Destinations of a screen. The screens know only this; which screen is behind a destination is
+/// ui/app's to say, so that no screen needs to know another.
 ///
 /// Each shows the place over the screen that asks; Esc comes back to it.
 /// thread  the window's, in a frame; what is asked for happens after it
@@ -13,9 +12,9 @@
 
 namespace hallux::ui {
 
-class Places {
+class Destinations {
  public:
-  virtual ~Places() = default;
+  virtual ~Destinations() = default;
 
   /// What an operation is about, before it is begun.
   virtual void brief(database::ScenarioVersionId scenario) = 0;

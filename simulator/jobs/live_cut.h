@@ -1,0 +1,68 @@
+/// The bone of a running attempt as it is shown: which part of it is due anew, and its geometry.
+///
+///     samples, events, requests --> AttemptGeometry --> base of the kerf that grows, its patch
+///                                                  '--> the whole: a piece was taken out, or no
+///                                                       patch can be had
+///
+/// A patch shows a kerf on the bone without it. Where that bone cannot be had, because what the
+/// kerf freed was taken out already, the whole is due instead, twice a second. A hinge that closes
+/// takes the place of all that was due.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "simulator/bone/growing_kerf.h"
+#include "simulator/jobs/geometry_job.h"
+
+namespace hallux::simulator {
+
+/// What the patch of the kerf that grows lies on.
+struct PatchBase {
+  CutSolid solid;
+  /// Nothing else was cut: it is the bone as it was.
+  bool is_uncut = false;
+};
+
+/// thread  one at a time; work without a bound: not the haptic one
+class LiveCut {
+ public:
+  /// Borrows nothing.
+  LiveCut(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
+
+  // What the loop feeds, in its order. The same jobs run at the same places as the loop's own, so
+  // pieces have the same numbers here.
+  void apply(const ToolSample& sample);
+  void apply(const CutEvent& event);
+  void apply(const JobRequest& request);
+
+  /// Whether anything may have changed that is not shown yet.
+  bool is_due() const noexcept { return has_grown_ || is_whole_due_; }
+
+  // What is due, to be asked in this order.
+  /// Nothing where the base of the last patch still holds, or none can be had.
+  std::optional<PatchBase> take_base();
+  /// The patch on the base that was taken last.
+  /// errors  false where none is due, or its outline is not simple: the patch stays as it was
+  bool build_patch(SolidPatch& patch);
+  /// What lies in the wound, as a mesh of its own.
+  std::optional<CutSolid> take_whole();
+
+  /// The halves of the hinge, once it has closed; null before. It lives as long as this.
+  const ClosedHinge* closed_hinge() const noexcept;
+
+ private:
+  AttemptGeometry geometry_;
+  /// Of the kerf at hand; null where it has no base.
+  std::unique_ptr<GrowingKerf> growing_;
+  std::int32_t kerf_at_hand_ = -1;
+  std::unique_ptr<const JobResult> hinge_;
+  /// In which the teeth were last.
+  std::int32_t kerf_ = -1;
+  bool has_grown_ = false;
+  bool is_whole_due_ = false;
+  std::int64_t tick_ = 0, whole_tick_ = 0;
+};
+
+}  // namespace hallux::simulator

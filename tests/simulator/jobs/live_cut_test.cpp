@@ -1,0 +1,117 @@
+#include "simulator/jobs/live_cut.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/simulator/step/simulation_run.h"
+#include "tests/support/worlds.h"
+
+namespace hallux::simulator {
+namespace {
+
+using tests::blade_down;
+
+/// A block of 20 x 4 x 6 mm under a blade that is wider than it.
+class LiveCutOfABlock : public testing::Test {
+ protected:
+  void freeze(std::int32_t kerf, double x_mm) {
+    CutEvent event;
+    event.kind = CutEventKind::PlaneFrozen;
+    event.subject = kerf;
+    event.pose = quantise(blade_down({x_mm, 2.0, 0.0}));
+    cut_.apply(event);
+  }
+  /// The teeth in that kerf at `y_mm`: the block is through below -2.
+  void saw(std::int32_t kerf, double x_mm, double y_mm, std::int64_t tick) {
+    ToolSample sample;
+    sample.tick = tick;
+    sample.world_from_tool = quantise(bone_.world_from_bone * blade_down({x_mm, y_mm, 0.0}));
+    sample.status = bit(ToolStatus::SawOn);
+    sample.kerf = kerf;
+    cut_.apply(sample);
+  }
+  void take_out_freed(std::int32_t kerf) {
+    cut_.apply(JobRequest{0, JobKind::Pieces, kerf, 0});
+    CutEvent event;
+    event.kind = CutEventKind::PieceRemoved;
+    event.subject = 1;
+    cut_.apply(event);
+  }
+
+  Bone bone_ = tests::cortical_bone(tests::solid_block({20.0, 4.0, 6.0}));
+  LiveCut cut_{bone_, Blade{}};
+  SolidPatch patch_;
+};
+
+TEST_F(LiveCutOfABlock, HasNothingDueBeforeTheSawRunsInAKerf) {
+  freeze(0, 3.0);
+  EXPECT_FALSE(cut_.is_due());
+  EXPECT_FALSE(cut_.take_base());
+  EXPECT_FALSE(cut_.build_patch(patch_));
+  EXPECT_FALSE(cut_.take_whole());
+}
+
+TEST_F(LiveCutOfABlock, ShowsTheFirstKerfOnTheBoneAsItWas) {
+  freeze(0, 3.0);
+  saw(0, 3.0, 1.0, 10);
+  const std::optional<PatchBase> base = cut_.take_base();
+  ASSERT_TRUE(base);
+  EXPECT_TRUE(base->is_uncut);
+  EXPECT_EQ(base->solid.mesh, solid_of(bone_));
+  EXPECT_TRUE(cut_.build_patch(patch_));
+  EXPECT_FALSE(patch_.triangles.empty());
+  EXPECT_FALSE(cut_.is_due());
+}
+
+TEST_F(LiveCutOfABlock, KeepsTheBaseWhileTheSameKerfGrows) {
+  freeze(0, 3.0);
+  saw(0, 3.0, 1.0, 10);
+  cut_.take_base();
+  cut_.build_patch(patch_);
+  saw(0, 3.0, 0.0, 20);
+  EXPECT_TRUE(cut_.is_due());
+  EXPECT_FALSE(cut_.take_base());
+  EXPECT_TRUE(cut_.build_patch(patch_));
+  EXPECT_FALSE(cut_.take_whole());
+}
+
+TEST_F(LiveCutOfABlock, LaysTheNextKerfOnABoneWithTheFirst) {
+  freeze(0, 3.0);
+  saw(0, 3.0, 0.0, 10);
+  freeze(1, -3.0);
+  saw(1, -3.0, 1.0, 20);
+  const std::optional<PatchBase> base = cut_.take_base();
+  ASSERT_TRUE(base);
+  EXPECT_FALSE(base->is_uncut);
+  EXPECT_LT(signed_volume_mm3(base->solid.mesh), 480.0 - 1.0);
+  EXPECT_TRUE(cut_.build_patch(patch_));
+}
+
+TEST_F(LiveCutOfABlock, IsDueAsAWholeOnceAPieceWasTakenOut) {
+  freeze(0, 3.0);
+  saw(0, 3.0, -4.0, 10);
+  take_out_freed(0);
+  EXPECT_FALSE(cut_.take_base()) << "the base would hold the piece again";
+  const std::optional<CutSolid> whole = cut_.take_whole();
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(signed_volume_mm3(whole->mesh), 24.0 * (13.0 - 0.25), 1.0e-3);
+  EXPECT_FALSE(cut_.is_due());
+}
+
+TEST_F(LiveCutOfABlock, ThatGoesOnWithoutABaseIsDueTwiceASecond) {
+  freeze(0, 3.0);
+  saw(0, 3.0, -4.0, 10);
+  take_out_freed(0);
+  cut_.take_whole();
+  saw(0, 3.0, -4.0, 400);
+  EXPECT_FALSE(cut_.take_base());
+  EXPECT_FALSE(cut_.build_patch(patch_));
+  EXPECT_FALSE(cut_.take_whole()) << "the last one is 390 ms old";
+  EXPECT_TRUE(cut_.is_due());
+  saw(0, 3.0, -4.0, 510);
+  EXPECT_FALSE(cut_.take_base());
+  EXPECT_TRUE(cut_.take_whole());
+  EXPECT_FALSE(cut_.is_due());
+}
+
+}  // namespace
+}  // namespace hallux::simulator
