@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/every_size.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "ui/screens/instructor/inbox_screen.h"
 #include "ui/screens/trainee/questions_screen.h"
 
@@ -33,7 +33,7 @@ struct Asking {
 
 struct Inbox {
   explicit Inbox(Asking& of, const std::string& login = "kim")
-      : visitor(std::make_unique<InboxScreen>(visit_of(of.course, login), destinations, drafts,
+      : visitor(std::make_unique<InboxScreen>(visit_of(of.course, login), navigator, drafts,
                                               [this](int open) { counted.push_back(open); })) {}
   Driver& driver() { return visitor.driver(); }
   void press(std::string_view id) {
@@ -41,7 +41,7 @@ struct Inbox {
     visitor.finish_work();
   }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   std::shared_ptr<InboxScreen::Drafts> drafts = std::make_shared<InboxScreen::Drafts>();
   std::vector<int> counted;
   SomeVisitor visitor;
@@ -67,7 +67,7 @@ TEST(InboxScreen, LeadsToTheMoment) {
   Inbox inbox(asking);
   inbox.press(row_of(asking, "bob"));
   inbox.press("inbox.moment");
-  EXPECT_THAT(inbox.destinations.asked,
+  EXPECT_THAT(inbox.navigator.asked,
               ElementsAre("replay " + asking.attempt["bob"].text + " at 0.002000"));
 }
 
@@ -95,7 +95,7 @@ TEST(InboxScreen, IsUsedByKeyboardAlone) {
   inbox.driver().press(Key::End);
   inbox.driver().press(Key::Enter);
   press_by_keyboard(inbox.visitor, "inbox.moment");
-  EXPECT_EQ(inbox.destinations.asked.size(), 1U);
+  EXPECT_EQ(inbox.navigator.asked.size(), 1U);
   inbox.driver().press(Key::Tab);
   EXPECT_EQ(inbox.driver().focused(), "inbox.answer");
   inbox.driver().type("Look again at 00:00.");
@@ -125,7 +125,7 @@ TEST(InboxScreen, WhatWasWrittenIsThereAgainOnTheWayBack) {
   inbox.driver().click("inbox.answer");
   inbox.driver().type("Half an ans");
   inbox.visitor.shell().replace_all(std::make_unique<InboxScreen>(
-      visit_of(asking.course, "kim"), inbox.destinations, inbox.drafts, InboxScreen::Counted()));
+      visit_of(asking.course, "kim"), inbox.navigator, inbox.drafts, InboxScreen::Counted()));
   inbox.driver().frame();
   inbox.visitor.finish_work();
   inbox.press(row_of(asking, "ada"));
@@ -134,8 +134,8 @@ TEST(InboxScreen, WhatWasWrittenIsThereAgainOnTheWayBack) {
 
 TEST(InboxScreen, SaysWhereThereAreNoQuestions) {
   database::SomeCourse course;
-  NotedDestinations destinations;
-  SomeVisitor visitor(std::make_unique<InboxScreen>(visit_of(course, "kim"), destinations,
+  SomeNavigator navigator;
+  SomeVisitor visitor(std::make_unique<InboxScreen>(visit_of(course, "kim"), navigator,
                                                     std::make_shared<InboxScreen::Drafts>()));
   EXPECT_TRUE(visitor.driver().sees("No help requests"));
   EXPECT_THAT(visitor.driver().faults(), IsEmpty());
@@ -145,9 +145,9 @@ TEST(InboxScreen, NothingIsCutOffAnywhere) {
   Asking asking;
   asking.course.instructor("kim", asking.course.autumn())
       .answer(asking.request["bob"], std::string(300, 'a') + " and more words behind it");
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   const auto make = [&] {
-    return std::make_unique<InboxScreen>(visit_of(asking.course, "kim"), destinations,
+    return std::make_unique<InboxScreen>(visit_of(asking.course, "kim"), navigator,
                                          std::make_shared<InboxScreen::Drafts>());
   };
   EXPECT_THAT(faults_at_every_size(make), IsEmpty());
@@ -163,48 +163,45 @@ TEST(QuestionsScreen, ShowsTheOwnQuestionsAndNobodyElses) {
   Asking asking;
   asking.course.instructor("kim", asking.course.autumn())
       .answer(asking.request["ada"], "Hold it level.");
-  NotedDestinations destinations;
-  SomeVisitor visitor(
-      std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), destinations));
+  SomeNavigator navigator;
+  SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), navigator));
   EXPECT_TRUE(visitor.driver().sees("A question of ada"));
   EXPECT_TRUE(visitor.driver().sees("Hold it level."));
   EXPECT_TRUE(visitor.driver().sees("kim"));
   for (const char* other : {"bob", "eve", "lee"})
     EXPECT_FALSE(shows_word(visitor.driver(), other)) << other;
   visitor.driver().click("questions.moment");
-  EXPECT_THAT(destinations.asked,
+  EXPECT_THAT(navigator.asked,
               ElementsAre("replay " + asking.attempt["ada"].text + " at 0.002000"));
 }
 
 TEST(QuestionsScreen, IsUsedByKeyboardAlone) {
   Asking asking;
   asking.course.trainee("ada").ask_for_help({asking.attempt["ada"], {3000}, "Another question"});
-  NotedDestinations destinations;
-  SomeVisitor visitor(
-      std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), destinations));
+  SomeNavigator navigator;
+  SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), navigator));
   visitor.driver().press(Key::Tab);
   EXPECT_TRUE(visitor.driver().focused().starts_with("questions.row."));
   visitor.driver().press(Key::End);
   visitor.driver().press(Key::Enter);
   EXPECT_TRUE(visitor.driver().sees("No answer yet"));
   press_by_keyboard(visitor, "questions.moment");
-  EXPECT_EQ(destinations.asked.size(), 1U);
+  EXPECT_EQ(navigator.asked.size(), 1U);
 }
 
 TEST(QuestionsScreen, SaysWhereThereAreNone) {
   database::SomeCourse course;
-  NotedDestinations destinations;
-  SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(course, "ada"), destinations));
+  SomeNavigator navigator;
+  SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(course, "ada"), navigator));
   EXPECT_TRUE(visitor.driver().sees("No questions yet"));
   EXPECT_THAT(visitor.driver().faults(), IsEmpty());
 }
 
 TEST(QuestionsScreen, NothingIsCutOffAnywhere) {
   Asking asking;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   EXPECT_THAT(faults_at_every_size([&] {
-                return std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"),
-                                                         destinations);
+                return std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), navigator);
               }),
               IsEmpty());
 }

@@ -4,9 +4,9 @@
 
 namespace hallux::ui {
 
-SomeReviewer::SomeReviewer(const std::function<std::unique_ptr<Screen>(NotedDestinations&)>& make,
+SomeReviewer::SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
                            float scale)
-    : visitor_(make(destinations_), scale) {
+    : visitor_(make(navigator_), scale) {
   finish();
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_operation.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -21,8 +21,8 @@ struct OperatedCourse {
 
 class SomeReviewer {
  public:
-  /// `make` makes the screen, which may lead to these destinations.
-  explicit SomeReviewer(const std::function<std::unique_ptr<Screen>(NotedDestinations&)>& make,
+  /// `make` makes the screen, which may lead to these navigator.
+  explicit SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
                         float scale = 1.0F);
 
   /// What is done starts what is read anew.
@@ -32,10 +32,10 @@ class SomeReviewer {
   void tab_to(const std::string& id_begin);
   Driver& driver() noexcept { return visitor_.driver(); }
   /// Where the screen wanted to lead.
-  const std::vector<std::string>& asked() const noexcept { return destinations_.asked; }
+  const std::vector<std::string>& asked() const noexcept { return navigator_.asked; }
 
  private:
-  NotedDestinations destinations_;
+  SomeNavigator navigator_;
   SomeVisitor visitor_;
 };
 

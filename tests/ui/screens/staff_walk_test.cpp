@@ -6,7 +6,7 @@
 #include <random>
 
 #include "tests/ui/screens/every_size.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_visitor.h"
 #include "ui/screens/administrator/audit_screen.h"
 #include "ui/screens/administrator/cohorts_screen.h"
@@ -28,12 +28,11 @@ class Walker {
  public:
   using MakeScreen = std::function<std::unique_ptr<Screen>(const std::string& place)>;
 
-  Walker(std::vector<std::string> destinations, const MakeScreen& make)
-      : visitor_(make(destinations.front())), random_(20261122) {
+  Walker(std::vector<std::string> navigator, const MakeScreen& make)
+      : visitor_(make(navigator.front())), random_(20261122) {
     Visitor who;
     who.name = "Walker";
-    for (const std::string& place : destinations)
-      who.places.push_back({place, place, Icon::Home, 0});
+    for (const std::string& place : navigator) who.places.push_back({place, place, Icon::Home, 0});
     visitor_.shell().set_visitor(who);
     visitor_.shell().on_navigate(
         [this, make](const std::string& place) { visitor_.shell().replace_all(make(place)); });
@@ -99,16 +98,16 @@ TEST(StaffWalk, AnInstructorSeesNoStranger) {
   const auto attempt = course.scored_by("ada", 61000), of_eve = course.scored_by("eve", 33000);
   course.trainee("ada").ask_for_help({attempt, {2000}, "Why?"});
   course.trainee("eve").ask_for_help({of_eve, {2000}, "A question of another cohort"});
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   const auto drafts = std::make_shared<InboxScreen::Drafts>();
   Walker walker({"nav.cohort", "nav.inbox", "nav.questions"},
                 [&](const std::string& place) -> std::unique_ptr<Screen> {
                   if (place == "nav.cohort")
-                    return std::make_unique<CohortScreen>(signed_in, destinations, [] {});
+                    return std::make_unique<CohortScreen>(signed_in, navigator, [] {});
                   if (place == "nav.inbox")
-                    return std::make_unique<InboxScreen>(signed_in, destinations, drafts);
-                  return std::make_unique<QuestionsScreen>(signed_in, destinations);
+                    return std::make_unique<InboxScreen>(signed_in, navigator, drafts);
+                  return std::make_unique<QuestionsScreen>(signed_in, navigator);
                 });
   for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
     walker.step();

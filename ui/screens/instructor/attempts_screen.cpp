@@ -91,7 +91,7 @@ void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
   std::vector<AttemptHeader>& attempts = attempts_.value();
   const TableResponse response = table(ui, "attempts", content, shown, attempts, table_);
   if (response.opened)
-    destinations_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
+    navigator_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
   if (response.has_sort_changed) sort_rows(attempts, shown.columns, table_.sort);
 }
 

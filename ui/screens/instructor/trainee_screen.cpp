@@ -160,7 +160,7 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
       columns_of(ui)};
   const TableResponse response = table(ui, "trainee.row", content, shown, attempts, table_);
   if (response.opened)
-    destinations_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
+    navigator_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
 }
 
 }  // namespace hallux::ui

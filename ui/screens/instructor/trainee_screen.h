@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ui/jobs/course/standing_jobs.h"
-#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/widgets/controls/row_table.h"
 
@@ -14,11 +14,11 @@ namespace hallux::ui {
 
 class TraineeScreen : public Screen {
  public:
-  /// `destinations` outlives the screen.
-  TraineeScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
+  /// `navigator` outlives the screen.
+  TraineeScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                 database::CohortId cohort, database::PersonId trainee)
       : signed_in_(std::move(signed_in)),
-        destinations_(destinations),
+        navigator_(navigator),
         cohort_(cohort),
         trainee_(trainee) {}
 
@@ -44,7 +44,7 @@ class TraineeScreen : public Screen {
   void draw_attempts(Ui& ui, const Rect& content);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Destinations& destinations_;
+  Navigator& navigator_;
   database::CohortId cohort_;
   database::PersonId trainee_;
   Loaded<File> file_;

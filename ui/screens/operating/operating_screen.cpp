@@ -41,11 +41,10 @@ std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& step
 
 }  // namespace
 
-OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in,
-                                 Destinations& destinations, const OperationChoice& choice,
-                                 LendDevice lend_device)
+OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
+                                 const OperationChoice& choice, LendDevice lend_device)
     : signed_in_(std::move(signed_in)),
-      destinations_(destinations),
+      navigator_(navigator),
       choice_(choice),
       lend_device_(std::move(lend_device)),
       session_(choice.kind) {}
@@ -321,13 +320,13 @@ void OperatingScreen::score(const Ui& ui, Shell& shell) {
 void OperatingScreen::show_result(Shell& shell) {
   session_.close();
   shell.pop();
-  destinations_.show_result(running_->live->attempt());
+  navigator_.show_result(running_->live->attempt());
 }
 
 void OperatingScreen::draw_stopped(Ui& ui, Shell& shell) {
   const StoppedAnswer answer = draw_stopped_card(ui, session_.stop(), running_ != nullptr);
   if (answer != StoppedAnswer::Waiting) shell.pop();
-  if (answer == StoppedAnswer::SeeKept) destinations_.show_replay(running_->live->attempt(), 0.0);
+  if (answer == StoppedAnswer::SeeKept) navigator_.show_replay(running_->live->attempt(), 0.0);
 }
 
 }  // namespace hallux::ui

@@ -10,8 +10,8 @@
 #include "ui/screens/operating/operating_session.h"
 #include "ui/screens/operating/operating_viewport.h"
 #include "ui/screens/operating/operation_work.h"
-#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/sound/saw_player.h"
 #include "ui/window/shell/shell.h"
@@ -32,7 +32,7 @@ using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
 
 class OperatingScreen : public Screen {
  public:
-  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
+  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                   const OperationChoice& choice, LendDevice lend_device);
 
   WindowChrome surround() const override { return WindowChrome::Badge; }
@@ -91,7 +91,7 @@ class OperatingScreen : public Screen {
   void show_result(Shell& shell);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Destinations& destinations_;
+  Navigator& navigator_;
   OperationChoice choice_;
   LendDevice lend_device_;
   /// Of the last frame.

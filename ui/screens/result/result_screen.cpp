@@ -147,7 +147,7 @@ float ResultScreen::draw_actions(Ui& ui, Rect line) {
   };
   ButtonSpec replay{ui.text("result.replay"), ButtonLook::Primary, Icon::Play};
   if (action("result.replay", replay)) {
-    destinations_.show_replay(facts().header.id, chosen_moment_s().value_or(0.0));
+    navigator_.show_replay(facts().header.id, chosen_moment_s().value_or(0.0));
   }
   if (facts().rights.may_ask_for_help &&
       action("result.ask", {ui.text("result.ask"), ButtonLook::Secondary, Icon::Flag}))
@@ -247,8 +247,7 @@ void ResultScreen::choose_line(std::size_t line) {
 
 void ResultScreen::watch(std::size_t line) {
   choose_line(line);
-  destinations_.show_replay(facts().header.id,
-                            second_of(facts().score->card.ledger[line].start_us));
+  navigator_.show_replay(facts().header.id, second_of(facts().score->card.ledger[line].start_us));
 }
 
 std::optional<double> ResultScreen::chosen_moment_s() const {
@@ -375,7 +374,7 @@ void ResultScreen::draw_wound_card(Ui& ui, const Rect& rect) {
   }
   if (!examined_.draw_until_ready(ui, "result.wound.unseen", inside, 6)) return;
   const auto asked_s = draw_wound(ui, inside, examined_.value()->wound, chosen_moment_s());
-  if (asked_s) destinations_.show_replay(facts().header.id, *asked_s);
+  if (asked_s) navigator_.show_replay(facts().header.id, *asked_s);
 }
 
 void ResultScreen::draw_forms(Ui& ui, Shell& shell) {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/message_form.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/result/decide_form.h"
 #include "ui/screens/result/plan_card.h"
@@ -20,11 +20,11 @@ namespace hallux::ui {
 
 class ResultScreen : public Screen {
  public:
-  /// `destinations` outlives the screen.
-  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
+  /// `navigator` outlives the screen.
+  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                database::AttemptId attempt)
       : signed_in_(std::move(signed_in)),
-        destinations_(destinations),
+        navigator_(navigator),
         attempt_(std::move(attempt)),
         decide_(signed_in_) {}
 
@@ -60,7 +60,7 @@ class ResultScreen : public Screen {
   std::optional<double> chosen_moment_s() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Destinations& destinations_;
+  Navigator& navigator_;
   database::AttemptId attempt_;
   Loaded<ResultFacts> facts_;
   Loaded<std::shared_ptr<const ExaminedAttempt>> examined_;

@@ -180,7 +180,7 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
     // What was chosen for a practice means nothing for an assessment.
     const bool is_practice = kind_ == 0;
-    destinations_.operate(
+    navigator_.operate(
         scenario_,
         is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
         is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);

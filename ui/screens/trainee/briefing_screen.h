@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "ui/jobs/course/standing_jobs.h"
-#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/patient_pictures.h"
@@ -15,11 +15,11 @@ namespace hallux::ui {
 
 class BriefingScreen : public Screen {
  public:
-  /// `destinations` and `pictures` outlive the screen.
-  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations,
+  /// `navigator` and `pictures` outlive the screen.
+  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                  PatientPictures& pictures, database::ScenarioVersionId scenario)
       : signed_in_(std::move(signed_in)),
-        destinations_(destinations),
+        navigator_(navigator),
         pictures_(pictures),
         scenario_(scenario) {}
 
@@ -41,7 +41,7 @@ class BriefingScreen : public Screen {
   void draw_text_card(Ui& ui, const Rect& rect);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Destinations& destinations_;
+  Navigator& navigator_;
   PatientPictures& pictures_;
   database::ScenarioVersionId scenario_;
   Loaded<OwnOperation> operation_;

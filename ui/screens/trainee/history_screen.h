@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "ui/screens/parts/destinations.h"
 #include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/trainee/operation_history.h"
 #include "ui/widgets/controls/row_table.h"
@@ -15,9 +15,9 @@ namespace hallux::ui {
 
 class HistoryScreen : public Screen {
  public:
-  /// `destinations` outlives the screen.
-  HistoryScreen(std::shared_ptr<SignedInSession> signed_in, Destinations& destinations)
-      : signed_in_(std::move(signed_in)), destinations_(destinations) {}
+  /// `navigator` outlives the screen.
+  HistoryScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
+      : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
   std::string_view navigation_id() const override { return "nav.history"; }
   void enter(Shell&) override { histories_.read_again(); }
@@ -34,7 +34,7 @@ class HistoryScreen : public Screen {
   const OperationHistory& history() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Destinations& destinations_;
+  Navigator& navigator_;
   Loaded<std::vector<OperationHistory>> histories_;
   int chosen_ = 0;
   TableState table_;

@@ -213,7 +213,7 @@ void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
                       {Type::Small, theme.text_secondary},
                       ui.text(why_next(competence_of(next, now_utc_))), true);
   if (button(ui, "operations.start", centred(place, width, button_height), start)) {
-    destinations_.brief(next.published.scenario);
+    navigator_.brief(next.published.scenario);
   }
 }
 
@@ -227,7 +227,7 @@ void OperationsScreen::draw_cards(Ui& ui, const Rect& page, Shell& shell) {
                     page.y + static_cast<float>(row) * (grid.card_height + space::between_cards),
                     grid.card_width, grid.card_height};
     if (draw_card(ui, rect, *cards[number], shell)) {
-      destinations_.brief(cards[number]->published.scenario);
+      navigator_.brief(cards[number]->published.scenario);
     }
   }
 }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/database/some_course.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_visitor.h"
 
 namespace hallux::ui {
@@ -16,10 +16,10 @@ using testing::IsEmpty;
 /// A person of a course who looks at their attempts.
 struct Reader {
   Reader(database::SomeCourse& course, const std::string& login, float scale = 1.0F)
-      : visitor(std::make_unique<AttemptsScreen>(visit_of(course, login), destinations), scale) {}
+      : visitor(std::make_unique<AttemptsScreen>(visit_of(course, login), navigator), scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   SomeVisitor visitor;
 };
 
@@ -72,7 +72,7 @@ TEST(AttemptsScreen, ARowLeadsToItsResult) {
   const database::AttemptId attempt = course.scored_by("ada", 76830);
   Reader reader(course, "ada");
   reader.driver().click("attempts.1");
-  EXPECT_THAT(reader.destinations.asked, ElementsAre("result " + attempt.text));
+  EXPECT_THAT(reader.navigator.asked, ElementsAre("result " + attempt.text));
 }
 
 TEST(AttemptsScreen, EveryStateIsShownAndNothingIsCutOff) {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "tests/ui/screens/every_size.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "ui/screens/instructor/trainee_screen.h"
 #include "ui/screens/parts/attempt_marks.h"
@@ -24,7 +24,7 @@ using testing::IsEmpty;
 struct Teacher {
   explicit Teacher(database::SomeCourse& course, const std::string& login = "kim",
                    float scale = 1.0F)
-      : visitor(std::make_unique<CohortScreen>(visit_of(course, login), destinations,
+      : visitor(std::make_unique<CohortScreen>(visit_of(course, login), navigator,
                                                [this] { ++inbox_opened; }),
                 scale) {}
   Driver& driver() { return visitor.driver(); }
@@ -33,7 +33,7 @@ struct Teacher {
     visitor.finish_work();
   }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   int inbox_opened = 0;
   SomeVisitor visitor;
 };
@@ -63,7 +63,7 @@ TEST(CohortScreen, ATraineeAnAttemptAndAQuestionLeadOn) {
   teacher.press("cohort.attempt.1");
   teacher.press("cohort.request." + std::to_string(request.number));
   teacher.press("cohort.inbox");
-  EXPECT_THAT(teacher.destinations.asked,
+  EXPECT_THAT(teacher.navigator.asked,
               ElementsAre("trainee " + std::to_string(course.id_of("ada").number) + " of " +
                               std::to_string(course.autumn().number),
                           "result " + attempt.text, "replay " + attempt.text + " at 0.002000"));
@@ -170,7 +170,7 @@ TEST(CohortScreen, IsUsedByKeyboardAlone) {
   EXPECT_EQ(teacher.driver().focused(), "cohort.row.bob");
   teacher.driver().press(Key::Enter);
   press_by_keyboard(teacher.visitor, "cohort.attempt.1");
-  EXPECT_EQ(teacher.destinations.asked.size(), 3U);
+  EXPECT_EQ(teacher.navigator.asked.size(), 3U);
 }
 
 /// Twelve operations are published, Operation 01 to Operation 12; ada tried the last, bob none of
@@ -289,9 +289,9 @@ TEST(CohortScreen, AnOperationOfALaterPageSortsAndKeepsSorting) {
 
 TEST(CohortScreen, OfManyOperationsNothingIsCutOffAnywhere) {
   ManyOperations many;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   EXPECT_THAT(faults_at_every_size([&] {
-                return std::make_unique<CohortScreen>(visit_of(many.course, "kim"), destinations,
+                return std::make_unique<CohortScreen>(visit_of(many.course, "kim"), navigator,
                                                       [] {});
               }),
               IsEmpty());
@@ -299,10 +299,10 @@ TEST(CohortScreen, OfManyOperationsNothingIsCutOffAnywhere) {
 
 TEST(CohortScreen, WhoDoesNotTeachItAnyMoreSeesWhy) {
   database::SomeCourse course;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   course.administrator().remove_from_cohort(course.autumn(), "kim");
-  SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, destinations));
+  SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, navigator));
   EXPECT_TRUE(visitor.driver().sees("You do not teach this cohort any more"));
   EXPECT_FALSE(visitor.driver().sees("ada"));
 }
@@ -312,13 +312,13 @@ TEST(CohortScreen, NothingIsCutOffAnywhere) {
   course.scored_by("ada", 90000);
   const database::AttemptId attempt = course.scored_by("ada", 40000);
   course.trainee("ada").ask_for_help({attempt, {0}, "Why did I lose so many points at once here?"});
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   EXPECT_THAT(faults_at_every_size([&] {
-                return std::make_unique<CohortScreen>(visit_of(course, "kim"), destinations, [] {});
+                return std::make_unique<CohortScreen>(visit_of(course, "kim"), navigator, [] {});
               }),
               IsEmpty());
   EXPECT_THAT(faults_at_every_size([&] {
-                return std::make_unique<CohortScreen>(visit_of(course, "lee"), destinations, [] {});
+                return std::make_unique<CohortScreen>(visit_of(course, "lee"), navigator, [] {});
               }),
               IsEmpty())
       << "with nothing to show";
@@ -416,9 +416,9 @@ TEST(CohortScreen, WhoWasCompetentAndFailedAgainAndAgainHasSlipped) {
 TEST(TraineeScreen, SaysCompetentWhereTheAssessmentsDo) {
   SomePublished published;
   published.assessed("ada", 12, 60000);
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   database::SomeCourse& course = published.course();
-  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), destinations,
+  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), navigator,
                                                       course.autumn(), course.id_of("ada")));
   EXPECT_TRUE(visitor.driver().sees("Competent"));
 }
@@ -427,8 +427,8 @@ TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {
   database::SomeCourse course;
   course.scored_by("ada", 61200);
   const database::AttemptId newest = course.scored_by("ada", 40000);
-  NotedDestinations destinations;
-  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), destinations,
+  SomeNavigator navigator;
+  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), navigator,
                                                       course.autumn(), course.id_of("ada")));
   EXPECT_TRUE(visitor.driver().sees("Best 61.2, last 40.0"));
   EXPECT_TRUE(visitor.driver().sees("Slipped"));
@@ -436,14 +436,14 @@ TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {
             visitor.driver().widget("trainee.row.1").rect.y);
   EXPECT_FALSE(visitor.driver().sees("bob"));
   press_by_keyboard(visitor, "trainee.row.2");
-  EXPECT_THAT(destinations.asked, ElementsAre("result " + newest.text));
+  EXPECT_THAT(navigator.asked, ElementsAre("result " + newest.text));
 }
 
 TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
   database::SomeCourse course;
   course.scored_by("eve", 61200);
-  NotedDestinations destinations;
-  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), destinations,
+  SomeNavigator navigator;
+  SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), navigator,
                                                       course.autumn(), course.id_of("eve")));
   EXPECT_TRUE(visitor.driver().sees("This could not be read"));
   EXPECT_FALSE(visitor.driver().sees("61.2"));
@@ -451,11 +451,11 @@ TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
 
 TEST(TraineeScreen, GoesBackByItsButton) {
   database::SomeCourse course;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
-  SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, destinations));
-  visitor.shell().push(std::make_unique<TraineeScreen>(signed_in, destinations, course.autumn(),
-                                                       course.id_of("ada")));
+  SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, navigator));
+  visitor.shell().push(
+      std::make_unique<TraineeScreen>(signed_in, navigator, course.autumn(), course.id_of("ada")));
   visitor.driver().frame();
   visitor.finish_work();
   EXPECT_TRUE(visitor.driver().sees("No attempts yet"));
@@ -469,9 +469,9 @@ TEST(TraineeScreen, NothingIsCutOffAnywhere) {
   database::SomeCourse course;
   course.scored_by("ada", 61200);
   course.interrupted_of("ada");
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   EXPECT_THAT(faults_at_every_size([&] {
-                return std::make_unique<TraineeScreen>(visit_of(course, "kim"), destinations,
+                return std::make_unique<TraineeScreen>(visit_of(course, "kim"), navigator,
                                                        course.autumn(), course.id_of("ada"));
               }),
               IsEmpty());

@@ -77,7 +77,7 @@ TEST_P(StorageFailsWhileOperating, TheAttemptEndsInterruptedAndNothingBeforeIsLo
 
   person.click("operate.see_kept");
   EXPECT_TRUE(person.is_gone());
-  EXPECT_THAT(person.destinations.asked, ElementsAre("replay " + header.id.text + " at 0.000000"));
+  EXPECT_THAT(person.navigator.asked, ElementsAre("replay " + header.id.text + " at 0.000000"));
   SomeVisitor looking(
       std::make_unique<ReplayScreen>(visit_of(course.course(), "ada"), header.id, 0.0));
   EXPECT_TRUE(looking.driver().has("replay.view"));

@@ -72,7 +72,7 @@ TEST(Operating, AMouseAttemptIsRecordedSealedAndScoredAsTheTrainees) {
   ASSERT_TRUE(person.until([&] { return person.is_gone(); }, 120.0));
 
   const database::AttemptHeader header = course.attempt();
-  EXPECT_THAT(person.destinations.asked, ElementsAre("result " + header.id.text));
+  EXPECT_THAT(person.navigator.asked, ElementsAre("result " + header.id.text));
   EXPECT_EQ(header.state, AttemptState::Closed);
   EXPECT_EQ(header.login, "ada");
   EXPECT_EQ(header.begun.hand, "");
@@ -171,7 +171,7 @@ TEST(Operating, AnAbandonedAttemptIsKeptAsInterruptedAndNotScored) {
   person.click("operate.abandon");
   answer(person, "operate.ask_abandon.act");
   ASSERT_TRUE(person.until([&] { return person.is_gone(); }));
-  EXPECT_THAT(person.destinations.asked, IsEmpty());
+  EXPECT_THAT(person.navigator.asked, IsEmpty());
   const database::AttemptHeader header = course.attempt();
   EXPECT_EQ(header.state, AttemptState::Interrupted);
   EXPECT_FALSE(header.score_milli.has_value());

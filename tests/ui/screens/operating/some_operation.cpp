@@ -115,7 +115,7 @@ Operator::Operator(OperableCourse& course, database::AttemptKind kind, float sca
   shell_->preferences().is_saw_heard = false;
   shell_->push(std::make_unique<ScreenBelow>());
   shell_->push(std::make_unique<OperatingScreen>(
-      course.visit_of_ada(), destinations, OperationChoice{course.version(), kind},
+      course.visit_of_ada(), navigator, OperationChoice{course.version(), kind},
       [](const RigidTransform& start) { return std::make_unique<simulator::MouseDevice>(start); }));
   driver_ = std::make_unique<Driver>(
       texts_,

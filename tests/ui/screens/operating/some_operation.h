@@ -10,7 +10,7 @@
 
 #include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/widgets/driver.h"
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/operating_screen.h"
@@ -86,7 +86,7 @@ class Operator {
   const Shell& shell() const noexcept { return *shell_; }
   Shell& shell() noexcept { return *shell_; }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   NotedScenes scenes;
 
  private:

@@ -10,7 +10,7 @@
 
 #include "simulator/base/progress.h"
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 #include "ui/render/scene_painter.h"
@@ -128,10 +128,10 @@ TEST(PatientPictures, TheFormNeverWaitsForTheBoneBesideIt) {
 
 TEST(PatientPictures, ACardIsDrawnOnceAndAnewOnAnotherGround) {
   SomePublished published;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   PatientPictures pictures{no_patient};
-  Gallery gallery(std::make_unique<OperationsScreen>(visit_of(published.course(), "ada"),
-                                                     destinations, pictures));
+  Gallery gallery(
+      std::make_unique<OperationsScreen>(visit_of(published.course(), "ada"), navigator, pictures));
   gallery.finish_work();
   gallery.driver.wait(1.0);
   EXPECT_THAT(gallery.painter.drawn_names, ElementsAre("operations.akin.dark"));
@@ -144,17 +144,17 @@ TEST(PatientPictures, ACardIsDrawnOnceAndAnewOnAnotherGround) {
 
 TEST(PatientPictures, OneBuildServesAllScreens) {
   SomePublished published;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   int builds = 0;
   PatientPictures pictures{[&](const auto& scenario, const auto& progress) {
     ++builds;
     return no_patient(scenario, progress);
   }};
   const auto signed_in = visit_of(published.course(), "ada");
-  Gallery gallery(std::make_unique<OperationsScreen>(signed_in, destinations, pictures));
+  Gallery gallery(std::make_unique<OperationsScreen>(signed_in, navigator, pictures));
   gallery.finish_work();
   gallery.shell.push(
-      std::make_unique<BriefingScreen>(signed_in, destinations, pictures, published.akin()));
+      std::make_unique<BriefingScreen>(signed_in, navigator, pictures, published.akin()));
   gallery.driver.frame();
   gallery.finish_work();
   EXPECT_TRUE(gallery.driver.has("brief.picture"));

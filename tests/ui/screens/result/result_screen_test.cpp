@@ -30,8 +30,8 @@ using testing::SizeIs;
 struct Reader : SomeReviewer {
   Reader(SomeCourse& course, const std::string& login, const AttemptId& attempt, float scale = 1.0F)
       : SomeReviewer(
-            [&](NotedDestinations& destinations) {
-              return std::make_unique<ResultScreen>(visit_of(course, login), destinations, attempt);
+            [&](SomeNavigator& navigator) {
+              return std::make_unique<ResultScreen>(visit_of(course, login), navigator, attempt);
             },
             scale) {}
 };

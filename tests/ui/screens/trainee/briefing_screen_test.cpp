@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -19,12 +19,12 @@ struct Briefed {
   explicit Briefed(SomePublished& published, float scale = 1.0F)
       : Briefed(published, published.akin(), scale) {}
   Briefed(SomePublished& published, database::ScenarioVersionId scenario, float scale = 1.0F)
-      : visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"), destinations,
+      : visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"), navigator,
                                                  pictures, scenario),
                 scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   PatientPictures pictures{no_patient};
   SomeVisitor visitor;
 };
@@ -63,7 +63,7 @@ TEST(BriefingScreen, BeginsPracticeUnlessTheAssessmentWasChosen) {
   briefed.driver().click("brief.kind.1");
   EXPECT_TRUE(briefed.driver().sees("Nothing is shown but the bone and the saw"));
   briefed.driver().click("brief.begin");
-  EXPECT_THAT(briefed.destinations.asked,
+  EXPECT_THAT(briefed.navigator.asked,
               ElementsAre(asked("practise", published.akin()), asked("assess", published.akin())));
 }
 
@@ -82,8 +82,8 @@ TEST(BriefingScreen, SaysHowManyAssessmentsAreLeftAndBeginsNoMore) {
   EXPECT_FALSE(second.driver().widget("brief.begin").is_enabled);
   second.driver().click("brief.kind.0");
   second.driver().click("brief.begin");
-  EXPECT_THAT(first.destinations.asked, ElementsAre(asked("assess", published.akin())));
-  EXPECT_THAT(second.destinations.asked, ElementsAre(asked("practise", published.akin())));
+  EXPECT_THAT(first.navigator.asked, ElementsAre(asked("assess", published.akin())));
+  EXPECT_THAT(second.navigator.asked, ElementsAre(asked("practise", published.akin())));
 }
 
 TEST(BriefingScreen, LetsPracticeBeGuidedAndAnAssessmentNever) {
@@ -99,7 +99,7 @@ TEST(BriefingScreen, LetsPracticeBeGuidedAndAnAssessmentNever) {
   briefed.driver().click("brief.kind.1");
   EXPECT_FALSE(briefed.driver().has("brief.guide.0"));
   briefed.driver().click("brief.begin");
-  EXPECT_THAT(briefed.destinations.asked,
+  EXPECT_THAT(briefed.navigator.asked,
               ElementsAre(asked("practise guided by soft", published.akin()),
                           asked("practise guided by slot", published.akin()),
                           asked("assess", published.akin())));
@@ -117,14 +117,14 @@ TEST(BriefingScreen, IsSteeredByKeyboardAlone) {
   briefed.driver().press(Key::Space);
   briefed.driver().press(Key::Tab);
   briefed.driver().press(Key::Enter);
-  EXPECT_THAT(briefed.destinations.asked, ElementsAre(asked("assess", published.akin())));
+  EXPECT_THAT(briefed.navigator.asked, ElementsAre(asked("assess", published.akin())));
 }
 
 TEST(BriefingScreen, EnterBegins) {
   SomePublished published;
   Briefed briefed(published);
   briefed.driver().press(Key::Enter);
-  EXPECT_THAT(briefed.destinations.asked, ElementsAre(asked("practise", published.akin())));
+  EXPECT_THAT(briefed.navigator.asked, ElementsAre(asked("practise", published.akin())));
 }
 
 TEST(BriefingScreen, WhatIsPublishedNoLongerSaysSo) {
@@ -146,12 +146,12 @@ TEST(BriefingScreen, ATextThatCannotBeReadIsNamed) {
 
 TEST(BriefingScreen, ABoneThatCannotBeBuiltIsSaidAndTheRestStays) {
   SomePublished published;
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   PatientPictures pictures{[](const auto&, const auto&) -> PatientView {
     throw scenarios::ScenarioError("akin: the plane misses the bone");
   }};
   SomeVisitor visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"),
-                                                       destinations, pictures, published.akin()));
+                                                       navigator, pictures, published.akin()));
   EXPECT_TRUE(visitor.driver().sees("Akin: the plane misses the bone."));
   EXPECT_TRUE(visitor.driver().has("brief.begin"));
   EXPECT_FALSE(visitor.driver().has("brief.picture"));

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -19,11 +19,11 @@ using testing::IsEmpty;
 /// A person who looks back.
 struct Looker {
   Looker(SomePublished& published, const std::string& login, float scale = 1.0F)
-      : visitor(std::make_unique<HistoryScreen>(visit_of(published.course(), login), destinations),
+      : visitor(std::make_unique<HistoryScreen>(visit_of(published.course(), login), navigator),
                 scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   SomeVisitor visitor;
 };
 
@@ -221,8 +221,7 @@ TEST(HistoryScreen, RowsAndPointsLeadToTheirResult) {
   Looker looker(published, "ada");
   looker.driver().click("history.chart.0");
   looker.driver().click("history.list.2");
-  EXPECT_THAT(looker.destinations.asked,
-              ElementsAre("result " + first.text, "result " + second.text));
+  EXPECT_THAT(looker.navigator.asked, ElementsAre("result " + first.text, "result " + second.text));
 }
 
 TEST(HistoryScreen, AResultIsReachedByKeyboardAlone) {
@@ -237,7 +236,7 @@ TEST(HistoryScreen, AResultIsReachedByKeyboardAlone) {
   looker.driver().press(Key::Tab);
   EXPECT_EQ(looker.driver().focused(), "history.list.1");
   looker.driver().press(Key::Enter);
-  EXPECT_THAT(looker.destinations.asked, ElementsAre("result " + attempt.text));
+  EXPECT_THAT(looker.navigator.asked, ElementsAre("result " + attempt.text));
 }
 
 TEST(HistoryScreen, OneOperationAtATime) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/noted_destinations.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -17,12 +17,12 @@ using testing::IsEmpty;
 /// A person who looks for something to operate.
 struct Chooser {
   Chooser(SomePublished& published, const std::string& login, float scale = 1.0F)
-      : visitor(std::make_unique<OperationsScreen>(visit_of(published.course(), login),
-                                                   destinations, pictures),
+      : visitor(std::make_unique<OperationsScreen>(visit_of(published.course(), login), navigator,
+                                                   pictures),
                 scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   PatientPictures pictures{no_patient};
   SomeVisitor visitor;
 };
@@ -110,7 +110,7 @@ TEST(OperationsScreen, ACardLeadsToItsBriefing) {
   SomePublished published;
   Chooser chooser(published, "ada");
   chooser.driver().click("operations.card.akin");
-  EXPECT_THAT(chooser.destinations.asked, ElementsAre(brief_of(published)));
+  EXPECT_THAT(chooser.navigator.asked, ElementsAre(brief_of(published)));
 }
 
 TEST(OperationsScreen, EnterStartsTheNextThingToDo) {
@@ -118,7 +118,7 @@ TEST(OperationsScreen, EnterStartsTheNextThingToDo) {
   Chooser chooser(published, "ada");
   EXPECT_TRUE(chooser.driver().sees("Next: Akin osteotomy, right hallux"));
   chooser.driver().press(Key::Enter);
-  EXPECT_THAT(chooser.destinations.asked, ElementsAre(brief_of(published)));
+  EXPECT_THAT(chooser.navigator.asked, ElementsAre(brief_of(published)));
 }
 
 TEST(OperationsScreen, ACardIsReachedAndOpenedByKeyboardAlone) {
@@ -132,7 +132,7 @@ TEST(OperationsScreen, ACardIsReachedAndOpenedByKeyboardAlone) {
   EXPECT_EQ(chooser.driver().focused(), "operations.card.silver");
   chooser.driver().press(Key::Left);
   chooser.driver().press(Key::Space);
-  EXPECT_THAT(chooser.destinations.asked, ElementsAre(brief_of(published)));
+  EXPECT_THAT(chooser.navigator.asked, ElementsAre(brief_of(published)));
 }
 
 TEST(OperationsScreen, WhatCannotBeReadIsShownAndLeadsNowhere) {
@@ -140,7 +140,7 @@ TEST(OperationsScreen, WhatCannotBeReadIsShownAndLeadsNowhere) {
   Chooser chooser(published, "ada");
   EXPECT_TRUE(chooser.driver().sees("This version cannot read it."));
   chooser.driver().click("operations.card.silver");
-  EXPECT_THAT(chooser.destinations.asked, IsEmpty());
+  EXPECT_THAT(chooser.navigator.asked, IsEmpty());
 }
 
 TEST(OperationsScreen, TheSearchFindsByWordsAndForgetsThem) {
@@ -171,9 +171,9 @@ TEST(OperationsScreen, APersonDisabledSinceIsToldSo) {
   SomePublished published;
   auto signed_in = visit_of(published.course(), "ada");
   published.course().administrator().set_disabled("ada", true);
-  NotedDestinations destinations;
+  SomeNavigator navigator;
   PatientPictures pictures{no_patient};
-  SomeVisitor visitor(std::make_unique<OperationsScreen>(signed_in, destinations, pictures));
+  SomeVisitor visitor(std::make_unique<OperationsScreen>(signed_in, navigator, pictures));
   EXPECT_TRUE(visitor.driver().sees("This could not be read"));
   EXPECT_TRUE(visitor.driver().has("operations.failed.action"));
   EXPECT_THAT(visitor.driver().faults(), IsEmpty());

@@ -1,14 +1,14 @@
-/// Destinations that note where a screen wanted to lead.
+/// Navigator that note where a screen wanted to lead.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "ui/screens/parts/destinations.h"
+#include "ui/screens/parts/navigator.h"
 
 namespace hallux::ui {
 
-class NotedDestinations : public Destinations {
+class SomeNavigator : public Navigator {
  public:
   void brief(database::ScenarioVersionId scenario) override {
     asked.push_back("brief " + std::to_string(scenario.number));

@@ -1,4 +1,4 @@
-/// Destinations of a screen. The screens know only this; which screen is behind a destination is
+/// Navigator of a screen. The screens know only this; which screen is behind a destination is
 /// ui/app's to say, so that no screen needs to know another.
 ///
 /// Each shows the place over the screen that asks; Esc comes back to it.
@@ -12,9 +12,9 @@
 
 namespace hallux::ui {
 
-class Destinations {
+class Navigator {
  public:
-  virtual ~Destinations() = default;
+  virtual ~Navigator() = default;
 
   /// What an operation is about, before it is begun.
   virtual void brief(database::ScenarioVersionId scenario) = 0;
