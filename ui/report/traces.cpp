@@ -1,7 +1,6 @@
 #include "ui/report/traces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "simulator/base/progress.h"

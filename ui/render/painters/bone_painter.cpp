@@ -2,7 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

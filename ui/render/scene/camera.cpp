@@ -1,7 +1,6 @@
 #include "ui/render/scene/camera.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "simulator/base/units.h"

@@ -1,9 +1,7 @@
 #include "ui/screens/pictures/bone_viewport.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
-#include <string>
 
 #include "simulator/base/check.h"
 

@@ -1,7 +1,6 @@
 #include "ui/screens/result/result_screen.h"
 
 #include <algorithm>
-#include <array>
 
 #include "simulator/base/units.h"
 #include "ui/screens/parts/value_text.h"

@@ -1,7 +1,6 @@
 #include "ui/screens/sign_in/sign_in_screen.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "ui/screens/parts/value_text.h"

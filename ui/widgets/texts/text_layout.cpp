@@ -1,7 +1,5 @@
 #include "ui/widgets/texts/text_layout.h"
 
-#include <cmath>
-
 namespace hallux::ui {
 namespace {
 
