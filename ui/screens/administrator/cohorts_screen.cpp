@@ -50,12 +50,6 @@ CohortsScreen::Everybody CohortsScreen::read(database::Session& session) {
   return everybody;
 }
 
-void CohortsScreen::read_all(Ui& ui, Shell& shell) {
-  everybody_.start(ui, shell, ui.text("cohorts.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn([](database::Session& session, auto&) { return read(session); });
-  });
-}
-
 const CohortsScreen::Listed* CohortsScreen::chosen() const {
   for (const Listed& listed : everybody_.value().cohorts)
     if (listed.cohort.id == chosen_) return &listed;
@@ -63,7 +57,7 @@ const CohortsScreen::Listed* CohortsScreen::chosen() const {
 }
 
 void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (everybody_.is_new()) read_all(ui, shell);
+  everybody_.read(ui, shell, ui.text("cohorts.reading"), signed_in_, read);
   draw_page(ui, content, shell);
   draw_add_dialog(ui, shell);
   draw_enrol_dialog(ui, shell);
@@ -95,7 +89,7 @@ void CohortsScreen::draw_cohorts(Ui& ui, const Rect& content) {
   const std::vector<Listed>& cohorts = everybody_.value().cohorts;
   if (cohorts.empty()) {
     empty_card(ui, "cohorts.empty", content,
-               {Icon::Cohorts, ui.text("cohorts.empty"), ui.text("cohorts.empty.sentence"), {}});
+               {Icon::Cohorts, ui.text("cohorts.empty"), ui.text("cohorts.empty.sentence")});
     return;
   }
   const RowTable<Listed> shown{
@@ -136,7 +130,7 @@ void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
   ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, listed->cohort.name, true);
   if (listed->members.empty()) {
     empty_card(ui, "cohorts.nobody", inside,
-               {Icon::People, ui.text("cohorts.nobody"), ui.text("cohorts.nobody.sentence"), {}});
+               {Icon::People, ui.text("cohorts.nobody"), ui.text("cohorts.nobody.sentence")});
     return;
   }
   const Rect actions = take_bottom(inside, 44.0F, 8.0F);
@@ -290,7 +284,7 @@ void CohortsScreen::draw_enrol_table(Ui& ui, const Rect& rect, const Listed& lis
   }
   if (shown.empty()) {
     empty_card(ui, "cohorts.enrolment.none", rect,
-               {Icon::People, ui.text("people.none"), ui.text("cohorts.enrol.none"), {}});
+               {Icon::People, ui.text("people.none"), ui.text("cohorts.enrol.none")});
     return;
   }
   const auto name = [](const database::Person& person) {
@@ -356,16 +350,15 @@ void CohortsScreen::change(DeskWork& work, Ui& ui, Shell& shell, std::string don
                            std::function<void(database::AdministratorDesk&)> change,
                            std::function<void()> after) {
   const bool is_said_here = &work != &work_;
-  work.start<bool>(
+  work.change(
       shell, signed_in_,
       {std::string(ui.text("people.changing")),
        is_said_here ? std::string() : std::string(ui.text("people.not_changed"))},
-      [change = std::move(change)](database::Session& session, WorkReport&) {
+      [change = std::move(change)](database::Session& session) {
         database::AdministratorDesk desk = administrator_of(session);
         change(desk);
-        return true;
       },
-      [this, &shell, done = std::move(done), after = std::move(after)](bool&) {
+      [this, &shell, done = std::move(done), after = std::move(after)] {
         if (after) after();
         shell.say({Meaning::Good, done});
         everybody_.read_again();

@@ -45,7 +45,6 @@ class CohortsScreen : public Screen {
   };
 
   static Everybody read(database::Session& session);
-  void read_all(Ui& ui, Shell& shell);
   const Listed* chosen() const;
   void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_cohorts(Ui& ui, const Rect& content);

@@ -82,13 +82,6 @@ std::string_view PeopleScreen::role_id(const Listed& listed) noexcept {
   return listed.is_trainee ? "role.trainee" : "people.no_role";
 }
 
-void PeopleScreen::read_people(Ui& ui, Shell& shell) {
-  now_utc_ = utc_now_text();
-  people_.start(ui, shell, ui.text("people.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn([](database::Session& session, auto&) { return read(session); });
-  });
-}
-
 std::string PeopleScreen::name_of(const Listed& listed) {
   return shown_name_of(listed.person.login, listed.person.display_name);
 }
@@ -150,7 +143,8 @@ bool PeopleScreen::is_last_administrator(const Person& person) const {
 }
 
 void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (people_.is_new()) read_people(ui, shell);
+  if (people_.is_new()) now_utc_ = utc_now_text();
+  people_.read(ui, shell, ui.text("people.reading"), signed_in_, read);
   draw_page(ui, content, shell);
   draw_dialogs(ui, shell);
   draw_question(ui, shell);
@@ -199,7 +193,7 @@ void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
   std::vector<const Listed*> shown = found();
   if (!shown.empty()) return draw_table(ui, rest, std::move(shown));
   empty_card(ui, "people.none", rest,
-             {Icon::People, ui.text("people.none"), ui.text("people.none.sentence"), {}});
+             {Icon::People, ui.text("people.none"), ui.text("people.none.sentence")});
 }
 
 void PeopleScreen::draw_table(Ui& ui, const Rect& content, std::vector<const Listed*> shown) {
@@ -215,7 +209,7 @@ void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
   const Listed* listed = chosen();
   if (listed == nullptr) {
     empty_card(ui, "people.nobody", inside,
-               {Icon::People, ui.text("people.nobody"), ui.text("people.nobody.sentence"), {}});
+               {Icon::People, ui.text("people.nobody"), ui.text("people.nobody.sentence")});
     return;
   }
   Rect rest = inside;
@@ -417,15 +411,14 @@ void PeopleScreen::erase(Ui& ui, Shell& shell) {
 
 void PeopleScreen::change(Ui& ui, Shell& shell, std::string done,
                           std::function<void(database::AdministratorDesk&)> change) {
-  work_.start<bool>(
+  work_.change(
       shell, signed_in_,
       {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
-      [change = std::move(change)](database::Session& session, WorkReport&) {
+      [change = std::move(change)](database::Session& session) {
         database::AdministratorDesk desk = administrator_of(session);
         change(desk);
-        return true;
       },
-      [this, &shell, done = std::move(done)](bool&) {
+      [this, &shell, done = std::move(done)] {
         shell.say({Meaning::Good, done});
         people_.read_again();
       });

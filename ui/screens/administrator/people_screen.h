@@ -52,7 +52,6 @@ class PeopleScreen : public Screen {
   using List = std::vector<Listed>;
 
   static List read(database::Session& session);
-  void read_people(Ui& ui, Shell& shell);
   static std::string login_of(const Listed& listed) { return listed.person.login; }
   static std::string name_of(const Listed& listed);
   static std::string_view role_id(const Listed& listed) noexcept;

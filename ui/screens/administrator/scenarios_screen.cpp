@@ -123,13 +123,6 @@ void draw_sheet(Ui& ui, const Rect& content, const std::string& sheet) {
 
 }  // namespace
 
-void ScenariosScreen::read(Ui& ui, Shell& shell) {
-  versions_.start(ui, shell, ui.text("scenarios.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn(
-        [](database::Session& session, auto&) { return administrator_of(session).scenarios(); });
-  });
-}
-
 void ScenariosScreen::read_sheet(Ui& ui, Shell& shell) {
   sheet_of_ = chosen_;
   sheet_.start(ui, shell, ui.text("scenarios.reading_sheet"),
@@ -157,7 +150,8 @@ const ScenarioVersion* ScenariosScreen::published_beside(const ScenarioVersion& 
 }
 
 void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (versions_.is_new()) read(ui, shell);
+  versions_.read(ui, shell, ui.text("scenarios.reading"), signed_in_,
+                 [](database::Session& session) { return administrator_of(session).scenarios(); });
   draw_page(ui, content, shell);
   draw_import_dialog(ui, shell);
   draw_question(ui, shell);
@@ -185,9 +179,8 @@ void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
 void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
   const std::vector<ScenarioVersion>& versions = versions_.value();
   if (versions.empty()) {
-    empty_card(
-        ui, "scenarios.empty", content,
-        {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence"), {}});
+    empty_card(ui, "scenarios.empty", content,
+               {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence")});
     return;
   }
   const RowTable<ScenarioVersion> shown{
@@ -207,7 +200,7 @@ void ScenariosScreen::draw_chosen(Ui& ui, const Rect& rect, Shell& shell) {
   if (version == nullptr) {
     empty_card(
         ui, "scenarios.nothing", inside,
-        {Icon::Scenarios, ui.text("scenarios.nothing"), ui.text("scenarios.nothing.sentence"), {}});
+        {Icon::Scenarios, ui.text("scenarios.nothing"), ui.text("scenarios.nothing.sentence")});
     return;
   }
   if (sheet_of_ != chosen_ || sheet_.is_new()) read_sheet(ui, shell);
@@ -312,23 +305,21 @@ void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
 }
 
 void ScenariosScreen::change(Ui& ui, Shell& shell, const Asked& asked) {
-  work_.start<bool>(
+  work_.change(
       shell, signed_in_,
       {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
-      [id = asked.version.id, is_publishing = asked.is_publishing](database::Session& session,
-                                                                   WorkReport&) {
+      [id = asked.version.id, is_publishing = asked.is_publishing](database::Session& session) {
         database::AdministratorDesk desk = administrator_of(session);
         if (is_publishing) {
           desk.publish_scenario(id);
         } else {
           desk.retire_scenario(id);
         }
-        return true;
       },
       [this, &shell,
        said =
            ui.texts().say(asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired",
-                          {{"version", name_text(ui.texts(), asked.version)}})](bool&) {
+                          {{"version", name_text(ui.texts(), asked.version)}})] {
         shell.say({Meaning::Good, said});
         versions_.read_again();
       });

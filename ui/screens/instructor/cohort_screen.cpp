@@ -151,16 +151,11 @@ void CohortScreen::show(std::size_t cohort) {
   glance_.read_again();
 }
 
-void CohortScreen::read(Ui& ui, Shell& shell) {
-  glance_.start(ui, shell, ui.text("cohort.reading"),
-                [signed_in = signed_in_, cohort = taught_[cohort_].cohort](WorkReport&) {
-                  return signed_in->in_turn(
-                      [&](database::Session& session, auto&) { return look(session, cohort); });
-                });
-}
-
 void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (glance_.is_new()) read(ui, shell);
+  glance_.read(ui, shell, ui.text("cohort.reading"), signed_in_,
+               [cohort = taught_[cohort_].cohort](database::Session& session) {
+                 return look(session, cohort);
+               });
   {
     const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
     const Page scrolled(ui, "cohort", ui.text("place.cohort"), content,
@@ -319,10 +314,8 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   if (shown.empty()) {
     const bool is_nobody = glance.trainees.empty();
     empty_card(ui, "cohort.empty", content,
-               {Icon::Cohort,
-                ui.text(is_nobody ? "cohort.empty" : "cohort.none"),
-                ui.text(is_nobody ? "cohort.empty.sentence" : "cohort.none.sentence"),
-                {}});
+               {Icon::Cohort, ui.text(is_nobody ? "cohort.empty" : "cohort.none"),
+                ui.text(is_nobody ? "cohort.empty.sentence" : "cohort.none.sentence")});
     return;
   }
   Rect rest = content;
@@ -423,7 +416,7 @@ void CohortScreen::draw_requests(Ui& ui, const Rect& rect) {
   if (requests.empty()) {
     empty_card(
         ui, "cohort.no_requests", rest,
-        {Icon::Inbox, ui.text("cohort.no_requests"), ui.text("cohort.no_requests.sentence"), {}});
+        {Icon::Inbox, ui.text("cohort.no_requests"), ui.text("cohort.no_requests.sentence")});
     return;
   }
   constexpr float height = 72.0F;
@@ -452,7 +445,7 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
   const Glance& glance = glance_.value();
   if (glance.last_attempts.empty()) {
     empty_card(ui, "cohort.no_attempts", rest,
-               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence")});
     return;
   }
   constexpr float height = 50.0F;

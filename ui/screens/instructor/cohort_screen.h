@@ -52,7 +52,6 @@ class CohortScreen : public Screen {
   /// The best score in an operation, then the name; by the name alone where none is given.
   static SortKey sort_key(const TraineeProgress& trainee, const std::string* operation);
   static std::string last_seen(const database::TraineeStanding& trainee);
-  void read(Ui& ui, Shell& shell);
   void show(std::size_t cohort);
   void draw_head(Ui& ui, Rect& page);
   void draw_cohort_menu(Ui& ui);

@@ -43,10 +43,7 @@ int count_open(const std::vector<InboxRequest>& inbox) noexcept {
 
 void InboxScreen::read(Ui& ui, Shell& shell) {
   is_counted_ = false;
-  inbox_.start(ui, shell, ui.text("inbox.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn(
-        [](database::Session& session, auto&) { return read_inbox(session); });
-  });
+  inbox_.read(ui, shell, ui.text("inbox.reading"), signed_in_, read_inbox);
 }
 
 const InboxRequest* InboxScreen::chosen() const {
@@ -101,10 +98,8 @@ void InboxScreen::draw_list(Ui& ui, const Rect& content) {
       shown.push_back(&each.request);
   if (shown.empty()) {
     empty_card(ui, "inbox.empty", rest,
-               {Icon::Inbox,
-                ui.text(inbox.empty() ? "inbox.empty" : "inbox.none_open"),
-                ui.text("inbox.empty.sentence"),
-                {}});
+               {Icon::Inbox, ui.text(inbox.empty() ? "inbox.empty" : "inbox.none_open"),
+                ui.text("inbox.empty.sentence")});
     return;
   }
   if (chosen_.number == 0) chosen_ = shown.front()->id;
@@ -120,7 +115,7 @@ void InboxScreen::draw_chosen(Ui& ui, const Rect& content, Shell& shell) {
   const InboxRequest* request = chosen();
   if (request == nullptr) {
     empty_card(ui, "inbox.nothing", inside,
-               {Icon::Messages, ui.text("inbox.nothing"), ui.text("inbox.nothing.sentence"), {}});
+               {Icon::Messages, ui.text("inbox.nothing"), ui.text("inbox.nothing.sentence")});
     return;
   }
   const float answer_room = request->request.answer ? 0.0F : answer_height + 150.0F;
@@ -154,14 +149,13 @@ void InboxScreen::draw_answer(Ui& ui, Rect& rest, const InboxRequest& chosen, Sh
 
 void InboxScreen::answer(Ui& ui, Shell& shell, const InboxRequest& chosen) {
   const database::HelpRequestId id = chosen.request.id;
-  work_.start<bool>(
+  work_.change(
       shell, signed_in_,
       {std::string(ui.text("inbox.sending")), std::string(ui.text("inbox.not_sent"))},
-      [id, cohort = chosen.cohort, text = (*drafts_)[id]](database::Session& session, WorkReport&) {
+      [id, cohort = chosen.cohort, text = (*drafts_)[id]](database::Session& session) {
         instructor_of(session, cohort).answer(id, text);
-        return true;
       },
-      [this, &shell, id, said = std::string(ui.text("inbox.sent"))](bool&) {
+      [this, &shell, id, said = std::string(ui.text("inbox.sent"))] {
         drafts_->erase(id);
         shell.say({Meaning::Good, said});
         inbox_.read_again();

@@ -71,14 +71,10 @@ TraineeScreen::File TraineeScreen::read(database::Session& session, database::Co
 }
 
 void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (file_.is_new()) {
-    file_.start(ui, shell, ui.text("trainee.reading"),
-                [signed_in = signed_in_, cohort = cohort_, trainee = trainee_](WorkReport&) {
-                  return signed_in->in_turn([&](database::Session& session, auto&) {
-                    return read(session, cohort, trainee);
-                  });
-                });
-  }
+  file_.read(ui, shell, ui.text("trainee.reading"), signed_in_,
+             [cohort = cohort_, trainee = trainee_](database::Session& session) {
+               return read(session, cohort, trainee);
+             });
   const float width = content.w - 2.0F * page_margin(content);
   const float above =
       file_.is_ready() ? standings_height(width, file_.value().progress.standing.operations.size())
@@ -150,7 +146,7 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
   const std::vector<AttemptHeader>& attempts = file_.value().attempts;
   if (attempts.empty()) {
     empty_card(ui, "trainee.empty", content,
-               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence")});
     return;
   }
   const RowTable<AttemptHeader> shown{

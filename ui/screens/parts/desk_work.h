@@ -24,6 +24,13 @@
 
 namespace hallux::ui {
 
+/// errors  DatabaseError Refused with this reason where there is no such desk for the person
+template <typename Desk>
+Desk desk_or_refused(std::optional<Desk> desk, const char* reason) {
+  if (!desk) throw database::DatabaseError(database::DatabaseErrorKind::Refused, reason);
+  return std::move(*desk);
+}
+
 /// errors  DatabaseError Refused where the person is no administrator any more
 database::AdministratorDesk administrator_of(database::Session& session);
 /// errors  DatabaseError Refused where the person does not teach that cohort any more
@@ -70,6 +77,9 @@ class DeskWork {
           }
         });
   }
+  /// The same for a change that answers nothing.
+  void change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
+              std::function<void(database::Session&)> act, std::function<void()> done);
   bool is_running() const noexcept { return work_.is_running(); }
   /// Why the last one failed, as a sentence; "" where it did not.
   const std::string& fault() const noexcept { return fault_; }

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
@@ -19,22 +18,17 @@ void MessageForm::open() {
   is_open_ = true;
   is_on_ = false;
   words_.clear();
-  error_.clear();
+  work_.forget_fault();
 }
 
 void MessageForm::start(Shell& shell, const std::shared_ptr<SignedInSession>& signed_in,
                         const MessageFormSpec& spec, const Send& send) {
-  error_.clear();
-  work_.start(
-      shell, std::string(spec.sending),
-      [signed_in, send, words = words_, is_on = is_on_](WorkReport&) {
-        signed_in->in_turn([&](database::Session& session, auto&) { send(session, words, is_on); });
+  work_.change(
+      shell, signed_in, {std::string(spec.sending), {}},
+      [send, words = words_, is_on = is_on_](database::Session& session) {
+        send(session, words, is_on);
       },
-      [this, &shell, sent = std::string(spec.sent)](WorkEnd end, const std::string& reason) {
-        if (end != WorkEnd::Done) {
-          error_ = sentence_of(reason);
-          return;
-        }
+      [this, &shell, sent = std::string(spec.sent)] {
         is_open_ = false;
         was_sent_ = true;
         shell.say({Meaning::Good, sent});
@@ -46,7 +40,7 @@ bool MessageForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSessi
   if (std::exchange(was_sent_, false)) return true;
   if (!is_open_) return false;
   const std::string id(spec.id);
-  Dialog shown = form_dialog(ui, spec.title, spec.act, {error_, work_.is_running()},
+  Dialog shown = form_dialog(ui, spec.title, spec.act, {work_.fault(), work_.is_running()},
                              field_label_height + words_height);
   shown.sentence = spec.sentence;
   if (!spec.toggle.empty()) shown.form_height += gap + toggle_height;

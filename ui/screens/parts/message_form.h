@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/screens/parts/screen_work.h"
-#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {
@@ -47,8 +46,8 @@ class MessageForm {
              const MessageFormSpec& spec, const Send& send);
 
   bool is_open_ = false, is_on_ = false, was_sent_ = false;
-  std::string words_, error_;
-  ScreenWork work_;
+  std::string words_;
+  DeskWork work_;
 };
 
 }  // namespace hallux::ui

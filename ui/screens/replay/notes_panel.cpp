@@ -18,15 +18,12 @@ using database::NoteReply;
 constexpr float edge = 12.0F, face = 28.0F, line_height = 22.0F, reply_inset = 28.0F,
                 between = 8.0F, badge_radius = 9.0F;
 
-std::vector<Note> read_notes(SignedInSession& signed_in, const database::AttemptId& id) {
-  return signed_in.in_turn([&](database::Session& session, auto&) {
-    const database::AttemptHeader header = header_for(session, id);
-    if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
-      return desk->notes(header.id);
-    if (auto own = trainee_desk_for(session, Action::ReadNotes, header))
-      return own->notes(header.id);
-    return std::vector<Note>();
-  });
+std::vector<Note> read_notes(database::Session& session, const database::AttemptId& id) {
+  const database::AttemptHeader header = header_for(session, id);
+  if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
+    return desk->notes(header.id);
+  if (auto own = trainee_desk_for(session, Action::ReadNotes, header)) return own->notes(header.id);
+  return {};
 }
 
 std::string name_of(const Texts& texts, const std::string& name) {
@@ -99,10 +96,8 @@ void draw_note_badge(Ui& ui, Point centre, std::size_t number) {
 }
 
 void NotesPanel::read(Ui& ui, Shell& shell) {
-  if (!notes_.is_new()) return;
-  notes_.start(
-      ui, shell, ui.text("notes.reading"),
-      [signed_in = signed_in_, id = attempt_](WorkReport&) { return read_notes(*signed_in, id); });
+  notes_.read(ui, shell, ui.text("notes.reading"), signed_in_,
+              [id = attempt_](database::Session& session) { return read_notes(session, id); });
 }
 
 const std::vector<Note>& NotesPanel::notes() const noexcept {
@@ -116,17 +111,15 @@ std::optional<double> NotesPanel::draw(Ui& ui, Shell& shell, const Rect& rect,
   if (!notes_.draw_until_ready(ui, "notes.failed", rest, 4)) return std::nullopt;
   if (notes().empty()) {
     empty_card(ui, "notes.empty", rest,
-               {Icon::Note,
-                ui.text("notes.empty"),
-                ui.text(rights.may_read_notes ? "notes.empty.sentence" : "notes.none_here"),
-                {}});
+               {Icon::Note, ui.text("notes.empty"),
+                ui.text(rights.may_read_notes ? "notes.empty.sentence" : "notes.none_here")});
     return std::nullopt;
   }
   if (chosen_ && *chosen_ >= notes().size()) chosen_.reset();
   const bool may_reply = chosen_ && rights.may_reply && !notes()[*chosen_].is_private;
   if (may_reply) {
     const float height =
-        field_height + (error_.empty() ? 0.0F : field_message_height) + field_label_height;
+        field_height + (work_.fault().empty() ? 0.0F : field_message_height) + field_label_height;
     draw_reply(ui, shell, take_bottom(rest, height, 12.0F), header);
   }
   return draw_list(ui, rest);
@@ -179,7 +172,7 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
   const std::string label =
       ui.texts().say("notes.reply", {{"number", std::to_string(*chosen_ + 1)}});
   words.label = label;
-  words.error = error_;
+  words.error = work_.fault();
   words.max_bytes = 2000;
   // Whether Enter sends is drawn from what is written, at the head of the screen too.
   if (field(ui, "notes.reply", line, reply_, words)) ui.want_frame_in_s(0.0);
@@ -190,19 +183,12 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
 
 void NotesPanel::send(Ui& ui, Shell& shell, const database::AttemptHeader& header) {
   const database::NoteId note = notes()[*chosen_].id;
-  error_.clear();
-  work_.start(
-      shell, std::string(ui.text("notes.sending")),
-      [signed_in = signed_in_, header, note, words = reply_](WorkReport&) {
-        signed_in->in_turn([&](database::Session& session, auto&) {
-          reply_to_note(session, header, note, words);
-        });
+  work_.change(
+      shell, signed_in_, {std::string(ui.text("notes.sending")), {}},
+      [header, note, words = reply_](database::Session& session) {
+        reply_to_note(session, header, note, words);
       },
-      [this](WorkEnd end, const std::string& reason) {
-        if (end != WorkEnd::Done) {
-          error_ = sentence_of(reason);
-          return;
-        }
+      [this] {
         reply_.clear();
         notes_.read_again();
       });

@@ -259,11 +259,9 @@ void ReplayScreen::draw_panel(Ui& ui, const Rect& rect, Shell& shell) {
 
 void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
   if (!material().card || material().card->ledger.empty()) {
-    empty_card(ui, "replay.ledger.empty", rect,
-               {Icon::Ratings,
-                ui.text("result.ledger.empty"),
-                ui.text("result.ledger.empty.sentence"),
-                {}});
+    empty_card(
+        ui, "replay.ledger.empty", rect,
+        {Icon::Ratings, ui.text("result.ledger.empty"), ui.text("result.ledger.empty.sentence")});
     return;
   }
   const database::ScoreCard& score = *material().card;
@@ -424,12 +422,9 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
       pin_.draw(ui, shell, signed_in_, pin,
                 [header, moment = moment_now()](database::Session& session,
                                                 const std::string& words, bool is_private) {
-                  auto desk = instructor_desk_for(session, database::Action::WriteNote, header);
-                  if (!desk) {
-                    throw database::DatabaseError(database::DatabaseErrorKind::Refused,
-                                                  "notes on this attempt are not yours to write");
-                  }
-                  desk->add_note({header.id, moment, is_private, words});
+                  desk_or_refused(instructor_desk_for(session, database::Action::WriteNote, header),
+                                  "notes on this attempt are not yours to write")
+                      .add_note({header.id, moment, is_private, words});
                 });
   if (!was_pinned) return;
   picked_in_bone_mm_.reset();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/screens/parts/screen_work.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/result/result_material.h"
 #include "ui/widgets/ui.h"
 
@@ -39,8 +39,8 @@ class DecideForm {
   bool is_open_ = false, is_asking_ = false, was_decided_ = false;
   /// A DecisionKind.
   int chosen_ = 0;
-  std::string score_, reason_, error_;
-  ScreenWork work_;
+  std::string score_, reason_;
+  DeskWork work_;
 };
 
 }  // namespace hallux::ui

@@ -226,9 +226,8 @@ float score_card_height(const ResultFacts& facts) noexcept {
 void draw_score_card(Ui& ui, const Rect& rect, const ResultFacts& facts) {
   Rect rest = card(ui, rect, {}, space::side_card);
   if (!facts.score) {
-    empty_card(
-        ui, "result.unscored", rest,
-        {Icon::Ratings, ui.text("result.unscored"), ui.text("result.unscored.sentence"), {}});
+    empty_card(ui, "result.unscored", rest,
+               {Icon::Ratings, ui.text("result.unscored"), ui.text("result.unscored.sentence")});
     return;
   }
   Rect head = take_top(rest, ring_block);

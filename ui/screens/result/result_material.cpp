@@ -9,6 +9,7 @@
 #include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/cached_fields.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 #include "ui/screens/pictures/planned_frame.h"
@@ -57,12 +58,9 @@ struct LoadedAttempt {
 
 LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id) {
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
-    std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
-    if (!desk) {
-      throw database::DatabaseError(database::DatabaseErrorKind::Refused,
-                                    "this account may not see attempts any more");
-    }
-    return LoadedAttempt{load_attempt(database, *desk, id), database.directory()};
+    database::AttemptDesk desk = desk_or_refused(session.desk_for(Action::ViewAttempt, id),
+                                                 "this account may not see attempts any more");
+    return LoadedAttempt{load_attempt(database, desk, id), database.directory()};
   });
 }
 

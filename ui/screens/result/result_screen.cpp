@@ -264,11 +264,9 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
   }
   Rect inside = card(ui, rect, title);
   if (!facts().score || facts().score->card.ledger.empty()) {
-    empty_card(ui, "result.ledger.empty", inside,
-               {Icon::Ratings,
-                ui.text("result.ledger.empty"),
-                ui.text("result.ledger.empty.sentence"),
-                {}});
+    empty_card(
+        ui, "result.ledger.empty", inside,
+        {Icon::Ratings, ui.text("result.ledger.empty"), ui.text("result.ledger.empty.sentence")});
     return;
   }
   const Rect foot = take_bottom(inside, foot_height, 8.0F);

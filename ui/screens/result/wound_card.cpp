@@ -199,7 +199,7 @@ std::optional<double> draw_wound(Ui& ui, const Rect& rect, const WoundFacts& wou
   if (wound.traces.points.empty()) {
     empty_card(
         ui, "result.wound.empty", rect,
-        {Icon::History, ui.text("result.wound.empty"), ui.text("result.wound.empty.sentence"), {}});
+        {Icon::History, ui.text("result.wound.empty"), ui.text("result.wound.empty.sentence")});
     return std::nullopt;
   }
   const Timeline shown = timeline_of(ui, wound, moment_s);

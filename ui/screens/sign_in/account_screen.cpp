@@ -92,15 +92,14 @@ void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
 }
 
 void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
-  setting_.start<bool>(
+  setting_.change(
       shell, signed_in_,
       {std::string(ui.text("account.lock.changing")), std::string(ui.text("account.lock.failed"))},
-      [minutes](database::Session& session, WorkReport&) {
+      [minutes](database::Session& session) {
         administrator_of(session).set_idle_lock_min(minutes);
-        return true;
       },
       [&shell,
-       said = ui.texts().say("account.lock.changed", {{"count", std::to_string(minutes)}})](bool&) {
+       said = ui.texts().say("account.lock.changed", {{"count", std::to_string(minutes)}})] {
         shell.say({Meaning::Good, said});
       });
 }
@@ -153,13 +152,12 @@ void AccountScreen::change_password(Ui& ui, Shell& shell) {
   std::string old_password = typed_->old_password, new_password = typed_->new_password;
   const auto secrets = std::make_shared<Secrets>(
       Secrets{database::SecretText::take(old_password), database::SecretText::take(new_password)});
-  changing_.start<bool>(
+  changing_.change(
       shell, signed_in_, {std::string(ui.text("account.password.changing")), {}},
-      [secrets, cost = cost_](database::Session& session, WorkReport&) {
+      [secrets, cost = cost_](database::Session& session) {
         session.change_password(secrets->old_password, secrets->new_password, cost);
-        return true;
       },
-      [this, &shell, said = std::string(ui.text("account.password.changed"))](bool&) {
+      [this, &shell, said = std::string(ui.text("account.password.changed"))] {
         typed_.reset();
         shell.say({Meaning::Good, said});
       });
