@@ -205,12 +205,11 @@ Response Ui::control(Widget widget) {
 }
 
 AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect) {
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = rect;
-  widget.role = Role::Area;
-  widget.is_focusable = false;
+  Widget widget{.id = std::string(id),
+                .label = std::string(label),
+                .rect = rect,
+                .role = Role::Area,
+                .is_focusable = false};
   const std::string name = widget.id;
   AreaResponse response;
   response.is_hovered = control(std::move(widget)).is_hovered;
@@ -276,13 +275,11 @@ float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& 
   if (wheel_target_ == name) state.offset -= wheel_ * wheel_step;
   scroll_to_focus(name, state);
   state.offset = std::clamp(state.offset, 0.0F, longest);
-  Widget region;
-  region.id = name;
-  region.label = label;
-  region.rect = view;
-  region.role = Role::Scroll;
-  region.is_focusable = false;
-  control(std::move(region));
+  control({.id = name,
+           .label = std::string(label),
+           .rect = view,
+           .role = Role::Scroll,
+           .is_focusable = false});
   pointer_shape_ = PointerShape::Arrow;
   open_scrolls_.emplace_back(name, static_cast<int>(building_.widgets.size()) - 1);
   canvas_->push_clip(view);
@@ -327,13 +324,11 @@ void Ui::draw_scroll_bar(const std::string& id, ScrollState& state) {
   const Rect track{state.view.right() - 10.0F, state.view.y, 10.0F, state.view.h};
   const float length = std::max(32.0F, track.h * state.view.h / state.content_height);
   const float travel = track.h - length;
-  Widget widget;
-  widget.id = id + ".bar";
-  widget.label = std::string(text("scroll.bar"));
-  widget.rect = track;
-  widget.role = Role::Area;
-  widget.is_focusable = false;
-  const Response response = control(std::move(widget));
+  const Response response = control({.id = std::string(id + ".bar"),
+                                     .label = std::string(text("scroll.bar")),
+                                     .rect = track,
+                                     .role = Role::Area,
+                                     .is_focusable = false});
   pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
   if (response.is_held && travel > 0.0F && dragged_[0].y != 0.0F) {
     state.offset = std::clamp(state.offset + dragged_[0].y * longest / travel, 0.0F, longest);

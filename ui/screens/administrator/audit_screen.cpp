@@ -92,9 +92,8 @@ void AuditScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   const Page scrolled(ui, "records", ui.text("records.title"), content,
                       is_stacked ? 480.0F + stacked_height : 704.0F);
   Rect page = scrolled.rect();
-  PageHead head{ui.text("records.title"), ui.text("records.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
-  page_head(ui, "records", page, head);
+  page_head(ui, "records", page,
+            course_head(ui, *signed_in_, ui.text("records.title"), ui.text("records.sentence")));
   const Panes panes = panes_of(page, side_width, stacked_height);
   draw_audit(ui, panes.main);
   Rect side = panes.side;
@@ -214,9 +213,8 @@ void AuditScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
   line.w = std::min(line.w, button_width(ui, act) + 24.0F);
   if (button(ui, "records.backup", line, act)) back_up(ui, shell);
   const ButtonSpec keep{ui.text("records.retention"), ButtonLook::Secondary};
-  Rect below = take_bottom(rest, button_height, 12.0F);
-  below.w = std::min(below.w, button_width(ui, keep));
-  if (button(ui, "records.retention", below, keep)) retention_.open(ui, shell);
+  if (button_in_line(ui, "records.retention", take_bottom(rest, button_height, 12.0F), keep))
+    retention_.open(ui, shell);
   if (backups_.draw_until_ready(ui, "records.backup.failed", rest, 2))
     draw_last_backup(ui, rest, shell);
 }

@@ -152,8 +152,7 @@ void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 
 void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("people.add"), ButtonLook::Primary, Icon::Add};
-  PageHead head{ui.text("people.title"), ui.text("people.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head = course_head(ui, *signed_in_, ui.text("people.title"), ui.text("people.sentence"));
   head.buttons_width = search_width + 12.0F + button_width(ui, add);
   const ListPage page(ui, "people", head, content, page_spec);
   draw_head_buttons(ui, page.buttons(), add);
@@ -168,11 +167,7 @@ void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
 void PeopleScreen::draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add) {
   if (button(ui, "people.add", take_right(buttons, button_width(ui, add), 12.0F), add))
     added_.emplace(), adding_.forget_fault();
-  FieldSpec search;
-  search.label = search.placeholder = ui.text("people.search");
-  search.icon = Icon::Search;
-  search.is_label_shown = false;
-  field(ui, "people.search", buttons, search_, search);
+  search_field(ui, "people.search", buttons, search_, ui.text("people.search"));
   if (ui.shortcut({Key::Slash}, ui.text("people.search"))) ui.focus("people.search");
 }
 
@@ -215,8 +210,7 @@ void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
   Rect rest = inside;
   const std::string name = shown_name_of(listed->person.login, listed->person.display_name);
   Rect head = take_top(rest, 40.0F, 12.0F);
-  avatar(ui, {head.x + 20.0F, head.mid_y()}, 20.0F, initials_of(name),
-         static_cast<int>(listed->person.id.number % 6));
+  person_avatar(ui, {head.x + 20.0F, head.mid_y()}, 20.0F, name, listed->person.id);
   ui.canvas().text_in({head.x + 54.0F, head.y, head.w - 54.0F, head.h},
                       {Type::CardTitle, ui.theme().text}, name, true);
   draw_facts(ui, rest, *listed);
@@ -411,17 +405,8 @@ void PeopleScreen::erase(Ui& ui, Shell& shell) {
 
 void PeopleScreen::change(Ui& ui, Shell& shell, std::string done,
                           std::function<void(database::AdministratorDesk&)> change) {
-  work_.change(
-      shell, signed_in_,
-      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
-      [change = std::move(change)](database::Session& session) {
-        database::AdministratorDesk desk = administrator_of(session);
-        change(desk);
-      },
-      [this, &shell, done = std::move(done)] {
-        shell.say({Meaning::Good, done});
-        people_.read_again();
-      });
+  work_.change_course(ui, shell, signed_in_,
+                      {std::move(change), std::move(done), [this] { people_.read_again(); }});
 }
 
 }  // namespace hallux::ui

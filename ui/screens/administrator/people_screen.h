@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "ui/screens/administrator/erase_dialog.h"
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/person_dialogs.h"
@@ -88,11 +87,11 @@ class PeopleScreen : public Screen {
   /// Login.
   std::string chosen_;
   DeskWork work_, adding_, erasing_;
-  std::optional<AddedPersonWords> added_;
+  std::optional<NewPersonForm> added_;
   std::optional<ShownCode> code_;
   std::optional<Asked> asked_;
   /// While the dialog is open.
-  std::optional<EraseWords> erased_;
+  std::optional<EraseForm> erased_;
 };
 
 }  // namespace hallux::ui

@@ -159,8 +159,8 @@ void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 
 void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec act{ui.text("scenarios.import"), ButtonLook::Primary, Icon::Import};
-  PageHead head{ui.text("scenarios.title"), ui.text("scenarios.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("scenarios.title"), ui.text("scenarios.sentence"));
   head.buttons_width = button_width(ui, act);
   const ListPage page(ui, "scenarios", head, content, page_spec);
   if (button(ui, "scenarios.import", page.buttons(), act)) {
@@ -229,9 +229,8 @@ void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& ve
   const bool is_published = version.state == ScenarioState::Published;
   const ButtonSpec act{ui.text(is_published ? "scenarios.retire" : "scenarios.publish"),
                        is_published ? ButtonLook::Danger : ButtonLook::Secondary};
-  Rect line = take_top(rest, button_height, 14.0F);
-  line.w = std::min(line.w, button_width(ui, act));
-  if (button(ui, is_published ? "scenarios.retire" : "scenarios.publish", line, act))
+  if (button_in_line(ui, is_published ? "scenarios.retire" : "scenarios.publish",
+                     take_top(rest, button_height, 14.0F), act))
     asked_ = Asked{version, !is_published};
 }
 
@@ -245,13 +244,11 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
   shown.sentence = ui.text("scenarios.import.sentence");
   shown.width = 620.0F;
   const Answer answer = dialog(ui, "scenarios.file", shown, [&](Rect form) {
-    FieldSpec path;
-    path.label = ui.text("scenarios.file");
-    path.placeholder = ui.text("scenarios.file.example");
-    path.max_bytes = 1000;
-    path.is_enabled = !importing_.is_running();
-    take_top(form, field_label_height);
-    field(ui, "scenarios.file.path", form, *file_, path);
+    labelled_field(ui, "scenarios.file.path", form, *file_,
+                   {.label = ui.text("scenarios.file"),
+                    .placeholder = ui.text("scenarios.file.example"),
+                    .is_enabled = !importing_.is_running(),
+                    .max_bytes = 1000});
     ui.focus_first("scenarios.file.path");
     return !file_->empty();
   });
@@ -305,24 +302,18 @@ void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
 }
 
 void ScenariosScreen::change(Ui& ui, Shell& shell, const Asked& asked) {
-  work_.change(
-      shell, signed_in_,
-      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
-      [id = asked.version.id, is_publishing = asked.is_publishing](database::Session& session) {
-        database::AdministratorDesk desk = administrator_of(session);
-        if (is_publishing) {
-          desk.publish_scenario(id);
-        } else {
-          desk.retire_scenario(id);
-        }
-      },
-      [this, &shell,
-       said =
-           ui.texts().say(asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired",
-                          {{"version", name_text(ui.texts(), asked.version)}})] {
-        shell.say({Meaning::Good, said});
-        versions_.read_again();
-      });
+  const char* said = asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired";
+  work_.change_course(ui, shell, signed_in_,
+                      {[id = asked.version.id,
+                        is_publishing = asked.is_publishing](database::AdministratorDesk& desk) {
+                         if (is_publishing) {
+                           desk.publish_scenario(id);
+                         } else {
+                           desk.retire_scenario(id);
+                         }
+                       },
+                       ui.texts().say(said, {{"version", name_text(ui.texts(), asked.version)}}),
+                       [this] { versions_.read_again(); }});
 }
 
 }  // namespace hallux::ui

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/jobs/course/standing_jobs.h"
-#include "ui/screens/instructor/cohort_limits.h"
+#include "ui/screens/parts/limits_dialog.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/places.h"
 #include "ui/screens/parts/signed_in_session.h"
@@ -31,7 +31,6 @@ class CohortScreen : public Screen {
   struct LastAttempt {
     database::AttemptHeader header;
     std::string name;
-    int hue = 0;
   };
   struct Glance {
     database::Cohort cohort;
@@ -82,7 +81,7 @@ class CohortScreen : public Screen {
   /// The operations that are shown.
   int first_column_ = 0, page_columns_ = 1;
   TableState table_;
-  CohortLimits limits_;
+  LimitsDialog limits_;
   /// Its corner, while the cohorts are listed.
   std::optional<Point> menu_;
 };

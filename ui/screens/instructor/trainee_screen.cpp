@@ -88,8 +88,6 @@ void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 }
 
 bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
-  PageHead head;
-  head.has_back = true;
   std::string name, sentence;
   if (file_.is_ready()) {
     const File& file = file_.value();
@@ -98,9 +96,10 @@ bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
     sentence = ui.texts().say_count("trainee.sentence", static_cast<long>(file.attempts.size()),
                                     {{"cohort", file.cohort_name}, {"login", standing.login}});
   }
-  head.title = name.empty() ? ui.text("role.trainee") : std::string_view(name);
-  head.sentence = sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence);
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, name.empty() ? ui.text("role.trainee") : std::string_view(name),
+                  sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence));
+  head.has_back = true;
   return page_head(ui, "trainee", page, head).is_back_pressed;
 }
 

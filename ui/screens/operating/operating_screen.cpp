@@ -85,13 +85,11 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
 }
 
 LiveBegin OperatingScreen::what_to_begin() const {
-  LiveBegin what;
-  what.scenario = choice_.scenario;
-  what.person = signed_in_->person().id;
-  what.kind = choice_.kind;
-  what.guidance = choice_.guidance;
-  what.stereo_mode = name_of(viewport_.stereo_mode());
-  return what;
+  return {.scenario = choice_.scenario,
+          .person = signed_in_->person().id,
+          .kind = choice_.kind,
+          .guidance = choice_.guidance,
+          .stereo_mode = name_of(viewport_.stereo_mode())};
 }
 
 void OperatingScreen::begin(Ui& ui, Shell& shell) {

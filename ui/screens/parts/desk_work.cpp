@@ -29,6 +29,21 @@ void DeskWork::change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, 
       [done = std::move(done)](bool&) { done(); });
 }
 
+void DeskWork::change_course(const Ui& ui, Shell& shell, std::shared_ptr<SignedInSession> signed_in,
+                             CourseChange wanted) {
+  const std::string_view failed = wanted.is_fault_shown ? "" : ui.text("people.not_changed");
+  change(
+      shell, std::move(signed_in), {std::string(ui.text("people.changing")), std::string(failed)},
+      [act = std::move(wanted.act)](database::Session& session) {
+        database::AdministratorDesk desk = administrator_of(session);
+        act(desk);
+      },
+      [&shell, done = std::move(wanted.done), after = std::move(wanted.after)] {
+        after();
+        shell.say({Meaning::Good, done});
+      });
+}
+
 void DeskWork::say_failed(Shell& shell, const DeskWords& words, const std::string& reason) {
   fault_ = sentence_of(reason);
   if (!words.failed.empty()) shell.say({Meaning::Bad, words.failed, fault_});

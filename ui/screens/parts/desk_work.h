@@ -47,6 +47,17 @@ struct DeskWords {
   std::string stopped = {};
 };
 
+/// What an administrator changes in the course.
+struct CourseChange {
+  /// Holds nothing of the screen's.
+  std::function<void(database::AdministratorDesk&)> act;
+  /// Said once it was made, and what happens before that.
+  std::string done;
+  std::function<void()> after;
+  /// The screen shows fault() itself; else a message says it.
+  bool is_fault_shown = false;
+};
+
 class DeskWork {
  public:
   /// `act` holds nothing of the screen's. `done` is called in a frame while the screen is there.
@@ -80,6 +91,8 @@ class DeskWork {
   /// The same for a change that answers nothing.
   void change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
               std::function<void(database::Session&)> act, std::function<void()> done);
+  void change_course(const Ui& ui, Shell& shell, std::shared_ptr<SignedInSession> signed_in,
+                     CourseChange change);
   bool is_running() const noexcept { return work_.is_running(); }
   /// Why the last one failed, as a sentence; "" where it did not.
   const std::string& fault() const noexcept { return fault_; }

@@ -19,7 +19,11 @@ namespace hallux::ui {
 
 /// The failed card of whatever could not be read; its button is `id.action`. True where it was
 /// pressed.
-bool draw_unread(Ui& ui, std::string_view id, const Rect& content, const std::string& reason);
+inline bool draw_unread(Ui& ui, std::string_view id, const Rect& content,
+                        const std::string& reason) {
+  const std::string_view why = reason.empty() ? ui.text("reading.stopped") : reason;
+  return failed_card(ui, id, content, {ui.text("reading.failed"), why, ui.text("reading.again")});
+}
 
 template <typename Value>
 class Loaded {

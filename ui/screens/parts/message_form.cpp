@@ -14,6 +14,17 @@ constexpr float words_height = 104.0F, toggle_height = 24.0F, gap = 16.0F;
 
 }  // namespace
 
+MessageFormSpec question_form(const Ui& ui, std::string_view title, std::string_view sentence) {
+  return {.id = "ask",
+          .title = title,
+          .sentence = sentence,
+          .label = ui.text("result.ask.question"),
+          .placeholder = ui.text("result.ask.example"),
+          .act = ui.text("result.ask.send"),
+          .sending = ui.text("result.ask.sending"),
+          .sent = ui.text("result.ask.sent")};
+}
+
 void MessageForm::open() {
   is_open_ = true;
   is_on_ = false;
@@ -47,11 +58,8 @@ bool MessageForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSessi
   const Answer answer = dialog(ui, id, shown, [&](const Rect& form) {
     Rect rest = form;
     take_top(rest, field_label_height);
-    FieldSpec words;
-    words.label = spec.label;
-    words.placeholder = spec.placeholder;
-    words.lines = 4;
-    words.max_bytes = 2000;
+    FieldSpec words{
+        .label = spec.label, .placeholder = spec.placeholder, .lines = 4, .max_bytes = 2000};
     field(ui, id + ".words", take_top(rest, words_height, gap), words_, words);
     ui.focus_first(id + ".words");
     if (!spec.toggle.empty())

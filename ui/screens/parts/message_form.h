@@ -28,6 +28,9 @@ struct MessageFormSpec {
   std::string_view sending = {}, sent = {};
 };
 
+/// A question about a moment of an attempt, its controls named "ask.…".
+MessageFormSpec question_form(const Ui& ui, std::string_view title, std::string_view sentence);
+
 class MessageForm {
  public:
   /// What happens with the words and the choice, beside the window; it holds nothing of the

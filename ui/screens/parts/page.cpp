@@ -31,6 +31,11 @@ Page::~Page() {
   if (is_scrolled_) ui_.end_scroll();
 }
 
+PageHead course_head(const Ui& ui, const SignedInSession& signed_in, std::string_view title,
+                     std::string_view sentence) {
+  return {title, sentence, signed_in.is_simulated() ? ui.text("course.simulated") : ""};
+}
+
 PageHeadResponse page_head(Ui& ui, std::string_view id, Rect& page, const PageHead& head) {
   PageHeadResponse response;
   Canvas& canvas = ui.canvas();
@@ -87,7 +92,7 @@ ListPage::ListPage(Ui& ui, std::string_view id, const PageHead& head, const Rect
   buttons_ = page_head(ui, id, rest, head).buttons;
   const Panes panes =
       panes_of(rest, std::min(spec.side_width, rest.w * spec.side_share), spec.side_height);
-  list_ = list_card(ui, panes.main);
+  list_ = spec.has_head ? list_card(ui, panes.main) : card(ui, panes.main, {});
   side_ = panes.side;
 }
 

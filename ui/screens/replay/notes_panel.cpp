@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/person_cell.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
@@ -26,14 +28,10 @@ std::vector<Note> read_notes(database::Session& session, const database::Attempt
   return {};
 }
 
-std::string name_of(const Texts& texts, const std::string& name) {
-  return name.empty() ? std::string(texts.text("notes.nobody")) : name;
-}
-
 struct Said {
   std::string name;
   std::string_view words;
-  int hue = 0;
+  database::PersonId person;
 };
 
 float said_height(const Ui& ui, std::string_view words, float width) {
@@ -44,8 +42,8 @@ float said_height(const Ui& ui, std::string_view words, float width) {
 /// takes room there.
 void draw_said(Ui& ui, Rect rest, const Said& said, float right) {
   Canvas& canvas = ui.canvas();
-  avatar(ui, {rest.x + face / 2.0F, rest.y + face / 2.0F}, face / 2.0F, initials_of(said.name),
-         said.hue);
+  person_avatar(ui, {rest.x + face / 2.0F, rest.y + face / 2.0F}, face / 2.0F, said.name,
+                said.person);
   take_left(rest, face + edge);
   const Rect head = take_top(rest, line_height);
   canvas.text_in({head.x, head.y, std::max(1.0F, head.w - right), head.h},
@@ -62,8 +60,6 @@ float note_height(const Ui& ui, const Note& note, float width) {
   return height;
 }
 
-int hue_of(database::PersonId person) noexcept { return static_cast<int>(person.number % 6); }
-
 void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) {
   Rect rest = inset(place, edge);
   const std::string moment = clock_text(static_cast<double>(note.moment.moment_us) / 1.0e6);
@@ -71,9 +67,9 @@ void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) 
   draw_note_badge(ui, {rest.right() - clock - 18.0F, rest.y + line_height / 2.0F}, number);
   ui.canvas().text({rest.right(), rest.y + line_height / 2.0F},
                    {Type::SmallMedium, ui.theme().accent, Align::Right}, moment);
-  const std::string name = name_of(ui.texts(), note.author_name);
-  draw_said(ui, take_top(rest, said_height(ui, note.text, rest.w)),
-            {name, note.text, hue_of(note.author)}, clock + 36.0F);
+  const std::string name = person_name_of(ui.texts(), {}, note.author_name);
+  draw_said(ui, take_top(rest, said_height(ui, note.text, rest.w)), {name, note.text, note.author},
+            clock + 36.0F);
   if (note.is_private) {
     const Rect line = take_top(rest, line_height, 4.0F);
     pill(ui, {line.x + face + edge, line.mid_y()}, ui.text("notes.private"), Meaning::Neutral,
@@ -83,7 +79,7 @@ void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) 
   for (const NoteReply& reply : note.replies) {
     take_top(rest, between);
     draw_said(ui, take_top(rest, said_height(ui, reply.text, rest.w)),
-              {name_of(ui.texts(), reply.author_name), reply.text, hue_of(reply.author)}, 0.0F);
+              {person_name_of(ui.texts(), {}, reply.author_name), reply.text, reply.author}, 0.0F);
   }
 }
 
@@ -135,14 +131,12 @@ std::optional<double> NotesPanel::draw_list(Ui& ui, const Rect& rect) {
     const Note& note = notes()[i];
     const Rect place{rect.x, y, rect.w - 6.0F, note_height(ui, note, rect.w - 6.0F)};
     y = place.bottom() + between;
-    Widget widget;
-    widget.id = "notes.note." + std::to_string(i + 1);
-    widget.label = note.text;
-    widget.rect = place;
-    widget.role = Role::Row;
-    widget.group = "notes.list";
-    widget.is_chosen = chosen_ == i;
-    const Response response = ui.control(std::move(widget));
+    const Response response = ui.control({.id = "notes.note." + std::to_string(i + 1),
+                                          .label = note.text,
+                                          .rect = place,
+                                          .role = Role::Row,
+                                          .is_chosen = chosen_ == i,
+                                          .group = "notes.list"});
     if (chosen_ == i) {
       ui.canvas().fill(place, ui.theme().accent_soft, radius::control);
     } else {

@@ -52,13 +52,11 @@ bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
                                                ui.text("result.decide.void.short")};
   segmented(ui, "decide.kind", take_top(rest, segmented_height, gap), labels, chosen_);
   if (kind() == DecisionKind::Overridden) {
-    take_top(rest, field_label_height);
     FieldSpec score;
     score.label = ui.text("result.decide.score");
     if (!score_.empty() && !score_from(score_)) score.error = ui.text("result.decide.score.rule");
-    if (field(ui, "decide.score", take_top(rest, field_height), score_, score))
+    if (labelled_field(ui, "decide.score", rest, score_, score, field_message_height))
       ui.want_frame_in_s(0.0);
-    take_top(rest, field_message_height);
   }
   take_top(rest, field_label_height);
   FieldSpec reason;

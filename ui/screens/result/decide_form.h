@@ -21,7 +21,6 @@ class DecideForm {
       : signed_in_(std::move(signed_in)) {}
 
   void open(const ResultFacts& facts);
-  bool is_open() const noexcept { return is_open_; }
   /// Draws the form while it is open. True in the frame after something was decided: the facts are
   /// old then.
   bool draw(Ui& ui, Shell& shell, const ResultFacts& facts);

@@ -1,6 +1,7 @@
 #include "ui/screens/result/result_cards.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "assessment/pass_mark.h"
@@ -179,24 +180,16 @@ std::vector<Takeaway> takeaways_of(const Texts& texts, const ResultFacts& facts)
   return taken;
 }
 
-std::string_view decision_words(const Texts& texts, const Decision& decision) {
-  switch (decision.kind) {
-    case DecisionKind::Confirmed:
-      return texts.text("result.decision.confirmed");
-    case DecisionKind::Overridden:
-      return texts.text("result.decision.overridden");
-    case DecisionKind::Voided:
-      return texts.text("result.decision.voided");
-  }
-  return {};
-}
+/// In the order of DecisionKind.
+constexpr std::array decision_texts{"result.decision.confirmed", "result.decision.overridden",
+                                    "result.decision.voided"};
 
 MessageRow decision_row(const Texts& texts, const Decision& decision, const std::string& right) {
   const Meaning meaning = decision.kind == DecisionKind::Voided       ? Meaning::Bad
                           : decision.kind == DecisionKind::Overridden ? Meaning::Info
                                                                       : Meaning::Good;
   return {decision.is_in_force ? meaning : Meaning::Neutral,
-          decision_words(texts, decision),
+          texts.text(decision_texts[static_cast<std::size_t>(decision.kind)]),
           decision.reason,
           right,
           {}};
@@ -234,12 +227,11 @@ void draw_score_card(Ui& ui, const Rect& rect, const ResultFacts& facts) {
   const Rect ring = take_left(head, 2.0F * ring_radius + 32.0F, 20.0F);
   const std::int64_t standing = facts.standing_milli().value_or(0);
   const std::string number = points_text(standing);
-  ScoreRing score;
-  score.id = "result.ring";
-  score.number = number;
-  score.below = ui.text("result.of_100");
-  score.share = share_of(standing, 100'000);
-  score.pass_share = share_of(assessment::pass_milli, 100'000);
+  ScoreRing score{.id = "result.ring",
+                  .number = number,
+                  .below = ui.text("result.of_100"),
+                  .share = share_of(standing, 100'000),
+                  .pass_share = share_of(assessment::pass_milli, 100'000)};
   score_ring(ui, {ring.mid_x(), ring.mid_y() - 4.0F}, ring_radius, score);
   take_top(head, 16.0F);
   draw_facts(ui, head, facts);

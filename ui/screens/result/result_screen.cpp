@@ -379,21 +379,13 @@ void ResultScreen::draw_forms(Ui& ui, Shell& shell) {
     facts_.read_again();
     ui.want_frame_in_s(0.0);
   }
-  MessageFormSpec spec;
-  spec.id = "ask";
-  spec.title = ui.text("result.ask");
-  spec.sentence = ui.text("result.ask.sentence");
-  spec.label = ui.text("result.ask.question");
-  spec.placeholder = ui.text("result.ask.example");
-  spec.act = ui.text("result.ask.send");
-  spec.sending = ui.text("result.ask.sending");
-  spec.sent = ui.text("result.ask.sent");
   database::AttemptMoment moment;
   if (chosen_line_) {
     const LedgerLine& line = facts().score->card.ledger[*chosen_line_];
     moment = {line.start_us, database::BonePoint{0, line.place_in_bone_mm}};
   }
-  ask_.draw(ui, shell, signed_in_, spec,
+  ask_.draw(ui, shell, signed_in_,
+            question_form(ui, ui.text("result.ask"), ui.text("result.ask.sentence")),
             [header = facts().header, moment](database::Session& session, const std::string& words,
                                               bool) {
               ask_for_help(session, header, {header.id, moment, words});

@@ -145,12 +145,11 @@ std::optional<double> draw_facts(Ui& ui, Rect rest, const WoundFacts& wound) {
 }
 
 Timeline timeline_of(const Ui& ui, const WoundFacts& wound, std::optional<double> moment_s) {
-  Timeline shown;
-  shown.duration_s = wound.duration_s;
-  shown.now_s = moment_s;
-  shown.steps_name = ui.text("replay.steps");
-  shown.events_name = ui.text("replay.events");
-  shown.steps = wound.steps;
+  Timeline shown{.duration_s = wound.duration_s,
+                 .now_s = moment_s,
+                 .steps_name = std::string(ui.text("replay.steps")),
+                 .events_name = std::string(ui.text("replay.events")),
+                 .steps = wound.steps};
   for (const AttemptEvent& event : wound.events)
     shown.events.push_back({event.time_s, event.meaning});
   std::vector<ChartPoint> newton;

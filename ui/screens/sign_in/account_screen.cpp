@@ -48,8 +48,8 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   const Page scrolled(ui, "account", ui.text("account.title"), content,
                       140.0F + person_height + space::between_cards + cohorts_height);
   Rect page = scrolled.rect();
-  PageHead head{ui.text("account.title"), ui.text("account.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("account.title"), ui.text("account.sentence"));
   head.has_back = true;
   if (page_head(ui, "account", page, head).is_back_pressed) shell.pop();
   Panes panes = panes_of(page, side_width, cohorts_height);
@@ -114,16 +114,13 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
   fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
   draw_lock(ui, rest, shell);
   const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
-  Rect lowest = take_bottom(rest, button_height, 12.0F);
-  lowest.w = std::min(lowest.w, button_width(ui, take));
-  if (button(ui, "account.export", lowest, take)) {
+  if (button_in_line(ui, "account.export", take_bottom(rest, button_height, 12.0F), take)) {
     folder_ = home_folder();
     exporting_.forget_fault();
   }
   const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
-  Rect line = take_bottom(rest, button_height);
-  line.w = std::min(line.w, button_width(ui, change));
-  if (!button(ui, "account.change_password", line, change)) return;
+  if (!button_in_line(ui, "account.change_password", take_bottom(rest, button_height), change))
+    return;
   typed_.emplace();
   changing_.forget_fault();
 }
@@ -169,12 +166,10 @@ void AccountScreen::draw_export(Ui& ui, Shell& shell) {
                              field_label_height + field_height + field_message_height);
   shown.sentence = ui.text("account.export.sentence");
   const Answer answer = dialog(ui, "account.export", shown, [&](Rect form) {
-    FieldSpec folder;
-    folder.label = ui.text("account.export.folder");
-    folder.hint = ui.text("account.export.rule");
-    folder.max_bytes = 4096;
-    take_top(form, field_label_height);
-    field(ui, "account.export.folder", take_top(form, field_height), *folder_, folder);
+    labelled_field(ui, "account.export.folder", form, *folder_,
+                   {.label = ui.text("account.export.folder"),
+                    .hint = ui.text("account.export.rule"),
+                    .max_bytes = 4096});
     ui.focus_first("account.export.folder");
     return names_a_folder(*folder_);
   });

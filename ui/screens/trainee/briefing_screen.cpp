@@ -60,8 +60,7 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   const OwnOperation& operation = operation_.value();
   const std::string sentence =
       ui.texts().say("brief.sentence", {{"version", std::to_string(operation.published.version)}});
-  PageHead head{operation.title(), sentence};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head = course_head(ui, *signed_in_, operation.title(), sentence);
   head.has_back = true;
   const Page page(ui, "brief", head.title, content,
                   head_room + (is_stacked ? stacked : std::max(least_body, start + 200.0F)));

@@ -23,14 +23,13 @@ constexpr float section_gap = 22.0F, number_room = 40.0F;
 
 /// Words that the keyboard can walk to, so that they can be scrolled into sight without a mouse.
 void read_along(Ui& ui, std::string id, std::string_view label, const Rect& rect) {
-  Widget widget;
-  widget.id = std::move(id);
-  widget.label = label;
-  widget.rect = rect;
-  widget.role = Role::Row;
-  widget.group = "brief.words";
   const Rect ring = inset(rect, -4.0F, -1.0F);
-  if (ui.control(std::move(widget)).shows_ring) {
+  if (ui.control({.id = std::move(id),
+                  .label = std::string(label),
+                  .rect = rect,
+                  .role = Role::Row,
+                  .group = "brief.words"})
+          .shows_ring) {
     draw_focus_ring(ui.canvas(), ui.theme(), ring, radius::row);
   }
 }

@@ -195,8 +195,8 @@ const OperationHistory& HistoryScreen::history() const {
 
 void HistoryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   histories_.read(ui, shell, ui.text("history.reading"), signed_in_, read_histories);
-  PageHead head{ui.text("history.title"), ui.text("history.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("history.title"), ui.text("history.sentence"));
   const bool has_attempts = histories_.has_value() && !histories_.value().empty();
   if (has_attempts) head.buttons_width = controls_width(ui, histories_.value());
   const bool is_narrow = are_panes_stacked(content.w - 2.0F * page_margin(content));

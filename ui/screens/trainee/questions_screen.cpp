@@ -19,9 +19,9 @@ void QuestionsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   const Page scrolled(ui, "questions", ui.text("questions.title"), content,
                       is_stacked ? 440.0F + stacked_height : 480.0F);
   Rect page = scrolled.rect();
-  PageHead head{ui.text("questions.title"), ui.text("questions.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
-  page_head(ui, "questions", page, head);
+  page_head(
+      ui, "questions", page,
+      course_head(ui, *signed_in_, ui.text("questions.title"), ui.text("questions.sentence")));
   const bool is_empty = questions_.is_ready() && questions_.value().empty();
   const Panes panes = is_empty ? Panes{page, {}} : panes_of(page, side_width, stacked_height);
   const Rect inside = card(ui, panes.main, {});

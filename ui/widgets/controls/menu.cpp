@@ -94,13 +94,12 @@ int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> it
   draw_panel(ui, rect, items);
   const std::vector<Rect> rows = rows_of(rect, items);
   for (std::size_t number = 0; number < items.size(); ++number) {
-    Widget widget;
-    widget.id = std::string(id) + "." + std::to_string(number);
-    widget.label = items[number].label;
-    widget.rect = rows[number];
-    widget.group = id;
-    widget.role = Role::Option;
-    widget.is_enabled = items[number].is_enabled;
+    Widget widget{.id = std::string(id) + "." + std::to_string(number),
+                  .label = std::string(items[number].label),
+                  .rect = rows[number],
+                  .role = Role::Option,
+                  .is_enabled = items[number].is_enabled,
+                  .group = std::string(id)};
     const std::string name = widget.id;
     const Response response = ui.control(std::move(widget));
     if (number == 0) ui.focus_first(name);

@@ -45,12 +45,10 @@ void draw_state(Ui& ui, const Rect& line, const PictureCardSpec& spec) {
 }  // namespace
 
 bool picture_card(Ui& ui, std::string_view id, const Rect& place, const PictureCardSpec& spec) {
-  Widget widget;
-  widget.id = id;
-  widget.label = spec.name;
-  widget.rect = place;
-  widget.group = spec.group;
-  const Response response = ui.control(std::move(widget));
+  const Response response = ui.control({.id = std::string(id),
+                                        .label = std::string(spec.name),
+                                        .rect = place,
+                                        .group = std::string(spec.group)});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   const Rect rect = moved(place, 0.0F, -2.0F * response.hover);
