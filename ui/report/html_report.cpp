@@ -5,12 +5,12 @@
 #include "assessment/number_text.h"
 #include "assessment/shown_points.h"
 #include "simulator/base/embedded.h"
+#include "ui/report/effects_text.h"
 #include "ui/report/face_svg.h"
 #include "ui/report/frontal_svg.h"
 #include "ui/report/html_text.h"
 #include "ui/report/report_ledger.h"
 #include "ui/report/trace_svg.h"
-#include "ui/report/wound_text.h"
 
 namespace hallux::ui {
 
@@ -118,7 +118,7 @@ std::string zones_sentence(const std::vector<ZoneContact>& zones) {
                          : "The running saw touched: " + touched + ".";
 }
 
-std::string wound_words(const ReportMaterial& material) {
+std::string effects_text(const ReportMaterial& material) {
   std::string words = heat_sentence(material.traces.heat) + " The blade bent by up to " +
                       bend_text(material.traces.greatest_deflection_mm) + ". ";
   const std::string zones = zones_sentence(material.zones);
@@ -129,7 +129,7 @@ std::string wound_words(const ReportMaterial& material) {
 std::string traces_html(const ReportMaterial& material) {
   if (material.traces.points.empty()) return "";
   return "<section><h2>Force, feed and heat</h2><figure class=\"wide\">" +
-         trace_svg(material.traces) + "<figcaption>" + escaped(wound_words(material)) +
+         trace_svg(material.traces) + "<figcaption>" + escaped(effects_text(material)) +
          "</figcaption></figure></section>";
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/every_size.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "ui/screens/instructor/inbox_screen.h"
 #include "ui/screens/trainee/questions_screen.h"
 
@@ -41,7 +41,7 @@ struct Inbox {
     visitor.finish_work();
   }
 
-  SomePlaces places;
+  SomeNavigator places;
   std::shared_ptr<InboxScreen::Drafts> drafts = std::make_shared<InboxScreen::Drafts>();
   std::vector<int> counted;
   SomeVisitor visitor;
@@ -134,7 +134,7 @@ TEST(InboxScreen, WhatWasWrittenIsThereAgainOnTheWayBack) {
 
 TEST(InboxScreen, SaysWhereThereAreNoQuestions) {
   database::SomeCourse course;
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor(std::make_unique<InboxScreen>(visit_of(course, "kim"), places,
                                                     std::make_shared<InboxScreen::Drafts>()));
   EXPECT_TRUE(visitor.driver().sees("No help requests"));
@@ -145,7 +145,7 @@ TEST(InboxScreen, NothingIsCutOffAnywhere) {
   Asking asking;
   asking.course.instructor("kim", asking.course.autumn())
       .answer(asking.request["bob"], std::string(300, 'a') + " and more words behind it");
-  SomePlaces places;
+  SomeNavigator places;
   const auto make = [&] {
     return std::make_unique<InboxScreen>(visit_of(asking.course, "kim"), places,
                                          std::make_shared<InboxScreen::Drafts>());
@@ -163,7 +163,7 @@ TEST(QuestionsScreen, ShowsTheOwnQuestionsAndNobodyElses) {
   Asking asking;
   asking.course.instructor("kim", asking.course.autumn())
       .answer(asking.request["ada"], "Hold it level.");
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), places));
   EXPECT_TRUE(visitor.driver().sees("A question of ada"));
   EXPECT_TRUE(visitor.driver().sees("Hold it level."));
@@ -177,7 +177,7 @@ TEST(QuestionsScreen, ShowsTheOwnQuestionsAndNobodyElses) {
 TEST(QuestionsScreen, IsUsedByKeyboardAlone) {
   Asking asking;
   asking.course.trainee("ada").ask_for_help({asking.attempt["ada"], {3000}, "Another question"});
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), places));
   visitor.driver().press(Key::Tab);
   EXPECT_TRUE(visitor.driver().focused().starts_with("questions.row."));
@@ -190,7 +190,7 @@ TEST(QuestionsScreen, IsUsedByKeyboardAlone) {
 
 TEST(QuestionsScreen, SaysWhereThereAreNone) {
   database::SomeCourse course;
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor(std::make_unique<QuestionsScreen>(visit_of(course, "ada"), places));
   EXPECT_TRUE(visitor.driver().sees("No questions yet"));
   EXPECT_THAT(visitor.driver().faults(), IsEmpty());
@@ -198,7 +198,7 @@ TEST(QuestionsScreen, SaysWhereThereAreNone) {
 
 TEST(QuestionsScreen, NothingIsCutOffAnywhere) {
   Asking asking;
-  SomePlaces places;
+  SomeNavigator places;
   EXPECT_THAT(faults_at_every_size([&] {
                 return std::make_unique<QuestionsScreen>(visit_of(asking.course, "ada"), places);
               }),

@@ -4,9 +4,9 @@
 
 namespace hallux::ui {
 
-SomeReviewer::SomeReviewer(const std::function<std::unique_ptr<Screen>(SomePlaces&)>& make,
+SomeReviewer::SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
                            float scale)
-    : visitor_(make(places_), scale) {
+    : visitor_(make(navigator_), scale) {
   finish();
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_operation.h"
-#include "tests/ui/screens/some_places.h"
 #include "tests/ui/screens/some_visitor.h"
 
 namespace hallux::ui {
@@ -22,7 +22,7 @@ struct OperatedCourse {
 class SomeReviewer {
  public:
   /// `make` makes the screen, which may lead to these places.
-  explicit SomeReviewer(const std::function<std::unique_ptr<Screen>(SomePlaces&)>& make,
+  explicit SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
                         float scale = 1.0F);
 
   /// What is done starts what is read anew.
@@ -32,10 +32,10 @@ class SomeReviewer {
   void tab_to(const std::string& id_begin);
   Driver& driver() noexcept { return visitor_.driver(); }
   /// Where the screen wanted to lead.
-  const std::vector<std::string>& asked() const noexcept { return places_.asked; }
+  const std::vector<std::string>& asked() const noexcept { return navigator_.asked; }
 
  private:
-  SomePlaces places_;
+  SomeNavigator navigator_;
   SomeVisitor visitor_;
 };
 

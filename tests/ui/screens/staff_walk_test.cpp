@@ -6,7 +6,7 @@
 #include <random>
 
 #include "tests/ui/screens/every_size.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_visitor.h"
 #include "ui/screens/administrator/audit_screen.h"
 #include "ui/screens/administrator/cohorts_screen.h"
@@ -98,7 +98,7 @@ TEST(StaffWalk, AnInstructorSeesNoStranger) {
   const auto attempt = course.scored_by("ada", 61000), of_eve = course.scored_by("eve", 33000);
   course.trainee("ada").ask_for_help({attempt, {2000}, "Why?"});
   course.trainee("eve").ask_for_help({of_eve, {2000}, "A question of another cohort"});
-  SomePlaces places;
+  SomeNavigator places;
   const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   const auto drafts = std::make_shared<InboxScreen::Drafts>();
   Walker walker({"nav.cohort", "nav.inbox", "nav.questions"},

@@ -7,14 +7,14 @@
 #include <string_view>
 
 #include "ui/screens/instructor/inbox_screen.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/patient_pictures.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
 
-class Course : public Places {
+class Course : public Navigator {
  public:
   /// Asks who is there. `texts` and `shell` outlive it.
   Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,

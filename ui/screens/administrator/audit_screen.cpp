@@ -164,7 +164,7 @@ void AuditScreen::draw_line(Ui& ui, const Rect& rect) const {
   fact_line(ui, rest, ui.text("records.outcome"),
             ui.text(chosen->was_refused ? "records.outcome.refused" : "records.outcome.done"));
   take_top(rest, 8.0F);
-  words_line(ui, rest, Type::BodyMedium, ui.theme().text, deed_text(ui.texts(), *chosen), 4.0F);
+  text_line(ui, rest, Type::BodyMedium, ui.theme().text, deed_text(ui.texts(), *chosen), 4.0F);
   // A reason may be longer than the card.
   const std::string subject = subject_text(ui.texts(), *chosen);
   const float height = ui.paragraph_height(Type::Small, subject, rest.w - 12.0F);
@@ -205,8 +205,8 @@ void AuditScreen::draw_pager(Ui& ui, const Rect& line) {
 
 void AuditScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
   Rect rest = card(ui, rect, ui.text("records.backup"), space::side_card);
-  words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.backup.sentence"),
-             16.0F);
+  text_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.backup.sentence"),
+            16.0F);
   ButtonSpec act{ui.text("records.backup.act"), ButtonLook::Primary, Icon::Backup};
   act.is_busy = backing_up_.is_running();
   Rect line = take_top(rest, button_height, 16.0F);
@@ -222,7 +222,7 @@ void AuditScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
 void AuditScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
   const std::vector<database::Backup>& backups = backups_.value();
   if (backups.empty()) {
-    words_line(ui, rest, Type::Small, ui.theme().warn_text, ui.text("records.backup.none"));
+    text_line(ui, rest, Type::Small, ui.theme().warn_text, ui.text("records.backup.none"));
     return;
   }
   const database::Backup& last = backups.front();
@@ -230,15 +230,15 @@ void AuditScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
       "records.backup.last", {{"moment", moment_text(backup_moment(last.file.filename().string()))},
                               {"ago", ago_text(ui.texts(), last.made_utc, utc_now_text())},
                               {"size", bytes_text(last.bytes)}});
-  words_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
+  text_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
   if (backups.size() > 1) {
-    words_line(ui, rest, Type::Small, ui.theme().text_secondary,
-               ui.texts().say("records.backup.kept",
-                              {{"count", grouped(static_cast<long>(backups.size()))},
-                               {"moment", moment_text(backups.back().made_utc)}}),
-               4.0F);
+    text_line(ui, rest, Type::Small, ui.theme().text_secondary,
+              ui.texts().say("records.backup.kept",
+                             {{"count", grouped(static_cast<long>(backups.size()))},
+                              {"moment", moment_text(backups.back().made_utc)}}),
+              4.0F);
   }
-  words_line(ui, rest, Type::Small, ui.theme().text_caption, last.file.string(), 10.0F);
+  text_line(ui, rest, Type::Small, ui.theme().text_caption, last.file.string(), 10.0F);
   if (link(ui, "records.backup.copy", {rest.x, rest.y + 10.0F}, ui.text("records.backup.copy"))) {
     ui.clipboard().write(last.file.string());
     shell.say({Meaning::Good, std::string(ui.text("records.backup.copied"))});

@@ -272,8 +272,8 @@ void CohortsScreen::draw_enrol_table(Ui& ui, const Rect& rect, const Listed& lis
     const bool is_member =
         std::any_of(listed.members.begin(), listed.members.end(),
                     [&](const CohortMember& member) { return member.id == person.id; });
-    const bool is_found = holds_words(person.login, enrolment_->search) ||
-                          holds_words(person.display_name, enrolment_->search);
+    const bool is_found = holds_text(person.login, enrolment_->search) ||
+                          holds_text(person.display_name, enrolment_->search);
     if (!is_member && is_found) shown.push_back(&person);
   }
   if (shown.empty()) {

@@ -30,8 +30,8 @@ float OriginsCard::height(Ui& ui, Shell& shell) {
 void OriginsCard::draw(Ui& ui, const Rect& rect, Shell& shell) {
   const std::string_view title = ui.text("records.origins");
   Rect rest = card(ui, rect, title, space::side_card);
-  words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.origins.sentence"),
-             8.0F);
+  text_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.origins.sentence"),
+            8.0F);
   const std::vector<Origin>& origins = origins_.value();
   const float height = row_height * static_cast<float>(origins.size());
   const float offset = ui.begin_scroll("records.origins.list", title, rest, height);

@@ -122,8 +122,8 @@ std::vector<RowColumn<PeopleScreen::Listed>> PeopleScreen::columns_of(const Ui& 
 std::vector<const PeopleScreen::Listed*> PeopleScreen::found() const {
   std::vector<const Listed*> found;
   for (const Listed& listed : people_.value()) {
-    const bool is_found = holds_words(listed.person.login, search_) ||
-                          holds_words(listed.person.display_name, search_);
+    const bool is_found =
+        holds_text(listed.person.login, search_) || holds_text(listed.person.display_name, search_);
     if (is_found && is_in_tab(listed.admission, tab_)) found.push_back(&listed);
   }
   return found;
@@ -243,7 +243,7 @@ bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
                  std::string_view why_not) {
   spec.is_enabled = why_not.empty();
   const bool is_pressed = button(ui, id, take_top(rest, button_height, 8.0F), spec);
-  if (!why_not.empty()) words_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
+  if (!why_not.empty()) text_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
   return is_pressed;
 }
 

@@ -152,10 +152,10 @@ void RetentionDialogs::draw_plan(Ui& ui, Shell& shell) {
     return true;
   });
   if (answer == Answer::Keep) plan_.reset();
-  if (answer == Answer::Act) let_go(ui, shell);
+  if (answer == Answer::Act) clean_up(ui, shell);
 }
 
-void RetentionDialogs::let_go(Ui& ui, Shell& shell) {
+void RetentionDialogs::clean_up(Ui& ui, Shell& shell) {
   work_.start<database::RetentionDone>(
       shell, signed_in_,
       {std::string(ui.text("records.retention.running")),

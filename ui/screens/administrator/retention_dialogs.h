@@ -36,7 +36,7 @@ class RetentionDialogs {
   void draw_days(Ui& ui, Shell& shell);
   void draw_plan(Ui& ui, Shell& shell);
   void save(Ui& ui, Shell& shell);
-  void let_go(Ui& ui, Shell& shell);
+  void clean_up(Ui& ui, Shell& shell);
   static Plan plan_of(const Texts& texts, const std::vector<database::RetentionPiece>& pieces);
 
   std::shared_ptr<SignedInSession> signed_in_;

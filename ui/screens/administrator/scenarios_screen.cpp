@@ -56,8 +56,8 @@ std::vector<RowColumn<ScenarioVersion>> columns_of(const Ui& ui) {
       {{ui.text("scenarios.review"), 150.0F, 1.0F, Align::Left, review_from},
        [](Ui& own, Version version, const Rect& cell) {
          const CellStyle warning{Type::Small, &Theme::warn_text};
-         draw_cell_words(own, cell, Align::Left, version.is_reviewed ? small_cell : warning,
-                         own.text(review_id(version)));
+         draw_cell_text(own, cell, Align::Left, version.is_reviewed ? small_cell : warning,
+                        own.text(review_id(version)));
        }},
       {{ui.text("scenarios.attempts"), 66.0F, 1.0F, Align::Right, attempts_from},
        [](Version version) { return grouped(version.attempts); }},

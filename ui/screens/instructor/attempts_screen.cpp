@@ -86,7 +86,8 @@ void AttemptsScreen::draw_table(Ui& ui, const Rect& content) {
       columns_of(ui)};
   std::vector<AttemptHeader>& attempts = attempts_.value();
   const TableResponse response = table(ui, "attempts", content, shown, attempts, table_);
-  if (response.opened) places_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
+  if (response.opened)
+    navigator_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
   if (response.has_sort_changed) sort_rows(attempts, shown.columns, table_.sort);
 }
 

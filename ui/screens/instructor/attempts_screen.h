@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/widgets/controls/row_table.h"
 #include "ui/window/shell/shell.h"
@@ -14,9 +14,9 @@ namespace hallux::ui {
 
 class AttemptsScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  AttemptsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
-      : signed_in_(std::move(signed_in)), places_(places) {}
+  /// `navigator` outlives the screen.
+  AttemptsScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
+      : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
   std::string_view navigation_id() const override { return "nav.attempts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -26,7 +26,7 @@ class AttemptsScreen : public Screen {
   void draw_table(Ui& ui, const Rect& content);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   Loaded<std::vector<database::AttemptHeader>> attempts_;
   TableState table_;
 };

@@ -78,10 +78,10 @@ bool row_control(Ui& ui, const std::string& id, std::string_view label, std::str
 
 }  // namespace
 
-CohortScreen::CohortScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+CohortScreen::CohortScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                            std::function<void()> open_inbox)
     : signed_in_(std::move(signed_in)),
-      places_(places),
+      navigator_(navigator),
       open_inbox_(std::move(open_inbox)),
       taught_(signed_in_->taught()),
       limits_(signed_in_) {
@@ -337,7 +337,7 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   draw_legend(ui, legend);
   if (!response.opened) return;
   const TraineeProgress& opened = *shown[static_cast<std::size_t>(*response.opened)];
-  places_.show_trainee(glance.cohort.id, opened.standing.id);
+  navigator_.show_trainee(glance.cohort.id, opened.standing.id);
 }
 
 void CohortScreen::draw_person_cell(Ui& ui, const TraineeProgress& progress,
@@ -429,7 +429,7 @@ void CohortScreen::draw_requests(Ui& ui, const Rect& rect) {
     const std::string moment = help_moment(ui.texts(), request);
     if (row_control(ui, "cohort.request." + std::to_string(request.id.number), moment,
                     "cohort.requests", row))
-      places_.show_replay(request.attempt, static_cast<double>(request.moment.moment_us) * 1e-6);
+      navigator_.show_replay(request.attempt, static_cast<double>(request.moment.moment_us) * 1e-6);
     person_avatar(ui, {row.x + 14.0F, row.y + 24.0F}, 14.0F, request.asker_name, request.asker);
     const float x = row.x + 38.0F, room = row.w - 38.0F;
     ui.canvas().text_in({x, row.y + 7.0F, room, 20.0F}, {Type::SmallMedium, ui.theme().text},
@@ -460,7 +460,7 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
                         {"when", ago_text(ui.texts(), last.header.started_utc, glance.now_utc)}});
     if (row_control(ui, "cohort.attempt." + std::to_string(last.header.order), what,
                     "cohort.attempts", row))
-      places_.show_result(last.header.id);
+      navigator_.show_result(last.header.id);
     if (const std::string_view why = why_not_counted(ui, last.header); !why.empty())
       tooltip_when_resting(ui, "cohort.attempt." + std::to_string(last.header.order), row, why);
     const bool counts = why_not_counted(ui, last.header).empty();

@@ -9,7 +9,7 @@
 #include "ui/jobs/course/standing_jobs.h"
 #include "ui/screens/parts/limits_dialog.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/widgets/controls/row_table.h"
 
@@ -17,9 +17,9 @@ namespace hallux::ui {
 
 class CohortScreen : public Screen {
  public:
-  /// `places` outlives the screen. `open_inbox` leads to the inbox.
+  /// `navigator` outlives the screen. `open_inbox` leads to the inbox.
   /// needs   the person teaches a cohort
-  CohortScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  CohortScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                std::function<void()> open_inbox = {});
 
   std::string_view navigation_id() const override { return "nav.cohort"; }
@@ -71,7 +71,7 @@ class CohortScreen : public Screen {
   void draw_last_attempts(Ui& ui, const Rect& rect);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   std::function<void()> open_inbox_;
   std::vector<database::Membership> taught_;
   /// Index into taught_.

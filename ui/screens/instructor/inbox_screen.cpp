@@ -123,8 +123,8 @@ void InboxScreen::draw_chosen(Ui& ui, const Rect& content, Shell& shell) {
                                        inset(inside, -8.0F, -4.0F), height);
   Rect rest{inside.x, inside.y - offset, inside.w - 12.0F, height};
   if (draw_help_request(ui, "inbox", rest, request->request, true))
-    places_.show_replay(request->request.attempt,
-                        static_cast<double>(request->request.moment.moment_us) * 1e-6);
+    navigator_.show_replay(request->request.attempt,
+                           static_cast<double>(request->request.moment.moment_us) * 1e-6);
   if (!request->request.answer) draw_answer(ui, rest, *request, shell);
   ui.end_scroll();
 }

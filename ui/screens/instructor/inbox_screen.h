@@ -9,7 +9,7 @@
 
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 
 namespace hallux::ui {
 
@@ -34,11 +34,11 @@ class InboxScreen : public Screen {
   /// the way.
   using Drafts = std::map<database::HelpRequestId, std::string>;
 
-  /// `places` outlives the screen.
-  InboxScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `navigator` outlives the screen.
+  InboxScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
               std::shared_ptr<Drafts> drafts, Counted counted = {})
       : signed_in_(std::move(signed_in)),
-        places_(places),
+        navigator_(navigator),
         drafts_(std::move(drafts)),
         counted_(std::move(counted)) {}
 
@@ -56,7 +56,7 @@ class InboxScreen : public Screen {
   const InboxRequest* chosen() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   std::shared_ptr<Drafts> drafts_;
   Counted counted_;
   Loaded<std::vector<InboxRequest>> inbox_;

@@ -154,7 +154,8 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
       [&](const AttemptHeader& attempt) { return attempt_name(ui.texts(), attempt); },
       columns_of(ui)};
   const TableResponse response = table(ui, "trainee.row", content, shown, attempts, table_);
-  if (response.opened) places_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
+  if (response.opened)
+    navigator_.show_result(attempts[static_cast<std::size_t>(*response.opened)].id);
 }
 
 }  // namespace hallux::ui

@@ -6,7 +6,7 @@
 
 #include "ui/jobs/course/standing_jobs.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/widgets/controls/row_table.h"
 
@@ -14,10 +14,13 @@ namespace hallux::ui {
 
 class TraineeScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  TraineeScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `navigator` outlives the screen.
+  TraineeScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                 database::CohortId cohort, database::PersonId trainee)
-      : signed_in_(std::move(signed_in)), places_(places), cohort_(cohort), trainee_(trainee) {}
+      : signed_in_(std::move(signed_in)),
+        navigator_(navigator),
+        cohort_(cohort),
+        trainee_(trainee) {}
 
   std::string_view navigation_id() const override { return "nav.cohort"; }
   /// What was decided in the meantime is read anew.
@@ -41,7 +44,7 @@ class TraineeScreen : public Screen {
   void draw_attempts(Ui& ui, const Rect& content);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   database::CohortId cohort_;
   database::PersonId trainee_;
   Loaded<File> file_;

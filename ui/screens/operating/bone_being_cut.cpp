@@ -46,11 +46,11 @@ struct BoneBeingCut::KerfAtHand {
 
 BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
     : name_(attempt.attempt().text),
-      world_from_bone_(attempt.table().bone.world_from_bone),
+      world_from_bone_(attempt.prepared_case().bone.world_from_bone),
       picture_(std::move(picture)),
       watch_(attempt.watch()),
-      geometry_(attempt.table().bone, attempt.table().scenario.saw.blade,
-                scenarios::planned_bridge(attempt.table().plan)) {
+      geometry_(attempt.prepared_case().bone, attempt.prepared_case().scenario.saw.blade,
+                scenarios::planned_bridge(attempt.prepared_case().plan)) {
   newest_.bodies = {{picture_.mesh, world_from_bone_}};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

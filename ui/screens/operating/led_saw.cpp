@@ -29,7 +29,7 @@ void LedSaw::lead(std::span<const simulator::PointerMotion> motions, const Quat&
   led_s_ = now_s;
 }
 
-void LedSaw::let_go() noexcept {
+void LedSaw::release() noexcept {
   is_on_ = false;
   device_->aim(world_from_target_, 0);
 }

@@ -37,7 +37,7 @@ class LedSaw {
             double now_s) noexcept;
   /// Nobody holds it: it stands still with every switch off.
   /// needs   a device was taken
-  void let_go() noexcept;
+  void release() noexcept;
 
  private:
   simulator::SteeredDevice* device_ = nullptr;

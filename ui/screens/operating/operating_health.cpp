@@ -49,7 +49,7 @@ std::string_view trouble_of(const simulator::LoopView& view, bool has_lost_pictu
   return view.has_priority ? "operate.trouble.busy" : "operate.trouble.priority";
 }
 
-void RecentLimits::see(std::uint32_t limits, double now_s) noexcept {
+void RecentLimits::observe(std::uint32_t limits, double now_s) noexcept {
   if (now_s - since_s_ >= shown_for_s) {
     before_ = std::exchange(now_, 0);
     since_s_ = now_s;
@@ -57,7 +57,7 @@ void RecentLimits::see(std::uint32_t limits, double now_s) noexcept {
   now_ |= limits;
 }
 
-std::vector<std::string_view> words_of_limits(std::uint32_t limits) {
+std::vector<std::string_view> limit_text_ids(std::uint32_t limits) {
   std::vector<std::string_view> words;
   for (const auto& [limit, id] : limit_words) {
     if (has(limits, limit)) words.push_back(id);

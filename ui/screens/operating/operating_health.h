@@ -51,7 +51,7 @@ std::string_view trouble_of(const simulator::LoopView& view, bool has_lost_pictu
 class RecentLimits {
  public:
   /// Takes what holds the force back now. Times only grow.
-  void see(std::uint32_t limits, double now_s) noexcept;
+  void observe(std::uint32_t limits, double now_s) noexcept;
   std::uint32_t bits() const noexcept { return before_ | now_; }
 
  private:
@@ -60,6 +60,6 @@ class RecentLimits {
 };
 
 /// The ids of the words for these limits, the ones that take all force first.
-std::vector<std::string_view> words_of_limits(std::uint32_t limits);
+std::vector<std::string_view> limit_text_ids(std::uint32_t limits);
 
 }  // namespace hallux::ui

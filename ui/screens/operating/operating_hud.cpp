@@ -329,7 +329,7 @@ void add_arm_rows(std::vector<HealthRow>& rows, const Ui& ui, const ArmHealth& a
   rows.push_back(
       {ui.text("operate.health.scale"), grouped(std::lround(100.0 * arm.force_scale)) + " %"});
   std::string_view name = ui.text("operate.health.limits");
-  for (const std::string_view id : words_of_limits(arm.limits)) {
+  for (const std::string_view id : limit_text_ids(arm.limits)) {
     rows.push_back({name, std::string(ui.text(id))});
     name = {};
   }

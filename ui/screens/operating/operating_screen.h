@@ -11,7 +11,7 @@
 #include "ui/screens/operating/operating_viewport.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/sound/saw_player.h"
 #include "ui/window/shell/shell.h"
@@ -32,7 +32,7 @@ using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
 
 class OperatingScreen : public Screen {
  public:
-  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                   const OperationChoice& choice, LendDevice lend_device);
 
   WindowChrome surround() const override { return WindowChrome::Badge; }
@@ -61,7 +61,7 @@ class OperatingScreen : public Screen {
   };
   using Phase = OperatingSession::Phase;
 
-  const OperatingTable& table() const { return *prepared_.value().table; }
+  const PreparedCase& prepared_case() const { return *prepared_.value().prepared_case; }
 
   void prepare(Ui& ui, Shell& shell);
   void begin(Ui& ui, Shell& shell);
@@ -91,7 +91,7 @@ class OperatingScreen : public Screen {
   void show_result(Shell& shell);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   OperationChoice choice_;
   LendDevice lend_device_;
   /// Of the last frame.

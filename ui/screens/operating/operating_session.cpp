@@ -12,7 +12,7 @@ OperatingSession::Staying OperatingSession::staying() const noexcept {
 
 // -- before
 
-void OperatingSession::lay(std::vector<scenarios::StepKind> steps, const LedSaw& saw) {
+void OperatingSession::make_ready(std::vector<scenarios::StepKind> steps, const LedSaw& saw) {
   steps_ = StepProgress(std::move(steps));
   saw_ = saw;
   phase_ = Phase::Ready;
@@ -48,7 +48,7 @@ void OperatingSession::watch(const HandsSeen& hands, double now_s) {
 
 void OperatingSession::pause(PausedBy by) {
   if (phase_ != Phase::Operating || !pausing_.pause(by)) return;
-  saw_.let_go();
+  saw_.release();
   attempt_->pause();
 }
 
@@ -82,11 +82,11 @@ void OperatingSession::press_step(double now_s) {
   }
 }
 
-std::vector<StepNotice> OperatingSession::follow(std::span<const simulator::CutEvent> events,
-                                                 double now_s) {
+std::vector<StepNotice> OperatingSession::apply(std::span<const simulator::CutEvent> events,
+                                                double now_s) {
   std::vector<StepNotice> notices;
   for (const simulator::CutEvent& event : events) {
-    const StepNews news = steps_.follow(event);
+    const StepNews news = steps_.apply(event);
     if (news.is_fulfilled) end_step();
     if (news.notice) notices.push_back(*news.notice);
   }

@@ -78,7 +78,7 @@ class OperatingSession {
 
   // -- before
   /// Preparing -> ready.
-  void lay(std::vector<scenarios::StepKind> steps, const LedSaw& saw);
+  void make_ready(std::vector<scenarios::StepKind> steps, const LedSaw& saw);
   /// Ready -> beginning. False where that is not so.
   bool begin() noexcept;
   /// Beginning -> operating. Borrows both.
@@ -110,7 +110,7 @@ class OperatingSession {
   void press_step(double now_s);
   /// Takes what happened at the bone since the last frame; told are the steps that did not come
   /// off.
-  std::vector<StepNotice> follow(std::span<const simulator::CutEvent> events, double now_s);
+  std::vector<StepNotice> apply(std::span<const simulator::CutEvent> events, double now_s);
 
   // -- the end
   /// Pauses and asks; nothing but while operating without a question.

@@ -13,9 +13,9 @@ namespace hallux::ui {
 
 /// Where the saw is held when an attempt begins: off the bone on the side of the approach, its
 /// blade square to the bone's own axes. What the plan asks beyond that is the trainee's to find.
-RigidTransform start_pose(const OperatingTable& table);
+RigidTransform start_pose(const PreparedCase& prepared_case);
 /// The site as one stands before it.
-Camera start_camera(const OperatingTable& table);
+Camera start_camera(const PreparedCase& prepared_case);
 
 /// How the window is seen through.
 struct Sight {
@@ -38,7 +38,7 @@ class Steering {
   simulator::PointerMotion motion(const AreaResponse& area, const Modifiers& modifiers,
                                   const Sight& sight, const Vec3& tip_in_world_mm);
   /// The pointer does not lead now; where it goes on later, it begins there.
-  void let_go() noexcept { pointer_.reset(); }
+  void release() noexcept { pointer_.reset(); }
   bool is_led_by_pointer() const noexcept { return pointer_.has_value(); }
   /// The same by keys: arrows across, Page Up and Page Down in depth; with Ctrl they turn.
   simulator::PointerMotion motion_by_keys(Ui& ui) const;

@@ -42,7 +42,7 @@ StepDeed StepProgress::press(double now_s) noexcept {
   return StepDeed::Nothing;
 }
 
-StepNews StepProgress::follow(const simulator::CutEvent& event) noexcept {
+StepNews StepProgress::apply(const simulator::CutEvent& event) noexcept {
   switch (event.kind) {
     case CutEventKind::PieceFreed:
       ++freed_;

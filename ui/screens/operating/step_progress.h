@@ -53,7 +53,7 @@ class StepProgress {
   /// The button of the step at hand was pressed; what it asks for may be waited for from now on.
   StepDeed press(double now_s) noexcept;
   /// Takes what happened at the bone.
-  StepNews follow(const simulator::CutEvent& event) noexcept;
+  StepNews apply(const simulator::CutEvent& event) noexcept;
   /// Gives up on an answer that does not come.
   std::optional<StepNotice> expire(double now_s) noexcept;
   /// Ends the step at hand. Returns its number.

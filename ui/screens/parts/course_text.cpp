@@ -102,7 +102,7 @@ std::string person_name_of(const Texts& texts, std::string_view login,
   return name.empty() ? std::string(texts.text("notes.nobody")) : name;
 }
 
-bool holds_words(std::string_view words, std::string_view part) {
+bool holds_text(std::string_view words, std::string_view part) {
   return std::search(words.begin(), words.end(), part.begin(), part.end(),
                      [](char a, char b) { return small(a) == small(b); }) != words.end() ||
          part.empty();

@@ -38,6 +38,6 @@ std::string person_name_of(const Texts& texts, std::string_view login,
                            std::string_view display_name);
 
 /// True where `words` holds `part`, capital or small (a-z). Everything holds "".
-bool holds_words(std::string_view words, std::string_view part);
+bool holds_text(std::string_view words, std::string_view part);
 
 }  // namespace hallux::ui

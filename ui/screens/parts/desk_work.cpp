@@ -18,7 +18,7 @@ database::TraineeDesk trainee_of(database::Session& session) {
                          "you were disabled; ask an administrator of the course");
 }
 
-void DeskWork::change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
+void DeskWork::change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, WorkTexts words,
                       std::function<void(database::Session&)> act, std::function<void()> done) {
   start<bool>(
       shell, std::move(signed_in), std::move(words),
@@ -44,7 +44,7 @@ void DeskWork::change_course(const Ui& ui, Shell& shell, std::shared_ptr<SignedI
       });
 }
 
-void DeskWork::say_failed(Shell& shell, const DeskWords& words, const std::string& reason) {
+void DeskWork::say_failed(Shell& shell, const WorkTexts& words, const std::string& reason) {
   fault_ = sentence_of(reason);
   if (!words.failed.empty()) shell.say({Meaning::Bad, words.failed, fault_});
 }

@@ -38,7 +38,7 @@ database::InstructorDesk instructor_of(database::Session& session, database::Coh
 /// errors  DatabaseError Refused where the person was disabled since
 database::TraineeDesk trainee_of(database::Session& session);
 
-struct DeskWords {
+struct WorkTexts {
   /// While it runs.
   std::string label;
   /// The head of the message where it fails; "": the screen shows fault() itself.
@@ -63,7 +63,7 @@ class DeskWork {
   /// `act` holds nothing of the screen's. `done` is called in a frame while the screen is there.
   /// thread  the window's
   template <typename Result>
-  void start(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
+  void start(Shell& shell, std::shared_ptr<SignedInSession> signed_in, WorkTexts words,
              std::function<Result(database::Session&, WorkReport&)> act,
              std::function<void(Result&)> done) {
     fault_.clear();
@@ -89,7 +89,7 @@ class DeskWork {
         });
   }
   /// The same for a change that answers nothing.
-  void change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
+  void change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, WorkTexts words,
               std::function<void(database::Session&)> act, std::function<void()> done);
   void change_course(const Ui& ui, Shell& shell, std::shared_ptr<SignedInSession> signed_in,
                      CourseChange change);
@@ -99,7 +99,7 @@ class DeskWork {
   void forget_fault() { fault_.clear(); }
 
  private:
-  void say_failed(Shell& shell, const DeskWords& words, const std::string& reason);
+  void say_failed(Shell& shell, const WorkTexts& words, const std::string& reason);
 
   std::string fault_;
   ScreenWork work_;

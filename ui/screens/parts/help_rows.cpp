@@ -96,7 +96,7 @@ bool draw_help_request(Ui& ui, std::string_view id, Rect& rest, const HelpReques
   ui.canvas().text_in(
       take_top(head, 20.0F), {Type::Small, theme.text_secondary},
       names_asker ? help_moment(ui.texts(), request) : moment_text(request.asked_utc), true);
-  words_line(ui, rest, Type::Body, theme.text, request.question, 16.0F);
+  text_line(ui, rest, Type::Body, theme.text, request.question, 16.0F);
   const ButtonSpec moment{ui.text("help.see_moment"), ButtonLook::Secondary, Icon::Play};
   const bool is_asked = button_in_line(ui, std::string(id) + ".moment",
                                        take_top(rest, header_button_height, moment_gap), moment);
@@ -105,9 +105,9 @@ bool draw_help_request(Ui& ui, std::string_view id, Rect& rest, const HelpReques
     take_top(rest, 16.0F);
     ui.canvas().text_in(take_top(rest, answer_head), {Type::SmallMedium, theme.text},
                         ui.text("help.answer"));
-    words_line(ui, rest, Type::Body, theme.text, request.answer->text, 8.0F);
-    words_line(ui, rest, Type::Small, theme.text_caption, answered_by(ui.texts(), *request.answer),
-               12.0F);
+    text_line(ui, rest, Type::Body, theme.text, request.answer->text, 8.0F);
+    text_line(ui, rest, Type::Small, theme.text_caption, answered_by(ui.texts(), *request.answer),
+              12.0F);
   }
   return is_asked;
 }

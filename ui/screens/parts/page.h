@@ -112,7 +112,7 @@ void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value
                float name_width = 96.0F);
 
 /// Words over the width of `rest`, whose height they take with `gap` below.
-void words_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words,
-                float gap = 8.0F);
+void text_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words,
+               float gap = 8.0F);
 
 }  // namespace hallux::ui

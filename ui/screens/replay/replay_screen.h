@@ -7,7 +7,7 @@
 
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/message_form.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/replay/notes_panel.h"

@@ -8,7 +8,7 @@
 
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/message_form.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/result/decide_form.h"
 #include "ui/screens/result/plan_card.h"
@@ -20,11 +20,11 @@ namespace hallux::ui {
 
 class ResultScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `navigator` outlives the screen.
+  ResultScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                database::AttemptId attempt)
       : signed_in_(std::move(signed_in)),
-        places_(places),
+        navigator_(navigator),
         attempt_(std::move(attempt)),
         decide_(signed_in_) {}
 
@@ -45,8 +45,8 @@ class ResultScreen : public Screen {
   void draw_ledger_foot(Ui& ui, const Rect& rect);
   void draw_plan(Ui& ui, const Rect& rect, Shell& shell);
   /// The card of what the saw did beside the cut; loading and failed like the plan's.
-  float wound_card_height(const Ui& ui, float width) const;
-  void draw_wound_card(Ui& ui, const Rect& rect);
+  float effects_card_height(const Ui& ui, float width) const;
+  void draw_effects_card(Ui& ui, const Rect& rect);
   void draw_forms(Ui& ui, Shell& shell);
   std::vector<std::pair<Meaning, std::string>> notices(const Texts& texts) const;
 
@@ -60,7 +60,7 @@ class ResultScreen : public Screen {
   std::optional<double> chosen_moment_s() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   database::AttemptId attempt_;
   Loaded<ResultFacts> facts_;
   Loaded<std::shared_ptr<const ExaminedAttempt>> examined_;

@@ -127,7 +127,7 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
 
 void AccountScreen::draw_cohorts(Ui& ui, Rect rest) const {
   if (signed_in_->memberships().empty()) {
-    words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
+    text_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
     return;
   }
   for (const database::Membership& each : signed_in_->memberships()) {

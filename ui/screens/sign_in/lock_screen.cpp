@@ -47,7 +47,7 @@ void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
                      {{"name", person.display_name.empty() ? person.login : person.display_name}});
   ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text},
                       ui.text("lock.title"));
-  words_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
+  text_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
   labelled_field(
       ui, "lock.password", column, password_,
       {.label = ui.text("entry.password"), .is_secret = true, .is_enabled = !work_.is_running()},

@@ -140,7 +140,7 @@ void SignInScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
                              std::string_view sentence) const {
   const Theme& theme = ui.theme();
   ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text}, title);
-  words_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
+  text_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
 }
 
 void SignInScreen::draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,

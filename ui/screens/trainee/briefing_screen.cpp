@@ -134,7 +134,7 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
 
 // -- the beginning
 
-std::string BriefingScreen::words_of_choice(const Ui& ui) const {
+std::string BriefingScreen::choice_text(const Ui& ui) const {
   if (kind_ != 0) {
     const std::string means(ui.text("brief.assessment.means"));
     const auto& allowance = operation_.value().published.allowance;
@@ -158,7 +158,7 @@ bool BriefingScreen::may_begin() const {
 
 float BriefingScreen::start_height(const Ui& ui, float width) const {
   const float words =
-      ui.paragraph_height(Type::Small, words_of_choice(ui), width - 2.0F * space::side_card);
+      ui.paragraph_height(Type::Small, choice_text(ui), width - 2.0F * space::side_card);
   const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F);
   return space::side_card + choices + std::max(40.0F, words) + 14.0F + button_height +
          space::side_card;
@@ -172,14 +172,14 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
               guidance_);
   }
   const Rect foot = take_bottom(inside, button_height, 14.0F);
-  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, words_of_choice(ui));
+  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, choice_text(ui));
   const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
                          ButtonLook::Primary, Icon::None, may_begin()};
   const float width = std::min(foot.w, std::max(160.0F, button_width(ui, begin)));
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
     // What was chosen for a practice means nothing for an assessment.
     const bool is_practice = kind_ == 0;
-    places_.operate(
+    navigator_.operate(
         scenario_,
         is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
         is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);

@@ -6,7 +6,7 @@
 
 #include "ui/jobs/course/standing_jobs.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/patient_pictures.h"
@@ -15,11 +15,11 @@ namespace hallux::ui {
 
 class BriefingScreen : public Screen {
  public:
-  /// `places` and `pictures` outlive the screen.
-  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `navigator` and `pictures` outlive the screen.
+  BriefingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                  PatientPictures& pictures, database::ScenarioVersionId scenario)
       : signed_in_(std::move(signed_in)),
-        places_(places),
+        navigator_(navigator),
         pictures_(pictures),
         scenario_(scenario) {}
 
@@ -34,14 +34,14 @@ class BriefingScreen : public Screen {
   void draw_start(Ui& ui, const Rect& rect);
   float start_height(const Ui& ui, float width) const;
   /// What it means to begin as it is chosen.
-  std::string words_of_choice(const Ui& ui) const;
+  std::string choice_text(const Ui& ui) const;
   bool may_begin() const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
   float draw_words(Ui& ui, const Rect& rect) const;
   void draw_words_card(Ui& ui, const Rect& rect);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   PatientPictures& pictures_;
   database::ScenarioVersionId scenario_;
   Loaded<OwnOperation> operation_;

@@ -56,7 +56,7 @@ std::string zones_text(const Texts& texts, const Scenario& scenario) {
 
 std::string means_text(const Texts& texts, const Scenario& scenario) {
   return texts.say("brief.means.sentence",
-                   {{"bone", words_of(scenario.patient.bone)},
+                   {{"bone", file_name_text(scenario.patient.bone)},
                     {"length", tick_text(scenario.patient.length_mm, 0.1)},
                     {"blade", scenario.blade_name},
                     {"rate", grouped(std::lround(scenario.saw.cycles_per_minute))}});

@@ -276,7 +276,7 @@ void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
   // The legend stands in the line of the title.
   const Rect plot{inside.x, inside.y - 32.0F, inside.w, inside.h + 32.0F};
   const auto pressed = line_chart(ui, "history.chart", plot, chart, words);
-  if (pressed) places_.show_result(shown.attempts[shown.counted[*pressed]].header.id);
+  if (pressed) navigator_.show_result(shown.attempts[shown.counted[*pressed]].header.id);
 }
 
 void HistoryScreen::draw_facts(Ui& ui, const Rect& rect) const {
@@ -313,7 +313,7 @@ void HistoryScreen::draw_attempts(Ui& ui, const Rect& rect) {
   const TableResponse response = table(ui, "history.list", inside, list, newest_first, table_);
   if (!response.opened) return;
   const std::size_t opened = newest_first[static_cast<std::size_t>(*response.opened)];
-  places_.show_result(shown.attempts[opened].header.id);
+  navigator_.show_result(shown.attempts[opened].header.id);
 }
 
 }  // namespace hallux::ui

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/trainee/operation_history.h"
 #include "ui/widgets/controls/row_table.h"
@@ -15,9 +15,9 @@ namespace hallux::ui {
 
 class HistoryScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  HistoryScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
-      : signed_in_(std::move(signed_in)), places_(places) {}
+  /// `navigator` outlives the screen.
+  HistoryScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
+      : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
   std::string_view navigation_id() const override { return "nav.history"; }
   void enter(Shell&) override { histories_.read_again(); }
@@ -33,7 +33,7 @@ class HistoryScreen : public Screen {
   const OperationHistory& history() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   Loaded<std::vector<OperationHistory>> histories_;
   int chosen_ = 0;
   TableState table_;

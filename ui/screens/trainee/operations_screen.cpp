@@ -38,7 +38,7 @@ bool is_in_segment(Competence competence, int segment) {
 std::string what_text(const Texts& texts, const OwnOperation& operation) {
   if (!operation.scenario) return std::string(texts.text("operations.unreadable"));
   return texts.say_count("operations.what", static_cast<long>(operation.scenario->cuts.size()),
-                         {{"bone", words_of(operation.scenario->patient.bone)}});
+                         {{"bone", file_name_text(operation.scenario->patient.bone)}});
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ const OwnOperation* next_operation(const std::vector<OwnOperation>& operations,
 std::vector<const OwnOperation*> OperationsScreen::shown() const {
   std::vector<const OwnOperation*> found;
   for (const OwnOperation& operation : operations_.value()) {
-    if (holds_words(operation.title() + " " + operation.published.name, search_) &&
+    if (holds_text(operation.title() + " " + operation.published.name, search_) &&
         is_in_segment(competence_of(operation, now_utc_), segment_)) {
       found.push_back(&operation);
     }
@@ -188,7 +188,7 @@ void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
                       {Type::Small, theme.text_secondary}, ui.text(reasons_for_next[competence]),
                       true);
   if (button(ui, "operations.start", centred(place, width, button_height), start)) {
-    places_.brief(next.published.scenario);
+    navigator_.brief(next.published.scenario);
   }
 }
 
@@ -202,7 +202,7 @@ void OperationsScreen::draw_cards(Ui& ui, const Rect& page, Shell& shell) {
                     page.y + static_cast<float>(row) * (grid.card_height + space::between_cards),
                     grid.card_width, grid.card_height};
     if (draw_card(ui, rect, *cards[number], shell)) {
-      places_.brief(cards[number]->published.scenario);
+      navigator_.brief(cards[number]->published.scenario);
     }
   }
 }

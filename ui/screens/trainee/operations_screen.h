@@ -8,7 +8,7 @@
 
 #include "ui/jobs/course/standing_jobs.h"
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/patient_pictures.h"
 
@@ -16,10 +16,10 @@ namespace hallux::ui {
 
 class OperationsScreen : public Screen {
  public:
-  /// `places` and `pictures` outlive the screen.
-  OperationsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places,
+  /// `navigator` and `pictures` outlive the screen.
+  OperationsScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                    PatientPictures& pictures)
-      : signed_in_(std::move(signed_in)), places_(places), pictures_(pictures) {}
+      : signed_in_(std::move(signed_in)), navigator_(navigator), pictures_(pictures) {}
 
   std::string_view navigation_id() const override { return "nav.operations"; }
   /// Back from an attempt, the person stands elsewhere.
@@ -44,7 +44,7 @@ class OperationsScreen : public Screen {
   std::vector<const OwnOperation*> shown() const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   PatientPictures& pictures_;
   Loaded<std::vector<OwnOperation>> operations_;
   /// Of this frame.

@@ -64,9 +64,9 @@ void QuestionsScreen::draw_chosen(Ui& ui, const Rect& content) {
                                        inset(content, -8.0F, -4.0F), height);
   Rect rest{content.x, content.y - offset, width, height};
   if (draw_help_request(ui, "questions", rest, *chosen, false))
-    places_.show_replay(chosen->attempt, static_cast<double>(chosen->moment.moment_us) * 1e-6);
+    navigator_.show_replay(chosen->attempt, static_cast<double>(chosen->moment.moment_us) * 1e-6);
   if (!chosen->answer)
-    words_line(ui, rest, Type::Small, ui.theme().text_caption, ui.text("questions.waiting"));
+    text_line(ui, rest, Type::Small, ui.theme().text_caption, ui.text("questions.waiting"));
   ui.end_scroll();
 }
 

@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "ui/screens/parts/loaded.h"
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 
 namespace hallux::ui {
 
 class QuestionsScreen : public Screen {
  public:
-  /// `places` outlives the screen.
-  QuestionsScreen(std::shared_ptr<SignedInSession> signed_in, Places& places)
-      : signed_in_(std::move(signed_in)), places_(places) {}
+  /// `navigator` outlives the screen.
+  QuestionsScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
+      : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
   std::string_view navigation_id() const override { return "nav.questions"; }
   /// What was answered in the meantime is read anew.
@@ -25,7 +25,7 @@ class QuestionsScreen : public Screen {
   void draw_chosen(Ui& ui, const Rect& content);
 
   std::shared_ptr<SignedInSession> signed_in_;
-  Places& places_;
+  Navigator& navigator_;
   Loaded<std::vector<database::HelpRequest>> questions_;
   database::HelpRequestId chosen_;
 };

@@ -57,8 +57,8 @@ struct RowTable {
 };
 
 /// Words on the left may be shortened, what stands at the right (a number) may not.
-inline void draw_cell_words(Ui& ui, const Rect& cell, Align align, const CellStyle& style,
-                            std::string_view words) {
+inline void draw_cell_text(Ui& ui, const Rect& cell, Align align, const CellStyle& style,
+                           std::string_view words) {
   ui.canvas().text_in(cell, {style.type, ui.theme().*style.color, align}, words,
                       align == Align::Left);
 }
@@ -116,7 +116,7 @@ TableResponse table(Ui& ui, std::string_view id, const Rect& rect, const RowTabl
   spec.draw_cell = [&](Ui& own, int row, int number, const Rect& cell) {
     const RowColumn<Row>& column = shown.columns[static_cast<std::size_t>(number)];
     if (const auto* words = std::get_if<typename RowColumn<Row>::Words>(&column.cell)) {
-      draw_cell_words(own, cell, column.place.align, column.style, (*words)(at(row)));
+      draw_cell_text(own, cell, column.place.align, column.style, (*words)(at(row)));
     } else {
       std::get<typename RowColumn<Row>::Drawing>(column.cell)(own, at(row), cell);
     }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/database/some_course.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_visitor.h"
 
 namespace hallux::ui {
@@ -19,7 +19,7 @@ struct Reader {
       : visitor(std::make_unique<AttemptsScreen>(visit_of(course, login), places), scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor;
 };
 

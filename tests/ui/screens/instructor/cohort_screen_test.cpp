@@ -7,7 +7,7 @@
 #include <set>
 
 #include "tests/ui/screens/every_size.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "ui/screens/instructor/trainee_screen.h"
 #include "ui/screens/parts/attempt_marks.h"
@@ -33,7 +33,7 @@ struct Teacher {
     visitor.finish_work();
   }
 
-  SomePlaces places;
+  SomeNavigator places;
   int inbox_opened = 0;
   SomeVisitor visitor;
 };
@@ -289,7 +289,7 @@ TEST(CohortScreen, AnOperationOfALaterPageSortsAndKeepsSorting) {
 
 TEST(CohortScreen, OfManyOperationsNothingIsCutOffAnywhere) {
   ManyOperations many;
-  SomePlaces places;
+  SomeNavigator places;
   EXPECT_THAT(faults_at_every_size([&] {
                 return std::make_unique<CohortScreen>(visit_of(many.course, "kim"), places, [] {});
               }),
@@ -298,7 +298,7 @@ TEST(CohortScreen, OfManyOperationsNothingIsCutOffAnywhere) {
 
 TEST(CohortScreen, WhoDoesNotTeachItAnyMoreSeesWhy) {
   database::SomeCourse course;
-  SomePlaces places;
+  SomeNavigator places;
   const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   course.administrator().remove_from_cohort(course.autumn(), "kim");
   SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, places));
@@ -311,7 +311,7 @@ TEST(CohortScreen, NothingIsCutOffAnywhere) {
   course.scored_by("ada", 90000);
   const database::AttemptId attempt = course.scored_by("ada", 40000);
   course.trainee("ada").ask_for_help({attempt, {0}, "Why did I lose so many points at once here?"});
-  SomePlaces places;
+  SomeNavigator places;
   EXPECT_THAT(faults_at_every_size([&] {
                 return std::make_unique<CohortScreen>(visit_of(course, "kim"), places, [] {});
               }),
@@ -415,7 +415,7 @@ TEST(CohortScreen, WhoWasCompetentAndFailedAgainAndAgainHasSlipped) {
 TEST(TraineeScreen, SaysCompetentWhereTheAssessmentsDo) {
   SomePublished published;
   published.assessed("ada", 12, 60000);
-  SomePlaces places;
+  SomeNavigator places;
   database::SomeCourse& course = published.course();
   SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
                                                       course.autumn(), course.id_of("ada")));
@@ -426,7 +426,7 @@ TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {
   database::SomeCourse course;
   course.scored_by("ada", 61200);
   const database::AttemptId newest = course.scored_by("ada", 40000);
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
                                                       course.autumn(), course.id_of("ada")));
   EXPECT_TRUE(visitor.driver().sees("Best 61.2, last 40.0"));
@@ -441,7 +441,7 @@ TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {
 TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
   database::SomeCourse course;
   course.scored_by("eve", 61200);
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
                                                       course.autumn(), course.id_of("eve")));
   EXPECT_TRUE(visitor.driver().sees("This could not be read"));
@@ -450,7 +450,7 @@ TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
 
 TEST(TraineeScreen, GoesBackByItsButton) {
   database::SomeCourse course;
-  SomePlaces places;
+  SomeNavigator places;
   const std::shared_ptr<SignedInSession> signed_in = visit_of(course, "kim");
   SomeVisitor visitor(std::make_unique<CohortScreen>(signed_in, places));
   visitor.shell().push(
@@ -468,7 +468,7 @@ TEST(TraineeScreen, NothingIsCutOffAnywhere) {
   database::SomeCourse course;
   course.scored_by("ada", 61200);
   course.interrupted_of("ada");
-  SomePlaces places;
+  SomeNavigator places;
   EXPECT_THAT(faults_at_every_size([&] {
                 return std::make_unique<TraineeScreen>(visit_of(course, "kim"), places,
                                                        course.autumn(), course.id_of("ada"));

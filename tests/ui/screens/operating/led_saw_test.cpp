@@ -40,7 +40,7 @@ TEST(LedSaw, ThatIsLetGoStandsWhereItIsWithEverySwitchOff) {
   saw.set_irrigated(true);
   saw.lead({}, upright, 1.0);
   EXPECT_NE(device.switches, 0U);
-  saw.let_go();
+  saw.release();
   EXPECT_EQ(device.switches, 0U);
   EXPECT_EQ(device.place_mm, start_mm);
   EXPECT_FALSE(saw.is_on());

@@ -76,14 +76,14 @@ TEST(OperatingHealth, StaysInsideTheWindowAtEveryScaleWithAllThatMayBeSaid) {
 
 TEST(RecentLimits, AreReadForASecondAndGoAfterTwo) {
   RecentLimits limits;
-  limits.see(bit(ForceLimit::Slew), 10.0);
-  limits.see(0, 10.5);
+  limits.observe(bit(ForceLimit::Slew), 10.0);
+  limits.observe(0, 10.5);
   EXPECT_EQ(limits.bits(), bit(ForceLimit::Slew));
-  limits.see(bit(ForceLimit::Heat), 11.1);
+  limits.observe(bit(ForceLimit::Heat), 11.1);
   EXPECT_EQ(limits.bits(), bit(ForceLimit::Slew) | bit(ForceLimit::Heat));
-  limits.see(0, 12.2);
+  limits.observe(0, 12.2);
   EXPECT_EQ(limits.bits(), bit(ForceLimit::Heat));
-  limits.see(0, 13.3);
+  limits.observe(0, 13.3);
   EXPECT_EQ(limits.bits(), 0U);
 }
 
@@ -91,19 +91,19 @@ TEST(RecentLimits, AreReadForASecondAndGoAfterTwo) {
 struct ArmAttempt {
   ArmAttempt() {
     const std::shared_ptr<SignedInSession> signed_in = course.visit_of_ada();
-    table = course.table(*signed_in);
+    prepared_case = course.prepared_case(*signed_in);
     LiveBegin what;
     what.scenario = course.version();
     what.person = signed_in->person().id;
     simulator::HandMotion motion;
-    motion.keys = {{0, start_pose(*table), 0}};
+    motion.keys = {{0, start_pose(*prepared_case), 0}};
     live = begin_operation(
-        *signed_in, table, what,
+        *signed_in, prepared_case, what,
         std::make_unique<simulator::ModelledArm>(motion, simulator::ModelledArmSetup{}));
   }
 
   OperableCourse course{"silver"};
-  std::shared_ptr<const OperatingTable> table;
+  std::shared_ptr<const PreparedCase> prepared_case;
   std::unique_ptr<LiveAttempt> live;
 };
 
@@ -114,7 +114,7 @@ TEST(OperatingHealth, OfAModelledArmIsShownWhileItOperatesAndKeptForWhoeverDecid
   RecentLimits limits;
   ASSERT_TRUE(soon([&] {
     const simulator::LoopView& view = attempt.live->view();
-    limits.see(view.force_limits, 0.0);
+    limits.observe(view.force_limits, 0.0);
     return view.lines > 200;
   }));
   EXPECT_NE(limits.bits(), 0U) << "it began softly";

@@ -31,7 +31,7 @@ LiveEnd sealed() {
 TEST(OperatingSession, BeginsOnceAndMayBeLeftUntilThen) {
   OperatingSession session(database::AttemptKind::Practice);
   EXPECT_FALSE(session.begin()) << "nothing is laid out yet";
-  session.lay({scenarios::StepKind::Finish}, LedSaw());
+  session.make_ready({scenarios::StepKind::Finish}, LedSaw());
   EXPECT_EQ(session.phase(), Phase::Ready);
   EXPECT_EQ(session.staying(), Staying::No);
   EXPECT_TRUE(session.begin());
@@ -44,7 +44,7 @@ TEST(OperatingSession, BeginsOnceAndMayBeLeftUntilThen) {
 
 TEST(OperatingSession, ThatCannotBeginSaysWhyAndMayBeLeft) {
   OperatingSession session(database::AttemptKind::Practice);
-  session.lay({}, LedSaw());
+  session.make_ready({}, LedSaw());
   session.begin();
   session.fail_to_begin("the disk is full");
   EXPECT_EQ(session.phase(), Phase::Stopped);
@@ -55,7 +55,7 @@ TEST(OperatingSession, ThatCannotBeginSaysWhyAndMayBeLeft) {
 
 TEST(OperatingSession, HearsNobodyBeforeItRuns) {
   OperatingSession session(database::AttemptKind::Practice);
-  session.lay({}, LedSaw());
+  session.make_ready({}, LedSaw());
   session.pause(PausedBy::Locked);
   session.ask(Asked::Finish);
   EXPECT_FALSE(session.pausing().is_paused());
@@ -135,9 +135,9 @@ TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
   session.press_step(3.1);
   EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up"))
       << "a step that waits is not pressed again";
-  session.follow(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
+  session.apply(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
   session.press_step(5.0);
-  session.follow(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
+  session.apply(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
   EXPECT_EQ(session.steps().step(), 4U);
   session.press_step(7.0);
   EXPECT_EQ(session.asked(), Asked::Finish);
@@ -148,14 +148,14 @@ TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
 TEST(OperatingSession, TellsWhatDidNotComeOff) {
   LedOperation operation;
   OperatingSession& session = operation.session;
-  EXPECT_THAT(session.follow(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
+  EXPECT_THAT(session.apply(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
               ElementsAre(StepNotice::KerfRefused));
   session.press_step(1.0);
   session.press_step(1.0);
   session.press_step(1.0);
-  EXPECT_THAT(session.follow({}, 20.9), IsEmpty());
-  EXPECT_THAT(session.follow({}, 21.0), ElementsAre(StepNotice::NothingFree));
-  EXPECT_THAT(session.follow({}, 50.0), IsEmpty()) << "said once";
+  EXPECT_THAT(session.apply({}, 20.9), IsEmpty());
+  EXPECT_THAT(session.apply({}, 21.0), ElementsAre(StepNotice::NothingFree));
+  EXPECT_THAT(session.apply({}, 50.0), IsEmpty()) << "said once";
 }
 
 // -- questions

@@ -10,7 +10,7 @@
 
 #include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/widgets/driver.h"
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/operating_screen.h"
@@ -48,7 +48,7 @@ class OperableCourse {
   /// Where there are several.
   database::AttemptHeader newest_attempt();
   /// Bone and plan, laid out as for whoever operates.
-  std::shared_ptr<const OperatingTable> table(SignedInSession& signed_in);
+  std::shared_ptr<const PreparedCase> prepared_case(SignedInSession& signed_in);
 
  private:
   database::SomeCourse course_;
@@ -86,7 +86,7 @@ class Operator {
   const Shell& shell() const noexcept { return *shell_; }
   Shell& shell() noexcept { return *shell_; }
 
-  SomePlaces places;
+  SomeNavigator places;
   NotedScenes scenes;
 
  private:

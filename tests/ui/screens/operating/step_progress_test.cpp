@@ -24,12 +24,12 @@ TEST(StepProgress, ADeclaredStepIsDoneAtOnce) {
 TEST(StepProgress, APieceIsTakenOutOnceOneIsFree) {
   StepProgress steps({StepKind::Remove, StepKind::Remove});
   EXPECT_FALSE(steps.is_ready());
-  steps.follow(event_of(CutEventKind::PieceFreed));
+  steps.apply(event_of(CutEventKind::PieceFreed));
   EXPECT_TRUE(steps.is_ready());
   EXPECT_EQ(steps.press(0.0), StepDeed::PickUp);
   EXPECT_TRUE(steps.is_waiting());
   EXPECT_FALSE(steps.is_ready());
-  EXPECT_TRUE(steps.follow(event_of(CutEventKind::PieceRemoved)).is_fulfilled);
+  EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved)).is_fulfilled);
   EXPECT_EQ(steps.end_step(), 0);
   EXPECT_FALSE(steps.is_waiting());
   EXPECT_FALSE(steps.is_ready()) << "the next piece is not free yet";
@@ -37,17 +37,17 @@ TEST(StepProgress, APieceIsTakenOutOnceOneIsFree) {
 
 TEST(StepProgress, AnAnswerThatNobodyWaitsForEndsNothing) {
   StepProgress steps({StepKind::Close});
-  EXPECT_FALSE(steps.follow(event_of(CutEventKind::HingeClosed)).is_fulfilled);
+  EXPECT_FALSE(steps.apply(event_of(CutEventKind::HingeClosed)).is_fulfilled);
   EXPECT_EQ(steps.press(0.0), StepDeed::CloseHinge);
-  EXPECT_FALSE(steps.follow(event_of(CutEventKind::PieceRemoved)).is_fulfilled);
-  EXPECT_TRUE(steps.follow(event_of(CutEventKind::HingeClosed)).is_fulfilled);
+  EXPECT_FALSE(steps.apply(event_of(CutEventKind::PieceRemoved)).is_fulfilled);
+  EXPECT_TRUE(steps.apply(event_of(CutEventKind::HingeClosed)).is_fulfilled);
 }
 
 TEST(StepProgress, ARefusalIsToldAndTheStepIsAtHandAgain) {
   const auto told = [](CutEventKind kind, std::int32_t subject) {
     StepProgress steps({StepKind::Close});
     steps.press(0.0);
-    const StepNews news = steps.follow(event_of(kind, subject));
+    const StepNews news = steps.apply(event_of(kind, subject));
     EXPECT_FALSE(news.is_fulfilled);
     EXPECT_TRUE(steps.is_ready());
     return news.notice;

@@ -23,10 +23,10 @@ TEST(CourseWords, SayHowLongAgoSomethingWas) {
 }
 
 TEST(CourseWords, SearchKnowsNoCapitals) {
-  EXPECT_TRUE(holds_words("Mara Quill", "quill"));
-  EXPECT_TRUE(holds_words("mara", ""));
-  EXPECT_TRUE(holds_words("", ""));
-  EXPECT_FALSE(holds_words("mara", "maria"));
+  EXPECT_TRUE(holds_text("Mara Quill", "quill"));
+  EXPECT_TRUE(holds_text("mara", ""));
+  EXPECT_TRUE(holds_text("", ""));
+  EXPECT_FALSE(holds_text("mara", "maria"));
 }
 
 TEST(CourseWords, OperationsAreWordsOfTheirOwn) {

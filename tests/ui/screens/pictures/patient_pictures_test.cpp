@@ -10,7 +10,7 @@
 
 #include "simulator/base/progress.h"
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 #include "ui/render/scene_painter.h"
@@ -128,7 +128,7 @@ TEST(PatientPictures, TheFormNeverWaitsForTheBoneBesideIt) {
 
 TEST(PatientPictures, ACardIsDrawnOnceAndAnewOnAnotherGround) {
   SomePublished published;
-  SomePlaces places;
+  SomeNavigator places;
   PatientPictures pictures{no_patient};
   Gallery gallery(
       std::make_unique<OperationsScreen>(visit_of(published.course(), "ada"), places, pictures));
@@ -144,7 +144,7 @@ TEST(PatientPictures, ACardIsDrawnOnceAndAnewOnAnotherGround) {
 
 TEST(PatientPictures, OneBuildServesAllScreens) {
   SomePublished published;
-  SomePlaces places;
+  SomeNavigator places;
   int builds = 0;
   PatientPictures pictures{[&](const auto& scenario, const auto& progress) {
     ++builds;

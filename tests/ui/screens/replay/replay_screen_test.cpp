@@ -18,7 +18,7 @@ struct Watcher : SomeReviewer {
   Watcher(SomeCourse& course, const std::string& login, const AttemptId& attempt,
           double moment_s = 0.0, float scale = 1.0F)
       : SomeReviewer(
-            [&](SomePlaces&) {
+            [&](SomeNavigator&) {
               return std::make_unique<ReplayScreen>(visit_of(course, login), attempt, moment_s);
             },
             scale) {}

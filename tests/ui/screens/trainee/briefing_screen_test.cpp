@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -24,7 +24,7 @@ struct Briefed {
                 scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  SomePlaces places;
+  SomeNavigator places;
   PatientPictures pictures{no_patient};
   SomeVisitor visitor;
 };
@@ -145,7 +145,7 @@ TEST(BriefingScreen, ATextThatCannotBeReadIsNamed) {
 
 TEST(BriefingScreen, ABoneThatCannotBeBuiltIsSaidAndTheRestStays) {
   SomePublished published;
-  SomePlaces places;
+  SomeNavigator places;
   PatientPictures pictures{[](const auto&, const auto&) -> PatientView {
     throw scenarios::ScenarioError("akin: the plane misses the bone");
   }};

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -23,7 +23,7 @@ struct Looker {
                 scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  SomePlaces places;
+  SomeNavigator places;
   SomeVisitor visitor;
 };
 

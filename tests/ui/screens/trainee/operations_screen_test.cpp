@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/no_patient.h"
-#include "tests/ui/screens/some_places.h"
+#include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
 
@@ -22,7 +22,7 @@ struct Chooser {
                 scale) {}
   Driver& driver() { return visitor.driver(); }
 
-  SomePlaces places;
+  SomeNavigator places;
   PatientPictures pictures{no_patient};
   SomeVisitor visitor;
 };
@@ -171,7 +171,7 @@ TEST(OperationsScreen, APersonDisabledSinceIsToldSo) {
   SomePublished published;
   auto signed_in = visit_of(published.course(), "ada");
   published.course().administrator().set_disabled("ada", true);
-  SomePlaces places;
+  SomeNavigator places;
   PatientPictures pictures{no_patient};
   SomeVisitor visitor(std::make_unique<OperationsScreen>(signed_in, places, pictures));
   EXPECT_TRUE(visitor.driver().sees("This could not be read"));

@@ -1,8 +1,7 @@
-/// Where a screen leads to. The screens know only this; which screen is behind a place is ui/app's
-/// to say, so that no screen
-/// needs to know another.
+/// The way from a screen to another one. The screens know only this; which screen is there is
+/// ui/app's to say, so that no screen needs to know another.
 ///
-/// Each shows the place over the screen that asks; Esc comes back to it.
+/// Each shows its screen over the one that asks; Esc comes back to it.
 /// thread  the window's, in a frame; what is asked for happens after it
 #pragma once
 
@@ -13,9 +12,9 @@
 
 namespace hallux::ui {
 
-class Places {
+class Navigator {
  public:
-  virtual ~Places() = default;
+  virtual ~Navigator() = default;
 
   /// What an operation is about, before it is begun.
   virtual void brief(database::ScenarioVersionId scenario) = 0;

@@ -1,14 +1,14 @@
-/// Places that note where a screen wanted to lead.
+/// A navigator that notes where a screen wanted to lead.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "ui/screens/parts/places.h"
+#include "ui/screens/parts/navigator.h"
 
 namespace hallux::ui {
 
-class SomePlaces : public Places {
+class SomeNavigator : public Navigator {
  public:
   void brief(database::ScenarioVersionId scenario) override {
     asked.push_back("brief " + std::to_string(scenario.number));
