@@ -44,7 +44,6 @@ OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
   hud.saw = scenario.saw;
   hud.is_saw_on = has(loop.sample.status, ToolStatus::SawOn);
   hud.is_irrigated = session.saw().is_irrigated();
-  hud.is_cutting = has(loop.sample.status, ToolStatus::Cutting);
   hud.force_newton = simulator::force_size_newton(loop.sample);
   if (cut != nullptr) {
     hud.reading = read_against(

@@ -44,11 +44,6 @@ std::string signed_mm(int mm) {
 
 }  // namespace
 
-void PlanCard::show_cut(std::size_t cut) {
-  chosen_ = static_cast<int>(cut);
-  ++revision_;
-}
-
 void PlanCard::show_place(const std::array<double, 3>& place_in_bone_mm,
                           std::optional<std::size_t> cut) {
   place_in_bone_mm_ = Vec3(place_in_bone_mm[0], place_in_bone_mm[1], place_in_bone_mm[2]);

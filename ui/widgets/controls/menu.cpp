@@ -169,11 +169,9 @@ ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& sh
       link(ui, std::string(id) + ".action", {rect.right() - 44.0F, rect.mid_y()}, shown.action,
            Align::Right, Type::BodyMedium))
     answer = ToastAnswer::Action;
-  IconButtonSpec close;
-  close.label = ui.text("toast.close");
-  close.icon = Icon::Close;
   if (icon_button(ui, std::string(id) + ".close",
-                  {rect.right() - 36.0F, rect.mid_y() - 16.0F, 32.0F, 32.0F}, close))
+                  {rect.right() - 36.0F, rect.mid_y() - 16.0F, 32.0F, 32.0F},
+                  {ui.text("toast.close"), Icon::Close}))
     answer = ToastAnswer::Closed;
   return answer;
 }

@@ -139,7 +139,7 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
     if (top()->surround() == WindowChrome::Badge) draw_badge(ui);
   }
   draw_person_menu(ui);
-  if (is_help_shown_) draw_help(ui);
+  if (is_help_shown_ && draw_shortcut_list(ui)) is_help_shown_ = false;
   draw_messages(ui);
   hear_shortcuts(ui);
   watch_idle(ui);
@@ -273,10 +273,6 @@ void Shell::draw_messages(Ui& ui) {
   std::erase_if(messages_, [&](const ShownMessage& shown) { return shown.id == closed; });
   ui.want_frame_in_s(0.0);
   if (action) action();
-}
-
-void Shell::draw_help(Ui& ui) {
-  if (draw_shortcut_list(ui)) is_help_shown_ = false;
 }
 
 void Shell::hear_shortcuts(Ui& ui) {
