@@ -1,3 +1,6 @@
+// The report as one HTML file that loads nothing: style and pictures lie inside, and its policy
+// forbids all else. It is put together from strings in the order in which it is read; titles,
+// sentences and facts pass `escaped` on their way in.
 #include "ui/report/html_report.h"
 
 #include <span>

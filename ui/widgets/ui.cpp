@@ -1,3 +1,7 @@
+// The frame: begin, controls, end. While it is drawn, controls are gathered for the next frame's
+// events, and answered from the events of this one (input/interaction.h). The focus is settled at
+// the end, when it is known what is there: what appears above takes it and gives it back. What no
+// frame asked for any more, motions, scrolls, edits, is forgotten.
 #include "ui/widgets/ui.h"
 
 #include <imgui.h>

@@ -1,3 +1,7 @@
+// What GLFW calls back, as plain events in the order in which it happened. Nothing is decided here
+// but what a key is: letters by what the person's layout prints on them, all else by its place. A
+// modifier that is pressed alone becomes a release of no key, so that the frame learns what is held
+// without a press that nobody made.
 #include "ui/window/glfw_events.h"
 
 #include <GLFW/glfw3.h>

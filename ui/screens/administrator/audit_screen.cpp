@@ -1,3 +1,6 @@
+// The audit by pages of 50, newest first, and the backups beside it. A page is asked for by the
+// number of the line before it, so that lines which are added meanwhile move nothing. Whatever is
+// done here writes a line itself: then the first page is read again.
 #include "ui/screens/administrator/audit_screen.h"
 
 #include <algorithm>

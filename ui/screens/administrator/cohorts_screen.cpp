@@ -1,3 +1,7 @@
+// Cohorts, members, and dialogs over them. All is read together, so that a name and its cohort
+// never come from two moments; after each change all is read again. Enrolling takes many people at
+// once, in one change at the desk. What is refused in a dialog is said there, all else in a
+// message.
 #include "ui/screens/administrator/cohorts_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// People, one of them chosen beside the list, and what may be done with them. A button that cannot
+// be pressed says why: the last administrator stays one, nobody disables or erases themselves. What
+// cannot be taken back is asked once more; a code is shown once and never written into the list.
 #include "ui/screens/administrator/people_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Rules first, then what they mean today: the rules are stored when the plan is asked for, and
+// nothing goes before the list of it was seen and agreed to. The lines are made once, when the plan
+// arrives, and only those in sight are laid out: there may be thousands.
 #include "ui/screens/administrator/retention_dialogs.h"
 
 #include <charconv>

@@ -1,3 +1,6 @@
+// Versions of operations and the sheet of the chosen one. Publishing retires the version that was
+// published: the question says which. The sheet is the text that a surgeon signs, set as it is
+// printed: lines by their indent, heads darker, origins lighter.
 #include "ui/screens/administrator/scenarios_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// A cohort as a grid of people and operations, with what asks for an answer beside it. One shape in
+// each cell says how somebody stands; the rule for it is parts/standing.h alone. With many
+// operations the grid turns pages, so that names stay whole; columns of other pages are left out
+// and keep their numbers, which a sort goes on naming.
 #include "ui/screens/instructor/cohort_screen.h"
 
 #include <algorithm>

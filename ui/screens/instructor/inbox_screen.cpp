@@ -1,3 +1,7 @@
+// The questions of all cohorts that somebody teaches, in one list. A trainee may be in two of these
+// cohorts, so a question is known by its id and kept once, with the first desk that may answer it.
+// What was typed stays as a draft outside the screen: seeing the moment means leaving it. A chosen
+// question stays in the list of open ones once it was answered.
 #include "ui/screens/instructor/inbox_screen.h"
 
 #include <algorithm>

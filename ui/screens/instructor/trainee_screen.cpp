@@ -1,3 +1,7 @@
+// One trainee, as a member of one cohort: standings on top, attempts below. All is read in one turn
+// of the session, from the instructor's desk of that cohort, which refuses anybody who is not in
+// it. It is read again whenever the screen is entered, since a result may have been decided on the
+// screen above it.
 #include "ui/screens/instructor/trainee_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// The bone while it is cut, on a thread that may fall behind and never holds anything up. It takes
+// the loop's feed, runs the same jobs at the same places, and hands the window the newest picture.
+// A growing kerf is a patch on a mesh that stands still; whatever changes the mesh itself is made
+// anew. Where that fails for want of memory, the attempt goes on without a new picture.
 #include "ui/screens/operating/bone_being_cut.h"
 
 #include <chrono>

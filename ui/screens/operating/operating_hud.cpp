@@ -1,3 +1,7 @@
+// Panels over the picture, each a function of the facts. They lie at the edges and leave the middle
+// to the bone; what does not fit goes in an order that keeps force and state to the last. Over a
+// panel the pointer is a pointer, so each panel is an area of its own. Colours have a shape beside
+// them.
 #include "ui/screens/operating/operating_hud.h"
 
 #include <algorithm>

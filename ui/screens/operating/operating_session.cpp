@@ -1,3 +1,7 @@
+// What happens between the person and an attempt, apart from any picture. Functions ask for the
+// phase first: keys and answers may come a frame late, after a pause or the end. The saw stops
+// before the attempt is told of a pause, and a question pauses too, so that nothing is cut while
+// somebody reads. The end is taken from the attempt, never assumed.
 #include "ui/screens/operating/operating_session.h"
 
 #include <utility>

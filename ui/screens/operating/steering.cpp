@@ -1,3 +1,8 @@
+// Pointer, wheel and keys as motions, without a state beyond where the pointer was. The pointer
+// leads the teeth in the plane of the window at their own depth: what lies under it stays under it,
+// however near the camera is. The right button turns the blade, so that a plain move never tilts
+// it. The saw begins square to the bone's axes, because the plan would else be found for the
+// trainee.
 #include "ui/screens/operating/steering.h"
 
 #include <algorithm>

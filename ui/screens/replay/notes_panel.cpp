@@ -1,3 +1,6 @@
+// Notes of an attempt with their replies, in the order of their moments. Heights are computed
+// before drawing, because the list scrolls. The line to answer exists only for a note that was
+// chosen and may be answered; what was typed there outlives a change of the choice.
 #include "ui/screens/replay/notes_panel.h"
 
 #include <algorithm>

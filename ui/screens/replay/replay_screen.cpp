@@ -1,3 +1,6 @@
+// An attempt at any moment. The player knows the time, all else is shown for it: bone, saw, hand,
+// pins, curves. The bone at a moment is looked up in a history that was cut beforehand, so that
+// dragging through the time is as quick as playing. Keys lead the time unless somebody writes.
 #include "ui/screens/replay/replay_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// What the saw did beside the cut: facts, and curves over the strokes. None of it is scored, which
+// the card says on its head. Each fact names the moment to look at where there is one; the list of
+// zones says whether any was watched, because "none touched" would mean nothing else.
 #include "ui/screens/result/effects_card.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Plan against cut, as one turns it. A cut is looked at from its waste and a little aside, so that
+// its shape can be told; the map colours the face by its distance to the plan. A place of the
+// ledger without a cut of its own is shown on the whole bone.
 #include "ui/screens/result/plan_card.h"
 
 #include <algorithm>

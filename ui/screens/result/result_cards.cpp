@@ -1,3 +1,6 @@
+// The reading cards of a result. Height and drawing are two functions over the same rows, since
+// cards beside each other end together. What to take away are the sentences of the card, dearest
+// first; where something was done well, one of three rows is kept for that.
 #include "ui/screens/result/result_cards.h"
 
 #include <algorithm>

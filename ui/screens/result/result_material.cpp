@@ -1,3 +1,7 @@
+// A result in two readings: what is stored, at once, and the cut bone, computed again from the
+// recording. A stored score is never touched; one that is missing is computed from the recording
+// alone and kept. What was cached beside the recording serves to show, never to score. The shares
+// of the bar are measured.
 #include "ui/screens/result/result_material.h"
 
 #include <algorithm>

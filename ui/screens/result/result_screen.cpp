@@ -1,3 +1,7 @@
+// One attempt's result on a page whose height follows its cards. What is stored is shown at once;
+// plan against cut and the effects of the tool come when the bone was computed again, and their
+// cards say so meanwhile. A line of the ledger, its place on the bone and its moment are chosen
+// together.
 #include "ui/screens/result/result_screen.h"
 
 #include <algorithm>

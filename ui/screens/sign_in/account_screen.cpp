@@ -1,3 +1,7 @@
+// One's own account. What a person may not change is a line; what they may is a button that opens a
+// dialog. Passwords leave the screen only as secrets that are wiped, and what was typed stays where
+// it is refused. The export asks for the whole path of a folder, because this machine may be a
+// laboratory's.
 #include "ui/screens/sign_in/account_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// The way in: three forms over one column, and the bone beside it. Which form comes first is known
+// once the directory was opened, beside the window. A secret that was typed is handed on as one
+// that wipes itself, and gone from the fields whatever comes of it. After a wrong password the wait
+// counts down where the fault is said, for that login only.
 #include "ui/screens/sign_in/sign_in_screen.h"
 
 #include <algorithm>

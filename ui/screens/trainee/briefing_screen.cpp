@@ -1,3 +1,7 @@
+// The page before an operation: picture, choice and words, beside each other or below. Heights come
+// from the words, which are laid out anew in each frame; the height that was drawn last serves for
+// the scrolling of the next. What was chosen for a practice means nothing for an assessment, and is
+// kept for whoever changes their mind.
 #include "ui/screens/trainee/briefing_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A scenario read out: about, steps, scoring. Each part draws from the top of an endless strip and
+// says how high it was, so that height and drawing cannot differ. Every paragraph is a stop of the
+// keyboard, since a page that only a wheel can scroll is closed to those without a mouse.
 #include "ui/screens/trainee/briefing_text.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// One's own attempts at an operation: chart, facts, list. Void attempts stand in the list and
+// nowhere else. Medians run over one device class, and a guided hand does not count for them,
+// because neither says how the person operates. A cohort is compared where enough people are in it;
+// the desk decides that.
 #include "ui/screens/trainee/history_screen.h"
 
 #include <algorithm>

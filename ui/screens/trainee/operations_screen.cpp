@@ -1,3 +1,7 @@
+// Operations as cards, the next thing to do above them. What is next is decided by a rule of two
+// lines that a person can check: the easiest one not mastered, else the one done longest ago. Cards
+// take their size from the page; the page scrolls where they do not fit. Pictures come when they
+// are ready.
 #include "ui/screens/trainee/operations_screen.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// An attempt along its time: steps, events, notes, curves over one axis, with names at the left.
+// Every row has a fixed height, so that a pixel means the same moment in all of them and `time_at`
+// is one division. Events are drawn as the shapes of their meaning, smaller than elsewhere.
 #include "ui/widgets/charts/timeline.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Controls with which one chooses. What is drawn is what was chosen when the frame began; a press
+// changes it for the next frame, which is asked for at once. Options of one choice are a group: Tab
+// visits it once, arrows move inside.
 #include "ui/widgets/controls/choice.h"
 
 #include <string>

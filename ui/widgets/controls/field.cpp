@@ -1,3 +1,7 @@
+// A field draws its letters itself, since dots, selection and caret need the same places as the
+// text. Events of the frame are applied in their order, first the pointer and then keys, on the
+// text as it was shown. What a secret shows are dots, mapped letter by letter; its text is noted
+// nowhere, and copies are wiped.
 #include "ui/widgets/controls/field.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// What lies over a page: menus, questions, toasts, running work. A menu takes a press beside it
+// with a control as large as the window, so that nothing below hears it. Of a question the safe
+// answer has the focus and Esc; the verb has to be meant.
 #include "ui/widgets/controls/menu.h"
 
 #include <string>

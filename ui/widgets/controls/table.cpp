@@ -1,3 +1,7 @@
+// A table laid out by what is in sight: rows and one beyond each edge, which an arrow must find.
+// Columns share what fixed ones leave; those that say so go where the table is narrow, with their
+// numbers kept. Choosing follows what people know from lists of files: Shift extends from an
+// anchor, Ctrl+A takes all.
 #include "ui/widgets/controls/table.h"
 
 #include <cmath>

@@ -1,3 +1,7 @@
+// What surrounds the screens. Screens are pushed and popped between two frames, so that none ends
+// while it draws. A frame: preferences, work that ended, the screen with its navigation, then what
+// lies over it, keys last, because a control that has the focus comes first. A locked window draws
+// its lock and nothing else; what runs goes on unseen.
 #include "ui/window/shell/shell.h"
 
 #include <algorithm>
