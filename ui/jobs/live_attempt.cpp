@@ -9,10 +9,10 @@
 
 namespace hallux::ui {
 
-OperatingTable lay_table(const scenarios::Scenario& scenario, const StageProgress& progress) {
-  OperatingTable table{scenario, patient_of(scenario, progress), {}};
-  table.plan = plan_on(table.scenario, table.bone);
-  return table;
+PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress) {
+  PreparedCase prepared_case{scenario, patient_of(scenario, progress), {}};
+  prepared_case.plan = plan_on(prepared_case.scenario, prepared_case.bone);
+  return prepared_case;
 }
 
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
@@ -32,24 +32,26 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
 namespace {
 
 std::optional<double> force_scale_of(const simulator::HapticDevice& device,
-                                     const OperatingTable& table, simulator::Guidance guidance) {
+                                     const PreparedCase& prepared_case,
+                                     simulator::Guidance guidance) {
   const simulator::DeviceDescription description = device.description();
   if (!description.limits) return std::nullopt;
-  return force_scale_on(*description.limits,
-                        simulation_setup(table.scenario, table.bone, table.plan, guidance)
-                            .contact.coupling_newton_per_mm);
+  return force_scale_on(
+      *description.limits,
+      simulation_setup(prepared_case.scenario, prepared_case.bone, prepared_case.plan, guidance)
+          .contact.coupling_newton_per_mm);
 }
 
 }  // namespace
 
-LiveAttempt::LiveAttempt(std::shared_ptr<const OperatingTable> table,
+LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,
                          const database::Database& database, database::WriterLease lease,
                          std::unique_ptr<simulator::HapticDevice> device,
                          simulator::Guidance guidance)
-    : table_(std::move(table)),
+    : prepared_case_(std::move(prepared_case)),
       guidance_(guidance),
       device_(std::move(device)),
-      force_scale_(force_scale_of(*device_, *table_, guidance_)),
+      force_scale_(force_scale_of(*device_, *prepared_case_, guidance_)),
       attempt_(lease.attempt()),
       directory_(database.directory()) {
   say({simulator::CommandKind::Start, 0, 0});
@@ -126,8 +128,8 @@ void LiveAttempt::fail(LiveFailure failure, const char* reason) noexcept {
 void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {
   database::Recorder recorder(database, std::move(lease), channels_,
                               database::FullDisk::IsWaitedFor);
-  simulator::AttemptSetup setup{
-      simulation_setup(table_->scenario, table_->bone, table_->plan, guidance_)};
+  simulator::AttemptSetup setup{simulation_setup(prepared_case_->scenario, prepared_case_->bone,
+                                                 prepared_case_->plan, guidance_)};
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch_;

@@ -25,7 +25,7 @@
 namespace hallux::ui {
 
 /// What is operated on, and what for.
-struct OperatingTable {
+struct PreparedCase {
   scenarios::Scenario scenario;
   simulator::Bone bone;
   scenarios::Plan plan;
@@ -33,7 +33,7 @@ struct OperatingTable {
 
 /// Reads nothing and stores nothing: the patient is made and the plan laid on it.
 /// errors  ScenarioError, MeshError; Cancelled
-OperatingTable lay_table(const scenarios::Scenario& scenario, const StageProgress& progress);
+PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress);
 
 /// What a trainee begins, at their own desk and with their own hand.
 struct LiveBegin {
@@ -57,8 +57,8 @@ class LiveAttempt final : public AttemptControls {
   static constexpr std::int64_t ticks_at_most = 60 * 60 * 1000;
 
   /// Starts loop and recorder, with the clock running.
-  /// needs   `table` outlives it
-  LiveAttempt(std::shared_ptr<const OperatingTable> table, const database::Database& database,
+  /// needs   `prepared_case` outlives it
+  LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case, const database::Database& database,
               database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device,
               simulator::Guidance guidance);
   /// Stops it where it still runs; what was recorded is committed.
@@ -67,7 +67,7 @@ class LiveAttempt final : public AttemptControls {
   LiveAttempt& operator=(const LiveAttempt&) = delete;
 
   const database::AttemptId& attempt() const noexcept { return attempt_; }
-  const OperatingTable& table() const noexcept { return *table_; }
+  const PreparedCase& prepared_case() const noexcept { return *prepared_case_; }
   simulator::HapticDevice& device() noexcept { return *device_; }
   /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes
   /// nobody back.
@@ -110,7 +110,7 @@ class LiveAttempt final : public AttemptControls {
   void operate(const database::Database& database, database::WriterLease lease);
   void fail(LiveFailure failure, const char* reason) noexcept;
 
-  std::shared_ptr<const OperatingTable> table_;
+  std::shared_ptr<const PreparedCase> prepared_case_;
   simulator::Guidance guidance_;
   std::unique_ptr<simulator::HapticDevice> device_;
   std::optional<double> force_scale_;

@@ -1,3 +1,8 @@
+// A picture in three layers: shapes of what stands still, light on them, and what moves drawn over
+// it. The first two are kept from picture to picture and drawn again only where bones changed or
+// the saw's shadow went, because a processor that draws cannot afford all of it. With a card
+// nothing is kept: it would cost more than it saves. Edges are smooth by drawing more pixels and
+// halving them.
 #include "ui/render/renderer.h"
 
 #include <epoxy/gl.h>

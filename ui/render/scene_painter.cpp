@@ -1,3 +1,7 @@
+// Scenes for the widgets with OpenGL. A named picture has a target of its own, which lives as long
+// as the name is asked for; what nobody asked for during five seconds of frames goes, for its
+// memory. The picture behind everything goes through the stage of two eyes, and the panels are
+// drawn into what comes out of it.
 #include "ui/render/scene_painter.h"
 
 #include <epoxy/gl.h>

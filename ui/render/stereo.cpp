@@ -1,3 +1,6 @@
+// Two eyes into one picture. Side by side halves the width; an anaglyph mixes both pictures by
+// fixed matrices in one pass. On a processor the eyes are drawn with fewer pixels, while something
+// moves with fewer still, and enlarged here: panels and text never are.
 #include "ui/render/stereo.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,6 @@
+// The report as one HTML file that loads nothing: style and pictures lie inside, and its policy
+// forbids all else. It is put together from strings in the order in which it is read; titles,
+// sentences and facts pass `escaped` on their way in.
 #include "ui/report/html_report.h"
 
 #include <span>
@@ -5,12 +8,12 @@
 #include "assessment/number_text.h"
 #include "assessment/shown_points.h"
 #include "simulator/base/embedded.h"
+#include "ui/report/effects_text.h"
 #include "ui/report/face_svg.h"
 #include "ui/report/frontal_svg.h"
 #include "ui/report/html_text.h"
 #include "ui/report/report_ledger.h"
 #include "ui/report/trace_svg.h"
-#include "ui/report/wound_text.h"
 
 namespace hallux::ui {
 

@@ -1,3 +1,6 @@
+// Pictures of a report as outlines in millimetres, still without SVG: each planned face seen square
+// on, with the samples of the cut face on it, and a slice across the bone for cuts along a shaft. A
+// slice is a thin slab, because the mesh is met cleanly by a slab and not by a plane.
 #include "ui/report/report_pictures.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Curves over time as SVG: panels below each other with one axis of time, each with a scale of its
+// own that ends at a tidy number. A value that is not known breaks the line. Marks of events run
+// through all panels; a name that would lie on the one before is left out, its line stays.
 #include "ui/report/trace_svg.h"
 
 #include <algorithm>

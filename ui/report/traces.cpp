@@ -1,7 +1,6 @@
 #include "ui/report/traces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "simulator/base/progress.h"
@@ -21,24 +20,11 @@ using simulator::ToolSample;
 /// Recordings of earlier ones say nothing of danger zones.
 constexpr std::int32_t first_engine_that_watched_zones = 3;
 
-std::string mark_text(CutEventKind kind) {
-  switch (kind) {
-    case CutEventKind::PlaneFrozen:
-      return "plane frozen";
-    case CutEventKind::Breakthrough:
-      return "through";
-    case CutEventKind::PieceFreed:
-      return "piece free";
-    case CutEventKind::HingeClosed:
-      return "closed";
-    case CutEventKind::DangerContact:
-      return "danger zone";
-    case CutEventKind::Kick:
-      return "kick";
-    default:
-      return "";
-  }
-}
+/// Events that the report names.
+constexpr std::pair<CutEventKind, const char*> mark_texts[] = {
+    {CutEventKind::PlaneFrozen, "plane frozen"},  {CutEventKind::Breakthrough, "through"},
+    {CutEventKind::PieceFreed, "piece free"},     {CutEventKind::HingeClosed, "closed"},
+    {CutEventKind::DangerContact, "danger zone"}, {CutEventKind::Kick, "kick"}};
 
 }  // namespace
 
@@ -109,8 +95,8 @@ Traces traces_of(const Recording& recording, const Bone& bone, const simulator::
   traces.heat = effects.heat;
   traces.greatest_deflection_mm = effects.greatest_deflection_mm;
   for (const CutEvent& event : recording.events) {
-    const std::string text = mark_text(event.kind);
-    if (!text.empty()) traces.marks.push_back({second_from_tick(event.tick), text});
+    for (const auto& [kind, text] : mark_texts)
+      if (kind == event.kind) traces.marks.push_back({second_from_tick(event.tick), text});
   }
   return traces;
 }

@@ -3,7 +3,6 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>

@@ -56,8 +56,6 @@ class Canvas {
   void polyline(std::span<const Point> points, Color color, float thickness);
   /// needs  the outline is convex
   void polygon(std::span<const Point> points, Color color);
-  /// Quads between two lines of equal length, without seams where the colour is translucent.
-  void band(std::span<const Point> upper, std::span<const Point> lower, Color color);
   void dashes(Point from, Point to, Color color, float on, float off, float thickness);
   void gradient_across(const Rect& rect, Color left, Color right);
   void picture(const Picture& picture, const Rect& rect, float radius = 0.0F,

@@ -1,9 +1,12 @@
+// The frame: begin, controls, end. While it is drawn, controls are gathered for the next frame's
+// events, and answered from the events of this one (input/interaction.h). The focus is settled at
+// the end, when it is known what is there: what appears above takes it and gives it back. What no
+// frame asked for any more, motions, scrolls, edits, is forgotten.
 #include "ui/widgets/ui.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -74,7 +77,7 @@ void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s
   io.DeltaTime = std::clamp(static_cast<float>(time_s_ - last_time_s_), 0.001F, 0.1F);
   display_ = {0.0F, 0.0F, io.DisplaySize.x / scale(), io.DisplaySize.y / scale()};
   forget_last_frame();
-  take_events(queue);
+  input_.take_events(queue, shown_, time_s_, scale());
   ImGui::NewFrame();
   building_ = {};
   building_shortcuts_.clear();
@@ -82,18 +85,10 @@ void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s
 }
 
 void Ui::forget_last_frame() {
-  pressed_.clear();
-  clicked_area_.clear();
-  wheel_target_.clear();
-  pressed_by_ = PressedBy::Nothing;
-  is_double_ = is_focus_extended_ = has_focus_moved_ = false;
-  wheel_ = 0.0F;
-  key_.reset();
-  edits_.clear();
-  dragged_ = {};
+  input_.forget_frame();
   first_focus_.clear();
   pointer_shape_ = PointerShape::Arrow;
-  has_pointer_left_ = has_lost_keys_ = is_pointer_hidden_ = is_pointer_carried_ = false;
+  is_pointer_hidden_ = is_pointer_carried_ = false;
   due_in_s_ = never;
 }
 
@@ -104,7 +99,7 @@ void Ui::end_frame() {
   canvas_.reset();
   ImGui::Render();
   settle_focus();
-  building_.focus = focus_;
+  building_.focus = input_.focus;
   shown_ = std::move(building_);
   shown_shortcuts_ = std::move(building_shortcuts_);
   forget_untouched(motions_);
@@ -121,7 +116,7 @@ const ImDrawData& Ui::draw_data() const {
 }
 
 double Ui::next_frame_in_s() const noexcept {
-  return is_settling_ || has_waiting_events_ ? 0.0 : due_in_s_;
+  return input_.is_settling || input_.has_waiting_events ? 0.0 : due_in_s_;
 }
 
 void Ui::want_frame_in_s(double seconds) noexcept {
@@ -130,11 +125,11 @@ void Ui::want_frame_in_s(double seconds) noexcept {
 
 // Drawn last, over everything: an arrow whose tip is the place.
 void Ui::settle_pointer() {
-  const bool is_drawn = is_pointer_carried_ && !is_pointer_hidden_ && is_pointer_inside_;
+  const bool is_drawn = is_pointer_carried_ && !is_pointer_hidden_ && input_.is_pointer_inside;
   if (is_pointer_hidden_ || is_pointer_carried_) pointer_shape_ = PointerShape::Hidden;
   if (!is_drawn) return;
   const LayerScope layer(*canvas_, Layer::Tooltip);
-  const Point tip = pointer_;
+  const Point tip = input_.pointer;
   const Point edge[] = {
       {tip.x - 2.0F, tip.y - 4.0F}, {tip.x - 2.0F, tip.y + 22.0F}, {tip.x + 17.0F, tip.y + 15.0F}};
   const Point arrow[] = {tip, {tip.x, tip.y + 18.0F}, {tip.x + 13.0F, tip.y + 13.0F}};
@@ -145,23 +140,23 @@ void Ui::settle_pointer() {
 // A menu or question that appears takes the focus and gives it back when it goes.
 void Ui::settle_focus() {
   const Layer before = reachable_layer(shown_), now = reachable_layer(building_);
-  const std::string focus_before = focus_;
+  const std::string focus_before = input_.focus;
   if (now > before) {
-    focus_below_[before] = focus_;
-    focus_.clear();
+    focus_below_[before] = input_.focus;
+    input_.focus.clear();
   } else if (now < before) {
-    focus_ = focus_below_[now];
+    input_.focus = focus_below_[now];
   }
-  const Widget* widget = find_widget(building_, focus_);
-  if (widget == nullptr || !can_have_focus(building_, *widget)) focus_.clear();
+  const Widget* widget = find_widget(building_, input_.focus);
+  if (widget == nullptr || !can_have_focus(building_, *widget)) input_.focus.clear();
   const bool is_new = first_focus_ != shown_first_focus_;
-  if (!first_focus_.empty() && (is_new || (focus_.empty() && now > Layer::Page))) {
+  if (!first_focus_.empty() && (is_new || (input_.focus.empty() && now > Layer::Page))) {
     const Widget* first = find_widget(building_, first_focus_);
     if (first != nullptr && can_have_focus(building_, *first) && now >= before)
-      focus_ = first_focus_;
+      input_.focus = first_focus_;
   }
   shown_first_focus_ = first_focus_;
-  if (focus_ != focus_before) want_frame_in_s(0.0);
+  if (input_.focus != focus_before) want_frame_in_s(0.0);
 }
 
 float Ui::width_of(Type type, std::string_view line) const noexcept {
@@ -174,7 +169,7 @@ float Ui::paragraph_height(Type type, std::string_view text, float width) const 
 }
 
 void Ui::focus(std::string_view id) {
-  focus_ = id;
+  input_.focus = id;
   want_frame_in_s(0.0);
 }
 
@@ -188,15 +183,15 @@ Response Ui::control(Widget widget) {
   widget.visible = intersection(widget.rect, canvas_->clip());
   widget.scroll = open_scrolls_.empty() ? -1 : open_scrolls_.back().second;
   Response response;
-  const bool is_under_pointer = hovered_ == widget.id;
-  const HeldButton& left = held_[0];
+  const bool is_under_pointer = input_.hovered == widget.id;
+  const Interaction::HeldButton& left = input_.held[0];
   response.is_held = widget.is_enabled && left.is_down && left.id == widget.id;
   response.is_hovered = is_under_pointer && (!left.is_down || response.is_held);
-  response.has_focus = widget.is_enabled && focus_ == widget.id;
-  response.shows_ring = response.has_focus && is_ring_shown_;
-  if (widget.is_enabled && pressed_ == widget.id) {
-    response.pressed_by = pressed_by_;
-    response.is_double = is_double_;
+  response.has_focus = widget.is_enabled && input_.focus == widget.id;
+  response.shows_ring = response.has_focus && input_.is_ring_shown;
+  if (widget.is_enabled && input_.pressed == widget.id) {
+    response.pressed_by = input_.pressed_by;
+    response.is_double = input_.is_double;
   }
   response.hover = eased(widget.id, response.is_hovered && widget.is_enabled, hover_s);
   if (response.is_hovered && widget.is_enabled)
@@ -206,30 +201,29 @@ Response Ui::control(Widget widget) {
 }
 
 AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect) {
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = rect;
-  widget.role = Role::Area;
-  widget.is_focusable = false;
+  Widget widget{.id = std::string(id),
+                .label = std::string(label),
+                .rect = rect,
+                .role = Role::Area,
+                .is_focusable = false};
   const std::string name = widget.id;
   AreaResponse response;
   response.is_hovered = control(std::move(widget)).is_hovered;
   pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
-  response.pointer = pointer_;
-  for (std::size_t button = 0; button < held_.size(); ++button) {
-    if (held_[button].id != name) continue;
-    response.is_down[button] = held_[button].is_down;
-    response.dragged[button] = dragged_[button];
+  response.pointer = input_.pointer;
+  for (std::size_t button = 0; button < input_.held.size(); ++button) {
+    if (input_.held[button].id != name) continue;
+    response.is_down[button] = input_.held[button].is_down;
+    response.dragged[button] = input_.dragged[button];
   }
-  response.was_clicked = clicked_area_ == name;
-  if (wheel_target_ == name) response.wheel = wheel_;
+  response.was_clicked = input_.clicked_area == name;
+  if (input_.wheel_target == name) response.wheel = input_.wheel;
   return response;
 }
 
 std::vector<FieldEvent> Ui::field_events(const std::string& id) const {
   std::vector<FieldEvent> events;
-  for (const Edit& edit : edits_)
+  for (const Interaction::Edit& edit : input_.edits)
     if (edit.id == id) events.push_back(edit.event);
   return events;
 }
@@ -238,14 +232,15 @@ TextEdit& Ui::text_edit(const std::string& id) { return edits_of_[id]; }
 
 bool Ui::shortcut(Chord chord, std::string_view label) {
   building_shortcuts_.push_back({chord, std::string(label)});
-  if (!key_ || *key_ != chord || canvas_->layer() < reachable_layer(shown_)) return false;
-  key_.reset();
-  is_letter_taken_ = true;
+  if (!input_.key || *input_.key != chord || canvas_->layer() < reachable_layer(shown_))
+    return false;
+  input_.key.reset();
+  input_.is_letter_taken = true;
   return true;
 }
 
 int Ui::shortcut_repeats(Chord chord, std::string_view label) {
-  return shortcut(chord, label) ? key_repeats_ : 0;
+  return shortcut(chord, label) ? input_.key_repeats : 0;
 }
 
 float Ui::eased(const std::string& id, bool is_on, float duration_s) {
@@ -263,7 +258,7 @@ float Ui::eased(const std::string& id, bool is_on, float duration_s) {
 }
 
 double Ui::hovered_for_s(std::string_view id) const noexcept {
-  return hovered_ == id ? time_s_ - hovered_since_s_ : 0.0;
+  return input_.hovered == id ? time_s_ - input_.hovered_since_s : 0.0;
 }
 
 float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& view,
@@ -274,16 +269,14 @@ float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& 
   state.view = view;
   state.content_height = content_height;
   const float longest = std::max(0.0F, content_height - view.h);
-  if (wheel_target_ == name) state.offset -= wheel_ * wheel_step;
+  if (input_.wheel_target == name) state.offset -= input_.wheel * wheel_step;
   scroll_to_focus(name, state);
   state.offset = std::clamp(state.offset, 0.0F, longest);
-  Widget region;
-  region.id = name;
-  region.label = label;
-  region.rect = view;
-  region.role = Role::Scroll;
-  region.is_focusable = false;
-  control(std::move(region));
+  control({.id = name,
+           .label = std::string(label),
+           .rect = view,
+           .role = Role::Scroll,
+           .is_focusable = false});
   pointer_shape_ = PointerShape::Arrow;
   open_scrolls_.emplace_back(name, static_cast<int>(building_.widgets.size()) - 1);
   canvas_->push_clip(view);
@@ -294,7 +287,7 @@ float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& 
 // After the keyboard moved the focus, the region it lies in shows it, and so does each region
 // around that one.
 void Ui::scroll_to_focus(const std::string& id, ScrollState& state) {
-  const Widget* focus = has_focus_moved_ ? find_widget(shown_, focus_) : nullptr;
+  const Widget* focus = input_.has_focus_moved ? find_widget(shown_, input_.focus) : nullptr;
   if (focus == nullptr) return;
   constexpr float margin = 12.0F;
   Rect wanted = focus->rect;
@@ -328,16 +321,14 @@ void Ui::draw_scroll_bar(const std::string& id, ScrollState& state) {
   const Rect track{state.view.right() - 10.0F, state.view.y, 10.0F, state.view.h};
   const float length = std::max(32.0F, track.h * state.view.h / state.content_height);
   const float travel = track.h - length;
-  Widget widget;
-  widget.id = id + ".bar";
-  widget.label = std::string(text("scroll.bar"));
-  widget.rect = track;
-  widget.role = Role::Area;
-  widget.is_focusable = false;
-  const Response response = control(std::move(widget));
+  const Response response = control({.id = std::string(id + ".bar"),
+                                     .label = std::string(text("scroll.bar")),
+                                     .rect = track,
+                                     .role = Role::Area,
+                                     .is_focusable = false});
   pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
-  if (response.is_held && travel > 0.0F && dragged_[0].y != 0.0F) {
-    state.offset = std::clamp(state.offset + dragged_[0].y * longest / travel, 0.0F, longest);
+  if (response.is_held && travel > 0.0F && input_.dragged[0].y != 0.0F) {
+    state.offset = std::clamp(state.offset + input_.dragged[0].y * longest / travel, 0.0F, longest);
     want_frame_in_s(0.0);
   }
   const Rect thumb{track.x + 3.0F, track.y + travel * state.offset / longest, 4.0F, length};

@@ -22,8 +22,7 @@
 #include <vector>
 
 #include "ui/widgets/canvas.h"
-#include "ui/widgets/input/event_queue.h"
-#include "ui/widgets/input/widget.h"
+#include "ui/widgets/input/interaction.h"
 #include "ui/widgets/look/theme.h"
 #include "ui/widgets/texts/text_edit.h"
 #include "ui/widgets/texts/texts.h"
@@ -31,9 +30,6 @@
 struct ImDrawData;
 
 namespace hallux::ui {
-
-/// How a control was pressed.
-enum class PressedBy : std::uint8_t { Nothing, Mouse, Enter, Space };
 
 /// What happened to a control in this frame.
 struct Response {
@@ -62,13 +58,6 @@ struct AreaResponse {
   Point pointer;
   /// Notches.
   float wheel = 0.0F;
-};
-
-/// An event for the field that has the focus, in order.
-struct FieldEvent {
-  /// 0: a key.
-  char32_t character = 0;
-  Chord chord;
 };
 
 struct Shortcut {
@@ -124,19 +113,19 @@ class Ui {
   float paragraph_height(Type type, std::string_view text, float width) const;
   Rect display() const noexcept { return display_; }
   double time_s() const noexcept { return time_s_; }
-  Point pointer() const noexcept { return pointer_; }
+  Point pointer() const noexcept { return input_.pointer; }
   /// Since anybody last moved, pressed or typed anything.
-  double untouched_s() const noexcept { return time_s_ - touched_s_; }
+  double untouched_s() const noexcept { return time_s_ - input_.touched_s; }
   /// What took the person's hands away since the last frame: the pointer left the window, keys go
   /// elsewhere.
-  bool has_pointer_left() const noexcept { return has_pointer_left_; }
-  bool has_lost_keys() const noexcept { return has_lost_keys_; }
+  bool has_pointer_left() const noexcept { return input_.has_pointer_left; }
+  bool has_lost_keys() const noexcept { return input_.has_lost_keys; }
   /// No pointer in this frame: something that it leads stands for it.
   void hide_pointer() noexcept { is_pointer_hidden_ = true; }
   /// The picture of this frame carries the pointer instead of the desktop: where it consists of two
   /// eyes' pictures, each has one at its place.
   void carry_pointer() noexcept { is_pointer_carried_ = true; }
-  Modifiers modifiers() const noexcept { return modifiers_; }
+  Modifiers modifiers() const noexcept { return input_.modifiers; }
   bool is_motion_reduced() const noexcept { return is_motion_reduced_; }
 
   /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
@@ -157,17 +146,17 @@ class Ui {
   int shortcut_repeats(Chord chord, std::string_view label);
   /// The key of this frame's shortcut was held already; what turns on and off does not listen to
   /// that.
-  bool is_key_held_on() const noexcept { return is_key_held_on_; }
+  bool is_key_held_on() const noexcept { return input_.is_key_held_on; }
   const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
 
   void focus(std::string_view id);
-  const std::string& focused() const noexcept { return focus_; }
+  const std::string& focused() const noexcept { return input_.focus; }
   /// The ring is shown: the last thing done was done by key.
-  bool is_steered_by_keys() const noexcept { return is_ring_shown_; }
+  bool is_steered_by_keys() const noexcept { return input_.is_ring_shown; }
   /// Gives `id` the focus when the screen or question it belongs to appears.
   void focus_first(std::string_view id);
   /// The focus was moved in this frame by an arrow held with Shift (lists extend their selection).
-  bool focus_was_extended() const noexcept { return is_focus_extended_; }
+  bool focus_was_extended() const noexcept { return input_.is_focus_extended; }
 
   /// Opens a region that scrolls; everything until end_scroll lies in it. Returns how far it is
   /// scrolled down.
@@ -193,30 +182,9 @@ class Ui {
     Rect view;
     bool is_touched = false;
   };
-  struct HeldButton {
-    /// Pressed there; empty: not held, or pressed on nothing.
-    std::string id;
-    bool is_down = false, has_moved = false;
-    Point pressed_at;
-  };
-  struct Edit {
-    std::string id;
-    FieldEvent event;
-  };
 
   void build_fonts();
   void forget_last_frame();
-  void take_events(EventQueue& queue);
-  void take_repeats(EventQueue& queue);
-  bool apply(const InputEvent& event);
-  void move_pointer(Point position);
-  bool press_button(const InputEvent& event);
-  bool release_button(const InputEvent& event);
-  bool press_key(Chord chord);
-  bool edit_key(const Widget& field, Chord chord);
-  bool press_by_key(const Widget* focus, Chord chord);
-  bool move_focus(const Widget* focus, Chord chord);
-  void turn_wheel(const InputEvent& event);
   void settle_focus();
   void scroll_to_focus(const std::string& id, ScrollState& state);
   void draw_scroll_bar(const std::string& id, ScrollState& state);
@@ -234,37 +202,14 @@ class Ui {
   std::unique_ptr<Canvas> canvas_;
 
   Rect display_;
-  double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0, touched_s_ = 0.0;
-  bool is_settling_ = false, has_waiting_events_ = false;
+  double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0;
   FrameContent shown_, building_;
   std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;
 
-  Point pointer_;
-  bool is_pointer_inside_ = false, has_pointer_left_ = false, has_lost_keys_ = false;
+  Interaction input_;
   bool is_pointer_hidden_ = false, is_pointer_carried_ = false;
-  Modifiers modifiers_;
-  std::array<HeldButton, mouse_button_count> held_;
-  std::array<Point, mouse_button_count> dragged_{};
-  std::string hovered_, pressed_, clicked_area_, wheel_target_;
-  double hovered_since_s_ = 0.0, last_press_s_ = -1.0;
-  std::string last_pressed_;
-  PressedBy pressed_by_ = PressedBy::Nothing;
-  bool is_double_ = false;
-  float wheel_ = 0.0F;
-  std::optional<Chord> key_;
-  /// Of key_, in this frame.
-  int key_repeats_ = 0;
-  /// Pressed and not released yet.
-  Key held_key_ = Key::None;
-  /// key_ came without a release before it.
-  bool is_key_held_on_ = false;
-  /// By a shortcut: the character that the key writes is no text.
-  bool is_letter_taken_ = false;
-  std::vector<Edit> edits_;
-
-  std::string focus_, first_focus_, shown_first_focus_;
+  std::string first_focus_, shown_first_focus_;
   std::map<Layer, std::string> focus_below_;
-  bool is_ring_shown_ = false, is_focus_extended_ = false, has_focus_moved_ = false;
   PointerShape pointer_shape_ = PointerShape::Arrow;
 
   std::map<std::string, Motion> motions_;

@@ -1,8 +1,13 @@
+// What GLFW calls back, as plain events in the order in which it happened. Nothing is decided here
+// but what a key is: letters by what the person's layout prints on them, all else by its place. A
+// modifier that is pressed alone becomes a release of no key, so that the frame learns what is held
+// without a press that nobody made.
 #include "ui/window/glfw_events.h"
 
 #include <GLFW/glfw3.h>
 
 #include <cstring>
+#include <utility>
 
 namespace hallux::ui {
 namespace {
@@ -36,47 +41,33 @@ Key key_of_letter(char letter) {
   return letter == '\0' || found == nullptr ? Key::None : keys[found - signs];
 }
 
+constexpr std::pair<int, Key> keys_of_codes[] = {
+    {GLFW_KEY_TAB, Key::Tab},
+    {GLFW_KEY_ENTER, Key::Enter},
+    {GLFW_KEY_KP_ENTER, Key::Enter},
+    {GLFW_KEY_ESCAPE, Key::Escape},
+    {GLFW_KEY_SPACE, Key::Space},
+    {GLFW_KEY_LEFT, Key::Left},
+    {GLFW_KEY_RIGHT, Key::Right},
+    {GLFW_KEY_UP, Key::Up},
+    {GLFW_KEY_DOWN, Key::Down},
+    {GLFW_KEY_HOME, Key::Home},
+    {GLFW_KEY_END, Key::End},
+    {GLFW_KEY_PAGE_UP, Key::PageUp},
+    {GLFW_KEY_PAGE_DOWN, Key::PageDown},
+    {GLFW_KEY_BACKSPACE, Key::Backspace},
+    {GLFW_KEY_DELETE, Key::Delete},
+    {GLFW_KEY_KP_ADD, Key::Plus},
+    {GLFW_KEY_KP_SUBTRACT, Key::Minus},
+};
+
 Key key_of_code(int code) {
   if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return offset_key(Key::F1, code - GLFW_KEY_F1);
   if (code >= GLFW_KEY_KP_0 && code <= GLFW_KEY_KP_9)
     return offset_key(Key::Digit0, code - GLFW_KEY_KP_0);
-  switch (code) {
-    case GLFW_KEY_TAB:
-      return Key::Tab;
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return Key::Enter;
-    case GLFW_KEY_ESCAPE:
-      return Key::Escape;
-    case GLFW_KEY_SPACE:
-      return Key::Space;
-    case GLFW_KEY_LEFT:
-      return Key::Left;
-    case GLFW_KEY_RIGHT:
-      return Key::Right;
-    case GLFW_KEY_UP:
-      return Key::Up;
-    case GLFW_KEY_DOWN:
-      return Key::Down;
-    case GLFW_KEY_HOME:
-      return Key::Home;
-    case GLFW_KEY_END:
-      return Key::End;
-    case GLFW_KEY_PAGE_UP:
-      return Key::PageUp;
-    case GLFW_KEY_PAGE_DOWN:
-      return Key::PageDown;
-    case GLFW_KEY_BACKSPACE:
-      return Key::Backspace;
-    case GLFW_KEY_DELETE:
-      return Key::Delete;
-    case GLFW_KEY_KP_ADD:
-      return Key::Plus;
-    case GLFW_KEY_KP_SUBTRACT:
-      return Key::Minus;
-    default:
-      return Key::None;
-  }
+  for (const auto& [known, key] : keys_of_codes)
+    if (known == code) return key;
+  return Key::None;
 }
 
 // A letter key counts as what is printed on it in the person's layout, not as where it lies.
@@ -91,10 +82,9 @@ Key key_of(int code, int scan_code) {
 }
 
 void hear_key(GLFWwindow* window, int code, int scan_code, int action, int bits) {
-  InputEvent event;
-  event.kind = action == GLFW_RELEASE ? EventKind::KeyReleased : EventKind::KeyPressed;
-  event.key = key_of(code, scan_code);
-  event.modifiers = modifiers_of(bits);
+  InputEvent event{.kind = action == GLFW_RELEASE ? EventKind::KeyReleased : EventKind::KeyPressed,
+                   .key = key_of(code, scan_code),
+                   .modifiers = modifiers_of(bits)};
   if (event.key == Key::Plus) event.modifiers.shift = false;  // many keyboards write it with Shift
   // A modifier alone says nothing but that it is held from now on: as a release it moves nothing
   // and tells it.
@@ -106,20 +96,17 @@ void hear_key(GLFWwindow* window, int code, int scan_code, int action, int bits)
 }
 
 void hear_character(GLFWwindow* window, unsigned character) {
-  InputEvent event;
-  event.kind = EventKind::Character;
-  event.character = character;
-  event.modifiers = held_modifiers(window);
+  InputEvent event{
+      .kind = EventKind::Character, .modifiers = held_modifiers(window), .character = character};
   events_of(window).queue.push(event);
 }
 
 InputEvent pointer_event(GLFWwindow* window, EventKind kind) {
   const WindowEvents& events = events_of(window);
-  InputEvent event;
-  event.kind = kind;
-  event.position = {static_cast<float>(events.pointer_x) * events.pixels_per_unit,
-                    static_cast<float>(events.pointer_y) * events.pixels_per_unit};
-  event.modifiers = held_modifiers(window);
+  InputEvent event{.kind = kind,
+                   .position = {static_cast<float>(events.pointer_x) * events.pixels_per_unit,
+                                static_cast<float>(events.pointer_y) * events.pixels_per_unit},
+                   .modifiers = held_modifiers(window)};
   return event;
 }
 
@@ -151,8 +138,7 @@ void hear_pointer_at_edge(GLFWwindow* window, int is_inside) {
 
 void hear_focus(GLFWwindow* window, int has_focus) {
   if (has_focus != 0) return;
-  InputEvent event;
-  event.kind = EventKind::FocusLost;
+  InputEvent event{.kind = EventKind::FocusLost};
   events_of(window).queue.push(event);
 }
 

@@ -1,3 +1,7 @@
+// One window, one loop: wait, draw a frame, say what it showed. A frame is drawn only when
+// something is due, an event, a time that was asked for, work that ended; a still screen costs
+// nothing. Events are taken from GLFW as they come and by the frame one after the other. The map
+// for tests may fall due alone, and draws nothing.
 #include "ui/window/window.h"
 
 #include <GLFW/glfw3.h>

@@ -47,7 +47,7 @@ std::vector<Cell> measure(DrawnOperation& window, const std::string& name, bool 
           spread.p99,   1000.0 / spread.median};
 }
 
-void close_window(DrawnOperation& window) {
+void release(DrawnOperation& window) {
   InputEvent event;
   event.kind = EventKind::ButtonReleased;
   event.button = MouseButton::Middle;
@@ -63,7 +63,7 @@ void add_mode(DrawnOperation& window, Table& table, const std::string& name,
   table.rows.push_back(measure(window, name + ", turning", true));
   turn_on(window, frames_before + frames_measured);
   window.take(folder, name + ", turning");
-  close_window(window);
+  release(window);
 }
 
 /// Seen from medial: over the head, down to it, and a push of some millimetres.

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
+#include "ui/report/effects_text.h"
 #include "ui/report/html_text.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_pictures.h"
 #include "ui/report/score_sheet.h"
-#include "ui/report/wound_text.h"
 
 namespace hallux::ui {
 namespace {
@@ -267,7 +267,7 @@ TEST(Report, SaysWhyARecordingMayNotBeGraded) {
   EXPECT_EQ(html_report(material).find("not valid"), std::string::npos);
 }
 
-TEST(WoundText, GivesEachNumberItsUnit) {
+TEST(EffectsText, GivesEachNumberItsUnit) {
   simulator::HeatSummary heat;
   EXPECT_FALSE(was_hot(heat));
   heat.hottest_celsius = 47.01;

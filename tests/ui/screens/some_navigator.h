@@ -1,4 +1,4 @@
-/// Navigator that note where a screen wanted to lead.
+/// A navigator that notes where a screen wanted to lead.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ struct OperatedCourse {
 
 class SomeReviewer {
  public:
-  /// `make` makes the screen, which may lead to these navigator.
+  /// `make` makes the screen, which leads on by that navigator.
   explicit SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
                         float scale = 1.0F);
 

@@ -34,8 +34,6 @@ LineChart score_chart() {
     chart.series[0].points.push_back({static_cast<double>(k + 1), scores[k]});
     chart.series[1].points.push_back({static_cast<double>(k + 1), medians[k]});
   }
-  chart.noise = 18.6;
-  chart.noise_name = "noise (\xC2\xB1 18.6)";
   chart.pass_mark = 70.0;
   chart.pass_name = "pass 70";
   return chart;
@@ -56,8 +54,8 @@ Timeline attempt_timeline() {
                   {113, Meaning::Good},
                   {190, Meaning::Good}};
   shown.notes = {{52, "1"}, {151.4, "2"}, {182, "3"}};
-  TimelineTrack force{"Force", "N, aim \xE2\x89\xA4 15", {}, {}, 30.0, 15.0},
-      plane{"To plane", "mm, aim \xE2\x89\xA4 0.5", {}, {}, 10.0, 0.5};
+  TimelineTrack force{"Force", "N, aim \xE2\x89\xA4 15", {}, 30.0, 15.0},
+      plane{"To plane", "mm, aim \xE2\x89\xA4 0.5", {}, 10.0, 0.5};
   for (int k = 0; k <= 23600; ++k) {
     const double time_s = 0.01 * k, stroke = std::sin(time_s * 2.4);
     const bool is_cutting = (time_s > 48 && time_s < 112) || (time_s > 131 && time_s < 178);
@@ -66,7 +64,6 @@ Timeline attempt_timeline() {
          is_cutting ? 12.0 + 4.0 * stroke + (time_s > 77 && time_s < 79 ? 8.0 : 0.0) : 0.0});
     plane.samples.push_back(
         {time_s, is_cutting ? 0.4 + 0.3 * stroke * stroke : 4.0 + 3.0 * std::sin(time_s * 0.05)});
-    plane.reference.push_back({time_s, is_cutting ? 0.3 : 2.5});
   }
   shown.tracks = {force, plane};
   return shown;
@@ -113,7 +110,7 @@ void draw_operation_cards(Ui& ui, const Rect& place) {
   PictureCardSpec spec{"Akin", "Closing wedge, proximal phalanx"};
   spec.difficulty = 2, spec.difficulty_word = "Easy";
   spec.competence = Competence::Learning, spec.progress = 0.5F, spec.state = "Learning, 6 of 12";
-  spec.best_word = "best", spec.best = "81.4", spec.due = "Due 7 Mar", spec.group = "parts.cards";
+  spec.best_word = "best", spec.best = "81.4", spec.group = "parts.cards";
   picture_card(ui, "parts.akin", {place.x, place.y, picture_card_width, picture_card_height}, spec);
   PictureCardSpec silver{"Silver", "Medial eminence resection"};
   silver.difficulty_word = "Gentle", silver.state = "Not started", silver.group = "parts.cards";

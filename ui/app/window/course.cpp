@@ -13,7 +13,7 @@
 #include "ui/screens/instructor/cohort_screen.h"
 #include "ui/screens/instructor/trainee_screen.h"
 #include "ui/screens/operating/operating_screen.h"
-#include "ui/screens/parts/notice_text.h"
+#include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/replay/replay_screen.h"
 #include "ui/screens/result/result_screen.h"

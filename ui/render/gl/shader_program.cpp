@@ -1,3 +1,6 @@
+// Shaders from embedded files. OpenGL knows no include: texts are joined here, with `#line`, so
+// that what the driver says still names the file and its line. Places of uniforms are looked up
+// once and kept by name; setting one that the driver left out does nothing.
 #include "ui/render/gl/shader_program.h"
 
 #include <epoxy/gl.h>

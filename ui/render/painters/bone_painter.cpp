@@ -1,8 +1,11 @@
+// Bones in two steps: first shapes, where normal, place and which part of a bone a pixel shows are
+// written, with the part in the stencil; then light, one pass for each kind of part over the pixels
+// that want it. So light is computed once a pixel, however many triangles lie behind each other,
+// and again only where it changed.
 #include "ui/render/painters/bone_painter.h"
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

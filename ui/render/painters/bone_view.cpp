@@ -1,3 +1,7 @@
+// One bone in the card's memory, with as little sent as a patch changes. Hidden triangles become
+// triangles of one point at their place; the patch has buffers of its own. Each change is noted
+// with the box around it, found by comparing the old patch with the new one, so that a kept picture
+// is drawn again only there.
 #include "ui/render/painters/bone_view.h"
 
 #include <epoxy/gl.h>

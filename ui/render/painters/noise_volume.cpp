@@ -1,3 +1,6 @@
+// One block of noise, the same each time: clouds are three octaves on a lattice, pores come from
+// the distances to scattered points, one in each cell. All lattices are periodic with the block, so
+// that it can be repeated without a seam.
 #include "ui/render/painters/noise_volume.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// The saw, its blur, and blades that are only shown. Models are made again where the blade is
+// another one. A part that is seen through is drawn twice, depth and then colour, so that only its
+// nearest surface counts. The handpiece gives way on the line from the eye to the teeth: else it
+// would hide the cut.
 #include "ui/render/painters/saw_painter.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,7 @@
+// From the kernel's solid to the card's buffers. A point becomes one vertex for each origin of its
+// faces, so that an edge of a cut stays sharp and the skin smooth. The skin's triangles come first,
+// then those of cuts, each in clusters of neighbours. A patch takes the look of the face it lies
+// on, so that a growing kerf does not change what is beside it.
 #include "ui/render/scene/bone_mesh.h"
 
 #include <algorithm>

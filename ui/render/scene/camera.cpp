@@ -1,7 +1,6 @@
 #include "ui/render/scene/camera.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "simulator/base/units.h"
@@ -19,26 +18,13 @@ struct Looking {
   Vec3 up{0.0, 1.0, 0.0};
 };
 
+/// In the order of StandardView.
 Looking looking(StandardView view) {
-  switch (view) {
-    case StandardView::Operator:
-      return {Vec3(0.52, 0.62, -0.58), dorsal};
-    case StandardView::Dorsal:
-      return {dorsal, Vec3(1.0, 0.0, 0.0)};
-    case StandardView::Medial:
-      return {Vec3(0.0, 0.0, -1.0), dorsal};
-    case StandardView::Lateral:
-      return {Vec3(0.0, 0.0, 1.0), dorsal};
-    case StandardView::Plantar:
-      return {-dorsal, Vec3(1.0, 0.0, 0.0)};
-    case StandardView::Distal:
-      return {Vec3(1.0, 0.0, 0.0), dorsal};
-    case StandardView::Proximal:
-      return {Vec3(-1.0, 0.0, 0.0), dorsal};
-    case StandardView::AlongBlade:
-      return {Vec3(0.12, 0.34, -0.93), dorsal};
-  }
-  return {};
+  const Looking views[] = {{Vec3(0.52, 0.62, -0.58), dorsal}, {dorsal, Vec3(1.0, 0.0, 0.0)},
+                           {Vec3(0.0, 0.0, -1.0), dorsal},    {Vec3(0.0, 0.0, 1.0), dorsal},
+                           {-dorsal, Vec3(1.0, 0.0, 0.0)},    {Vec3(1.0, 0.0, 0.0), dorsal},
+                           {Vec3(-1.0, 0.0, 0.0), dorsal},    {Vec3(0.12, 0.34, -0.93), dorsal}};
+  return views[static_cast<std::size_t>(view)];
 }
 
 DoubleMatrix4 frustum(const Vec2& low, const Vec2& high, double near, double far) {

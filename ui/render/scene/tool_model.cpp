@@ -1,3 +1,7 @@
+// The saw from numbers: the plate is a polygon of the blade's width, thickness and depth with its
+// teeth, everything else an outline turned about an axis. Normals are shared along an outline but
+// at its edges, so that few triangles look round. Only the blade has its own measures; hub, neck
+// and grip are of one size and stand where the blade's pivot is.
 #include "ui/render/scene/tool_model.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The audit by pages of 50, newest first, and the backups beside it. A page is asked for by the
+// number of the line before it, so that lines which are added meanwhile move nothing. Whatever is
+// done here writes a line itself: then the first page is read again.
 #include "ui/screens/administrator/audit_screen.h"
 
 #include <algorithm>
@@ -78,37 +81,22 @@ void AuditScreen::read(Ui& ui, Shell& shell) {
   request.before = before_.back();
   request.lines = lines_per_page;
   request.refused_only = filter_ == 1;
-  page_.start(ui, shell, ui.text("records.reading"),
-              [signed_in = signed_in_, request](WorkReport&) {
-                return signed_in->in_turn([&](database::Session& session, auto&) {
-                  return administrator_of(session).audit_page(request);
-                });
-              });
-}
-
-void AuditScreen::read_last_backup(Ui& ui, Shell& shell) {
-  last_backup_.start(
-      ui, shell, ui.text("records.backup.looking"), [signed_in = signed_in_](WorkReport&) {
-        return signed_in->in_turn([](database::Session& session,
-                                     auto&) -> std::optional<LastBackup> {
-          const std::vector<database::Backup> backups = administrator_of(session).backups();
-          if (backups.empty()) return std::nullopt;
-          return LastBackup{backups.front().file, backups.front().made_utc, backups.front().bytes,
-                            static_cast<long>(backups.size()), backups.back().made_utc};
-        });
-      });
+  page_.read(ui, shell, ui.text("records.reading"), signed_in_,
+             [request](database::Session& session) {
+               return administrator_of(session).audit_page(request);
+             });
 }
 
 void AuditScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (page_.is_new()) read(ui, shell);
-  if (last_backup_.is_new()) read_last_backup(ui, shell);
+  backups_.read(ui, shell, ui.text("records.backup.looking"), signed_in_,
+                [](database::Session& session) { return administrator_of(session).backups(); });
   const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
   const Page scrolled(ui, "records", ui.text("records.title"), content,
                       is_stacked ? 480.0F + stacked_height : 704.0F);
   Rect page = scrolled.rect();
-  PageHead head{ui.text("records.title"), ui.text("records.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
-  page_head(ui, "records", page, head);
+  page_head(ui, "records", page,
+            course_head(ui, *signed_in_, ui.text("records.title"), ui.text("records.sentence")));
   const Panes panes = panes_of(page, side_width, stacked_height);
   draw_audit(ui, panes.main);
   Rect side = panes.side;
@@ -118,7 +106,10 @@ void AuditScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     origins_.draw(ui, take_top(side, origins_height, space::between_cards), shell);
   }
   draw_line(ui, side);
-  if (!retention_.draw(ui, shell)) return;
+  if (retention_.draw(ui, shell)) read_newest();
+}
+
+void AuditScreen::read_newest() {
   before_ = {std::nullopt};
   page_.read_again();
 }
@@ -131,15 +122,12 @@ void AuditScreen::draw_audit(Ui& ui, const Rect& rect) {
   const bool is_changed =
       segmented(ui, "records.filter", take_right(head, width, 16.0F), filters, filter_);
   ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, ui.text("records.audit"), true);
-  if (is_changed) {
-    before_ = {std::nullopt};
-    page_.read_again();
-  }
+  if (is_changed) read_newest();
   if (!page_.draw_until_ready(ui, "records.failed", rest, 8)) return;
   const Rect foot = take_bottom(rest, 40.0F, 4.0F);
   if (page_.value().lines.empty()) {
     empty_card(ui, "records.none", rest,
-               {Icon::Audit, ui.text("records.none"), ui.text("records.none.sentence"), {}});
+               {Icon::Audit, ui.text("records.none"), ui.text("records.none.sentence")});
   } else {
     draw_table(ui, rest);
   }
@@ -168,7 +156,7 @@ void AuditScreen::draw_line(Ui& ui, const Rect& rect) const {
       if (line.number == chosen_) chosen = &line;
   if (chosen == nullptr) {
     empty_card(ui, "records.nothing", card(ui, rect, {}, space::side_card),
-               {Icon::Audit, ui.text("records.nothing"), ui.text("records.nothing.sentence"), {}});
+               {Icon::Audit, ui.text("records.nothing"), ui.text("records.nothing.sentence")});
     return;
   }
   const std::string title =
@@ -179,7 +167,7 @@ void AuditScreen::draw_line(Ui& ui, const Rect& rect) const {
   fact_line(ui, rest, ui.text("records.outcome"),
             ui.text(chosen->was_refused ? "records.outcome.refused" : "records.outcome.done"));
   take_top(rest, 8.0F);
-  words_line(ui, rest, Type::BodyMedium, ui.theme().text, deed_text(ui.texts(), *chosen), 4.0F);
+  text_line(ui, rest, Type::BodyMedium, ui.theme().text, deed_text(ui.texts(), *chosen), 4.0F);
   // A reason may be longer than the card.
   const std::string subject = subject_text(ui.texts(), *chosen);
   const float height = ui.paragraph_height(Type::Small, subject, rest.w - 12.0F);
@@ -220,42 +208,42 @@ void AuditScreen::draw_pager(Ui& ui, const Rect& line) {
 
 void AuditScreen::draw_backup(Ui& ui, const Rect& rect, Shell& shell) {
   Rect rest = card(ui, rect, ui.text("records.backup"), space::side_card);
-  words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.backup.sentence"),
-             16.0F);
+  text_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.backup.sentence"),
+            16.0F);
   ButtonSpec act{ui.text("records.backup.act"), ButtonLook::Primary, Icon::Backup};
   act.is_busy = backing_up_.is_running();
   Rect line = take_top(rest, button_height, 16.0F);
   line.w = std::min(line.w, button_width(ui, act) + 24.0F);
   if (button(ui, "records.backup", line, act)) back_up(ui, shell);
   const ButtonSpec keep{ui.text("records.retention"), ButtonLook::Secondary};
-  Rect below = take_bottom(rest, button_height, 12.0F);
-  below.w = std::min(below.w, button_width(ui, keep));
-  if (button(ui, "records.retention", below, keep)) retention_.open(ui, shell);
-  if (last_backup_.draw_until_ready(ui, "records.backup.failed", rest, 2))
+  if (button_in_line(ui, "records.retention", take_bottom(rest, button_height, 12.0F), keep))
+    retention_.open(ui, shell);
+  if (backups_.draw_until_ready(ui, "records.backup.failed", rest, 2))
     draw_last_backup(ui, rest, shell);
 }
 
 void AuditScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
-  const std::optional<LastBackup>& last = last_backup_.value();
-  if (!last) {
-    words_line(ui, rest, Type::Small, ui.theme().warn_text, ui.text("records.backup.none"));
+  const std::vector<database::Backup>& backups = backups_.value();
+  if (backups.empty()) {
+    text_line(ui, rest, Type::Small, ui.theme().warn_text, ui.text("records.backup.none"));
     return;
   }
-  const std::string when =
-      ui.texts().say("records.backup.last",
-                     {{"moment", moment_text(backup_moment(last->file.filename().string()))},
-                      {"ago", ago_text(ui.texts(), last->made_utc, utc_now_text())},
-                      {"size", bytes_text(last->bytes)}});
-  words_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
-  if (last->kept > 1) {
-    words_line(ui, rest, Type::Small, ui.theme().text_secondary,
-               ui.texts().say("records.backup.kept", {{"count", grouped(last->kept)},
-                                                      {"moment", moment_text(last->oldest_utc)}}),
-               4.0F);
+  const database::Backup& last = backups.front();
+  const std::string when = ui.texts().say(
+      "records.backup.last", {{"moment", moment_text(backup_moment(last.file.filename().string()))},
+                              {"ago", ago_text(ui.texts(), last.made_utc, utc_now_text())},
+                              {"size", bytes_text(last.bytes)}});
+  text_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
+  if (backups.size() > 1) {
+    text_line(ui, rest, Type::Small, ui.theme().text_secondary,
+              ui.texts().say("records.backup.kept",
+                             {{"count", grouped(static_cast<long>(backups.size()))},
+                              {"moment", moment_text(backups.back().made_utc)}}),
+              4.0F);
   }
-  words_line(ui, rest, Type::Small, ui.theme().text_caption, last->file.string(), 10.0F);
+  text_line(ui, rest, Type::Small, ui.theme().text_caption, last.file.string(), 10.0F);
   if (link(ui, "records.backup.copy", {rest.x, rest.y + 10.0F}, ui.text("records.backup.copy"))) {
-    ui.clipboard().write(last->file.string());
+    ui.clipboard().write(last.file.string());
     shell.say({Meaning::Good, std::string(ui.text("records.backup.copied"))});
     ui.want_frame_in_s(0.0);
   }
@@ -273,9 +261,8 @@ void AuditScreen::back_up(Ui& ui, Shell& shell) {
       },
       [this, &shell, said = std::string(ui.text("records.backup.made"))](database::Backup& backup) {
         shell.say({Meaning::Good, said, backup.file.string()});
-        last_backup_.read_again();
-        before_ = {std::nullopt};
-        page_.read_again();
+        backups_.read_again();
+        read_newest();
       });
 }
 

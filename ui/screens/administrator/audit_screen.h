@@ -1,7 +1,6 @@
 /// What was done in the course, line by line, and copies of all that is kept.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,19 +22,9 @@ class AuditScreen : public Screen {
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
-  /// A copy that lies in the folder of backups.
-  struct LastBackup {
-    std::filesystem::path file;
-    std::string made_utc;
-    std::int64_t bytes = 0;
-    /// Backups in all.
-    long kept = 1;
-    /// Of them.
-    std::string oldest_utc;
-  };
-
   void read(Ui& ui, Shell& shell);
-  void read_last_backup(Ui& ui, Shell& shell);
+  /// Goes back to the first page, which is read again.
+  void read_newest();
   void draw_audit(Ui& ui, const Rect& rect);
   void draw_table(Ui& ui, const Rect& content);
   void draw_pager(Ui& ui, const Rect& line);
@@ -46,7 +35,8 @@ class AuditScreen : public Screen {
 
   std::shared_ptr<SignedInSession> signed_in_;
   Loaded<database::AuditPage> page_;
-  Loaded<std::optional<LastBackup>> last_backup_;
+  /// Newest first.
+  Loaded<std::vector<database::Backup>> backups_;
   /// Of each page so far.
   std::vector<std::optional<std::int64_t>> before_{std::nullopt};
   /// 0 all, 1 refused only.

@@ -1,3 +1,6 @@
+// Codes of the audit as people read them. The log keeps codes because its lines are never changed;
+// what they are called may be. A code of a later version is shown as it stands: a line that cannot
+// be read would be worse than one that reads badly.
 #include "ui/screens/administrator/audit_text.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Cohorts, members, and dialogs over them. All is read together, so that a name and its cohort
+// never come from two moments; after each change all is read again. Enrolling takes many people at
+// once, in one change at the desk. What is refused in a dialog is said there, all else in a
+// message.
 #include "ui/screens/administrator/cohorts_screen.h"
 
 #include <algorithm>
@@ -50,12 +54,6 @@ CohortsScreen::Everybody CohortsScreen::read(database::Session& session) {
   return everybody;
 }
 
-void CohortsScreen::read_all(Ui& ui, Shell& shell) {
-  everybody_.start(ui, shell, ui.text("cohorts.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn([](database::Session& session, auto&) { return read(session); });
-  });
-}
-
 const CohortsScreen::Listed* CohortsScreen::chosen() const {
   for (const Listed& listed : everybody_.value().cohorts)
     if (listed.cohort.id == chosen_) return &listed;
@@ -63,7 +61,7 @@ const CohortsScreen::Listed* CohortsScreen::chosen() const {
 }
 
 void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (everybody_.is_new()) read_all(ui, shell);
+  everybody_.read(ui, shell, ui.text("cohorts.reading"), signed_in_, read);
   draw_page(ui, content, shell);
   draw_add_dialog(ui, shell);
   draw_enrol_dialog(ui, shell);
@@ -73,8 +71,8 @@ void CohortsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 
 void CohortsScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("cohorts.add"), ButtonLook::Primary, Icon::Add};
-  PageHead head{ui.text("cohorts.title"), ui.text("cohorts.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("cohorts.title"), ui.text("cohorts.sentence"));
   head.buttons_width = button_width(ui, add);
   const ListPage page(ui, "cohorts", head, content, page_spec);
   if (button(ui, "cohorts.add", page.buttons(), add)) {
@@ -95,7 +93,7 @@ void CohortsScreen::draw_cohorts(Ui& ui, const Rect& content) {
   const std::vector<Listed>& cohorts = everybody_.value().cohorts;
   if (cohorts.empty()) {
     empty_card(ui, "cohorts.empty", content,
-               {Icon::Cohorts, ui.text("cohorts.empty"), ui.text("cohorts.empty.sentence"), {}});
+               {Icon::Cohorts, ui.text("cohorts.empty"), ui.text("cohorts.empty.sentence")});
     return;
   }
   const RowTable<Listed> shown{
@@ -132,11 +130,11 @@ void CohortsScreen::draw_members(Ui& ui, const Rect& rect, Shell& shell) {
   }
   const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary};
   if (button(ui, "cohorts.limits", take_right(head, button_width(ui, limit), 12.0F), limit))
-    open_limits(*listed);
+    limits_.open({listed->cohort.name, everybody_.value().operations, listed->limits});
   ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, listed->cohort.name, true);
   if (listed->members.empty()) {
     empty_card(ui, "cohorts.nobody", inside,
-               {Icon::People, ui.text("cohorts.nobody"), ui.text("cohorts.nobody.sentence"), {}});
+               {Icon::People, ui.text("cohorts.nobody"), ui.text("cohorts.nobody.sentence")});
     return;
   }
   const Rect actions = take_bottom(inside, 44.0F, 8.0F);
@@ -198,12 +196,10 @@ void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
       form_dialog(ui, ui.text("cohorts.add"), ui.text("cohorts.add"),
                   {adding_.fault(), adding_.is_running()}, field_label_height + field_height);
   const Answer answer = dialog(ui, "cohorts.new", shown, [&](Rect form) {
-    FieldSpec name;
-    name.label = ui.text("cohorts.new.name");
-    name.placeholder = ui.text("cohorts.new.example");
-    name.max_bytes = 80;
-    take_top(form, field_label_height);
-    field(ui, "cohorts.new.name", form, *new_name_, name);
+    labelled_field(ui, "cohorts.new.name", form, *new_name_,
+                   {.label = ui.text("cohorts.new.name"),
+                    .placeholder = ui.text("cohorts.new.example"),
+                    .max_bytes = 80});
     ui.focus_first("cohorts.new.name");
     return new_name_->find_first_not_of(' ') != std::string::npos;
   });
@@ -244,12 +240,8 @@ void CohortsScreen::draw_enrol_dialog(Ui& ui, Shell& shell) {
 }
 
 void CohortsScreen::draw_enrol_form(Ui& ui, Rect rest, const Listed& listed) {
-  FieldSpec search;
-  search.label = search.placeholder = ui.text("people.search");
-  search.icon = Icon::Search;
-  search.is_label_shown = false;
-  field(ui, "cohorts.enrolment.search", take_top(rest, field_height, gap), enrolment_->search,
-        search);
+  search_field(ui, "cohorts.enrolment.search", take_top(rest, field_height, gap),
+               enrolment_->search, ui.text("people.search"));
   ui.focus_first("cohorts.enrolment.search");
   draw_enrol_table(ui, take_top(rest, list_height, gap), listed);
   Rect line = take_top(rest, segmented_height);
@@ -290,7 +282,7 @@ void CohortsScreen::draw_enrol_table(Ui& ui, const Rect& rect, const Listed& lis
   }
   if (shown.empty()) {
     empty_card(ui, "cohorts.enrolment.none", rect,
-               {Icon::People, ui.text("people.none"), ui.text("cohorts.enrol.none"), {}});
+               {Icon::People, ui.text("people.none"), ui.text("cohorts.enrol.none")});
     return;
   }
   const auto name = [](const database::Person& person) {
@@ -325,51 +317,31 @@ void CohortsScreen::draw_question(Ui& ui, Shell& shell) {
       [this] { member_.clear(); });
 }
 
-void CohortsScreen::open_limits(const Listed& listed) {
-  limits_.emplace();
-  limits_->cohort_name = listed.cohort.name;
-  limits_->operations = everybody_.value().operations;
-  limits_->limits = listed.limits;
-  limiting_.forget_fault();
-}
-
 void CohortsScreen::draw_limits(Ui& ui, Shell& shell) {
-  if (!limits_ || !chosen_) return;
-  const Answer answer = draw_limits_dialog(ui, *limits_, limiting_.fault(), limiting_.is_running());
-  if (answer == Answer::Keep) limits_.reset();
-  if (answer != Answer::Act) return;
-  const std::optional<LimitChange> wanted = change_in(*limits_);
-  if (!wanted) return;
-  change(
-      limiting_, ui, shell, said_of(ui.texts(), *limits_, *wanted),
-      [cohort = *chosen_, wanted = *wanted](database::AdministratorDesk& desk) {
-        if (wanted.attempts_max) {
-          desk.set_limit(cohort, wanted.scenario_name, *wanted.attempts_max);
+  if (!chosen_) return;
+  limits_.draw(
+      ui, shell,
+      [cohort = *chosen_](database::Session& session, const LimitChange& change) {
+        database::AdministratorDesk desk = administrator_of(session);
+        if (change.attempts_max) {
+          desk.set_limit(cohort, change.scenario_name, *change.attempts_max);
         } else {
-          desk.clear_limit(cohort, wanted.scenario_name);
+          desk.clear_limit(cohort, change.scenario_name);
         }
       },
-      [this] { limits_.reset(); });
+      [this] { everybody_.read_again(); });
 }
 
 void CohortsScreen::change(DeskWork& work, Ui& ui, Shell& shell, std::string done,
                            std::function<void(database::AdministratorDesk&)> change,
                            std::function<void()> after) {
-  const bool is_said_here = &work != &work_;
-  work.start<bool>(
-      shell, signed_in_,
-      {std::string(ui.text("people.changing")),
-       is_said_here ? std::string() : std::string(ui.text("people.not_changed"))},
-      [change = std::move(change)](database::Session& session, WorkReport&) {
-        database::AdministratorDesk desk = administrator_of(session);
-        change(desk);
-        return true;
-      },
-      [this, &shell, done = std::move(done), after = std::move(after)](bool&) {
-        if (after) after();
-        shell.say({Meaning::Good, done});
-        everybody_.read_again();
-      });
+  work.change_course(ui, shell, signed_in_,
+                     {std::move(change), std::move(done),
+                      [this, after = std::move(after)] {
+                        if (after) after();
+                        everybody_.read_again();
+                      },
+                      &work != &work_});
 }
 
 }  // namespace hallux::ui

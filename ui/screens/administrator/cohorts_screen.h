@@ -16,7 +16,7 @@ namespace hallux::ui {
 class CohortsScreen : public Screen {
  public:
   explicit CohortsScreen(std::shared_ptr<SignedInSession> signed_in)
-      : signed_in_(std::move(signed_in)) {}
+      : signed_in_(signed_in), limits_(std::move(signed_in)) {}
 
   std::string_view navigation_id() const override { return "nav.cohorts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -45,7 +45,6 @@ class CohortsScreen : public Screen {
   };
 
   static Everybody read(database::Session& session);
-  void read_all(Ui& ui, Shell& shell);
   const Listed* chosen() const;
   void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_cohorts(Ui& ui, const Rect& content);
@@ -58,7 +57,6 @@ class CohortsScreen : public Screen {
   void draw_enrol_form(Ui& ui, Rect rest, const Listed& listed);
   std::string enrol_label(const Texts& texts) const;
   void draw_question(Ui& ui, Shell& shell);
-  void open_limits(const Listed& listed);
   void draw_limits(Ui& ui, Shell& shell);
   void add(Ui& ui, Shell& shell);
   void enrol(Ui& ui, Shell& shell, const database::Cohort& cohort);
@@ -77,9 +75,9 @@ class CohortsScreen : public Screen {
   std::optional<std::string> new_name_;
   std::optional<Enrolment> enrolment_;
   std::optional<Removal> removal_;
-  /// While those of the chosen cohort are changed.
-  std::optional<LimitsForm> limits_;
-  DeskWork work_, adding_, enrolling_, limiting_;
+  LimitsDialog limits_;
+  /// What fails in work_ has no dialog that would say it.
+  DeskWork work_, adding_, enrolling_;
 };
 
 }  // namespace hallux::ui

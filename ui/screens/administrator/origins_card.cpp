@@ -20,14 +20,8 @@ constexpr std::size_t shown_digits = 8;
 }  // namespace
 
 float OriginsCard::height(Ui& ui, Shell& shell) {
-  if (origins_.is_new()) {
-    origins_.start(ui, shell, ui.text("records.origins.reading"),
-                   [signed_in = signed_in_](WorkReport&) {
-                     return signed_in->in_turn([](database::Session& session, auto&) {
-                       return administrator_of(session).origins();
-                     });
-                   });
-  }
+  origins_.read(ui, shell, ui.text("records.origins.reading"), signed_in_,
+                [](database::Session& session) { return administrator_of(session).origins(); });
   if (!origins_.has_value() || origins_.value().empty()) return 0.0F;
   return head_height +
          row_height * static_cast<float>(std::min(origins_.value().size(), rows_shown_max));
@@ -36,8 +30,8 @@ float OriginsCard::height(Ui& ui, Shell& shell) {
 void OriginsCard::draw(Ui& ui, const Rect& rect, Shell& shell) {
   const std::string_view title = ui.text("records.origins");
   Rect rest = card(ui, rect, title, space::side_card);
-  words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.origins.sentence"),
-             8.0F);
+  text_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("records.origins.sentence"),
+            8.0F);
   const std::vector<Origin>& origins = origins_.value();
   const float height = row_height * static_cast<float>(origins.size());
   const float offset = ui.begin_scroll("records.origins.list", title, rest, height);
@@ -67,16 +61,15 @@ void OriginsCard::draw_origin(Ui& ui, const Rect& line, const Origin& origin, Sh
 }
 
 void OriginsCard::accept(Ui& ui, const Origin& origin, Shell& shell) {
-  work_.start<bool>(
+  work_.change(
       shell, signed_in_,
       {std::string(ui.text("records.origins.changing")),
        std::string(ui.text("records.origins.failed"))},
-      [directory = origin.directory, is_accepted = !origin.is_accepted](database::Session& session,
-                                                                        WorkReport&) {
+      [directory = origin.directory,
+       is_accepted = !origin.is_accepted](database::Session& session) {
         administrator_of(session).set_accepted(directory, is_accepted);
-        return is_accepted;
       },
-      [this](bool&) { origins_.read_again(); });
+      [this] { origins_.read_again(); });
 }
 
 }  // namespace hallux::ui

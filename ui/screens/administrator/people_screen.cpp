@@ -1,3 +1,6 @@
+// People, one of them chosen beside the list, and what may be done with them. A button that cannot
+// be pressed says why: the last administrator stays one, nobody disables or erases themselves. What
+// cannot be taken back is asked once more; a code is shown once and never written into the list.
 #include "ui/screens/administrator/people_screen.h"
 
 #include <algorithm>
@@ -82,13 +85,6 @@ std::string_view PeopleScreen::role_id(const Listed& listed) noexcept {
   return listed.is_trainee ? "role.trainee" : "people.no_role";
 }
 
-void PeopleScreen::read_people(Ui& ui, Shell& shell) {
-  now_utc_ = utc_now_text();
-  people_.start(ui, shell, ui.text("people.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn([](database::Session& session, auto&) { return read(session); });
-  });
-}
-
 std::string PeopleScreen::name_of(const Listed& listed) {
   return shown_name_of(listed.person.login, listed.person.display_name);
 }
@@ -150,7 +146,8 @@ bool PeopleScreen::is_last_administrator(const Person& person) const {
 }
 
 void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (people_.is_new()) read_people(ui, shell);
+  if (people_.is_new()) now_utc_ = utc_now_text();
+  people_.read(ui, shell, ui.text("people.reading"), signed_in_, read);
   draw_page(ui, content, shell);
   draw_dialogs(ui, shell);
   draw_question(ui, shell);
@@ -158,8 +155,7 @@ void PeopleScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 
 void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("people.add"), ButtonLook::Primary, Icon::Add};
-  PageHead head{ui.text("people.title"), ui.text("people.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head = course_head(ui, *signed_in_, ui.text("people.title"), ui.text("people.sentence"));
   head.buttons_width = search_width + 12.0F + button_width(ui, add);
   const ListPage page(ui, "people", head, content, page_spec);
   draw_head_buttons(ui, page.buttons(), add);
@@ -174,11 +170,7 @@ void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
 void PeopleScreen::draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add) {
   if (button(ui, "people.add", take_right(buttons, button_width(ui, add), 12.0F), add))
     added_.emplace(), adding_.forget_fault();
-  FieldSpec search;
-  search.label = search.placeholder = ui.text("people.search");
-  search.icon = Icon::Search;
-  search.is_label_shown = false;
-  field(ui, "people.search", buttons, search_, search);
+  search_field(ui, "people.search", buttons, search_, ui.text("people.search"));
   if (ui.shortcut({Key::Slash}, ui.text("people.search"))) ui.focus("people.search");
 }
 
@@ -199,7 +191,7 @@ void PeopleScreen::draw_list(Ui& ui, const Rect& content) {
   std::vector<const Listed*> shown = found();
   if (!shown.empty()) return draw_table(ui, rest, std::move(shown));
   empty_card(ui, "people.none", rest,
-             {Icon::People, ui.text("people.none"), ui.text("people.none.sentence"), {}});
+             {Icon::People, ui.text("people.none"), ui.text("people.none.sentence")});
 }
 
 void PeopleScreen::draw_table(Ui& ui, const Rect& content, std::vector<const Listed*> shown) {
@@ -215,14 +207,13 @@ void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
   const Listed* listed = chosen();
   if (listed == nullptr) {
     empty_card(ui, "people.nobody", inside,
-               {Icon::People, ui.text("people.nobody"), ui.text("people.nobody.sentence"), {}});
+               {Icon::People, ui.text("people.nobody"), ui.text("people.nobody.sentence")});
     return;
   }
   Rect rest = inside;
   const std::string name = shown_name_of(listed->person.login, listed->person.display_name);
   Rect head = take_top(rest, 40.0F, 12.0F);
-  avatar(ui, {head.x + 20.0F, head.mid_y()}, 20.0F, initials_of(name),
-         static_cast<int>(listed->person.id.number % 6));
+  person_avatar(ui, {head.x + 20.0F, head.mid_y()}, 20.0F, name, listed->person.id);
   ui.canvas().text_in({head.x + 54.0F, head.y, head.w - 54.0F, head.h},
                       {Type::CardTitle, ui.theme().text}, name, true);
   draw_facts(ui, rest, *listed);
@@ -255,7 +246,7 @@ bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
                  std::string_view why_not) {
   spec.is_enabled = why_not.empty();
   const bool is_pressed = button(ui, id, take_top(rest, button_height, 8.0F), spec);
-  if (!why_not.empty()) words_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
+  if (!why_not.empty()) text_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
   return is_pressed;
 }
 
@@ -417,18 +408,8 @@ void PeopleScreen::erase(Ui& ui, Shell& shell) {
 
 void PeopleScreen::change(Ui& ui, Shell& shell, std::string done,
                           std::function<void(database::AdministratorDesk&)> change) {
-  work_.start<bool>(
-      shell, signed_in_,
-      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
-      [change = std::move(change)](database::Session& session, WorkReport&) {
-        database::AdministratorDesk desk = administrator_of(session);
-        change(desk);
-        return true;
-      },
-      [this, &shell, done = std::move(done)](bool&) {
-        shell.say({Meaning::Good, done});
-        people_.read_again();
-      });
+  work_.change_course(ui, shell, signed_in_,
+                      {std::move(change), std::move(done), [this] { people_.read_again(); }});
 }
 
 }  // namespace hallux::ui

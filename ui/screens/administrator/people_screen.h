@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "ui/screens/administrator/erase_dialog.h"
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/person_dialogs.h"
@@ -52,7 +51,6 @@ class PeopleScreen : public Screen {
   using List = std::vector<Listed>;
 
   static List read(database::Session& session);
-  void read_people(Ui& ui, Shell& shell);
   static std::string login_of(const Listed& listed) { return listed.person.login; }
   static std::string name_of(const Listed& listed);
   static std::string_view role_id(const Listed& listed) noexcept;
@@ -89,11 +87,11 @@ class PeopleScreen : public Screen {
   /// Login.
   std::string chosen_;
   DeskWork work_, adding_, erasing_;
-  std::optional<AddedPersonWords> added_;
+  std::optional<NewPersonForm> added_;
   std::optional<ShownCode> code_;
   std::optional<Asked> asked_;
   /// While the dialog is open.
-  std::optional<EraseWords> erased_;
+  std::optional<EraseForm> erased_;
 };
 
 }  // namespace hallux::ui

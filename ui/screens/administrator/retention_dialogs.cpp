@@ -1,3 +1,6 @@
+// Rules first, then what they mean today: the rules are stored when the plan is asked for, and
+// nothing goes before the list of it was seen and agreed to. The lines are made once, when the plan
+// arrives, and only those in sight are laid out: there may be thousands.
 #include "ui/screens/administrator/retention_dialogs.h"
 
 #include <charconv>
@@ -51,7 +54,7 @@ std::string line_of(const Texts& texts, const RetentionPiece& piece) {
 }  // namespace
 
 RetentionDialogs::Plan RetentionDialogs::plan_of(const Texts& texts,
-                                                 std::vector<RetentionPiece> pieces) {
+                                                 const std::vector<RetentionPiece>& pieces) {
   std::array<long, 4> counts{};
   std::int64_t bytes = 0;
   Plan plan;
@@ -65,7 +68,6 @@ RetentionDialogs::Plan RetentionDialogs::plan_of(const Texts& texts,
                                                          {"accounts", std::to_string(counts[2])},
                                                          {"cached", std::to_string(counts[3])},
                                                          {"size", bytes_text(bytes)}});
-  plan.pieces = std::move(pieces);
   return plan;
 }
 
@@ -96,12 +98,11 @@ void RetentionDialogs::draw_days(Ui& ui, Shell& shell) {
   const Answer answer = dialog(ui, "records.retention.days", shown, [&](Rect form) {
     bool are_days = true;
     for (std::size_t i = 0; i < field_ids.size(); ++i) {
-      FieldSpec days;
-      days.label = ui.text(field_ids[i]);
-      days.placeholder = ui.text("records.retention.ever");
-      days.max_bytes = 5;
-      take_top(form, field_label_height);
-      field(ui, field_ids[i], take_top(form, field_height, field_gap), (*days_)[i], days);
+      labelled_field(ui, field_ids[i], form, (*days_)[i],
+                     {.label = ui.text(field_ids[i]),
+                      .placeholder = ui.text("records.retention.ever"),
+                      .max_bytes = 5},
+                     field_gap);
       are_days = are_days && is_days((*days_)[i]);
     }
     ui.focus_first(field_ids[0]);
@@ -127,7 +128,7 @@ void RetentionDialogs::save(Ui& ui, Shell& shell) {
         if (pieces.empty()) {
           shell.say({Meaning::Info, std::string(texts.text("records.retention.nothing"))});
         } else {
-          plan_ = plan_of(texts, std::move(pieces));
+          plan_ = plan_of(texts, pieces);
         }
       });
 }

@@ -21,7 +21,6 @@ class RetentionDialogs {
       : signed_in_(std::move(signed_in)) {}
 
   void open(Ui& ui, Shell& shell);
-  bool is_running() const noexcept { return work_.is_running(); }
   /// True in the frame after something went or was changed: what is shown beside it is old.
   bool draw(Ui& ui, Shell& shell);
 
@@ -29,8 +28,7 @@ class RetentionDialogs {
   /// Days as they are typed: of practices, assessments, accounts, what is cached; "" is for ever.
   using Days = std::array<std::string, 4>;
   struct Plan {
-    std::vector<database::RetentionPiece> pieces;
-    /// As they are shown, one for each.
+    /// One for each piece that would go.
     std::vector<std::string> lines;
     std::string summary;
   };
@@ -39,7 +37,7 @@ class RetentionDialogs {
   void draw_plan(Ui& ui, Shell& shell);
   void save(Ui& ui, Shell& shell);
   void clean_up(Ui& ui, Shell& shell);
-  static Plan plan_of(const Texts& texts, std::vector<database::RetentionPiece> pieces);
+  static Plan plan_of(const Texts& texts, const std::vector<database::RetentionPiece>& pieces);
 
   std::shared_ptr<SignedInSession> signed_in_;
   std::optional<Days> days_;

@@ -1,3 +1,6 @@
+// Versions of operations and the sheet of the chosen one. Publishing retires the version that was
+// published: the question says which. The sheet is the text that a surgeon signs, set as it is
+// printed: lines by their indent, heads darker, origins lighter.
 #include "ui/screens/administrator/scenarios_screen.h"
 
 #include <algorithm>
@@ -123,13 +126,6 @@ void draw_sheet(Ui& ui, const Rect& content, const std::string& sheet) {
 
 }  // namespace
 
-void ScenariosScreen::read(Ui& ui, Shell& shell) {
-  versions_.start(ui, shell, ui.text("scenarios.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn(
-        [](database::Session& session, auto&) { return administrator_of(session).scenarios(); });
-  });
-}
-
 void ScenariosScreen::read_sheet(Ui& ui, Shell& shell) {
   sheet_of_ = chosen_;
   sheet_.start(ui, shell, ui.text("scenarios.reading_sheet"),
@@ -157,7 +153,8 @@ const ScenarioVersion* ScenariosScreen::published_beside(const ScenarioVersion& 
 }
 
 void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (versions_.is_new()) read(ui, shell);
+  versions_.read(ui, shell, ui.text("scenarios.reading"), signed_in_,
+                 [](database::Session& session) { return administrator_of(session).scenarios(); });
   draw_page(ui, content, shell);
   draw_import_dialog(ui, shell);
   draw_question(ui, shell);
@@ -165,8 +162,8 @@ void ScenariosScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 
 void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec act{ui.text("scenarios.import"), ButtonLook::Primary, Icon::Import};
-  PageHead head{ui.text("scenarios.title"), ui.text("scenarios.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("scenarios.title"), ui.text("scenarios.sentence"));
   head.buttons_width = button_width(ui, act);
   const ListPage page(ui, "scenarios", head, content, page_spec);
   if (button(ui, "scenarios.import", page.buttons(), act)) {
@@ -185,9 +182,8 @@ void ScenariosScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
 void ScenariosScreen::draw_table(Ui& ui, const Rect& content) {
   const std::vector<ScenarioVersion>& versions = versions_.value();
   if (versions.empty()) {
-    empty_card(
-        ui, "scenarios.empty", content,
-        {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence"), {}});
+    empty_card(ui, "scenarios.empty", content,
+               {Icon::Scenarios, ui.text("scenarios.empty"), ui.text("scenarios.empty.sentence")});
     return;
   }
   const RowTable<ScenarioVersion> shown{
@@ -207,7 +203,7 @@ void ScenariosScreen::draw_chosen(Ui& ui, const Rect& rect, Shell& shell) {
   if (version == nullptr) {
     empty_card(
         ui, "scenarios.nothing", inside,
-        {Icon::Scenarios, ui.text("scenarios.nothing"), ui.text("scenarios.nothing.sentence"), {}});
+        {Icon::Scenarios, ui.text("scenarios.nothing"), ui.text("scenarios.nothing.sentence")});
     return;
   }
   if (sheet_of_ != chosen_ || sheet_.is_new()) read_sheet(ui, shell);
@@ -236,9 +232,8 @@ void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& ve
   const bool is_published = version.state == ScenarioState::Published;
   const ButtonSpec act{ui.text(is_published ? "scenarios.retire" : "scenarios.publish"),
                        is_published ? ButtonLook::Danger : ButtonLook::Secondary};
-  Rect line = take_top(rest, button_height, 14.0F);
-  line.w = std::min(line.w, button_width(ui, act));
-  if (button(ui, is_published ? "scenarios.retire" : "scenarios.publish", line, act))
+  if (button_in_line(ui, is_published ? "scenarios.retire" : "scenarios.publish",
+                     take_top(rest, button_height, 14.0F), act))
     asked_ = Asked{version, !is_published};
 }
 
@@ -252,13 +247,11 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
   shown.sentence = ui.text("scenarios.import.sentence");
   shown.width = 620.0F;
   const Answer answer = dialog(ui, "scenarios.file", shown, [&](Rect form) {
-    FieldSpec path;
-    path.label = ui.text("scenarios.file");
-    path.placeholder = ui.text("scenarios.file.example");
-    path.max_bytes = 1000;
-    path.is_enabled = !importing_.is_running();
-    take_top(form, field_label_height);
-    field(ui, "scenarios.file.path", form, *file_, path);
+    labelled_field(ui, "scenarios.file.path", form, *file_,
+                   {.label = ui.text("scenarios.file"),
+                    .placeholder = ui.text("scenarios.file.example"),
+                    .is_enabled = !importing_.is_running(),
+                    .max_bytes = 1000});
     ui.focus_first("scenarios.file.path");
     return !file_->empty();
   });
@@ -312,26 +305,18 @@ void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
 }
 
 void ScenariosScreen::change(Ui& ui, Shell& shell, const Asked& asked) {
-  work_.start<bool>(
-      shell, signed_in_,
-      {std::string(ui.text("people.changing")), std::string(ui.text("people.not_changed"))},
-      [id = asked.version.id, is_publishing = asked.is_publishing](database::Session& session,
-                                                                   WorkReport&) {
-        database::AdministratorDesk desk = administrator_of(session);
-        if (is_publishing) {
-          desk.publish_scenario(id);
-        } else {
-          desk.retire_scenario(id);
-        }
-        return true;
-      },
-      [this, &shell,
-       said =
-           ui.texts().say(asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired",
-                          {{"version", name_text(ui.texts(), asked.version)}})](bool&) {
-        shell.say({Meaning::Good, said});
-        versions_.read_again();
-      });
+  const char* said = asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired";
+  work_.change_course(ui, shell, signed_in_,
+                      {[id = asked.version.id,
+                        is_publishing = asked.is_publishing](database::AdministratorDesk& desk) {
+                         if (is_publishing) {
+                           desk.publish_scenario(id);
+                         } else {
+                           desk.retire_scenario(id);
+                         }
+                       },
+                       ui.texts().say(said, {{"version", name_text(ui.texts(), asked.version)}}),
+                       [this] { versions_.read_again(); }});
 }
 
 }  // namespace hallux::ui

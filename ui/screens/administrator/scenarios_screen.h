@@ -27,7 +27,6 @@ class ScenariosScreen : public Screen {
     bool is_publishing = true;
   };
 
-  void read(Ui& ui, Shell& shell);
   void read_sheet(Ui& ui, Shell& shell);
   const database::ScenarioVersion* chosen() const;
   /// The published version of the same operation, which publishing another would retire; null for

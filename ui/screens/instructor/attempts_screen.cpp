@@ -53,12 +53,8 @@ std::vector<RowColumn<AttemptHeader>> columns_of(const Ui& ui) {
 }  // namespace
 
 void AttemptsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (attempts_.is_new()) {
-    attempts_.start(ui, shell, ui.text("attempts.reading"), [signed_in = signed_in_](WorkReport&) {
-      return signed_in->in_turn(
-          [](database::Session& session, auto&) { return session.attempts(shown_most); });
-    });
-  }
+  attempts_.read(ui, shell, ui.text("attempts.reading"), signed_in_,
+                 [](database::Session& session) { return session.attempts(shown_most); });
   Rect page = inset(content, space::page);
   const bool are_more = attempts_.has_value() && std::ssize(attempts_.value()) == shown_most;
   const std::string sentence =
@@ -73,7 +69,7 @@ void AttemptsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 void AttemptsScreen::draw_list(Ui& ui, const Rect& content) {
   if (attempts_.value().empty()) {
     empty_card(ui, "attempts.empty", content,
-               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence")});
   } else {
     draw_table(ui, content);
   }

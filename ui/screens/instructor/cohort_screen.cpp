@@ -1,3 +1,7 @@
+// A cohort as a grid of people and operations, with what asks for an answer beside it. One shape in
+// each cell says how somebody stands; the rule for it is parts/standing.h alone. With many
+// operations the grid turns pages, so that names stay whole; columns of other pages are left out
+// and keep their numbers, which a sort goes on naming.
 #include "ui/screens/instructor/cohort_screen.h"
 
 #include <algorithm>
@@ -10,6 +14,7 @@
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/help_rows.h"
 #include "ui/screens/parts/page.h"
+#include "ui/screens/parts/person_cell.h"
 #include "ui/screens/parts/standing.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/marks.h"
@@ -54,8 +59,6 @@ std::string row_id(const TraineeStanding& trainee) {
   return trainee.login.empty() ? "erased-" + std::to_string(trainee.id.number) : trainee.login;
 }
 
-int hue_of(database::PersonId person) noexcept { return static_cast<int>(person.number % 6); }
-
 Rect card_row(Rect& rest, float height, bool is_first, Ui& ui) {
   if (!is_first) ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
   return take_top(rest, height);
@@ -64,12 +67,11 @@ Rect card_row(Rect& rest, float height, bool is_first, Ui& ui) {
 /// A row of a side card that leads somewhere, raised under the pointer.
 bool row_control(Ui& ui, const std::string& id, std::string_view label, std::string_view group,
                  const Rect& row) {
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = inset(row, -10.0F, 1.0F);
-  widget.role = Role::Row;
-  widget.group = group;
+  Widget widget{.id = std::string(id),
+                .label = std::string(label),
+                .rect = inset(row, -10.0F, 1.0F),
+                .role = Role::Row,
+                .group = std::string(group)};
   const Rect ground = widget.rect;
   const Response response = ui.control(std::move(widget));
   ui.canvas().fill(ground, faded(ui.theme().raise, response.hover), radius::row);
@@ -114,8 +116,9 @@ CohortScreen::Glance CohortScreen::look(database::Session& session, database::Co
         glance.trainees.begin(), glance.trainees.end(),
         [&](const TraineeProgress& progress) { return progress.standing.id == person; });
     if (trainee == glance.trainees.end()) continue;  // enrolled in between
-    const std::string name = shown_name_of(trainee->standing.login, trainee->standing.display_name);
-    glance.last_attempts.push_back({std::move(attempt), name, hue_of(person)});
+    glance.last_attempts.push_back(
+        {std::move(attempt),
+         shown_name_of(trainee->standing.login, trainee->standing.display_name)});
   }
   return glance;
 }
@@ -151,16 +154,11 @@ void CohortScreen::show(std::size_t cohort) {
   glance_.read_again();
 }
 
-void CohortScreen::read(Ui& ui, Shell& shell) {
-  glance_.start(ui, shell, ui.text("cohort.reading"),
-                [signed_in = signed_in_, cohort = taught_[cohort_].cohort](WorkReport&) {
-                  return signed_in->in_turn(
-                      [&](database::Session& session, auto&) { return look(session, cohort); });
-                });
-}
-
 void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (glance_.is_new()) read(ui, shell);
+  glance_.read(ui, shell, ui.text("cohort.reading"), signed_in_,
+               [cohort = taught_[cohort_].cohort](database::Session& session) {
+                 return look(session, cohort);
+               });
   {
     const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
     const Page scrolled(ui, "cohort", ui.text("place.cohort"), content,
@@ -177,7 +175,17 @@ void CohortScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
     draw_last_attempts(ui, side);
   }
   draw_cohort_menu(ui);
-  limits_.draw(ui, shell, [this] { glance_.read_again(); });
+  limits_.draw(
+      ui, shell,
+      [cohort = taught_[cohort_].cohort](database::Session& session, const LimitChange& change) {
+        database::InstructorDesk desk = instructor_of(session, cohort);
+        if (change.attempts_max) {
+          desk.set_limit(change.scenario_name, *change.attempts_max);
+        } else {
+          desk.clear_limit(change.scenario_name);
+        }
+      },
+      [this] { glance_.read_again(); });
 }
 
 void CohortScreen::draw_head(Ui& ui, Rect& page) {
@@ -187,10 +195,9 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
                                       static_cast<long>(glance_.value().trainees.size()),
                                       {{"attempts", grouped(glance_.value().attempts)}})
                : std::string(ui.text("cohort.reading"));
-  PageHead head;
-  head.title = is_ready ? glance_.value().cohort.name : taught_[cohort_].cohort_name;
-  head.sentence = sentence;
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_,
+                  is_ready ? glance_.value().cohort.name : taught_[cohort_].cohort_name, sentence);
   const ButtonSpec other{ui.text("cohort.other"), ButtonLook::Secondary, Icon::SortDown};
   const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary, Icon::None, is_ready};
   const float limit_width = button_width(ui, limit);
@@ -198,12 +205,7 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
   if (taught_.size() > 1) head.buttons_width += button_width(ui, other) + button_gap;
   Rect buttons = page_head(ui, "cohort", page, head).buttons;
   if (button(ui, "cohort.limits", take_left(buttons, limit_width, button_gap), limit))
-    limits_.open(taught_[cohort_].cohort, {glance_.value().cohort.name,
-                                           glance_.value().operations,
-                                           glance_.value().limits,
-                                           {},
-                                           {},
-                                           {}});
+    limits_.open({glance_.value().cohort.name, glance_.value().operations, glance_.value().limits});
   if (taught_.size() > 1 && button(ui, "cohort.other", buttons, other))
     menu_ = Point{buttons.right() - 250.0F, buttons.bottom() + 6.0F};
 }
@@ -319,10 +321,8 @@ void CohortScreen::draw_grid(Ui& ui, const Rect& content) {
   if (shown.empty()) {
     const bool is_nobody = glance.trainees.empty();
     empty_card(ui, "cohort.empty", content,
-               {Icon::Cohort,
-                ui.text(is_nobody ? "cohort.empty" : "cohort.none"),
-                ui.text(is_nobody ? "cohort.empty.sentence" : "cohort.none.sentence"),
-                {}});
+               {Icon::Cohort, ui.text(is_nobody ? "cohort.empty" : "cohort.none"),
+                ui.text(is_nobody ? "cohort.empty.sentence" : "cohort.none.sentence")});
     return;
   }
   Rect rest = content;
@@ -349,7 +349,7 @@ void CohortScreen::draw_person_cell(Ui& ui, const TraineeProgress& progress,
   const Theme& theme = ui.theme();
   const TraineeStanding& trainee = progress.standing;
   const std::string name = person_name_of(ui.texts(), trainee.login, trainee.display_name);
-  avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, initials_of(name), hue_of(trainee.id));
+  person_avatar(ui, {cell.x + 14.0F, cell.mid_y()}, 14.0F, name, trainee.id);
   const bool asks = trainee.open_help_requests > 0;
   const float room = cell.w - 38.0F - (asks ? 24.0F : 0.0F);
   ui.canvas().text_in({cell.x + 38.0F, cell.mid_y() - 19.0F, room, 20.0F},
@@ -423,7 +423,7 @@ void CohortScreen::draw_requests(Ui& ui, const Rect& rect) {
   if (requests.empty()) {
     empty_card(
         ui, "cohort.no_requests", rest,
-        {Icon::Inbox, ui.text("cohort.no_requests"), ui.text("cohort.no_requests.sentence"), {}});
+        {Icon::Inbox, ui.text("cohort.no_requests"), ui.text("cohort.no_requests.sentence")});
     return;
   }
   constexpr float height = 72.0F;
@@ -434,8 +434,7 @@ void CohortScreen::draw_requests(Ui& ui, const Rect& rect) {
     if (row_control(ui, "cohort.request." + std::to_string(request.id.number), moment,
                     "cohort.requests", row))
       navigator_.show_replay(request.attempt, static_cast<double>(request.moment.moment_us) * 1e-6);
-    avatar(ui, {row.x + 14.0F, row.y + 24.0F}, 14.0F, initials_of(request.asker_name),
-           hue_of(request.asker));
+    person_avatar(ui, {row.x + 14.0F, row.y + 24.0F}, 14.0F, request.asker_name, request.asker);
     const float x = row.x + 38.0F, room = row.w - 38.0F;
     ui.canvas().text_in({x, row.y + 7.0F, room, 20.0F}, {Type::SmallMedium, ui.theme().text},
                         request.asker_name, true);
@@ -452,7 +451,7 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
   const Glance& glance = glance_.value();
   if (glance.last_attempts.empty()) {
     empty_card(ui, "cohort.no_attempts", rest,
-               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence")});
     return;
   }
   constexpr float height = 50.0F;

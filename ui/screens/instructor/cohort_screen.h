@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/jobs/course/standing_jobs.h"
-#include "ui/screens/instructor/cohort_limits.h"
+#include "ui/screens/parts/limits_dialog.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
@@ -31,7 +31,6 @@ class CohortScreen : public Screen {
   struct LastAttempt {
     database::AttemptHeader header;
     std::string name;
-    int hue = 0;
   };
   struct Glance {
     database::Cohort cohort;
@@ -52,7 +51,6 @@ class CohortScreen : public Screen {
   /// The best score in an operation, then the name; by the name alone where none is given.
   static SortKey sort_key(const TraineeProgress& trainee, const std::string* operation);
   static std::string last_seen(const database::TraineeStanding& trainee);
-  void read(Ui& ui, Shell& shell);
   void show(std::size_t cohort);
   void draw_head(Ui& ui, Rect& page);
   void draw_cohort_menu(Ui& ui);
@@ -83,7 +81,7 @@ class CohortScreen : public Screen {
   /// The operations that are shown.
   int first_column_ = 0, page_columns_ = 1;
   TableState table_;
-  CohortLimits limits_;
+  LimitsDialog limits_;
   /// Its corner, while the cohorts are listed.
   std::optional<Point> menu_;
 };

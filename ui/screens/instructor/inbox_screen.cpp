@@ -1,3 +1,7 @@
+// The questions of all cohorts that somebody teaches, in one list. A trainee may be in two of these
+// cohorts, so a question is known by its id and kept once, with the first desk that may answer it.
+// What was typed stays as a draft outside the screen: seeing the moment means leaving it. A chosen
+// question stays in the list of open ones once it was answered.
 #include "ui/screens/instructor/inbox_screen.h"
 
 #include <algorithm>
@@ -13,7 +17,12 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float side_width = 440.0F, stacked_height = 520.0F, answer_height = 132.0F;
+constexpr ListPageSpec page_spec{.side_width = 440.0F,
+                                 .side_height = 520.0F,
+                                 .list_height = 440.0F,
+                                 .least_height = 600.0F,
+                                 .has_head = false};
+constexpr float answer_height = 132.0F;
 
 }  // namespace
 
@@ -43,10 +52,7 @@ int count_open(const std::vector<InboxRequest>& inbox) noexcept {
 
 void InboxScreen::read(Ui& ui, Shell& shell) {
   is_counted_ = false;
-  inbox_.start(ui, shell, ui.text("inbox.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn(
-        [](database::Session& session, auto&) { return read_inbox(session); });
-  });
+  inbox_.read(ui, shell, ui.text("inbox.reading"), signed_in_, read_inbox);
 }
 
 const InboxRequest* InboxScreen::chosen() const {
@@ -59,20 +65,14 @@ void InboxScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (inbox_.is_new()) read(ui, shell);
   if (inbox_.is_ready() && !std::exchange(is_counted_, true) && counted_)
     counted_(count_open(inbox_.value()));
-  const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
-  const Page scrolled(ui, "inbox", ui.text("inbox.title"), content,
-                      is_stacked ? 440.0F + stacked_height : 600.0F);
-  Rect page = scrolled.rect();
-  PageHead head{ui.text("inbox.title"), ui.text("inbox.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
-  page_head(ui, "inbox", page, head);
-  const Panes panes = panes_of(page, side_width, stacked_height);
-  const Rect inside = card(ui, panes.main, {});
-  if (inbox_.draw_until_ready(ui, "inbox.failed", inside, 6)) {
-    draw_list(ui, inside);
-    draw_chosen(ui, panes.side, shell);
+  const ListPage page(
+      ui, "inbox", course_head(ui, *signed_in_, ui.text("inbox.title"), ui.text("inbox.sentence")),
+      content, page_spec);
+  if (inbox_.draw_until_ready(ui, "inbox.failed", page.list(), 6)) {
+    draw_list(ui, page.list());
+    draw_chosen(ui, page.side(), shell);
   } else {
-    card(ui, panes.side, {});
+    card(ui, page.side(), {});
   }
 }
 
@@ -101,10 +101,8 @@ void InboxScreen::draw_list(Ui& ui, const Rect& content) {
       shown.push_back(&each.request);
   if (shown.empty()) {
     empty_card(ui, "inbox.empty", rest,
-               {Icon::Inbox,
-                ui.text(inbox.empty() ? "inbox.empty" : "inbox.none_open"),
-                ui.text("inbox.empty.sentence"),
-                {}});
+               {Icon::Inbox, ui.text(inbox.empty() ? "inbox.empty" : "inbox.none_open"),
+                ui.text("inbox.empty.sentence")});
     return;
   }
   if (chosen_.number == 0) chosen_ = shown.front()->id;
@@ -120,7 +118,7 @@ void InboxScreen::draw_chosen(Ui& ui, const Rect& content, Shell& shell) {
   const InboxRequest* request = chosen();
   if (request == nullptr) {
     empty_card(ui, "inbox.nothing", inside,
-               {Icon::Messages, ui.text("inbox.nothing"), ui.text("inbox.nothing.sentence"), {}});
+               {Icon::Messages, ui.text("inbox.nothing"), ui.text("inbox.nothing.sentence")});
     return;
   }
   const float answer_room = request->request.answer ? 0.0F : answer_height + 150.0F;
@@ -138,30 +136,27 @@ void InboxScreen::draw_chosen(Ui& ui, const Rect& content, Shell& shell) {
 void InboxScreen::draw_answer(Ui& ui, Rect& rest, const InboxRequest& chosen, Shell& shell) {
   std::string& draft = (*drafts_)[chosen.request.id];
   take_top(rest, field_label_height);
-  FieldSpec spec;
-  spec.label = ui.text("inbox.answer");
-  spec.lines = 4;
-  spec.max_bytes = 2000;
-  spec.is_enabled = !work_.is_running();
-  field(ui, "inbox.answer", take_top(rest, answer_height, 12.0F), draft, spec);
+  field(ui, "inbox.answer", take_top(rest, answer_height, 12.0F), draft,
+        {.label = ui.text("inbox.answer"),
+         .is_enabled = !work_.is_running(),
+         .lines = 4,
+         .max_bytes = 2000});
   ButtonSpec send{ui.text("inbox.send"), ButtonLook::Primary, Icon::Send};
   send.is_enabled = draft.find_first_not_of(" \n\t") != std::string::npos;
   send.is_busy = work_.is_running();
-  Rect line = take_top(rest, button_height, 12.0F);
-  line.w = std::min(line.w, button_width(ui, send));
-  if (button(ui, "inbox.send", line, send)) answer(ui, shell, chosen);
+  if (button_in_line(ui, "inbox.send", take_top(rest, button_height, 12.0F), send))
+    answer(ui, shell, chosen);
 }
 
 void InboxScreen::answer(Ui& ui, Shell& shell, const InboxRequest& chosen) {
   const database::HelpRequestId id = chosen.request.id;
-  work_.start<bool>(
+  work_.change(
       shell, signed_in_,
       {std::string(ui.text("inbox.sending")), std::string(ui.text("inbox.not_sent"))},
-      [id, cohort = chosen.cohort, text = (*drafts_)[id]](database::Session& session, WorkReport&) {
+      [id, cohort = chosen.cohort, text = (*drafts_)[id]](database::Session& session) {
         instructor_of(session, cohort).answer(id, text);
-        return true;
       },
-      [this, &shell, id, said = std::string(ui.text("inbox.sent"))](bool&) {
+      [this, &shell, id, said = std::string(ui.text("inbox.sent"))] {
         drafts_->erase(id);
         shell.say({Meaning::Good, said});
         inbox_.read_again();

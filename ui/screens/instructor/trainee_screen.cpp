@@ -1,3 +1,7 @@
+// One trainee, as a member of one cohort: standings on top, attempts below. All is read in one turn
+// of the session, from the instructor's desk of that cohort, which refuses anybody who is not in
+// it. It is read again whenever the screen is entered, since a result may have been decided on the
+// screen above it.
 #include "ui/screens/instructor/trainee_screen.h"
 
 #include <algorithm>
@@ -71,14 +75,10 @@ TraineeScreen::File TraineeScreen::read(database::Session& session, database::Co
 }
 
 void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (file_.is_new()) {
-    file_.start(ui, shell, ui.text("trainee.reading"),
-                [signed_in = signed_in_, cohort = cohort_, trainee = trainee_](WorkReport&) {
-                  return signed_in->in_turn([&](database::Session& session, auto&) {
-                    return read(session, cohort, trainee);
-                  });
-                });
-  }
+  file_.read(ui, shell, ui.text("trainee.reading"), signed_in_,
+             [cohort = cohort_, trainee = trainee_](database::Session& session) {
+               return read(session, cohort, trainee);
+             });
   const float width = content.w - 2.0F * page_margin(content);
   const float above =
       file_.is_ready() ? standings_height(width, file_.value().progress.standing.operations.size())
@@ -92,8 +92,6 @@ void TraineeScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 }
 
 bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
-  PageHead head;
-  head.has_back = true;
   std::string name, sentence;
   if (file_.is_ready()) {
     const File& file = file_.value();
@@ -102,9 +100,10 @@ bool TraineeScreen::draw_head(Ui& ui, Rect& page) {
     sentence = ui.texts().say_count("trainee.sentence", static_cast<long>(file.attempts.size()),
                                     {{"cohort", file.cohort_name}, {"login", standing.login}});
   }
-  head.title = name.empty() ? ui.text("role.trainee") : std::string_view(name);
-  head.sentence = sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence);
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, name.empty() ? ui.text("role.trainee") : std::string_view(name),
+                  sentence.empty() ? ui.text("trainee.reading") : std::string_view(sentence));
+  head.has_back = true;
   return page_head(ui, "trainee", page, head).is_back_pressed;
 }
 
@@ -150,7 +149,7 @@ void TraineeScreen::draw_attempts(Ui& ui, const Rect& content) {
   const std::vector<AttemptHeader>& attempts = file_.value().attempts;
   if (attempts.empty()) {
     empty_card(ui, "trainee.empty", content,
-               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence"), {}});
+               {Icon::History, ui.text("attempts.empty"), ui.text("attempts.empty.sentence")});
     return;
   }
   const RowTable<AttemptHeader> shown{

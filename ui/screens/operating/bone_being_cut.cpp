@@ -1,3 +1,7 @@
+// The bone while it is cut, on a thread that may fall behind and never holds anything up. It takes
+// the loop's feed, runs the same jobs at the same places, and hands the window the newest picture.
+// A growing kerf is a patch on a mesh that stands still; whatever changes the mesh itself is made
+// anew. Where that fails for want of memory, the attempt goes on without a new picture.
 #include "ui/screens/operating/bone_being_cut.h"
 
 #include <chrono>
@@ -30,11 +34,11 @@ BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_direc
 
 BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
     : name_(attempt.attempt().text),
-      world_from_bone_(attempt.table().bone.world_from_bone),
+      world_from_bone_(attempt.prepared_case().bone.world_from_bone),
       picture_(std::move(picture)),
       watch_(attempt.watch()),
-      cut_(attempt.table().bone, attempt.table().scenario.saw.blade,
-           scenarios::planned_bridge(attempt.table().plan)) {
+      cut_(attempt.prepared_case().bone, attempt.prepared_case().scenario.saw.blade,
+           scenarios::planned_bridge(attempt.prepared_case().plan)) {
   newest_.bodies = {{picture_.mesh, world_from_bone_}};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

@@ -31,9 +31,9 @@ void add_steps(OperatingHud& hud, const Texts& texts, const OperatingSession& se
 }  // namespace
 
 OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
-                    const OperatingTable& table, const simulator::LoopView& loop,
+                    const PreparedCase& prepared_case, const simulator::LoopView& loop,
                     const scenarios::PlannedCut* cut) {
-  const scenarios::Scenario& scenario = table.scenario;
+  const scenarios::Scenario& scenario = prepared_case.scenario;
   OperatingHud hud;
   hud.is_practice = session.is_practice();
   hud.is_paused = session.pausing().is_paused();
@@ -44,22 +44,21 @@ OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
   hud.saw = scenario.saw;
   hud.is_saw_on = has(loop.sample.status, ToolStatus::SawOn);
   hud.is_irrigated = session.saw().is_irrigated();
-  hud.is_cutting = has(loop.sample.status, ToolStatus::Cutting);
   hud.force_newton = simulator::force_size_newton(loop.sample);
   if (cut != nullptr) {
     hud.reading = read_against(
         *cut, scenario.saw.blade,
-        inverse(table.bone.world_from_bone) * transform_from(loop.sample.world_from_tool));
+        inverse(prepared_case.bone.world_from_bone) * transform_from(loop.sample.world_from_tool));
   }
   // Like the read-outs of the plan: help while one learns, none in an assessment.
   if (hud.is_practice) hud.bone_celsius = loop.hottest_celsius;
   return hud;
 }
 
-NoticeWords words_of(StepNotice notice) noexcept {
+NoticeTexts notice_texts(StepNotice notice) noexcept {
   constexpr const char* hinge = "operate.hinge_refused";
   // In the order of StepNotice.
-  constexpr std::array<NoticeWords, 6> words{{
+  constexpr std::array<NoticeTexts, 6> words{{
       {"operate.nothing_free", "operate.nothing_free.detail"},
       {hinge, "operate.hinge.broken"},
       {hinge, "operate.hinge.stiff"},

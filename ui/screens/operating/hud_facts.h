@@ -12,13 +12,13 @@ namespace hallux::ui {
 /// All but the health, the place of the tip on the window, and whether the course is simulated.
 /// cut  the planned face that people are shown; nullptr for none
 OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
-                    const OperatingTable& table, const simulator::LoopView& loop,
+                    const PreparedCase& prepared_case, const simulator::LoopView& loop,
                     const scenarios::PlannedCut* cut);
 
 /// The words about a step that did not come off, as ids of texts.
-struct NoticeWords {
+struct NoticeTexts {
   std::string_view title, detail;
 };
-NoticeWords words_of(StepNotice notice) noexcept;
+NoticeTexts notice_texts(StepNotice notice) noexcept;
 
 }  // namespace hallux::ui

@@ -67,7 +67,7 @@ bool draw_panel(Ui& ui, const Rect& rect, const PanelWords& words, const char* b
       spec);
 }
 
-std::string words_of(const Ui& ui, const OperatingSession::Stop& stop) {
+std::string stop_text(const Ui& ui, const OperatingSession::Stop& stop) {
   switch (stop.failure) {
     case LiveFailure::DiskFull:
       return ui.texts().say("operate.stopped.disk", {{"file", stop.file.string()}});
@@ -157,7 +157,7 @@ void draw_sealing(Ui& ui, double since_s) {
 StoppedAnswer draw_stopped_card(Ui& ui, const OperatingSession::Stop& stop, bool is_kept) {
   ui.canvas().fill(ui.display(), ui.theme().page);
   const std::string why =
-      words_of(ui, stop) + (is_kept ? " " + std::string(ui.text("operate.kept")) : "");
+      stop_text(ui, stop) + (is_kept ? " " + std::string(ui.text("operate.kept")) : "");
   const float width = std::min(560.0F, ui.display().w - 32.0F);
   const float height = 250.0F + ui.paragraph_height(Type::Small, why, width - 2.0F * space::card);
   Rect inside = card(ui, centred(ui.display(), width, height), {});

@@ -57,7 +57,7 @@ void RecentLimits::observe(std::uint32_t limits, double now_s) noexcept {
   now_ |= limits;
 }
 
-std::vector<std::string_view> words_of_limits(std::uint32_t limits) {
+std::vector<std::string_view> limit_text_ids(std::uint32_t limits) {
   std::vector<std::string_view> words;
   for (const auto& [limit, id] : limit_texts) {
     if (has(limits, limit)) words.push_back(id);

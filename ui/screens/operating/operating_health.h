@@ -60,6 +60,6 @@ class RecentLimits {
 };
 
 /// The ids of the words for these limits, the ones that take all force first.
-std::vector<std::string_view> words_of_limits(std::uint32_t limits);
+std::vector<std::string_view> limit_text_ids(std::uint32_t limits);
 
 }  // namespace hallux::ui

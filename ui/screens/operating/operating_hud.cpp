@@ -1,3 +1,7 @@
+// Panels over the picture, each a function of the facts. They lie at the edges and leave the middle
+// to the bone; what does not fit goes in an order that keeps force and state to the last. Over a
+// panel the pointer is a pointer, so each panel is an area of its own. Colours have a shape beside
+// them.
 #include "ui/screens/operating/operating_hud.h"
 
 #include <algorithm>
@@ -329,7 +333,7 @@ void add_arm_rows(std::vector<HealthRow>& rows, const Ui& ui, const ArmHealth& a
   rows.push_back(
       {ui.text("operate.health.scale"), grouped(std::lround(100.0 * arm.force_scale)) + " %"});
   std::string_view name = ui.text("operate.health.limits");
-  for (const std::string_view id : words_of_limits(arm.limits)) {
+  for (const std::string_view id : limit_text_ids(arm.limits)) {
     rows.push_back({name, std::string(ui.text(id))});
     name = {};
   }

@@ -30,7 +30,7 @@ struct OperatingHud {
   bool is_step_busy = false;
   bool is_step_ready = true;
   simulator::Saw saw;
-  bool is_saw_on = false, is_irrigated = false, is_cutting = false;
+  bool is_saw_on = false, is_irrigated = false;
   double force_newton = 0.0;
   /// Of the hottest bone, where it is told while operating.
   std::optional<double> bone_celsius;

@@ -78,20 +78,18 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
       card(ui, centred(ui.display(), std::min(520.0F, ui.display().w - 32.0F), 300.0F),
            ui.text("operate.preparing"));
   if (!prepared_.draw_until_ready(ui, "operate.unprepared", inside, 4)) return;
-  viewport_.face(table());
-  session_.lay(kinds_of(table().scenario.steps),
-               LedSaw(start_pose(table()), start_camera(table()).target_mm));
+  viewport_.face(prepared_case());
+  session_.make_ready(kinds_of(prepared_case().scenario.steps),
+                      LedSaw(start_pose(prepared_case()), start_camera(prepared_case()).target_mm));
   ui.want_frame_in_s(0.0);
 }
 
 LiveBegin OperatingScreen::what_to_begin() const {
-  LiveBegin what;
-  what.scenario = choice_.scenario;
-  what.person = signed_in_->person().id;
-  what.kind = choice_.kind;
-  what.guidance = choice_.guidance;
-  what.stereo_mode = name_of(viewport_.stereo_mode());
-  return what;
+  return {.scenario = choice_.scenario,
+          .person = signed_in_->person().id,
+          .kind = choice_.kind,
+          .guidance = choice_.guidance,
+          .stereo_mode = name_of(viewport_.stereo_mode())};
 }
 
 void OperatingScreen::begin(Ui& ui, Shell& shell) {
@@ -99,11 +97,12 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
   auto begun = std::make_shared<Running>();
   work_.start(
       shell, text_in(ui, "operate.beginning"),
-      [signed_in = signed_in_, table = prepared_.value().table, what = what_to_begin(),
-       start = session_.saw().world_from_target(), lend = lend_device_, begun](WorkReport&) {
+      [signed_in = signed_in_, prepared_case = prepared_.value().prepared_case,
+       what = what_to_begin(), start = session_.saw().world_from_target(), lend = lend_device_,
+       begun](WorkReport&) {
         std::unique_ptr<simulator::SteeredDevice> device = lend(start);
         begun->device = device.get();
-        begun->live = begin_operation(*signed_in, table, what, std::move(device));
+        begun->live = begin_operation(*signed_in, prepared_case, what, std::move(device));
       },
       [this, begun](WorkEnd end, const std::string& reason) {
         if (end == WorkEnd::Cancelled) return session_.take_back();
@@ -119,7 +118,7 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
 
 void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
   const AreaResponse area = ui.area("operate.view", ui.text("operate.view"), ui.display());
-  if (session_.is_open()) viewport_.look(ui, area, table());
+  if (session_.is_open()) viewport_.look(ui, area, prepared_case());
   hear_hands(ui, area, shell);
   if (running_) apply_loop(ui, shell);
   show_scene(ui, shell);
@@ -176,7 +175,7 @@ void OperatingScreen::apply_loop(Ui& ui, Shell& shell) {
 
 void OperatingScreen::tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const {
   for (const StepNotice notice : notices) {
-    const auto [title, detail] = words_of(notice);
+    const auto [title, detail] = notice_texts(notice);
     shell.say({Meaning::Info, text_in(ui, title), text_in(ui, detail)});
   }
 }
@@ -187,7 +186,7 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
   const bool has_stepped = running_ && running_->loop.lines > 0;
   BoneBeingCut* bone = running_ ? running_->bone.get() : nullptr;
   viewport_.draw(ui, shell.scenes(),
-                 {.table = table(),
+                 {.prepared_case = prepared_case(),
                   .whole = prepared_.value().picture,
                   .bone = bone,
                   .loop = has_stepped ? &running_->loop : nullptr,
@@ -209,14 +208,15 @@ void OperatingScreen::sound_the_saw(Shell& shell) {
   const bool is_heard = shell.preferences().is_saw_heard && session_.phase() == Phase::Operating;
   if (is_heard && running_->player == nullptr) running_->player = std::make_unique<SawPlayer>();
   if (running_->player == nullptr) return;
-  SawTone tone = saw_tone(running_->loop.sample, running_->loop.engaged, table().scenario.saw);
+  SawTone tone =
+      saw_tone(running_->loop.sample, running_->loop.engaged, prepared_case().scenario.saw);
   tone.runs = tone.runs && is_heard && !session_.pausing().is_paused();
   running_->player->play(tone);
 }
 
 const scenarios::PlannedCut* OperatingScreen::shown_cut() const {
   if (!session_.is_practice() || !panels_.is_plane_shown) return nullptr;
-  return cut_at_step(table().scenario, table().plan, session_.steps().step());
+  return cut_at_step(prepared_case().scenario, prepared_case().plan, session_.steps().step());
 }
 
 // -- the panels
@@ -239,8 +239,9 @@ void OperatingScreen::draw_cards(Ui& ui, Shell& shell) {
 }
 
 void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
-  const ReadyAnswer answer = draw_ready_card(ui, table().scenario.title, session_.is_practice(),
-                                             session_.phase() == Phase::Beginning);
+  const ReadyAnswer answer =
+      draw_ready_card(ui, prepared_case().scenario.title, session_.is_practice(),
+                      session_.phase() == Phase::Beginning);
   if (answer == ReadyAnswer::Begin) begin(ui, shell);
   if (answer == ReadyAnswer::Back) shell.pop();
 }
@@ -256,7 +257,7 @@ void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
 
 OperatingHud OperatingScreen::hud(const Ui& ui, Shell& shell) {
   const simulator::LoopView& loop = running_->loop;
-  OperatingHud hud = hud_of(ui.texts(), session_, table(), loop, shown_cut());
+  OperatingHud hud = hud_of(ui.texts(), session_, prepared_case(), loop, shown_cut());
   hud.is_simulated = signed_in_->is_simulated();
   hud.tip = viewport_.place_of(transform_from(loop.sample.world_from_tool).translation_mm);
   hud.health = health(ui, shell);

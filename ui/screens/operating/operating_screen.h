@@ -61,7 +61,7 @@ class OperatingScreen : public Screen {
   };
   using Phase = OperatingSession::Phase;
 
-  const OperatingTable& table() const { return *prepared_.value().table; }
+  const PreparedCase& prepared_case() const { return *prepared_.value().prepared_case; }
 
   void prepare(Ui& ui, Shell& shell);
   void begin(Ui& ui, Shell& shell);

@@ -1,3 +1,7 @@
+// What happens between the person and an attempt, apart from any picture. Functions ask for the
+// phase first: keys and answers may come a frame late, after a pause or the end. The saw stops
+// before the attempt is told of a pause, and a question pauses too, so that nothing is cut while
+// somebody reads. The end is taken from the attempt, never assumed.
 #include "ui/screens/operating/operating_session.h"
 
 #include <utility>
@@ -12,7 +16,7 @@ OperatingSession::Staying OperatingSession::staying() const noexcept {
 
 // -- before
 
-void OperatingSession::lay(std::vector<scenarios::StepKind> steps, const LedSaw& saw) {
+void OperatingSession::make_ready(std::vector<scenarios::StepKind> steps, const LedSaw& saw) {
   steps_ = StepProgress(std::move(steps));
   saw_ = saw;
   phase_ = Phase::Ready;

@@ -78,7 +78,7 @@ class OperatingSession {
 
   // -- before
   /// Preparing -> ready.
-  void lay(std::vector<scenarios::StepKind> steps, const LedSaw& saw);
+  void make_ready(std::vector<scenarios::StepKind> steps, const LedSaw& saw);
   /// Ready -> beginning. False where that is not so.
   bool begin() noexcept;
   /// Beginning -> operating. Borrows both.

@@ -27,7 +27,7 @@ constexpr std::array<const char*, standard_view_count> view_names{
 std::optional<SwarfSource> swarf_of(const OperationInSight& shown) {
   const simulator::LoopView& loop = *shown.loop;
   if (!has(loop.sample.status, ToolStatus::Cutting)) return std::nullopt;
-  const scenarios::Scenario& scenario = shown.table.scenario;
+  const scenarios::Scenario& scenario = shown.prepared_case.scenario;
   SwarfSource source;
   source.world_from_tool = transform_from(loop.sample.world_from_tool);
   source.width_mm = scenario.saw.blade.width_mm;
@@ -43,7 +43,7 @@ SawInScene saw_of(const OperationInSight& shown) {
   SawInScene saw;
   saw.world_from_tool = shown.loop == nullptr ? shown.world_from_target
                                               : transform_from(shown.loop->sample.world_from_tool);
-  saw.blade = shown.table.scenario.saw.blade;
+  saw.blade = shown.prepared_case.scenario.saw.blade;
   saw.is_running = shown.loop != nullptr && !shown.is_paused &&
                    has(shown.loop->sample.status, ToolStatus::SawOn);
   return saw;
@@ -51,9 +51,9 @@ SawInScene saw_of(const OperationInSight& shown) {
 
 }  // namespace
 
-void OperatingViewport::look(Ui& ui, const AreaResponse& area, const OperatingTable& table) {
+void OperatingViewport::look(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case) {
   sight_.camera = steering_.looked(area, ui.modifiers(), sight_);
-  hear_views(ui, table);
+  hear_views(ui, prepared_case);
   if (ui.shortcut({Key::F9}, ui.text("operate.key.stereo"))) {
     stereo_.mode = static_cast<StereoMode>((static_cast<int>(stereo_.mode) + 1) % 3);
   }
@@ -62,14 +62,14 @@ void OperatingViewport::look(Ui& ui, const AreaResponse& area, const OperatingTa
   }
 }
 
-void OperatingViewport::hear_views(Ui& ui, const OperatingTable& table) {
+void OperatingViewport::hear_views(Ui& ui, const PreparedCase& prepared_case) {
   for (int view = 0; view < standard_view_count; ++view) {
     const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
     if (ui.shortcut({key}, ui.text(view_names[static_cast<std::size_t>(view)]))) {
       sight_.camera = standard_view(sight_.camera, static_cast<StandardView>(view));
     }
   }
-  if (ui.shortcut({Key::R}, ui.text("operate.key.reset"))) face(table);
+  if (ui.shortcut({Key::R}, ui.text("operate.key.reset"))) face(prepared_case);
 }
 
 std::array<simulator::PointerMotion, 2> OperatingViewport::motions(Ui& ui, const AreaResponse& area,
@@ -93,7 +93,7 @@ void OperatingViewport::let_chips_fly(double step_s, const OperationInSight& sho
 }
 
 Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) const {
-  const RigidTransform& world_from_bone = shown.table.bone.world_from_bone;
+  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
   if (shown.bone != nullptr) {

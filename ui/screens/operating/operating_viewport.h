@@ -15,7 +15,7 @@ namespace hallux::ui {
 
 /// What is there to be shown in a frame; all borrowed.
 struct OperationInSight {
-  const OperatingTable& table;
+  const PreparedCase& prepared_case;
   /// The bone before anybody operates on it; nobody asks for it where there is one that is cut.
   const BonePicture& whole;
   BoneBeingCut* bone = nullptr;
@@ -30,11 +30,11 @@ struct OperationInSight {
 class OperatingViewport {
  public:
   /// Stands before the site.
-  void face(const OperatingTable& table) { sight_.camera = start_camera(table); }
+  void face(const PreparedCase& prepared_case) { sight_.camera = start_camera(prepared_case); }
   void set_display(const Rect& display) noexcept { sight_.display = display; }
 
   /// Turns camera and eyes as the pointer and the keys of views ask for.
-  void look(Ui& ui, const AreaResponse& area, const OperatingTable& table);
+  void look(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case);
   /// What pointer and keys ask of the saw in this frame.
   std::array<simulator::PointerMotion, 2> motions(Ui& ui, const AreaResponse& area,
                                                   const Vec3& tip_in_world_mm);
@@ -55,7 +55,7 @@ class OperatingViewport {
   double frame_ms() const noexcept { return frame_ms_; }
 
  private:
-  void hear_views(Ui& ui, const OperatingTable& table);
+  void hear_views(Ui& ui, const PreparedCase& prepared_case);
   void let_chips_fly(double step_s, const OperationInSight& shown);
   Scene scene(const Ui& ui, const OperationInSight& shown) const;
 

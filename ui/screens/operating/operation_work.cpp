@@ -39,11 +39,11 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
         return database::get_scenario_version(database, scenario);
       });
   PreparedOperation prepared;
-  prepared.table = std::make_shared<const OperatingTable>(
-      lay_table(scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
+  prepared.prepared_case = std::make_shared<const PreparedCase>(prepare_case(
+      scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
   prepared.picture =
       cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
-        return picture_of(prepared.table->bone, directory, [&](double fraction) {
+        return picture_of(prepared.prepared_case->bone, directory, [&](double fraction) {
           return report.reached(patient_share + (1.0 - patient_share) * fraction);
         });
       });
@@ -51,14 +51,14 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
 }
 
 std::unique_ptr<LiveAttempt> begin_operation(SignedInSession& signed_in,
-                                             std::shared_ptr<const OperatingTable> table,
+                                             std::shared_ptr<const PreparedCase> prepared_case,
                                              LiveBegin what,
                                              std::unique_ptr<simulator::HapticDevice> device) {
   what.device_class = device->description().device_class;
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     database::TraineeDesk desk = desk_of(session);
-    database::WriterLease lease = begin_live(database, desk, what, table->bone);
-    return std::make_unique<LiveAttempt>(std::move(table), database, std::move(lease),
+    database::WriterLease lease = begin_live(database, desk, what, prepared_case->bone);
+    return std::make_unique<LiveAttempt>(std::move(prepared_case), database, std::move(lease),
                                          std::move(device), what.guidance);
   });
 }

@@ -13,7 +13,7 @@ namespace hallux::ui {
 
 /// What an operation needs before it can begin.
 struct PreparedOperation {
-  std::shared_ptr<const OperatingTable> table;
+  std::shared_ptr<const PreparedCase> prepared_case;
   BonePicture picture;
 };
 
@@ -27,7 +27,7 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
 /// device says.
 /// errors  DatabaseError
 std::unique_ptr<LiveAttempt> begin_operation(SignedInSession& signed_in,
-                                             std::shared_ptr<const OperatingTable> table,
+                                             std::shared_ptr<const PreparedCase> prepared_case,
                                              LiveBegin what,
                                              std::unique_ptr<simulator::HapticDevice> device);
 

@@ -1,3 +1,8 @@
+// Pointer, wheel and keys as motions, without a state beyond where the pointer was. The pointer
+// leads the teeth in the plane of the window at their own depth: what lies under it stays under it,
+// however near the camera is. The right button turns the blade, so that a plain move never tilts
+// it. The saw begins square to the bone's axes, because the plan would else be found for the
+// trainee.
 #include "ui/screens/operating/steering.h"
 
 #include <algorithm>
@@ -49,12 +54,12 @@ Vec3 nearest_axis(const Vec3& normal, const Vec3& feed) {
   return best;
 }
 
-const scenarios::PlannedCut& first_cut(const OperatingTable& table) {
-  for (const scenarios::OperationStep& step : table.scenario.steps) {
-    const scenarios::PlannedCut* cut = find_cut(table.plan, step.cut);
+const scenarios::PlannedCut& first_cut(const PreparedCase& prepared_case) {
+  for (const scenarios::OperationStep& step : prepared_case.scenario.steps) {
+    const scenarios::PlannedCut* cut = find_cut(prepared_case.plan, step.cut);
     if (step.kind == scenarios::StepKind::Cut && cut != nullptr) return *cut;
   }
-  return table.plan.cuts.front();
+  return prepared_case.plan.cuts.front();
 }
 
 Vec3 site_in_bone_mm(const scenarios::PlannedCut& cut) {
@@ -63,22 +68,23 @@ Vec3 site_in_bone_mm(const scenarios::PlannedCut& cut) {
 
 }  // namespace
 
-RigidTransform start_pose(const OperatingTable& table) {
-  const scenarios::PlannedCut& cut = first_cut(table);
+RigidTransform start_pose(const PreparedCase& prepared_case) {
+  const scenarios::PlannedCut& cut = first_cut(prepared_case);
   const auto reference =
-      std::find_if(table.scenario.cuts.begin(), table.scenario.cuts.end(),
+      std::find_if(prepared_case.scenario.cuts.begin(), prepared_case.scenario.cuts.end(),
                    [&](const scenarios::ReferenceCut& each) { return each.name == cut.name; });
   const Vec3 feed = feed_of(reference->approach);
   const Vec3 normal = nearest_axis(cut.face.normal, feed);
   const RigidTransform bone_from_tool{rotation_from_axes(feed, glm::cross(normal, feed)),
                                       cut.entry_point_in_bone_mm - stand_off_mm * feed};
-  return table.bone.world_from_bone * bone_from_tool;
+  return prepared_case.bone.world_from_bone * bone_from_tool;
 }
 
-Camera start_camera(const OperatingTable& table) {
+Camera start_camera(const PreparedCase& prepared_case) {
   Camera camera;
-  camera.target_mm = transform_point(table.bone.world_from_bone, site_in_bone_mm(first_cut(table)));
-  const double length_mm = table.scenario.patient.length_mm;
+  camera.target_mm = transform_point(prepared_case.bone.world_from_bone,
+                                     site_in_bone_mm(first_cut(prepared_case)));
+  const double length_mm = prepared_case.scenario.patient.length_mm;
   const double radius_mm = std::clamp(site_share_of_bone * length_mm, site_least_mm, site_most_mm);
   return standard_view(fitted(camera, Viewer{}, radius_mm, usual_aspect), StandardView::Operator);
 }

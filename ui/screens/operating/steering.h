@@ -13,9 +13,9 @@ namespace hallux::ui {
 
 /// Where the saw is held when an attempt begins: off the bone on the side of the approach, its
 /// blade square to the bone's own axes. What the plan asks beyond that is the trainee's to find.
-RigidTransform start_pose(const OperatingTable& table);
+RigidTransform start_pose(const PreparedCase& prepared_case);
 /// The site as one stands before it.
-Camera start_camera(const OperatingTable& table);
+Camera start_camera(const PreparedCase& prepared_case);
 
 /// How the window is seen through.
 struct Sight {

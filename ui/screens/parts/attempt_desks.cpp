@@ -1,11 +1,11 @@
 #include "ui/screens/parts/attempt_desks.h"
 
+#include "ui/screens/parts/desk_work.h"
+
 namespace hallux::ui {
 
 using database::Action;
 using database::AttemptHeader;
-using database::DatabaseError;
-using database::DatabaseErrorKind;
 using database::Session;
 
 std::optional<database::InstructorDesk> instructor_desk_for(Session& session, Action action,
@@ -26,12 +26,9 @@ std::optional<database::TraineeDesk> trainee_desk_for(Session& session, Action a
 }
 
 AttemptHeader header_for(Session& session, const database::AttemptId& id) {
-  std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
-  if (!desk) {
-    throw DatabaseError(DatabaseErrorKind::Refused,
-                        "this account may not see attempts any more; ask the administrator");
-  }
-  return desk->header(id);
+  return desk_or_refused(session.desk_for(Action::ViewAttempt, id),
+                         "this account may not see attempts any more; ask the administrator")
+      .header(id);
 }
 
 AttemptRights rights_to(Session& session, const AttemptHeader& header) {
@@ -54,20 +51,18 @@ void reply_to_note(Session& session, const AttemptHeader& header, database::Note
                    const std::string& text) {
   if (auto desk = instructor_desk_for(session, Action::ReplyToNote, header)) {
     desk->reply(note, text);
-  } else if (auto own = trainee_desk_for(session, Action::ReplyToNote, header)) {
-    own->reply(note, text);
-  } else {
-    throw DatabaseError(DatabaseErrorKind::Refused, "this note is not yours to answer");
+    return;
   }
+  desk_or_refused(trainee_desk_for(session, Action::ReplyToNote, header),
+                  "this note is not yours to answer")
+      .reply(note, text);
 }
 
 void ask_for_help(Session& session, const AttemptHeader& header,
                   const database::NewHelpRequest& request) {
-  std::optional<database::TraineeDesk> desk = trainee_desk_for(session, Action::AskForHelp, header);
-  if (!desk) {
-    throw DatabaseError(DatabaseErrorKind::Refused, "help can be asked for on own attempts only");
-  }
-  desk->ask_for_help(request);
+  desk_or_refused(trainee_desk_for(session, Action::AskForHelp, header),
+                  "help can be asked for on own attempts only")
+      .ask_for_help(request);
 }
 
 }  // namespace hallux::ui

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "ui/screens/parts/value_text.h"
 
@@ -69,6 +71,25 @@ std::string operation_text(std::string_view scenario_name) {
 std::string attempt_name(const Texts& texts, const database::AttemptHeader& attempt) {
   return texts.say("attempts.row", {{"operation", operation_text(attempt.scenario_name)},
                                     {"moment", moment_text(attempt.started_utc)}});
+}
+
+std::string notice_text(const Texts& texts, const database::Notice& notice) {
+  using database::NoticeKind;
+  if (notice.kind == NoticeKind::SignInsRefused)
+    return texts.say_count("notice.sign_ins_refused", static_cast<long>(notice.count));
+  constexpr std::pair<NoticeKind, const char*> ids[] = {
+      {NoticeKind::Recovered, "notice.recovered"},
+      {NoticeKind::AdministratorMade, "notice.administrator_made"},
+      {NoticeKind::BackupSkipped, "notice.backup_skipped"},
+      {NoticeKind::CodeIssued, "notice.code_issued"},
+      {NoticeKind::PasswordSet, "notice.password_set"},
+      {NoticeKind::ResultOverridden, "notice.result_overridden"},
+      {NoticeKind::ResultVoided, "notice.result_voided"}};
+  const auto* const found =
+      std::ranges::find(ids, notice.kind, &std::pair<NoticeKind, const char*>::first);
+  const std::string who =
+      notice.login.empty() ? std::string(texts.text("notice.somebody")) : notice.login;
+  return found == std::end(ids) ? std::string() : texts.say(found->second, {{"login", who}});
 }
 
 std::string shown_name_of(std::string_view login, std::string_view display_name) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "database/records/attempt.h"
+#include "database/records/notice.h"
 #include "ui/widgets/texts/texts.h"
 
 namespace hallux::ui {
@@ -25,6 +26,9 @@ std::string operation_text(std::string_view scenario_name);
 
 /// An attempt as a list calls it: its operation and when it was begun.
 std::string attempt_name(const Texts& texts, const database::AttemptHeader& attempt);
+
+/// A notice in one sentence. Somebody whose name was erased is "somebody".
+std::string notice_text(const Texts& texts, const database::Notice& notice);
 
 /// The name that is shown: the login where there is none.
 std::string shown_name_of(std::string_view login, std::string_view display_name);

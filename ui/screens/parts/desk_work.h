@@ -24,6 +24,13 @@
 
 namespace hallux::ui {
 
+/// errors  DatabaseError Refused with this reason where there is no such desk for the person
+template <typename Desk>
+Desk desk_or_refused(std::optional<Desk> desk, const char* reason) {
+  if (!desk) throw database::DatabaseError(database::DatabaseErrorKind::Refused, reason);
+  return std::move(*desk);
+}
+
 /// errors  DatabaseError Refused where the person is no administrator any more
 database::AdministratorDesk administrator_of(database::Session& session);
 /// errors  DatabaseError Refused where the person does not teach that cohort any more
@@ -31,7 +38,7 @@ database::InstructorDesk instructor_of(database::Session& session, database::Coh
 /// errors  DatabaseError Refused where the person was disabled since
 database::TraineeDesk trainee_of(database::Session& session);
 
-struct DeskWords {
+struct WorkTexts {
   /// While it runs.
   std::string label;
   /// The head of the message where it fails; "": the screen shows fault() itself.
@@ -40,12 +47,23 @@ struct DeskWords {
   std::string stopped = {};
 };
 
+/// What an administrator changes in the course.
+struct CourseChange {
+  /// Holds nothing of the screen's.
+  std::function<void(database::AdministratorDesk&)> act;
+  /// Said once it was made, and what happens before that.
+  std::string done;
+  std::function<void()> after;
+  /// The screen shows fault() itself; else a message says it.
+  bool is_fault_shown = false;
+};
+
 class DeskWork {
  public:
   /// `act` holds nothing of the screen's. `done` is called in a frame while the screen is there.
   /// thread  the window's
   template <typename Result>
-  void start(Shell& shell, std::shared_ptr<SignedInSession> signed_in, DeskWords words,
+  void start(Shell& shell, std::shared_ptr<SignedInSession> signed_in, WorkTexts words,
              std::function<Result(database::Session&, WorkReport&)> act,
              std::function<void(Result&)> done) {
     fault_.clear();
@@ -70,13 +88,18 @@ class DeskWork {
           }
         });
   }
+  /// The same for a change that answers nothing.
+  void change(Shell& shell, std::shared_ptr<SignedInSession> signed_in, WorkTexts words,
+              std::function<void(database::Session&)> act, std::function<void()> done);
+  void change_course(const Ui& ui, Shell& shell, std::shared_ptr<SignedInSession> signed_in,
+                     CourseChange change);
   bool is_running() const noexcept { return work_.is_running(); }
   /// Why the last one failed, as a sentence; "" where it did not.
   const std::string& fault() const noexcept { return fault_; }
   void forget_fault() { fault_.clear(); }
 
  private:
-  void say_failed(Shell& shell, const DeskWords& words, const std::string& reason);
+  void say_failed(Shell& shell, const WorkTexts& words, const std::string& reason);
 
   std::string fault_;
   ScreenWork work_;

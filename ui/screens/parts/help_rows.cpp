@@ -2,6 +2,7 @@
 
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
+#include "ui/screens/parts/person_cell.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/marks.h"
@@ -87,27 +88,26 @@ bool draw_help_request(Ui& ui, std::string_view id, Rect& rest, const HelpReques
   const Theme& theme = ui.theme();
   Rect head = take_top(rest, head_height, 12.0F);
   if (names_asker) {
-    avatar(ui, {take_left(head, 36.0F, 12.0F).x + 18.0F, head.mid_y()}, 18.0F,
-           initials_of(request.asker_name), static_cast<int>(request.asker.number % 6));
+    person_avatar(ui, {take_left(head, 36.0F, 12.0F).x + 18.0F, head.mid_y()}, 18.0F,
+                  request.asker_name, request.asker);
   }
   ui.canvas().text_in(take_top(head, 24.0F), {Type::BodyStrong, theme.text},
                       names_asker ? request.asker_name : help_moment(ui.texts(), request), true);
   ui.canvas().text_in(
       take_top(head, 20.0F), {Type::Small, theme.text_secondary},
       names_asker ? help_moment(ui.texts(), request) : moment_text(request.asked_utc), true);
-  words_line(ui, rest, Type::Body, theme.text, request.question, 16.0F);
+  text_line(ui, rest, Type::Body, theme.text, request.question, 16.0F);
   const ButtonSpec moment{ui.text("help.see_moment"), ButtonLook::Secondary, Icon::Play};
-  Rect line = take_top(rest, header_button_height, moment_gap);
-  line.w = std::min(line.w, button_width(ui, moment));
-  const bool is_asked = button(ui, std::string(id) + ".moment", line, moment);
+  const bool is_asked = button_in_line(ui, std::string(id) + ".moment",
+                                       take_top(rest, header_button_height, moment_gap), moment);
   if (request.answer) {
     ui.canvas().hairline_across(rest.x, rest.y, rest.w, theme.line);
     take_top(rest, 16.0F);
     ui.canvas().text_in(take_top(rest, answer_head), {Type::SmallMedium, theme.text},
                         ui.text("help.answer"));
-    words_line(ui, rest, Type::Body, theme.text, request.answer->text, 8.0F);
-    words_line(ui, rest, Type::Small, theme.text_caption, answered_by(ui.texts(), *request.answer),
-               12.0F);
+    text_line(ui, rest, Type::Body, theme.text, request.answer->text, 8.0F);
+    text_line(ui, rest, Type::Small, theme.text_caption, answered_by(ui.texts(), *request.answer),
+              12.0F);
   }
   return is_asked;
 }

@@ -72,8 +72,7 @@ void draw_form(Ui& ui, Rect rest, LimitsForm& form) {
     ui.want_frame_in_s(0.0);
 }
 
-}  // namespace
-
+/// Nothing where no operation is chosen, the number is none, or nothing would change.
 std::optional<LimitChange> change_in(const LimitsForm& form) {
   if (form.chosen.empty()) return std::nullopt;
   const auto before = limit_of(form, form.chosen), wanted = number_in(form.number);
@@ -81,6 +80,7 @@ std::optional<LimitChange> change_in(const LimitsForm& form) {
   return LimitChange{form.chosen, wanted};
 }
 
+/// What is said once it was made.
 std::string said_of(const Texts& texts, const LimitsForm& form, const LimitChange& change) {
   const TextValues about{{"operation", operation_text(change.scenario_name)},
                          {"cohort", form.cohort_name}};
@@ -88,16 +88,36 @@ std::string said_of(const Texts& texts, const LimitsForm& form, const LimitChang
                              : texts.say("limits.cleared", about);
 }
 
-Answer draw_limits_dialog(Ui& ui, LimitsForm& form, const std::string& fault, bool is_busy) {
-  const std::string title = ui.texts().say("limits.title", {{"cohort", form.cohort_name}});
+}  // namespace
+
+void LimitsDialog::open(LimitsForm form) {
+  form_ = std::move(form);
+  work_.forget_fault();
+}
+
+void LimitsDialog::draw(Ui& ui, Shell& shell, const Apply& apply, std::function<void()> changed) {
+  if (!form_) return;
+  const std::string title = ui.texts().say("limits.title", {{"cohort", form_->cohort_name}});
   Dialog shown =
-      form_dialog(ui, title, ui.text("limits.act"), {fault, is_busy},
+      form_dialog(ui, title, ui.text("limits.act"), {work_.fault(), work_.is_running()},
                   list_height + gap + field_label_height + field_height + field_message_height);
   shown.sentence = ui.text("limits.sentence");
-  return dialog(ui, "limits", shown, [&](const Rect& rect) {
-    draw_form(ui, rect, form);
-    return change_in(form).has_value();
+  const Answer answer = dialog(ui, "limits", shown, [&](const Rect& rect) {
+    draw_form(ui, rect, *form_);
+    return change_in(*form_).has_value();
   });
+  if (answer == Answer::Keep) form_.reset();
+  const std::optional<LimitChange> change =
+      answer == Answer::Act ? change_in(*form_) : std::nullopt;
+  if (!change) return;
+  work_.change(
+      shell, signed_in_, {std::string(ui.text("limits.changing")), {}},
+      [apply, change = *change](database::Session& session) { apply(session, change); },
+      [this, &shell, changed = std::move(changed), done = said_of(ui.texts(), *form_, *change)] {
+        form_.reset();
+        shell.say({Meaning::Good, done});
+        changed();
+      });
 }
 
 }  // namespace hallux::ui

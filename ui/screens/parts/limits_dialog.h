@@ -1,12 +1,14 @@
 /// The dialog in which an instructor or an administrator limits the assessments of a cohort.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "database/records/limit.h"
-#include "ui/widgets/controls/menu.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
@@ -19,10 +21,10 @@ struct LimitsForm {
   /// Those that there are.
   std::vector<database::AttemptLimit> limits;
   /// Operation; "": none yet.
-  std::string chosen;
+  std::string chosen = {};
   /// "": as many as they like.
-  std::string number;
-  TableState table;
+  std::string number = {};
+  TableState table = {};
 };
 
 struct LimitChange {
@@ -31,14 +33,23 @@ struct LimitChange {
   std::optional<std::int32_t> attempts_max;
 };
 
-/// Nothing where no operation is chosen, the number is none, or nothing would change.
-std::optional<LimitChange> change_in(const LimitsForm& form);
+class LimitsDialog {
+ public:
+  /// Sets or clears a limit from the desk that the person has; it holds nothing of the screen's.
+  using Apply = std::function<void(database::Session&, const LimitChange&)>;
 
-/// What is said once it was made.
-std::string said_of(const Texts& texts, const LimitsForm& form, const LimitChange& change);
+  explicit LimitsDialog(std::shared_ptr<SignedInSession> signed_in)
+      : signed_in_(std::move(signed_in)) {}
 
-/// `fault` says why the last try failed. Controls are named `limits.row.OPERATION`,
-/// `limits.number`.
-Answer draw_limits_dialog(Ui& ui, LimitsForm& form, const std::string& fault, bool is_busy);
+  void open(LimitsForm form);
+  /// Draws the dialog while it is open; `changed` is called once a limit was set or cleared.
+  /// Controls are named `limits.row.OPERATION`, `limits.number`.
+  void draw(Ui& ui, Shell& shell, const Apply& apply, std::function<void()> changed);
+
+ private:
+  std::shared_ptr<SignedInSession> signed_in_;
+  std::optional<LimitsForm> form_;
+  DeskWork work_;
+};
 
 }  // namespace hallux::ui

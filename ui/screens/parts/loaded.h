@@ -2,8 +2,7 @@
 /// where it failed.
 ///
 ///     Loaded<std::vector<Person>> people_;
-///     if (people_.is_new())
-///       people_.start(ui, shell, label, [visit = visit_](WorkReport&) { return ...; });
+///     people_.read(ui, shell, label, signed_in_, [](database::Session& session) { return ...; });
 ///     if (people_.draw_until_ready(ui, "people.reading", inside, 8))
 ///       draw_people(ui, inside, people_.value());
 #pragma once
@@ -12,6 +11,7 @@
 #include <optional>
 
 #include "ui/screens/parts/screen_work.h"
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/card.h"
 
@@ -19,7 +19,11 @@ namespace hallux::ui {
 
 /// The failed card of whatever could not be read; its button is `id.action`. True where it was
 /// pressed.
-bool draw_unread(Ui& ui, std::string_view id, const Rect& content, const std::string& reason);
+inline bool draw_unread(Ui& ui, std::string_view id, const Rect& content,
+                        const std::string& reason) {
+  const std::string_view why = reason.empty() ? ui.text("reading.stopped") : reason;
+  return failed_card(ui, id, content, {ui.text("reading.failed"), why, ui.text("reading.again")});
+}
 
 template <typename Value>
 class Loaded {
@@ -33,6 +37,18 @@ class Loaded {
   Value& value() { return value_.value(); }
   /// What was shown stays until what is read anew takes its place.
   void read_again() noexcept { state_ = State::New; }
+
+  /// Reads in the session's turn where nothing was read yet or it is to be read again.
+  void read(Ui& ui, Shell& shell, std::string_view label,
+            std::shared_ptr<SignedInSession> signed_in,
+            std::function<Value(database::Session&)> read) {
+    if (!is_new()) return;
+    start(ui, shell, label,
+          [signed_in = std::move(signed_in), read = std::move(read)](WorkReport&) {
+            return signed_in->in_turn(
+                [&](database::Session& session, auto&) { return read(session); });
+          });
+  }
 
   /// `read` runs beside the window; it may hold nothing of the screen's.
   void start(Ui& ui, Shell& shell, std::string_view label, std::function<Value(WorkReport&)> read) {

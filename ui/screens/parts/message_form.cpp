@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
@@ -15,26 +14,32 @@ constexpr float words_height = 104.0F, toggle_height = 24.0F, gap = 16.0F;
 
 }  // namespace
 
+MessageFormSpec question_form(const Ui& ui, std::string_view title, std::string_view sentence) {
+  return {.id = "ask",
+          .title = title,
+          .sentence = sentence,
+          .label = ui.text("result.ask.question"),
+          .placeholder = ui.text("result.ask.example"),
+          .act = ui.text("result.ask.send"),
+          .sending = ui.text("result.ask.sending"),
+          .sent = ui.text("result.ask.sent")};
+}
+
 void MessageForm::open() {
   is_open_ = true;
   is_on_ = false;
   words_.clear();
-  error_.clear();
+  work_.forget_fault();
 }
 
 void MessageForm::start(Shell& shell, const std::shared_ptr<SignedInSession>& signed_in,
                         const MessageFormSpec& spec, const Send& send) {
-  error_.clear();
-  work_.start(
-      shell, std::string(spec.sending),
-      [signed_in, send, words = words_, is_on = is_on_](WorkReport&) {
-        signed_in->in_turn([&](database::Session& session, auto&) { send(session, words, is_on); });
+  work_.change(
+      shell, signed_in, {std::string(spec.sending), {}},
+      [send, words = words_, is_on = is_on_](database::Session& session) {
+        send(session, words, is_on);
       },
-      [this, &shell, sent = std::string(spec.sent)](WorkEnd end, const std::string& reason) {
-        if (end != WorkEnd::Done) {
-          error_ = sentence_of(reason);
-          return;
-        }
+      [this, &shell, sent = std::string(spec.sent)] {
         is_open_ = false;
         was_sent_ = true;
         shell.say({Meaning::Good, sent});
@@ -46,18 +51,15 @@ bool MessageForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSessi
   if (std::exchange(was_sent_, false)) return true;
   if (!is_open_) return false;
   const std::string id(spec.id);
-  Dialog shown = form_dialog(ui, spec.title, spec.act, {error_, work_.is_running()},
+  Dialog shown = form_dialog(ui, spec.title, spec.act, {work_.fault(), work_.is_running()},
                              field_label_height + words_height);
   shown.sentence = spec.sentence;
   if (!spec.toggle.empty()) shown.form_height += gap + toggle_height;
   const Answer answer = dialog(ui, id, shown, [&](const Rect& form) {
     Rect rest = form;
     take_top(rest, field_label_height);
-    FieldSpec words;
-    words.label = spec.label;
-    words.placeholder = spec.placeholder;
-    words.lines = 4;
-    words.max_bytes = 2000;
+    FieldSpec words{
+        .label = spec.label, .placeholder = spec.placeholder, .lines = 4, .max_bytes = 2000};
     field(ui, id + ".words", take_top(rest, words_height, gap), words_, words);
     ui.focus_first(id + ".words");
     if (!spec.toggle.empty())

@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/screens/parts/screen_work.h"
-#include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {
@@ -29,6 +28,9 @@ struct MessageFormSpec {
   std::string_view sending = {}, sent = {};
 };
 
+/// A question about a moment of an attempt, its controls named "ask.…".
+MessageFormSpec question_form(const Ui& ui, std::string_view title, std::string_view sentence);
+
 class MessageForm {
  public:
   /// What happens with the words and the choice, beside the window; it holds nothing of the
@@ -47,8 +49,8 @@ class MessageForm {
              const MessageFormSpec& spec, const Send& send);
 
   bool is_open_ = false, is_on_ = false, was_sent_ = false;
-  std::string words_, error_;
-  ScreenWork work_;
+  std::string words_;
+  DeskWork work_;
 };
 
 }  // namespace hallux::ui

@@ -1,7 +1,7 @@
-/// Navigator of a screen. The screens know only this; which screen is behind a destination is
+/// The way from a screen to another one. The screens know only this; which screen is there is
 /// ui/app's to say, so that no screen needs to know another.
 ///
-/// Each shows the place over the screen that asks; Esc comes back to it.
+/// Each shows its screen over the one that asks; Esc comes back to it.
 /// thread  the window's, in a frame; what is asked for happens after it
 #pragma once
 

@@ -31,6 +31,11 @@ Page::~Page() {
   if (is_scrolled_) ui_.end_scroll();
 }
 
+PageHead course_head(const Ui& ui, const SignedInSession& signed_in, std::string_view title,
+                     std::string_view sentence) {
+  return {title, sentence, signed_in.is_simulated() ? ui.text("course.simulated") : ""};
+}
+
 PageHeadResponse page_head(Ui& ui, std::string_view id, Rect& page, const PageHead& head) {
   PageHeadResponse response;
   Canvas& canvas = ui.canvas();
@@ -54,7 +59,7 @@ PageHeadResponse page_head(Ui& ui, std::string_view id, Rect& page, const PageHe
   const float drawn = canvas.text_in({title.x, title.y, title.w - mark, title.h},
                                      {Type::Title, theme.text}, head.title, true);
   if (mark > 0.0F) pill(ui, {title.x + drawn + 14.0F, title.mid_y()}, head.mark, Meaning::Info);
-  words_line(ui, words, Type::Body, theme.text_secondary, head.sentence, 20.0F);
+  text_line(ui, words, Type::Body, theme.text_secondary, head.sentence, 20.0F);
   if (!is_beside) {
     response.buttons = take_top(words, header_button_height, 20.0F);
     response.buttons.w = std::min(head.buttons_width, words.w);
@@ -87,7 +92,7 @@ ListPage::ListPage(Ui& ui, std::string_view id, const PageHead& head, const Rect
   buttons_ = page_head(ui, id, rest, head).buttons;
   const Panes panes =
       panes_of(rest, std::min(spec.side_width, rest.w * spec.side_share), spec.side_height);
-  list_ = list_card(ui, panes.main);
+  list_ = spec.has_head ? list_card(ui, panes.main) : card(ui, panes.main, {});
   side_ = panes.side;
 }
 
@@ -105,7 +110,7 @@ void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value
   ui.canvas().text_in(line, {Type::Small, ui.theme().text}, value, true);
 }
 
-void words_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words, float gap) {
+void text_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words, float gap) {
   const float height = ui.paragraph_height(type, words, rest.w);
   ui.canvas().paragraph({rest.x, rest.y, rest.w, height}, {type, color}, words);
   take_top(rest, height, gap);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "ui/screens/parts/signed_in_session.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/ui.h"
 
@@ -41,6 +42,10 @@ struct PageHead {
   bool has_back = false;
 };
 
+/// The head of a page of the course: a simulated one is marked as that.
+PageHead course_head(const Ui& ui, const SignedInSession& signed_in, std::string_view title,
+                     std::string_view sentence);
+
 struct PageHeadResponse {
   /// 36 high, at the right; below the words where the page is narrow.
   Rect buttons = {};
@@ -70,6 +75,8 @@ struct ListPageSpec {
   float list_height = 420.0F;
   /// Of the page where they stand beside each other.
   float least_height = 480.0F;
+  /// The list's card begins with the head of a table or tabs; else with its margin.
+  bool has_head = true;
 };
 
 /// A page with a list and, beside or below it, what was chosen in it. What is drawn while it is in
@@ -86,7 +93,7 @@ class ListPage {
 
   /// At the right of the head, as wide as it asked for.
   const Rect& buttons() const noexcept { return buttons_; }
-  /// Inside the list's card, whose first line is the head of a table or tabs.
+  /// Inside the list's card.
   const Rect& list() const noexcept { return list_; }
   /// All of the place for what was chosen; its card is drawn by whoever knows its padding.
   const Rect& side() const noexcept { return side_; }
@@ -105,7 +112,7 @@ void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value
                float name_width = 96.0F);
 
 /// Words over the width of `rest`, whose height they take with `gap` below.
-void words_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words,
-                float gap = 8.0F);
+void text_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words,
+               float gap = 8.0F);
 
 }  // namespace hallux::ui

@@ -4,6 +4,7 @@
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
+#include "ui/widgets/texts/wipe.h"
 
 namespace hallux::ui {
 
@@ -16,47 +17,57 @@ constexpr float add_height =
 constexpr float password_height =
     3.0F * (field_label_height + field_height + field_gap) + 2.0F * field_message_height;
 
-Rect field_line(Rect& rest, float below) {
-  take_top(rest, field_label_height);
-  return take_top(rest, field_height, below);
-}
+constexpr float erase_height =
+    3.0F * (field_label_height + field_height + field_gap) + field_message_height + checkbox_height;
 
-void draw_add_fields(Ui& ui, Rect rest, AddedPersonWords& words) {
-  FieldSpec login;
-  login.label = ui.text("people.login");
-  login.hint = ui.text("people.login.rule");
-  login.max_bytes = 64;
-  field(ui, "people.add.login", field_line(rest, field_message_height + field_gap), words.login,
-        login);
-  FieldSpec name;
-  name.label = ui.text("people.name.field");
-  field(ui, "people.add.name", field_line(rest, field_gap), words.display_name, name);
+void draw_add_fields(Ui& ui, Rect rest, NewPersonForm& form) {
+  labelled_field(
+      ui, "people.add.login", rest, form.login,
+      {.label = ui.text("people.login"), .hint = ui.text("people.login.rule"), .max_bytes = 64},
+      field_message_height + field_gap);
+  labelled_field(ui, "people.add.name", rest, form.display_name,
+                 {.label = ui.text("people.name.field")}, field_gap);
   checkbox(ui, "people.add.administrator", take_top(rest, checkbox_height),
-           ui.text("people.add.administrator"), words.is_administrator);
+           ui.text("people.add.administrator"), form.is_administrator);
   ui.focus_first("people.add.login");
 }
 
 /// True where all three are there and the new one was written the same twice.
-bool draw_password_fields(Ui& ui, Rect rest, PasswordWords& words) {
-  FieldSpec secret;
-  secret.is_secret = true;
-  secret.label = ui.text("account.password.old");
-  field(ui, "account.password.old", field_line(rest, field_gap), words.old_password, secret);
+bool draw_password_fields(Ui& ui, Rect rest, PasswordForm& form) {
+  FieldSpec secret{.label = ui.text("account.password.old"), .is_secret = true};
+  labelled_field(ui, "account.password.old", rest, form.old_password, secret, field_gap);
   secret.label = ui.text("entry.new_password");
   secret.hint = ui.text("entry.password.rule");
-  field(ui, "account.password.new", field_line(rest, field_message_height + field_gap),
-        words.new_password, secret);
+  labelled_field(ui, "account.password.new", rest, form.new_password, secret,
+                 field_message_height + field_gap);
   secret.label = ui.text("entry.password_again");
   secret.hint = {};
-  const auto is_same = [&] { return words.new_password == words.new_password_again; };
-  if (!is_same() && words.new_password_again.size() >= words.new_password.size())
+  const auto is_same = [&] { return form.new_password == form.new_password_again; };
+  if (!is_same() && form.new_password_again.size() >= form.new_password.size())
     secret.error = ui.text("entry.passwords_differ");
   const bool is_changed =
-      field(ui, "account.password.again", field_line(rest, field_message_height + field_gap),
-            words.new_password_again, secret);
+      labelled_field(ui, "account.password.again", rest, form.new_password_again, secret,
+                     field_message_height + field_gap);
   if (is_changed) ui.want_frame_in_s(0.0);  // what was said below it was about the frame before
   ui.focus_first("account.password.old");
-  return is_same() && !words.old_password.empty() && !words.new_password.empty();
+  return is_same() && !form.old_password.empty() && !form.new_password.empty();
+}
+
+/// True where all is there and the login is theirs.
+bool draw_erase_fields(Ui& ui, Rect rest, EraseForm& form) {
+  const std::string label = ui.texts().say("people.erase.login", {{"login", form.login}});
+  labelled_field(ui, "people.erase.login", rest, form.typed_login,
+                 {.label = label, .max_bytes = 64}, field_gap);
+  labelled_field(
+      ui, "people.erase.reason", rest, form.reason,
+      {.label = ui.text("people.erase.reason"), .hint = ui.text("people.erase.reason.rule")},
+      field_message_height + field_gap);
+  labelled_field(ui, "people.erase.password", rest, form.password,
+                 {.label = ui.text("people.erase.password"), .is_secret = true}, field_gap);
+  checkbox(ui, "people.erase.recordings", take_top(rest, checkbox_height),
+           ui.text("people.erase.recordings"), form.with_recordings);
+  ui.focus_first("people.erase.login");
+  return form.typed_login == form.login && !form.reason.empty() && !form.password.empty();
 }
 
 /// The code, large, and a button beside it. True where it was copied.
@@ -77,27 +88,38 @@ bool draw_code(Ui& ui, Rect line, const ShownCode& code) {
 
 }  // namespace
 
-Answer draw_add_dialog(Ui& ui, AddedPersonWords& words, const std::string& fault, bool is_busy) {
+Answer draw_add_dialog(Ui& ui, NewPersonForm& form, const std::string& fault, bool is_busy) {
   const Dialog shown = form_dialog(ui, ui.text("people.add.title"), ui.text("people.add.act"),
                                    {fault, is_busy}, add_height);
-  return dialog(ui, "people.add", shown, [&](const Rect& form) {
-    draw_add_fields(ui, form, words);
-    return !words.login.empty();
+  return dialog(ui, "people.add", shown, [&](const Rect& rect) {
+    draw_add_fields(ui, rect, form);
+    return !form.login.empty();
   });
 }
 
-PasswordWords::~PasswordWords() {
-  for (std::string* secret : {&old_password, &new_password, &new_password_again}) {
-    database::SecretText::take(*secret);  // wipes what it takes
-  }
+PasswordForm::~PasswordForm() {
+  for (std::string* secret : {&old_password, &new_password, &new_password_again}) wipe(*secret);
 }
 
-Answer draw_password_dialog(Ui& ui, PasswordWords& words, const std::string& fault, bool is_busy) {
+Answer draw_password_dialog(Ui& ui, PasswordForm& form, const std::string& fault, bool is_busy) {
   const Dialog shown =
       form_dialog(ui, ui.text("account.password.title"), ui.text("account.password.act"),
                   {fault, is_busy}, password_height);
   return dialog(ui, "account.password", shown,
-                [&](const Rect& form) { return draw_password_fields(ui, form, words); });
+                [&](const Rect& rect) { return draw_password_fields(ui, rect, form); });
+}
+
+EraseForm::~EraseForm() { wipe(password); }
+
+Answer draw_erase_dialog(Ui& ui, EraseForm& form, const std::string& fault, bool is_busy) {
+  const std::string title = ui.texts().say("people.erase.title", {{"login", form.login}});
+  Dialog shown =
+      form_dialog(ui, title, ui.text("people.erase.act"), {fault, is_busy}, erase_height);
+  shown.keep = ui.text("people.keep");
+  shown.sentence = ui.text("people.erase.sentence");
+  shown.is_dangerous = true;
+  return dialog(ui, "people.erase", shown,
+                [&](const Rect& rect) { return draw_erase_fields(ui, rect, form); });
 }
 
 CodeAnswer draw_code_dialog(Ui& ui, const ShownCode& code) {

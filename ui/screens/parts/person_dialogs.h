@@ -1,5 +1,5 @@
 /// The dialogs about people: adding a person, the one-time code that is shown once, one's own new
-/// password.
+/// password, and the last question before a person is erased.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,41 @@
 namespace hallux::ui {
 
 /// What is typed of a new person; it stays while a refusal is read.
-struct AddedPersonWords {
+struct NewPersonForm {
   std::string login, display_name;
   bool is_administrator = false;
 };
 
 /// Asks who is added. `fault` says why the last try failed.
-Answer draw_add_dialog(Ui& ui, AddedPersonWords& words, const std::string& fault, bool is_busy);
+Answer draw_add_dialog(Ui& ui, NewPersonForm& form, const std::string& fault, bool is_busy);
 
 /// What is typed to change one's password; wiped when it goes.
-struct PasswordWords {
+struct PasswordForm {
   std::string old_password, new_password, new_password_again;
-  PasswordWords() = default;
-  PasswordWords(const PasswordWords&) = delete;
-  PasswordWords& operator=(const PasswordWords&) = delete;
-  ~PasswordWords();
+  PasswordForm() = default;
+  PasswordForm(const PasswordForm&) = delete;
+  PasswordForm& operator=(const PasswordForm&) = delete;
+  ~PasswordForm();
 };
 
 /// Asks for the old password and twice for the new one. `fault` says why the last try failed.
-Answer draw_password_dialog(Ui& ui, PasswordWords& words, const std::string& fault, bool is_busy);
+Answer draw_password_dialog(Ui& ui, PasswordForm& form, const std::string& fault, bool is_busy);
+
+/// What is typed before somebody is erased; wiped when it goes.
+struct EraseForm {
+  /// Of whom.
+  std::string login;
+  std::string typed_login, reason, password;
+  bool with_recordings = false;
+  explicit EraseForm(std::string of) : login(std::move(of)) {}
+  EraseForm(const EraseForm&) = delete;
+  EraseForm& operator=(const EraseForm&) = delete;
+  ~EraseForm();
+};
+
+/// Asks for their login, a reason and the administrator's own password; says what goes and what
+/// stays. `fault` says why the last try failed.
+Answer draw_erase_dialog(Ui& ui, EraseForm& form, const std::string& fault, bool is_busy);
 
 /// A code that was just issued. It is drawn but not noted with the texts of the frame, and wiped
 /// with this.

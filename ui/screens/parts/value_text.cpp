@@ -42,7 +42,7 @@ std::string sentence_of(std::string_view reason) {
   return sentence;
 }
 
-std::string words_of(std::string_view file_name) {
+std::string file_name_text(std::string_view file_name) {
   std::string words(file_name);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;

@@ -18,7 +18,7 @@ std::string moment_text(std::string_view utc);
 std::string sentence_of(std::string_view reason);
 
 /// A name as files write it, as words: "first_metatarsal" is "first metatarsal".
-std::string words_of(std::string_view file_name);
+std::string file_name_text(std::string_view file_name);
 
 /// The first letter or digit of the first and of the last word, for an avatar: "trainee-12" is
 /// "T1".

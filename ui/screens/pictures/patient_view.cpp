@@ -1,3 +1,6 @@
+// A patient before the operation, for cards, briefing and sign-in: the same bones and planned
+// faces, framed differently. A planned face is shown as far as it lies in the bone, the part of the
+// section where the cut is made: a plane along a shaft meets the bone twice.
 #include "ui/screens/pictures/patient_view.h"
 
 #include <algorithm>

@@ -1,7 +1,12 @@
+// Notes of an attempt with their replies, in the order of their moments. Heights are computed
+// before drawing, because the list scrolls. The line to answer exists only for a note that was
+// chosen and may be answered; what was typed there outlives a change of the choice.
 #include "ui/screens/replay/notes_panel.h"
 
 #include <algorithm>
 
+#include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/person_cell.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
@@ -18,25 +23,18 @@ using database::NoteReply;
 constexpr float edge = 12.0F, face = 28.0F, line_height = 22.0F, reply_inset = 28.0F,
                 between = 8.0F, badge_radius = 9.0F;
 
-std::vector<Note> read_notes(SignedInSession& signed_in, const database::AttemptId& id) {
-  return signed_in.in_turn([&](database::Session& session, auto&) {
-    const database::AttemptHeader header = header_for(session, id);
-    if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
-      return desk->notes(header.id);
-    if (auto own = trainee_desk_for(session, Action::ReadNotes, header))
-      return own->notes(header.id);
-    return std::vector<Note>();
-  });
-}
-
-std::string name_of(const Texts& texts, const std::string& name) {
-  return name.empty() ? std::string(texts.text("notes.nobody")) : name;
+std::vector<Note> read_notes(database::Session& session, const database::AttemptId& id) {
+  const database::AttemptHeader header = header_for(session, id);
+  if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
+    return desk->notes(header.id);
+  if (auto own = trainee_desk_for(session, Action::ReadNotes, header)) return own->notes(header.id);
+  return {};
 }
 
 struct Said {
   std::string name;
   std::string_view words;
-  int hue = 0;
+  database::PersonId person;
 };
 
 float said_height(const Ui& ui, std::string_view words, float width) {
@@ -47,8 +45,8 @@ float said_height(const Ui& ui, std::string_view words, float width) {
 /// takes room there.
 void draw_said(Ui& ui, Rect rest, const Said& said, float right) {
   Canvas& canvas = ui.canvas();
-  avatar(ui, {rest.x + face / 2.0F, rest.y + face / 2.0F}, face / 2.0F, initials_of(said.name),
-         said.hue);
+  person_avatar(ui, {rest.x + face / 2.0F, rest.y + face / 2.0F}, face / 2.0F, said.name,
+                said.person);
   take_left(rest, face + edge);
   const Rect head = take_top(rest, line_height);
   canvas.text_in({head.x, head.y, std::max(1.0F, head.w - right), head.h},
@@ -65,8 +63,6 @@ float note_height(const Ui& ui, const Note& note, float width) {
   return height;
 }
 
-int hue_of(database::PersonId person) noexcept { return static_cast<int>(person.number % 6); }
-
 void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) {
   Rect rest = inset(place, edge);
   const std::string moment = clock_text(static_cast<double>(note.moment.moment_us) / 1.0e6);
@@ -74,9 +70,9 @@ void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) 
   draw_note_badge(ui, {rest.right() - clock - 18.0F, rest.y + line_height / 2.0F}, number);
   ui.canvas().text({rest.right(), rest.y + line_height / 2.0F},
                    {Type::SmallMedium, ui.theme().accent, Align::Right}, moment);
-  const std::string name = name_of(ui.texts(), note.author_name);
-  draw_said(ui, take_top(rest, said_height(ui, note.text, rest.w)),
-            {name, note.text, hue_of(note.author)}, clock + 36.0F);
+  const std::string name = person_name_of(ui.texts(), {}, note.author_name);
+  draw_said(ui, take_top(rest, said_height(ui, note.text, rest.w)), {name, note.text, note.author},
+            clock + 36.0F);
   if (note.is_private) {
     const Rect line = take_top(rest, line_height, 4.0F);
     pill(ui, {line.x + face + edge, line.mid_y()}, ui.text("notes.private"), Meaning::Neutral,
@@ -86,7 +82,7 @@ void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) 
   for (const NoteReply& reply : note.replies) {
     take_top(rest, between);
     draw_said(ui, take_top(rest, said_height(ui, reply.text, rest.w)),
-              {name_of(ui.texts(), reply.author_name), reply.text, hue_of(reply.author)}, 0.0F);
+              {person_name_of(ui.texts(), {}, reply.author_name), reply.text, reply.author}, 0.0F);
   }
 }
 
@@ -99,10 +95,8 @@ void draw_note_badge(Ui& ui, Point centre, std::size_t number) {
 }
 
 void NotesPanel::read(Ui& ui, Shell& shell) {
-  if (!notes_.is_new()) return;
-  notes_.start(
-      ui, shell, ui.text("notes.reading"),
-      [signed_in = signed_in_, id = attempt_](WorkReport&) { return read_notes(*signed_in, id); });
+  notes_.read(ui, shell, ui.text("notes.reading"), signed_in_,
+              [id = attempt_](database::Session& session) { return read_notes(session, id); });
 }
 
 const std::vector<Note>& NotesPanel::notes() const noexcept {
@@ -116,17 +110,15 @@ std::optional<double> NotesPanel::draw(Ui& ui, Shell& shell, const Rect& rect,
   if (!notes_.draw_until_ready(ui, "notes.failed", rest, 4)) return std::nullopt;
   if (notes().empty()) {
     empty_card(ui, "notes.empty", rest,
-               {Icon::Note,
-                ui.text("notes.empty"),
-                ui.text(rights.may_read_notes ? "notes.empty.sentence" : "notes.none_here"),
-                {}});
+               {Icon::Note, ui.text("notes.empty"),
+                ui.text(rights.may_read_notes ? "notes.empty.sentence" : "notes.none_here")});
     return std::nullopt;
   }
   if (chosen_ && *chosen_ >= notes().size()) chosen_.reset();
   const bool may_reply = chosen_ && rights.may_reply && !notes()[*chosen_].is_private;
   if (may_reply) {
     const float height =
-        field_height + (error_.empty() ? 0.0F : field_message_height) + field_label_height;
+        field_height + (work_.fault().empty() ? 0.0F : field_message_height) + field_label_height;
     draw_reply(ui, shell, take_bottom(rest, height, 12.0F), header);
   }
   return draw_list(ui, rest);
@@ -142,14 +134,12 @@ std::optional<double> NotesPanel::draw_list(Ui& ui, const Rect& rect) {
     const Note& note = notes()[i];
     const Rect place{rect.x, y, rect.w - 6.0F, note_height(ui, note, rect.w - 6.0F)};
     y = place.bottom() + between;
-    Widget widget;
-    widget.id = "notes.note." + std::to_string(i + 1);
-    widget.label = note.text;
-    widget.rect = place;
-    widget.role = Role::Row;
-    widget.group = "notes.list";
-    widget.is_chosen = chosen_ == i;
-    const Response response = ui.control(std::move(widget));
+    const Response response = ui.control({.id = "notes.note." + std::to_string(i + 1),
+                                          .label = note.text,
+                                          .rect = place,
+                                          .role = Role::Row,
+                                          .is_chosen = chosen_ == i,
+                                          .group = "notes.list"});
     if (chosen_ == i) {
       ui.canvas().fill(place, ui.theme().accent_soft, radius::control);
     } else {
@@ -179,7 +169,7 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
   const std::string label =
       ui.texts().say("notes.reply", {{"number", std::to_string(*chosen_ + 1)}});
   words.label = label;
-  words.error = error_;
+  words.error = work_.fault();
   words.max_bytes = 2000;
   // Whether Enter sends is drawn from what is written, at the head of the screen too.
   if (field(ui, "notes.reply", line, reply_, words)) ui.want_frame_in_s(0.0);
@@ -190,19 +180,12 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
 
 void NotesPanel::send(Ui& ui, Shell& shell, const database::AttemptHeader& header) {
   const database::NoteId note = notes()[*chosen_].id;
-  error_.clear();
-  work_.start(
-      shell, std::string(ui.text("notes.sending")),
-      [signed_in = signed_in_, header, note, words = reply_](WorkReport&) {
-        signed_in->in_turn([&](database::Session& session, auto&) {
-          reply_to_note(session, header, note, words);
-        });
+  work_.change(
+      shell, signed_in_, {std::string(ui.text("notes.sending")), {}},
+      [header, note, words = reply_](database::Session& session) {
+        reply_to_note(session, header, note, words);
       },
-      [this](WorkEnd end, const std::string& reason) {
-        if (end != WorkEnd::Done) {
-          error_ = sentence_of(reason);
-          return;
-        }
+      [this] {
         reply_.clear();
         notes_.read_again();
       });

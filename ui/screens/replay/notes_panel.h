@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/screens/parts/attempt_desks.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/window/shell/shell.h"
@@ -42,8 +43,8 @@ class NotesPanel {
   Loaded<std::vector<database::Note>> notes_;
   const std::vector<database::Note> none_;
   std::optional<std::size_t> chosen_;
-  std::string reply_, error_;
-  ScreenWork work_;
+  std::string reply_;
+  DeskWork work_;
 };
 
 /// A number on a disc, as it marks a note on the bone, on the timeline and in the list.

@@ -1,3 +1,8 @@
+// All of a replay, made once beside the window, so that any moment of it can be shown at once.
+// Load, follow the kerfs, make the look, cut the history, thin out the curves: each takes its
+// measured share of the bar. A curve has no more points than a wide window has pixels; force keeps
+// the greatest of each stretch, so that no peak is lost. The hand is compared with the planned face
+// that it fits best.
 #include "ui/screens/replay/replay_material.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// An attempt at any moment. The player knows the time, all else is shown for it: bone, saw, hand,
+// pins, curves. The bone at a moment is looked up in a history that was cut beforehand, so that
+// dragging through the time is as quick as playing. Keys lead the time unless somebody writes.
 #include "ui/screens/replay/replay_screen.h"
 
 #include <algorithm>
@@ -259,11 +262,9 @@ void ReplayScreen::draw_panel(Ui& ui, const Rect& rect, Shell& shell) {
 
 void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
   if (!material().card || material().card->ledger.empty()) {
-    empty_card(ui, "replay.ledger.empty", rect,
-               {Icon::Ratings,
-                ui.text("result.ledger.empty"),
-                ui.text("result.ledger.empty.sentence"),
-                {}});
+    empty_card(
+        ui, "replay.ledger.empty", rect,
+        {Icon::Ratings, ui.text("result.ledger.empty"), ui.text("result.ledger.empty.sentence")});
     return;
   }
   const database::ScoreCard& score = *material().card;
@@ -316,12 +317,11 @@ void ReplayScreen::draw_events(Ui& ui, const Rect& rect) {
 }
 
 Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {
-  Timeline shown;
-  shown.duration_s = material().duration_s;
-  shown.now_s = player_.now_s();
-  shown.steps_name = ui.text("replay.steps");
-  shown.events_name = ui.text("replay.events");
-  shown.steps = material().steps;
+  Timeline shown{.duration_s = material().duration_s,
+                 .now_s = player_.now_s(),
+                 .steps_name = std::string(ui.text("replay.steps")),
+                 .events_name = std::string(ui.text("replay.events")),
+                 .steps = material().steps};
   for (const AttemptEvent& event : material().events)
     shown.events.push_back({event.time_s, event.meaning});
   const std::vector<database::Note>& notes = notes_.notes();
@@ -331,10 +331,9 @@ Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {
   if (height >= one_track_from)
     shown.tracks.push_back(force_track(ui.texts(), material().force_newton));
   if (height >= two_tracks_from) {
-    TimelineTrack plan;
-    plan.name = ui.text("replay.to_plan");
-    plan.unit = ui.text("replay.to_plan.unit");
-    plan.samples = material().to_plan_mm;
+    TimelineTrack plan{.name = std::string(ui.text("replay.to_plan")),
+                       .unit = std::string(ui.text("replay.to_plan.unit")),
+                       .samples = material().to_plan_mm};
     plan.high = highest_of(plan.samples, 2.0);
     shown.tracks.push_back(std::move(plan));
   }
@@ -394,18 +393,9 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
     return ui.texts().say(picked_in_bone_mm_ ? with_place : without, {{"moment", clock}});
   };
   const std::string asked = about("replay.ask.placed", "replay.ask.unplaced");
-  MessageFormSpec ask;
-  ask.id = "ask";
-  ask.title = ui.text("replay.flag");
-  ask.sentence = asked;
-  ask.label = ui.text("result.ask.question");
-  ask.placeholder = ui.text("result.ask.example");
-  ask.act = ui.text("result.ask.send");
-  ask.sending = ui.text("result.ask.sending");
-  ask.sent = ui.text("result.ask.sent");
   const database::AttemptHeader& header = material().header;
   ask_.draw(
-      ui, shell, signed_in_, ask,
+      ui, shell, signed_in_, question_form(ui, ui.text("replay.flag"), asked),
       [header, moment = moment_now()](database::Session& session, const std::string& words, bool) {
         ask_for_help(session, header, {header.id, moment, words});
       });
@@ -424,12 +414,9 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
       pin_.draw(ui, shell, signed_in_, pin,
                 [header, moment = moment_now()](database::Session& session,
                                                 const std::string& words, bool is_private) {
-                  auto desk = instructor_desk_for(session, database::Action::WriteNote, header);
-                  if (!desk) {
-                    throw database::DatabaseError(database::DatabaseErrorKind::Refused,
-                                                  "notes on this attempt are not yours to write");
-                  }
-                  desk->add_note({header.id, moment, is_private, words});
+                  desk_or_refused(instructor_desk_for(session, database::Action::WriteNote, header),
+                                  "notes on this attempt are not yours to write")
+                      .add_note({header.id, moment, is_private, words});
                 });
   if (!was_pinned) return;
   picked_in_bone_mm_.reset();

@@ -42,7 +42,7 @@ void DecideForm::open(const ResultFacts& facts) {
   chosen_ = facts.score ? 0 : static_cast<int>(DecisionKind::Voided);
   score_ = facts.score ? points_text(facts.standing_milli().value_or(0)) : std::string();
   reason_.clear();
-  error_.clear();
+  work_.forget_fault();
 }
 
 bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
@@ -52,13 +52,11 @@ bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
                                                ui.text("result.decide.void.short")};
   segmented(ui, "decide.kind", take_top(rest, segmented_height, gap), labels, chosen_);
   if (kind() == DecisionKind::Overridden) {
-    take_top(rest, field_label_height);
     FieldSpec score;
     score.label = ui.text("result.decide.score");
     if (!score_.empty() && !score_from(score_)) score.error = ui.text("result.decide.score.rule");
-    if (field(ui, "decide.score", take_top(rest, field_height), score_, score))
+    if (labelled_field(ui, "decide.score", rest, score_, score, field_message_height))
       ui.want_frame_in_s(0.0);
-    take_top(rest, field_message_height);
   }
   take_top(rest, field_label_height);
   FieldSpec reason;
@@ -75,24 +73,14 @@ bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
 void DecideForm::start(Ui& ui, Shell& shell, const ResultFacts& facts) {
   database::NewDecision decision{facts.header.id, kind(), score_from(score_).value_or(0), reason_};
   const std::string title(ui.text(outcomes[static_cast<std::size_t>(chosen_)]));
-  error_.clear();
-  work_.start(
-      shell, std::string(ui.text("result.deciding")),
-      [signed_in = signed_in_, header = facts.header, decision](WorkReport&) {
-        signed_in->in_turn([&](database::Session& session, auto&) {
-          auto desk = instructor_desk_for(session, database::Action::DecideResult, header);
-          if (!desk) {
-            throw database::DatabaseError(database::DatabaseErrorKind::Refused,
-                                          "this result is not yours to decide");
-          }
-          desk->decide(decision);
-        });
+  work_.change(
+      shell, signed_in_, {std::string(ui.text("result.deciding")), {}},
+      [header = facts.header, decision](database::Session& session) {
+        desk_or_refused(instructor_desk_for(session, database::Action::DecideResult, header),
+                        "this result is not yours to decide")
+            .decide(decision);
       },
-      [this, &shell, title](WorkEnd end, const std::string& reason) {
-        if (end != WorkEnd::Done) {
-          error_ = sentence_of(reason);
-          return;
-        }
+      [this, &shell, title] {
         is_open_ = false;
         was_decided_ = true;
         shell.say({Meaning::Good, title});
@@ -116,9 +104,10 @@ bool DecideForm::draw(Ui& ui, Shell& shell, const ResultFacts& facts) {
     return false;
   }
   const bool is_override = kind() == DecisionKind::Overridden;
-  Dialog shown = form_dialog(
-      ui, ui.text("result.decide"), ui.text(verbs[static_cast<std::size_t>(chosen_)]),
-      {error_, work_.is_running()}, segmented_height + gap + field_label_height + reason_height);
+  Dialog shown =
+      form_dialog(ui, ui.text("result.decide"), ui.text(verbs[static_cast<std::size_t>(chosen_)]),
+                  {work_.fault(), work_.is_running()},
+                  segmented_height + gap + field_label_height + reason_height);
   shown.keep = ui.text("result.decide.cancel");
   shown.sentence = ui.text(sentences[static_cast<std::size_t>(chosen_)]);
   shown.is_dangerous = kind() == DecisionKind::Voided;

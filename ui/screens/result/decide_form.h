@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/screens/parts/screen_work.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/result/result_material.h"
 #include "ui/widgets/ui.h"
 
@@ -21,7 +21,6 @@ class DecideForm {
       : signed_in_(std::move(signed_in)) {}
 
   void open(const ResultFacts& facts);
-  bool is_open() const noexcept { return is_open_; }
   /// Draws the form while it is open. True in the frame after something was decided: the facts are
   /// old then.
   bool draw(Ui& ui, Shell& shell, const ResultFacts& facts);
@@ -39,8 +38,8 @@ class DecideForm {
   bool is_open_ = false, is_asking_ = false, was_decided_ = false;
   /// A DecisionKind.
   int chosen_ = 0;
-  std::string score_, reason_, error_;
-  ScreenWork work_;
+  std::string score_, reason_;
+  DeskWork work_;
 };
 
 }  // namespace hallux::ui

@@ -1,3 +1,6 @@
+// Plan against cut, as one turns it. A cut is looked at from its waste and a little aside, so that
+// its shape can be told; the map colours the face by its distance to the plan. A place of the
+// ledger without a cut of its own is shown on the whole bone.
 #include "ui/screens/result/plan_card.h"
 
 #include <algorithm>
@@ -43,11 +46,6 @@ std::string signed_mm(int mm) {
 }
 
 }  // namespace
-
-void PlanCard::show_cut(std::size_t cut) {
-  chosen_ = static_cast<int>(cut);
-  ++revision_;
-}
 
 void PlanCard::show_place(const std::array<double, 3>& place_in_bone_mm,
                           std::optional<std::size_t> cut) {

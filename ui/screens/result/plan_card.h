@@ -12,8 +12,6 @@ namespace hallux::ui {
 
 class PlanCard {
  public:
-  /// What is looked at: a cut of the plan, or the whole bone.
-  void show_cut(std::size_t cut);
   /// Marks the place of a ledger line; `cut` is the planned cut it is of, nothing: the whole bone
   /// is shown.
   void show_place(const std::array<double, 3>& place_in_bone_mm, std::optional<std::size_t> cut);

@@ -23,7 +23,7 @@ struct RecordingLine {
 
 std::string limits_text(const Texts& texts, std::uint32_t limits) {
   std::string words;
-  for (const std::string_view id : words_of_limits(limits))
+  for (const std::string_view id : limit_text_ids(limits))
     words += (words.empty() ? "" : ", ") + std::string(texts.text(id));
   return words.empty() ? std::string(texts.text("limit.none")) : words;
 }

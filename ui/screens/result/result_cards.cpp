@@ -1,6 +1,10 @@
+// The reading cards of a result. Height and drawing are two functions over the same rows, since
+// cards beside each other end together. What to take away are the sentences of the card, dearest
+// first; where something was done well, one of three rows is kept for that.
 #include "ui/screens/result/result_cards.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "assessment/pass_mark.h"
@@ -179,24 +183,16 @@ std::vector<Takeaway> takeaways_of(const Texts& texts, const ResultFacts& facts)
   return taken;
 }
 
-std::string_view decision_text(const Texts& texts, const Decision& decision) {
-  switch (decision.kind) {
-    case DecisionKind::Confirmed:
-      return texts.text("result.decision.confirmed");
-    case DecisionKind::Overridden:
-      return texts.text("result.decision.overridden");
-    case DecisionKind::Voided:
-      return texts.text("result.decision.voided");
-  }
-  return {};
-}
+/// In the order of DecisionKind.
+constexpr std::array decision_texts{"result.decision.confirmed", "result.decision.overridden",
+                                    "result.decision.voided"};
 
 MessageRow decision_row(const Texts& texts, const Decision& decision, const std::string& right) {
   const Meaning meaning = decision.kind == DecisionKind::Voided       ? Meaning::Bad
                           : decision.kind == DecisionKind::Overridden ? Meaning::Info
                                                                       : Meaning::Good;
   return {decision.is_in_force ? meaning : Meaning::Neutral,
-          decision_text(texts, decision),
+          texts.text(decision_texts[static_cast<std::size_t>(decision.kind)]),
           decision.reason,
           right,
           {}};
@@ -226,21 +222,19 @@ float score_card_height(const ResultFacts& facts) noexcept {
 void draw_score_card(Ui& ui, const Rect& rect, const ResultFacts& facts) {
   Rect rest = card(ui, rect, {}, space::side_card);
   if (!facts.score) {
-    empty_card(
-        ui, "result.unscored", rest,
-        {Icon::Ratings, ui.text("result.unscored"), ui.text("result.unscored.sentence"), {}});
+    empty_card(ui, "result.unscored", rest,
+               {Icon::Ratings, ui.text("result.unscored"), ui.text("result.unscored.sentence")});
     return;
   }
   Rect head = take_top(rest, ring_block);
   const Rect ring = take_left(head, 2.0F * ring_radius + 32.0F, 20.0F);
   const std::int64_t standing = facts.standing_milli().value_or(0);
   const std::string number = points_text(standing);
-  ScoreRing score;
-  score.id = "result.ring";
-  score.number = number;
-  score.below = ui.text("result.of_100");
-  score.share = share_of(standing, 100'000);
-  score.pass_share = share_of(assessment::pass_milli, 100'000);
+  ScoreRing score{.id = "result.ring",
+                  .number = number,
+                  .below = ui.text("result.of_100"),
+                  .share = share_of(standing, 100'000),
+                  .pass_share = share_of(assessment::pass_milli, 100'000)};
   score_ring(ui, {ring.mid_x(), ring.mid_y() - 4.0F}, ring_radius, score);
   take_top(head, 16.0F);
   draw_facts(ui, head, facts);

@@ -1,3 +1,7 @@
+// A result in two readings: what is stored, at once, and the cut bone, computed again from the
+// recording. A stored score is never touched; one that is missing is computed from the recording
+// alone and kept. What was cached beside the recording serves to show, never to score. The shares
+// of the bar are measured.
 #include "ui/screens/result/result_material.h"
 
 #include <algorithm>
@@ -9,6 +13,7 @@
 #include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/cached_fields.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 #include "ui/screens/pictures/planned_frame.h"
@@ -24,7 +29,7 @@ using database::AttemptState;
 using scenarios::PlannedCut;
 
 /// Shares of the time, as measured: reading, scoring, and what is drawn.
-constexpr double read_share = 0.1, score_share = 0.55, wound_share = 0.75;
+constexpr double read_share = 0.1, score_share = 0.55, effects_share = 0.75;
 /// The map is cut open this far beyond the face, so that the face itself stays.
 constexpr double open_beyond_mm = 0.02;
 /// About one for each pixel of a wide window.
@@ -57,12 +62,9 @@ struct LoadedAttempt {
 
 LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id) {
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
-    std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, id);
-    if (!desk) {
-      throw database::DatabaseError(database::DatabaseErrorKind::Refused,
-                                    "this account may not see attempts any more");
-    }
-    return LoadedAttempt{load_attempt(database, *desk, id), database.directory()};
+    database::AttemptDesk desk = desk_or_refused(session.desk_for(Action::ViewAttempt, id),
+                                                 "this account may not see attempts any more");
+    return LoadedAttempt{load_attempt(database, desk, id), database.directory()};
   });
 }
 
@@ -155,7 +157,7 @@ void add_pictures(ExaminedAttempt& examined, const LoadedAttempt& loaded,
                            std::to_string(material.recording.samples.size()) + " ";
   examined.look = cancelled_as("stopped before the bone was drawn", [&] {
     return cached_look_of(loaded.directory, material.bone, [&](double fraction) {
-      return report.reached(wound_share + 0.2 * fraction);
+      return report.reached(effects_share + 0.2 * fraction);
     });
   });
   std::size_t number = 0;
@@ -169,22 +171,22 @@ void add_pictures(ExaminedAttempt& examined, const LoadedAttempt& loaded,
   examined.radius_mm = std::max(1.0, reach_from(examined.middle_in_bone_mm, points));
 }
 
-WoundFacts wound_of(const AttemptMaterial& material, const Examination& examination,
-                    WorkReport& report) {
-  WoundFacts wound;
-  wound.traces = cancelled_as("stopped before the heat was followed", [&] {
+EffectFacts effects_of(const AttemptMaterial& material, const Examination& examination,
+                       WorkReport& report) {
+  EffectFacts effects;
+  effects.traces = cancelled_as("stopped before the heat was followed", [&] {
     return traces_of(
         material.recording, material.bone,
         {material.scenario.saw, material.header.begun.guidance != simulator::Guidance::None},
         examination.rebuilt.fields, trace_points, [&](double fraction) {
-          return report.reached(score_share + (wound_share - score_share) * fraction);
+          return report.reached(score_share + (effects_share - score_share) * fraction);
         });
   });
-  wound.zones = watched_zones(material.scenario, material.recording);
-  wound.events = events_of(material.recording);
-  wound.duration_s = duration_s_of(material.recording);
-  wound.steps = steps_of(material.recording, material.scenario, wound.duration_s);
-  return wound;
+  effects.zones = watched_zones(material.scenario, material.recording);
+  effects.events = events_of(material.recording);
+  effects.duration_s = duration_s_of(material.recording);
+  effects.steps = steps_of(material.recording, material.scenario, effects.duration_s);
+  return effects;
 }
 
 }  // namespace
@@ -231,7 +233,7 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_i
   for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut) {
     examined->cuts.push_back(against_plan(examination, cut));
   }
-  examined->wound = wound_of(material, examination, report);
+  examined->effects = effects_of(material, examination, report);
   add_pictures(*examined, loaded, examination, report);
   examined->was_stored = store_where_missing(signed_in, material.header, examination.card);
   report.reached(1.0);
@@ -247,8 +249,8 @@ bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) n
                     });
 }
 
-bool adopt_text(database::ScoreCard& stored, const database::ScoreCard& fresh) {
-  const bool has_same_text =
+bool adopt_texts(database::ScoreCard& stored, const database::ScoreCard& fresh) {
+  const bool has_same_texts =
       stored.sentences == fresh.sentences &&
       std::equal(stored.ledger.begin(), stored.ledger.end(), fresh.ledger.begin(),
                  fresh.ledger.end(), [](const auto& a, const auto& b) { return a.text == b.text; });

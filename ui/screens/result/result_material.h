@@ -67,7 +67,7 @@ struct CutAgainstPlan {
 };
 
 /// What the saw did beside the cut: by models, and nothing of it is scored.
-struct WoundFacts {
+struct EffectFacts {
   Traces traces;
   /// None: none was watched.
   std::vector<ZoneContact> zones;
@@ -89,7 +89,7 @@ struct ExaminedAttempt {
   std::vector<CutAgainstPlan> cuts;
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;
-  WoundFacts wound;
+  EffectFacts effects;
 };
 
 /// Loads the recording, rebuilds the bone, scores it, and makes what is drawn. A score that the
@@ -106,6 +106,6 @@ bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) n
 
 /// Where both say the same score, `stored` says it in the words of `fresh`: an older program may
 /// have worded it otherwise. Returns whether any word changed; numbers never do.
-bool adopt_text(database::ScoreCard& stored, const database::ScoreCard& fresh);
+bool adopt_texts(database::ScoreCard& stored, const database::ScoreCard& fresh);
 
 }  // namespace hallux::ui

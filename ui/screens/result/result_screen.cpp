@@ -1,13 +1,16 @@
+// One attempt's result on a page whose height follows its cards. What is stored is shown at once;
+// plan against cut and the effects of the tool come when the bone was computed again, and their
+// cards say so meanwhile. A line of the ledger, its place on the bone and its moment are chosen
+// together.
 #include "ui/screens/result/result_screen.h"
 
 #include <algorithm>
-#include <array>
 
 #include "simulator/base/units.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/screens/result/effects_card.h"
 #include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_cards.h"
-#include "ui/screens/result/wound_card.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/marks.h"
@@ -21,7 +24,7 @@ using database::LedgerLine;
 
 constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height = 66.0F,
                 row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F, title_height = 52.0F,
-                unseen_wound_height = 220.0F;
+                unseen_effects_height = 220.0F;
 
 constexpr CellStyle item_cell{Type::Body, &Theme::text};
 
@@ -59,7 +62,7 @@ void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   const bool is_waiting = facts_.is_ready() && !facts().score;
   if (is_waiting && examined_.is_ready() && examined_.value()->was_stored) facts_.read_again();
   if (facts_.has_value() && facts_.value().score && examined_.has_value())
-    adopt_text(facts_.value().score->card, examined_.value()->card);
+    adopt_texts(facts_.value().score->card, examined_.value()->card);
   Rect page = inset(content, space::page, 0.0F);
   if (!facts_.draw_until_ready(ui, "result.failed", inset(content, space::page), 10)) return;
   const float height = std::max(page_height_, content.h);
@@ -78,15 +81,15 @@ void ResultScreen::draw_page(Ui& ui, Rect page, Shell& shell) {
   take_top(page, draw_head(ui, page), 16.0F);
   take_top(page, draw_notices(ui, page));
   take_top(page, draw_reading_cards(ui, page), space::between_cards);
-  const float wound = wound_card_height(ui, page.w);
+  const float effects = effects_card_height(ui, page.w);
   // For those who decide; where it may not be graded everybody reads why.
   const bool is_recording_shown = facts().rights.may_decide || facts().header.is_valid == false;
   const float recording = is_recording_shown ? recording_card_height(ui, facts(), page.w) : 0.0F;
-  const float below = wound + recording + 2.0F * space::between_cards;
+  const float below = effects + recording + 2.0F * space::between_cards;
   const float left = view - (page.y - top) - below - space::page;
   take_top(page, draw_looking_cards(ui, page, std::max(looking_height, left), shell),
            space::between_cards);
-  draw_wound_card(ui, take_top(page, wound));
+  draw_effects_card(ui, take_top(page, effects));
   if (!facts().decisions.empty()) {
     take_top(page, space::between_cards);
     const float height = decisions_card_height(ui, facts(), page.w);
@@ -265,11 +268,9 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
   }
   Rect inside = card(ui, rect, title);
   if (!facts().score || facts().score->card.ledger.empty()) {
-    empty_card(ui, "result.ledger.empty", inside,
-               {Icon::Ratings,
-                ui.text("result.ledger.empty"),
-                ui.text("result.ledger.empty.sentence"),
-                {}});
+    empty_card(
+        ui, "result.ledger.empty", inside,
+        {Icon::Ratings, ui.text("result.ledger.empty"), ui.text("result.ledger.empty.sentence")});
     return;
   }
   const Rect foot = take_bottom(inside, foot_height, 8.0F);
@@ -353,27 +354,28 @@ void ResultScreen::draw_plan(Ui& ui, const Rect& rect, Shell& shell) {
   plan_.draw(ui, shell, inset(rect, 1.0F), *examined_.value());
 }
 
-float ResultScreen::wound_card_height(const Ui& ui, float width) const {
+float ResultScreen::effects_card_height(const Ui& ui, float width) const {
   const float inside = width - 2.0F * space::card;
   const bool has_room_for_marks =
-      ui.width_of(Type::CardTitle, ui.text("result.wound")) + 20.0F + wound_marks_width(ui) <=
+      ui.width_of(Type::CardTitle, ui.text("result.effects")) + 20.0F + effects_marks_width(ui) <=
       inside;
-  const float content = examined_.has_value() ? wound_height(ui, examined_.value()->wound, inside)
-                                              : unseen_wound_height;
+  const float content = examined_.has_value()
+                            ? effects_height(ui, examined_.value()->effects, inside)
+                            : unseen_effects_height;
   return title_height + (has_room_for_marks ? 0.0F : pill_step) + content + space::card;
 }
 
-void ResultScreen::draw_wound_card(Ui& ui, const Rect& rect) {
-  Rect inside = card(ui, rect, ui.text("result.wound"));
-  const float title_width = ui.width_of(Type::CardTitle, ui.text("result.wound"));
-  if (title_width + 20.0F + wound_marks_width(ui) <= inside.w) {
-    draw_wound_marks(ui, {inside.x, rect.y + 18.0F, inside.w, 24.0F});
+void ResultScreen::draw_effects_card(Ui& ui, const Rect& rect) {
+  Rect inside = card(ui, rect, ui.text("result.effects"));
+  const float title_width = ui.width_of(Type::CardTitle, ui.text("result.effects"));
+  if (title_width + 20.0F + effects_marks_width(ui) <= inside.w) {
+    draw_effects_marks(ui, {inside.x, rect.y + 18.0F, inside.w, 24.0F});
   } else {
     const Rect line = take_top(inside, pill_step);
-    draw_wound_marks(ui, {line.x, line.y, wound_marks_width(ui), 22.0F});
+    draw_effects_marks(ui, {line.x, line.y, effects_marks_width(ui), 22.0F});
   }
-  if (!examined_.draw_until_ready(ui, "result.wound.unseen", inside, 6)) return;
-  const auto asked_s = draw_wound(ui, inside, examined_.value()->wound, chosen_moment_s());
+  if (!examined_.draw_until_ready(ui, "result.effects.unseen", inside, 6)) return;
+  const auto asked_s = draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s());
   if (asked_s) navigator_.show_replay(facts().header.id, *asked_s);
 }
 
@@ -382,21 +384,13 @@ void ResultScreen::draw_forms(Ui& ui, Shell& shell) {
     facts_.read_again();
     ui.want_frame_in_s(0.0);
   }
-  MessageFormSpec spec;
-  spec.id = "ask";
-  spec.title = ui.text("result.ask");
-  spec.sentence = ui.text("result.ask.sentence");
-  spec.label = ui.text("result.ask.question");
-  spec.placeholder = ui.text("result.ask.example");
-  spec.act = ui.text("result.ask.send");
-  spec.sending = ui.text("result.ask.sending");
-  spec.sent = ui.text("result.ask.sent");
   database::AttemptMoment moment;
   if (chosen_line_) {
     const LedgerLine& line = facts().score->card.ledger[*chosen_line_];
     moment = {line.start_us, database::BonePoint{0, line.place_in_bone_mm}};
   }
-  ask_.draw(ui, shell, signed_in_, spec,
+  ask_.draw(ui, shell, signed_in_,
+            question_form(ui, ui.text("result.ask"), ui.text("result.ask.sentence")),
             [header = facts().header, moment](database::Session& session, const std::string& words,
                                               bool) {
               ask_for_help(session, header, {header.id, moment, words});

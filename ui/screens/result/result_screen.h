@@ -45,8 +45,8 @@ class ResultScreen : public Screen {
   void draw_ledger_foot(Ui& ui, const Rect& rect);
   void draw_plan(Ui& ui, const Rect& rect, Shell& shell);
   /// The card of what the saw did beside the cut; loading and failed like the plan's.
-  float wound_card_height(const Ui& ui, float width) const;
-  void draw_wound_card(Ui& ui, const Rect& rect);
+  float effects_card_height(const Ui& ui, float width) const;
+  void draw_effects_card(Ui& ui, const Rect& rect);
   void draw_forms(Ui& ui, Shell& shell);
   std::vector<std::pair<Meaning, std::string>> notices(const Texts& texts) const;
 

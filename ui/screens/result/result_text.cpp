@@ -1,3 +1,7 @@
+// Words of a result: titles, values, targets, losses and marks. An attempt outlives its scenario's
+// wording: where this version cannot read the scenario, the names that the stored card holds stand
+// in for titles. A value is said as the card measured it, nothing is computed here; points are
+// those of 100 that assessment has rounded so that they add up.
 #include "ui/screens/result/result_text.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// One's own account. What a person may not change is a line; what they may is a button that opens a
+// dialog. Passwords leave the screen only as secrets that are wiped, and what was typed stays where
+// it is refused. The export asks for the whole path of a folder, because this machine may be a
+// laboratory's.
 #include "ui/screens/sign_in/account_screen.h"
 
 #include <algorithm>
@@ -48,8 +52,8 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   const Page scrolled(ui, "account", ui.text("account.title"), content,
                       140.0F + person_height + space::between_cards + cohorts_height);
   Rect page = scrolled.rect();
-  PageHead head{ui.text("account.title"), ui.text("account.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("account.title"), ui.text("account.sentence"));
   head.has_back = true;
   if (page_head(ui, "account", page, head).is_back_pressed) shell.pop();
   Panes panes = panes_of(page, side_width, cohorts_height);
@@ -92,15 +96,14 @@ void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
 }
 
 void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
-  setting_.start<bool>(
+  setting_.change(
       shell, signed_in_,
       {std::string(ui.text("account.lock.changing")), std::string(ui.text("account.lock.failed"))},
-      [minutes](database::Session& session, WorkReport&) {
+      [minutes](database::Session& session) {
         administrator_of(session).set_idle_lock_min(minutes);
-        return true;
       },
       [&shell,
-       said = ui.texts().say("account.lock.changed", {{"count", std::to_string(minutes)}})](bool&) {
+       said = ui.texts().say("account.lock.changed", {{"count", std::to_string(minutes)}})] {
         shell.say({Meaning::Good, said});
       });
 }
@@ -115,23 +118,20 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
   fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
   draw_lock(ui, rest, shell);
   const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
-  Rect lowest = take_bottom(rest, button_height, 12.0F);
-  lowest.w = std::min(lowest.w, button_width(ui, take));
-  if (button(ui, "account.export", lowest, take)) {
+  if (button_in_line(ui, "account.export", take_bottom(rest, button_height, 12.0F), take)) {
     folder_ = home_folder();
     exporting_.forget_fault();
   }
   const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
-  Rect line = take_bottom(rest, button_height);
-  line.w = std::min(line.w, button_width(ui, change));
-  if (!button(ui, "account.change_password", line, change)) return;
+  if (!button_in_line(ui, "account.change_password", take_bottom(rest, button_height), change))
+    return;
   typed_.emplace();
   changing_.forget_fault();
 }
 
 void AccountScreen::draw_cohorts(Ui& ui, Rect rest) const {
   if (signed_in_->memberships().empty()) {
-    words_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
+    text_line(ui, rest, Type::Small, ui.theme().text_secondary, ui.text("account.no_cohorts"));
     return;
   }
   for (const database::Membership& each : signed_in_->memberships()) {
@@ -153,13 +153,12 @@ void AccountScreen::change_password(Ui& ui, Shell& shell) {
   std::string old_password = typed_->old_password, new_password = typed_->new_password;
   const auto secrets = std::make_shared<Secrets>(
       Secrets{database::SecretText::take(old_password), database::SecretText::take(new_password)});
-  changing_.start<bool>(
+  changing_.change(
       shell, signed_in_, {std::string(ui.text("account.password.changing")), {}},
-      [secrets, cost = cost_](database::Session& session, WorkReport&) {
+      [secrets, cost = cost_](database::Session& session) {
         session.change_password(secrets->old_password, secrets->new_password, cost);
-        return true;
       },
-      [this, &shell, said = std::string(ui.text("account.password.changed"))](bool&) {
+      [this, &shell, said = std::string(ui.text("account.password.changed"))] {
         typed_.reset();
         shell.say({Meaning::Good, said});
       });
@@ -171,12 +170,10 @@ void AccountScreen::draw_export(Ui& ui, Shell& shell) {
                              field_label_height + field_height + field_message_height);
   shown.sentence = ui.text("account.export.sentence");
   const Answer answer = dialog(ui, "account.export", shown, [&](Rect form) {
-    FieldSpec folder;
-    folder.label = ui.text("account.export.folder");
-    folder.hint = ui.text("account.export.rule");
-    folder.max_bytes = 4096;
-    take_top(form, field_label_height);
-    field(ui, "account.export.folder", take_top(form, field_height), *folder_, folder);
+    labelled_field(ui, "account.export.folder", form, *folder_,
+                   {.label = ui.text("account.export.folder"),
+                    .hint = ui.text("account.export.rule"),
+                    .max_bytes = 4096});
     ui.focus_first("account.export.folder");
     return names_a_folder(*folder_);
   });

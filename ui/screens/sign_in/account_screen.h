@@ -35,7 +35,7 @@ class AccountScreen : public Screen {
   std::shared_ptr<SignedInSession> signed_in_;
   database::PasswordCost cost_;
   /// While the dialog is open.
-  std::optional<PasswordWords> typed_;
+  std::optional<PasswordForm> typed_;
   /// Typed while the dialog of the export is open.
   std::optional<std::string> folder_;
   DeskWork changing_, setting_, exporting_;

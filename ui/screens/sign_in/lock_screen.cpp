@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/screens/parts/page.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/field.h"
-#include "ui/widgets/shapes.h"
 #include "ui/widgets/texts/wipe.h"
 
 namespace hallux::ui {
 
 namespace {
 
-constexpr float form_width = 360.0F, form_height = 420.0F, field_gap = 14.0F;
+constexpr float form_width = 360.0F, form_height = 420.0F;
 
 /// Of one try; it may outlive the screen.
 struct Try {
@@ -47,17 +47,13 @@ void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
                      {{"name", person.display_name.empty() ? person.login : person.display_name}});
   ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text},
                       ui.text("lock.title"));
-  const float height = ui.paragraph_height(Type::Body, sentence, column.w);
-  ui.canvas().paragraph(take_top(column, height, 24.0F), {Type::Body, theme.text_secondary},
-                        sentence);
-  FieldSpec secret;
-  secret.label = ui.text("entry.password");
-  secret.is_secret = true;
-  secret.is_enabled = !work_.is_running();
-  take_top(column, field_label_height);
-  field(ui, "lock.password", take_top(column, field_height, field_gap), password_, secret);
+  text_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
+  labelled_field(
+      ui, "lock.password", column, password_,
+      {.label = ui.text("entry.password"), .is_secret = true, .is_enabled = !work_.is_running()},
+      entry_field_gap);
   ui.focus_first("lock.password");
-  draw_fault(ui, column);
+  wait_.draw_fault(ui, column, fault_);
   ButtonSpec open_it{ui.text("lock.open"), ButtonLook::Primary, Icon::Lock};
   open_it.is_enabled = !password_.empty() && wait_.left_s(ui) == 0;
   open_it.is_busy = work_.is_running();
@@ -66,17 +62,6 @@ void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
   }
   if (is_recording) return;
   if (link(ui, "lock.other", {column.x, column.y + 10.0F}, ui.text("lock.other"))) sign_out_();
-}
-
-void LockScreen::draw_fault(Ui& ui, Rect& column) {
-  wait_.replace(ui, fault_);
-  if (fault_.empty()) return;
-  const Theme& theme = ui.theme();
-  const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
-  const Rect line = take_top(column, height, field_gap);
-  draw_meaning(ui.canvas(), theme, Meaning::Bad, {line.x + 8.0F, line.y + 9.0F}, 8.0F);
-  ui.canvas().paragraph({line.x + 28.0F, line.y, line.w - 28.0F, height},
-                        {Type::Small, theme.bad_text}, fault_);
 }
 
 void LockScreen::open(Ui& ui, Shell& shell) {

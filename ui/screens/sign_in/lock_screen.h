@@ -32,7 +32,6 @@ class LockScreen : public Screen {
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
-  void draw_fault(Ui& ui, Rect& column);
   void draw_form(Ui& ui, Rect column, Shell& shell);
   void open(Ui& ui, Shell& shell);
 

@@ -1,14 +1,18 @@
+// The way in: three forms over one column, and the bone beside it. Which form comes first is known
+// once the directory was opened, beside the window. A secret that was typed is handed on as one
+// that wipes itself, and gone from the fields whatever comes of it. After a wrong password the wait
+// counts down where the fault is said, for that login only.
 #include "ui/screens/sign_in/sign_in_screen.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
+#include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/card.h"
-#include "ui/widgets/controls/field.h"
 #include "ui/widgets/shapes.h"
+#include "ui/widgets/texts/wipe.h"
 
 namespace hallux::ui {
 
@@ -18,7 +22,7 @@ namespace {
 // scrolls.
 constexpr float longest_form = 600.0F;
 constexpr float form_width = 360.0F, side_share = 0.6F, narrow_below = 1000.0F;
-constexpr float field_gap = 14.0F, logo_size = 40.0F, welcome_inset = 48.0F;
+constexpr float logo_size = 40.0F, welcome_inset = 48.0F;
 constexpr const char* pictured_scenario = "akin";
 constexpr double bone_rise = 0.09;  // shares of the picture's width: the words stand below it
 
@@ -79,9 +83,7 @@ void SignInScreen::show(Form form) {
 }
 
 void SignInScreen::forget_secrets() {
-  for (std::string* secret : {&code_, &password_, &password_again_}) {
-    database::SecretText::take(*secret);  // wipes what it takes
-  }
+  for (std::string* secret : {&code_, &password_, &password_again_}) wipe(*secret);
 }
 
 void SignInScreen::open(Ui& ui, Shell& shell) {
@@ -142,45 +144,22 @@ void SignInScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
                              std::string_view sentence) const {
   const Theme& theme = ui.theme();
   ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text}, title);
-  const float height = ui.paragraph_height(Type::Body, sentence, column.w);
-  ui.canvas().paragraph(take_top(column, height, 24.0F), {Type::Body, theme.text_secondary},
-                        sentence);
+  text_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
 }
 
-namespace {
-
-struct EntryField {
-  std::string_view id, label, hint = {};
-  bool is_secret = false;
-};
-
-void draw_entry_field(Ui& ui, Rect& column, std::string& text, const EntryField& entry,
-                      bool is_enabled) {
-  FieldSpec spec;
-  spec.label = entry.label;
-  spec.hint = entry.hint;
-  spec.is_secret = entry.is_secret;
-  spec.is_enabled = is_enabled;
-  take_top(column, field_label_height);
-  const Rect box = take_top(column, field_height,
-                            field_gap + (entry.hint.empty() ? 0.0F : field_message_height));
-  field(ui, entry.id, box, text, spec);
+void SignInScreen::draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
+                              FieldSpec spec) const {
+  spec.is_enabled = !is_busy_;
+  labelled_field(ui, id, column, text, spec,
+                 entry_field_gap + (spec.hint.empty() ? 0.0F : field_message_height));
 }
-
-}  // namespace
 
 void SignInScreen::draw_fault(Ui& ui, Rect& column) {
   if (login_ != waiting_login_ && wait_.left_s(ui) > 0) {
     wait_ = {};
     fault_.clear();
   }
-  wait_.replace(ui, fault_);
-  if (fault_.empty()) return;
-  const float height = ui.paragraph_height(Type::Small, fault_, column.w - 28.0F);
-  const Rect line = take_top(column, height, field_gap);
-  draw_meaning(ui.canvas(), ui.theme(), Meaning::Bad, {line.x + 8.0F, line.y + 9.0F}, 8.0F);
-  ui.canvas().paragraph({line.x + 28.0F, line.y, line.w - 28.0F, height},
-                        {Type::Small, ui.theme().bad_text}, fault_);
+  wait_.draw_fault(ui, column, fault_);
 }
 
 bool SignInScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
@@ -194,9 +173,9 @@ bool SignInScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::s
 
 void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.sign_in"), ui.text("entry.sign_in.sentence"));
-  draw_entry_field(ui, column, login_, {"entry.login", ui.text("entry.login")}, !is_busy_);
-  draw_entry_field(ui, column, password_, {"entry.password", ui.text("entry.password"), {}, true},
-                   !is_busy_);
+  draw_field(ui, column, "entry.login", login_, {.label = ui.text("entry.login")});
+  draw_field(ui, column, "entry.password", password_,
+             {.label = ui.text("entry.password"), .is_secret = true});
   ui.focus_first(is_login_known_ ? "entry.password" : "entry.login");
   draw_fault(ui, column);
   if (draw_button(ui, column, "entry.sign_in", ui.text("entry.sign_in"),
@@ -215,14 +194,14 @@ void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
 
 void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.code.title"), ui.text("entry.code.sentence"));
-  draw_entry_field(ui, column, login_, {"entry.login", ui.text("entry.login")}, !is_busy_);
-  draw_entry_field(ui, column, code_, {"entry.code", ui.text("entry.code"), {}, true}, !is_busy_);
-  draw_entry_field(
-      ui, column, password_,
-      {"entry.password", ui.text("entry.new_password"), ui.text("entry.password.rule"), true},
-      !is_busy_);
-  draw_entry_field(ui, column, password_again_,
-                   {"entry.password_again", ui.text("entry.password_again"), {}, true}, !is_busy_);
+  draw_field(ui, column, "entry.login", login_, {.label = ui.text("entry.login")});
+  draw_field(ui, column, "entry.code", code_, {.label = ui.text("entry.code"), .is_secret = true});
+  draw_field(ui, column, "entry.password", password_,
+             {.label = ui.text("entry.new_password"),
+              .hint = ui.text("entry.password.rule"),
+              .is_secret = true});
+  draw_field(ui, column, "entry.password_again", password_again_,
+             {.label = ui.text("entry.password_again"), .is_secret = true});
   ui.focus_first(is_login_known_ ? "entry.code" : "entry.login");
   draw_fault(ui, column);
   if (draw_button(ui, column, "entry.redeem", ui.text("entry.redeem"),
@@ -237,15 +216,15 @@ void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
 
 void SignInScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.first.title"), ui.text("entry.first.sentence"));
-  draw_entry_field(ui, column, login_,
-                   {"entry.login", ui.text("entry.login"), ui.text("entry.login.rule")}, !is_busy_);
-  draw_entry_field(ui, column, name_, {"entry.name", ui.text("entry.name")}, !is_busy_);
-  draw_entry_field(
-      ui, column, password_,
-      {"entry.password", ui.text("entry.password"), ui.text("entry.password.rule"), true},
-      !is_busy_);
-  draw_entry_field(ui, column, password_again_,
-                   {"entry.password_again", ui.text("entry.password_again"), {}, true}, !is_busy_);
+  draw_field(ui, column, "entry.login", login_,
+             {.label = ui.text("entry.login"), .hint = ui.text("entry.login.rule")});
+  draw_field(ui, column, "entry.name", name_, {.label = ui.text("entry.name")});
+  draw_field(ui, column, "entry.password", password_,
+             {.label = ui.text("entry.password"),
+              .hint = ui.text("entry.password.rule"),
+              .is_secret = true});
+  draw_field(ui, column, "entry.password_again", password_again_,
+             {.label = ui.text("entry.password_again"), .is_secret = true});
   ui.focus_first("entry.login");
   draw_fault(ui, column);
   if (draw_button(ui, column, "entry.begin", ui.text("entry.begin"),

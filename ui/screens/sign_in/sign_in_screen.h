@@ -7,6 +7,7 @@
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/patient_pictures.h"
 #include "ui/screens/sign_in/sign_in_wait.h"
+#include "ui/widgets/controls/field.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -37,6 +38,8 @@ class SignInScreen : public Screen {
   void draw_code(Ui& ui, Rect& column, Shell& shell);
   void draw_first_administrator(Ui& ui, Rect& column, Shell& shell);
   void draw_head(Ui& ui, Rect& column, std::string_view title, std::string_view sentence) const;
+  void draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
+                  FieldSpec spec) const;
   void draw_fault(Ui& ui, Rect& column);
   bool draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
                    bool is_ready);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ui/widgets/shapes.h"
+
 namespace hallux::ui {
 
 int SignInWait::left_s(Ui& ui) {
@@ -13,7 +15,7 @@ int SignInWait::left_s(Ui& ui) {
   return static_cast<int>(whole_s);
 }
 
-void SignInWait::replace(Ui& ui, std::string& fault) {
+void SignInWait::draw_fault(Ui& ui, Rect& column, std::string& fault) {
   const int seconds = left_s(ui);
   if (seconds > 0) {
     fault = ui.texts().say_count("entry.wait", seconds);
@@ -21,6 +23,12 @@ void SignInWait::replace(Ui& ui, std::string& fault) {
     until_s_ = -1.0;
     fault.clear();
   }
+  if (fault.empty()) return;
+  const float height = ui.paragraph_height(Type::Small, fault, column.w - 28.0F);
+  const Rect line = take_top(column, height, entry_field_gap);
+  draw_meaning(ui.canvas(), ui.theme(), Meaning::Bad, {line.x + 8.0F, line.y + 9.0F}, 8.0F);
+  ui.canvas().paragraph({line.x + 28.0F, line.y, line.w - 28.0F, height},
+                        {Type::Small, ui.theme().bad_text}, fault);
 }
 
 }  // namespace hallux::ui

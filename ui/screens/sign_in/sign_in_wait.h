@@ -10,6 +10,9 @@
 
 namespace hallux::ui {
 
+/// Between the fields of the forms to come in.
+inline constexpr float entry_field_gap = 14.0F;
+
 class SignInWait {
  public:
   /// Runs a try; where it came too soon, remembers for how long, and lets the refusal through.
@@ -25,8 +28,9 @@ class SignInWait {
   }
   /// Whole seconds left in this frame; 0: one may try.
   int left_s(Ui& ui);
-  /// Puts the wait in place of what was said, second by second, and takes it away when it is over.
-  void replace(Ui& ui, std::string& fault);
+  /// Draws why the last try failed and cuts it off `column`. The wait stands in place of what was
+  /// said, second by second, and is gone when it is over.
+  void draw_fault(Ui& ui, Rect& column, std::string& fault);
 
  private:
   int told_s_ = 0;

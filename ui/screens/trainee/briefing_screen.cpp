@@ -1,3 +1,7 @@
+// The page before an operation: picture, choice and words, beside each other or below. Heights come
+// from the words, which are laid out anew in each frame; the height that was drawn last serves for
+// the scrolling of the next. What was chosen for a practice means nothing for an assessment, and is
+// kept for whoever changes their mind.
 #include "ui/screens/trainee/briefing_screen.h"
 
 #include <algorithm>
@@ -60,8 +64,7 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   const OwnOperation& operation = operation_.value();
   const std::string sentence =
       ui.texts().say("brief.sentence", {{"version", std::to_string(operation.published.version)}});
-  PageHead head{operation.title(), sentence};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head = course_head(ui, *signed_in_, operation.title(), sentence);
   head.has_back = true;
   const Page page(ui, "brief", head.title, content,
                   head_room + (is_stacked ? stacked : std::max(least_body, start + 200.0F)));
@@ -135,7 +138,7 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
 
 // -- the beginning
 
-std::string BriefingScreen::words_of_choice(const Ui& ui) const {
+std::string BriefingScreen::choice_text(const Ui& ui) const {
   if (kind_ != 0) {
     const std::string means(ui.text("brief.assessment.means"));
     const auto& allowance = operation_.value().published.allowance;
@@ -159,7 +162,7 @@ bool BriefingScreen::may_begin() const {
 
 float BriefingScreen::start_height(const Ui& ui, float width) const {
   const float words =
-      ui.paragraph_height(Type::Small, words_of_choice(ui), width - 2.0F * space::side_card);
+      ui.paragraph_height(Type::Small, choice_text(ui), width - 2.0F * space::side_card);
   const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F);
   return space::side_card + choices + std::max(40.0F, words) + 14.0F + button_height +
          space::side_card;
@@ -173,7 +176,7 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
               guidance_);
   }
   const Rect foot = take_bottom(inside, button_height, 14.0F);
-  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, words_of_choice(ui));
+  ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, choice_text(ui));
   const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
                          ButtonLook::Primary, Icon::None, may_begin()};
   const float width = std::min(foot.w, std::max(160.0F, button_width(ui, begin)));

@@ -34,7 +34,7 @@ class BriefingScreen : public Screen {
   void draw_start(Ui& ui, const Rect& rect);
   float start_height(const Ui& ui, float width) const;
   /// What it means to begin as it is chosen.
-  std::string words_of_choice(const Ui& ui) const;
+  std::string choice_text(const Ui& ui) const;
   bool may_begin() const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
   float draw_text(Ui& ui, const Rect& rect) const;

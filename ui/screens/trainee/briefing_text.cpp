@@ -1,3 +1,6 @@
+// A scenario read out: about, steps, scoring. Each part draws from the top of an endless strip and
+// says how high it was, so that height and drawing cannot differ. Every paragraph is a stop of the
+// keyboard, since a page that only a wheel can scroll is closed to those without a mouse.
 #include "ui/screens/trainee/briefing_text.h"
 
 #include <algorithm>
@@ -23,14 +26,13 @@ constexpr float section_gap = 22.0F, number_room = 40.0F;
 
 /// Words that the keyboard can walk to, so that they can be scrolled into sight without a mouse.
 void read_along(Ui& ui, std::string id, std::string_view label, const Rect& rect) {
-  Widget widget;
-  widget.id = std::move(id);
-  widget.label = label;
-  widget.rect = rect;
-  widget.role = Role::Row;
-  widget.group = "brief.words";
   const Rect ring = inset(rect, -4.0F, -1.0F);
-  if (ui.control(std::move(widget)).shows_ring) {
+  if (ui.control({.id = std::move(id),
+                  .label = std::string(label),
+                  .rect = rect,
+                  .role = Role::Row,
+                  .group = "brief.words"})
+          .shows_ring) {
     draw_focus_ring(ui.canvas(), ui.theme(), ring, radius::row);
   }
 }
@@ -57,7 +59,7 @@ std::string zones_text(const Texts& texts, const Scenario& scenario) {
 
 std::string means_text(const Texts& texts, const Scenario& scenario) {
   return texts.say("brief.means.sentence",
-                   {{"bone", words_of(scenario.patient.bone)},
+                   {{"bone", file_name_text(scenario.patient.bone)},
                     {"length", tick_text(scenario.patient.length_mm, 0.1)},
                     {"blade", scenario.blade_name},
                     {"rate", grouped(std::lround(scenario.saw.cycles_per_minute))}});

@@ -1,3 +1,7 @@
+// One's own attempts at an operation: chart, facts, list. Void attempts stand in the list and
+// nowhere else. Medians run over one device class, and a guided hand does not count for them,
+// because neither says how the person operates. A cohort is compared where enough people are in it;
+// the desk decides that.
 #include "ui/screens/trainee/history_screen.h"
 
 #include <algorithm>
@@ -144,6 +148,13 @@ void compare(database::TraineeDesk& desk, OperationHistory& history) {
   }
 }
 
+std::vector<OperationHistory> read_histories(database::Session& session) {
+  std::vector<OperationHistory> histories = histories_of(own_attempts(session));
+  database::TraineeDesk desk = trainee_of(session);
+  for (OperationHistory& history : histories) compare(desk, history);
+  return histories;
+}
+
 /// The median, and what the middle half of the people has.
 Fact cohort_fact(const Ui& ui, const database::CohortComparison& cohort) {
   const std::string people = std::to_string(cohort.people);
@@ -186,21 +197,10 @@ const OperationHistory& HistoryScreen::history() const {
   return histories_.value()[std::min(static_cast<std::size_t>(chosen_), last)];
 }
 
-void HistoryScreen::start_reading(Ui& ui, Shell& shell) {
-  histories_.start(ui, shell, ui.text("history.reading"), [signed_in = signed_in_](WorkReport&) {
-    return signed_in->in_turn([](database::Session& session, auto&) {
-      std::vector<OperationHistory> histories = histories_of(own_attempts(session));
-      database::TraineeDesk desk = trainee_of(session);
-      for (OperationHistory& history : histories) compare(desk, history);
-      return histories;
-    });
-  });
-}
-
 void HistoryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (histories_.is_new()) start_reading(ui, shell);
-  PageHead head{ui.text("history.title"), ui.text("history.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  histories_.read(ui, shell, ui.text("history.reading"), signed_in_, read_histories);
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("history.title"), ui.text("history.sentence"));
   const bool has_attempts = histories_.has_value() && !histories_.value().empty();
   if (has_attempts) head.buttons_width = controls_width(ui, histories_.value());
   const bool is_narrow = are_panes_stacked(content.w - 2.0F * page_margin(content));
@@ -212,7 +212,7 @@ void HistoryScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (!histories_.draw_until_ready(ui, "history.failed", rest, 8)) return;
   if (!has_attempts) {
     empty_card(ui, "history.empty", rest,
-               {Icon::History, ui.text("history.empty"), ui.text("history.empty.sentence"), {}});
+               {Icon::History, ui.text("history.empty"), ui.text("history.empty.sentence")});
     return;
   }
   draw_controls(ui, controls, shell);

@@ -24,7 +24,6 @@ class HistoryScreen : public Screen {
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
-  void start_reading(Ui& ui, Shell& shell);
   void draw_controls(Ui& ui, const Rect& controls, Shell& shell);
   void draw_history(Ui& ui, Rect page);
   void draw_chart(Ui& ui, const Rect& rect);

@@ -1,3 +1,7 @@
+// Operations as cards, the next thing to do above them. What is next is decided by a rule of two
+// lines that a person can check: the easiest one not mastered, else the one done longest ago. Cards
+// take their size from the page; the page scrolls where they do not fit. Pictures come when they
+// are ready.
 #include "ui/screens/trainee/operations_screen.h"
 
 #include <algorithm>
@@ -27,24 +31,18 @@ std::array<std::string_view, segment_texts.size()> segment_labels(const Ui& ui) 
   return labels;
 }
 
+/// What has been begun and is not done yet counts as learning.
 bool is_in_segment(Competence competence, int segment) {
-  switch (segment) {
-    case 1:
-      return competence == Competence::NotStarted;
-    case 2:
-      return competence == Competence::Learning || competence == Competence::Slipped ||
-             competence == Competence::Stale;
-    case 3:
-      return competence == Competence::Competent;
-    default:
-      return true;
-  }
+  if (segment == 0) return true;
+  if (segment == 1) return competence == Competence::NotStarted;
+  const bool is_competent = competence == Competence::Competent;
+  return segment == 3 ? is_competent : !is_competent && competence != Competence::NotStarted;
 }
 
 std::string what_text(const Texts& texts, const OwnOperation& operation) {
   if (!operation.scenario) return std::string(texts.text("operations.unreadable"));
   return texts.say_count("operations.what", static_cast<long>(operation.scenario->cuts.size()),
-                         {{"bone", words_of(operation.scenario->patient.bone)}});
+                         {{"bone", file_name_text(operation.scenario->patient.bone)}});
 }
 
 }  // namespace
@@ -56,19 +54,15 @@ Competence competence_of(const OwnOperation& operation, std::string_view now_utc
 std::string standing_text(const Texts& texts, const OwnOperation& operation,
                           std::string_view now_utc) {
   const database::OperationStanding& standing = operation.published.standing;
-  switch (competence_of(operation, now_utc)) {
-    case Competence::Competent:
-      return std::string(texts.text("operations.state.competent"));
-    case Competence::Slipped:
-      return std::string(texts.text("operations.state.slipped"));
-    case Competence::NotStarted:
-      return std::string(texts.text("operations.state.not_started"));
-    case Competence::Stale:
-      return texts.say("operations.state.stale",
-                       {{"when", ago_text(texts, standing.last_started_utc, now_utc)}});
-    case Competence::Learning:
-      break;
-  }
+  const Competence competence = competence_of(operation, now_utc);
+  if (competence == Competence::Competent)
+    return std::string(texts.text("operations.state.competent"));
+  if (competence == Competence::Slipped) return std::string(texts.text("operations.state.slipped"));
+  if (competence == Competence::NotStarted)
+    return std::string(texts.text("operations.state.not_started"));
+  if (competence == Competence::Stale)
+    return texts.say("operations.state.stale",
+                     {{"when", ago_text(texts, standing.last_started_utc, now_utc)}});
   if (operation.learning.evidence_by_run.empty()) {
     return texts.say_count("operations.state.tried", standing.attempts);
   }
@@ -126,8 +120,8 @@ void OperationsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
         });
   }
   now_utc_ = utc_now_text();
-  PageHead head{ui.text("operations.title"), ui.text("operations.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
+  PageHead head =
+      course_head(ui, *signed_in_, ui.text("operations.title"), ui.text("operations.sentence"));
   head.buttons_width = segmented_width(ui, segment_labels(ui)) + control_gap + search_width;
   const float width = content.w - 2.0F * page_margin(content);
   const float cards = has_operations() ? grid_of(width).height : least_cards;
@@ -147,11 +141,7 @@ void OperationsScreen::draw_controls(Ui& ui, const Rect& controls) {
   const float width = std::min(segmented_width(ui, labels), rest.w);
   segmented(ui, "operations.filter", take_left(rest, width, control_gap), labels, segment_);
   if (rest.w < 120.0F) return;
-  FieldSpec search;
-  search.label = search.placeholder = ui.text("operations.search");
-  search.is_label_shown = false;
-  search.icon = Icon::Search;
-  field(ui, "operations.search", rest, search_, search);
+  search_field(ui, "operations.search", rest, search_, ui.text("operations.search"));
 }
 
 void OperationsScreen::show_all(Ui& ui) {
@@ -177,22 +167,10 @@ void OperationsScreen::draw_operations(Ui& ui, Rect page, Shell& shell) {
 
 namespace {
 
-/// Why this one is next.
-const char* why_next(Competence competence) {
-  switch (competence) {
-    case Competence::NotStarted:
-      return "operations.next.not_started";
-    case Competence::Slipped:
-      return "operations.next.slipped";
-    case Competence::Stale:
-      return "operations.next.stale";
-    case Competence::Competent:
-      return "operations.next.competent";
-    case Competence::Learning:
-      break;
-  }
-  return "operations.next.learning";
-}
+/// Why this one is next, in the order of Competence.
+constexpr std::array reasons_for_next{"operations.next.not_started", "operations.next.learning",
+                                      "operations.next.competent", "operations.next.slipped",
+                                      "operations.next.stale"};
 
 }  // namespace
 
@@ -203,6 +181,7 @@ void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
   const Rect tile = centred(take_left(inside, 36.0F, 16.0F), 36.0F, 36.0F);
   ui.canvas().fill(tile, theme.accent_soft, radius::control);
   ui.canvas().icon(tile.centre(), Icon::Drill, IconSize::Tile, theme.accent);
+  const auto competence = static_cast<std::size_t>(competence_of(next, now_utc_));
   const ButtonSpec start{ui.text("operations.start"), ButtonLook::Primary};
   const float width = std::max(120.0F, button_width(ui, start));
   const Rect place = take_right(inside, width, 24.0F);
@@ -210,8 +189,8 @@ void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
                       {Type::BodyStrong, theme.text},
                       ui.texts().say("operations.next", {{"operation", next.title()}}), true);
   ui.canvas().text_in({inside.x, strip.mid_y() + 1.0F, inside.w, 20.0F},
-                      {Type::Small, theme.text_secondary},
-                      ui.text(why_next(competence_of(next, now_utc_))), true);
+                      {Type::Small, theme.text_secondary}, ui.text(reasons_for_next[competence]),
+                      true);
   if (button(ui, "operations.start", centred(place, width, button_height), start)) {
     navigator_.brief(next.published.scenario);
   }
@@ -269,10 +248,8 @@ bool OperationsScreen::draw_card(Ui& ui, const Rect& rect, const OwnOperation& o
                                                {"max", std::to_string(allowance->attempts_max)}});
   const std::optional<std::int64_t> best_milli = operation.published.standing.best_milli;
   const std::string best = best_milli ? points_text(*best_milli) : std::string();
-  PictureCardSpec spec;
-  spec.name = operation.title();
-  spec.what = what;
-  spec.picture = picture_of(ui, rect, operation, shell);
+  PictureCardSpec spec{
+      .name = operation.title(), .what = what, .picture = picture_of(ui, rect, operation, shell)};
   say_difficulty(ui, operation, spec);
   spec.competence = competence_of(operation, now_utc_);
   spec.progress = progress_of(operation.published.standing, operation.learning);

@@ -13,21 +13,15 @@ constexpr float side_width = 440.0F, stacked_height = 380.0F;
 }  // namespace
 
 void QuestionsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (questions_.is_new()) {
-    questions_.start(ui, shell, ui.text("questions.reading"),
-                     [signed_in = signed_in_](WorkReport&) {
-                       return signed_in->in_turn([](database::Session& session, auto&) {
-                         return trainee_of(session).help_requests();
-                       });
-                     });
-  }
+  questions_.read(ui, shell, ui.text("questions.reading"), signed_in_,
+                  [](database::Session& session) { return trainee_of(session).help_requests(); });
   const bool is_stacked = are_panes_stacked(content.w - 2.0F * page_margin(content));
   const Page scrolled(ui, "questions", ui.text("questions.title"), content,
                       is_stacked ? 440.0F + stacked_height : 480.0F);
   Rect page = scrolled.rect();
-  PageHead head{ui.text("questions.title"), ui.text("questions.sentence")};
-  if (signed_in_->is_simulated()) head.mark = ui.text("course.simulated");
-  page_head(ui, "questions", page, head);
+  page_head(
+      ui, "questions", page,
+      course_head(ui, *signed_in_, ui.text("questions.title"), ui.text("questions.sentence")));
   const bool is_empty = questions_.is_ready() && questions_.value().empty();
   const Panes panes = is_empty ? Panes{page, {}} : panes_of(page, side_width, stacked_height);
   const Rect inside = card(ui, panes.main, {});
@@ -41,9 +35,8 @@ void QuestionsScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 void QuestionsScreen::draw_list(Ui& ui, const Rect& content) {
   const std::vector<database::HelpRequest>& questions = questions_.value();
   if (questions.empty()) {
-    empty_card(
-        ui, "questions.empty", content,
-        {Icon::Messages, ui.text("questions.empty"), ui.text("questions.empty.sentence"), {}});
+    empty_card(ui, "questions.empty", content,
+               {Icon::Messages, ui.text("questions.empty"), ui.text("questions.empty.sentence")});
     return;
   }
   std::vector<const database::HelpRequest*> shown;
@@ -63,7 +56,7 @@ void QuestionsScreen::draw_chosen(Ui& ui, const Rect& content) {
   if (chosen == nullptr) {
     empty_card(
         ui, "questions.nothing", content,
-        {Icon::Messages, ui.text("questions.nothing"), ui.text("questions.nothing.sentence"), {}});
+        {Icon::Messages, ui.text("questions.nothing"), ui.text("questions.nothing.sentence")});
     return;
   }
   const float width = content.w - 12.0F, height = help_request_height(ui, *chosen, width) + 28.0F;
@@ -73,7 +66,7 @@ void QuestionsScreen::draw_chosen(Ui& ui, const Rect& content) {
   if (draw_help_request(ui, "questions", rest, *chosen, false))
     navigator_.show_replay(chosen->attempt, static_cast<double>(chosen->moment.moment_us) * 1e-6);
   if (!chosen->answer)
-    words_line(ui, rest, Type::Small, ui.theme().text_caption, ui.text("questions.waiting"));
+    text_line(ui, rest, Type::Small, ui.theme().text_caption, ui.text("questions.waiting"));
   ui.end_scroll();
 }
 

@@ -88,30 +88,4 @@ std::vector<std::vector<Point>> line_runs(const Plot& plot, std::span<const Char
   return runs;
 }
 
-std::vector<std::vector<Point>> dashes_along(std::span<const Point> line, float on, float off) {
-  std::vector<std::vector<Point>> dashes;
-  float left = on;  // of the dash or the gap that is being walked
-  bool is_on = true;
-  if (!line.empty()) dashes.push_back({line.front()});
-  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-    const Point from = line[k], to = line[k + 1];
-    const float length = std::hypot(to.x - from.x, to.y - from.y);
-    float walked = 0.0F;
-    while (length - walked > left) {
-      walked += left;
-      const float share = walked / length;
-      const Point at{from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share};
-      if (is_on)
-        dashes.back().push_back(at);
-      else
-        dashes.push_back({at});
-      is_on = !is_on;
-      left = is_on ? on : off;
-    }
-    left -= length - walked;
-    if (is_on) dashes.back().push_back(to);
-  }
-  return dashes;
-}
-
 }  // namespace hallux::ui

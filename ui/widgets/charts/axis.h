@@ -43,8 +43,4 @@ struct ChartPoint {
 /// per pixel a column keeps its lowest and highest, so that no peak is lost.
 std::vector<std::vector<Point>> line_runs(const Plot& plot, std::span<const ChartPoint> points);
 
-/// The pieces of a line that are drawn when it is dashed: `on` long, `off` apart, measured along
-/// the line.
-std::vector<std::vector<Point>> dashes_along(std::span<const Point> line, float on, float off);
-
 }  // namespace hallux::ui

@@ -13,30 +13,11 @@ constexpr float near_px = 24.0F;
 struct SeriesLook {
   Color color;
   float thickness = 2.0F;
-  bool is_dashed = false, is_square = false;
+  bool is_dashed = false;
 };
 
 SeriesLook look_of(const Theme& theme, SeriesRole role) {
-  switch (role) {
-    case SeriesRole::Median:
-      return {theme.text, 2.5F};
-    case SeriesRole::Reference:
-      return {theme.reference, 2.5F, true};
-    case SeriesRole::Second:
-      return {theme.warn, 2.0F, false, true};
-    case SeriesRole::Cohort:
-      return {theme.text_caption, 2.0F, true};
-    case SeriesRole::You:
-      break;
-  }
-  return {theme.accent, 2.0F};
-}
-
-void draw_dashed(Canvas& canvas, const std::vector<Point>& run, const SeriesLook& look,
-                 bool is_dotted) {
-  for (const std::vector<Point>& dash :
-       dashes_along(run, is_dotted ? 2.0F : 7.0F, is_dotted ? 3.0F : 4.0F))
-    canvas.polyline(dash, look.color, look.thickness);
+  return role == SeriesRole::Median ? SeriesLook{theme.text, 2.5F} : SeriesLook{theme.accent, 2.0F};
 }
 
 void draw_axes(Canvas& canvas, const Theme& theme, const Rect& rect, const Plot& plot,
@@ -66,45 +47,20 @@ void draw_axes(Canvas& canvas, const Theme& theme, const Rect& rect, const Plot&
               {Type::Caption, theme.text_caption, Align::Right}, chart.x_name);
 }
 
-void draw_noise(Canvas& canvas, const Theme& theme, const Plot& plot, const LineChart& chart) {
-  if (!chart.noise) return;
-  for (const Series& series : chart.series) {
-    if (series.role != SeriesRole::Median) continue;
-    std::vector<Point> upper, lower;
-    for (const ChartPoint& point : series.points) {
-      if (std::isnan(point.y)) continue;
-      upper.push_back({plot.x(point.x), plot.y(std::min(point.y + *chart.noise, chart.y_high))});
-      lower.push_back({plot.x(point.x), plot.y(std::max(point.y - *chart.noise, chart.y_low))});
-    }
-    canvas.band(upper, lower, faded(theme.accent, theme.is_dark() ? 0.13F : 0.10F));
-  }
-}
-
 void draw_mark(Canvas& canvas, const Theme& theme, Point at, const SeriesLook& look,
                bool is_looked_at) {
   const float radius = is_looked_at ? 6.5F : 4.0F;
-  if (look.is_square) {
-    canvas.fill(
-        {at.x - radius - 1.5F, at.y - radius - 1.5F, 2.0F * radius + 3.0F, 2.0F * radius + 3.0F},
-        theme.card, 1.0F);
-    canvas.fill({at.x - radius, at.y - radius, 2.0F * radius, 2.0F * radius}, look.color, 0.0F);
-  } else {
-    canvas.disc(at, radius + 1.5F, theme.card);
-    canvas.disc(at, radius, look.color);
-    if (is_looked_at) canvas.disc(at, 3.0F, theme.card);
-  }
+  canvas.disc(at, radius + 1.5F, theme.card);
+  canvas.disc(at, radius, look.color);
+  if (is_looked_at) canvas.disc(at, 3.0F, theme.card);
 }
 
 void draw_series(Canvas& canvas, const Theme& theme, const Plot& plot, const Series& series,
                  std::optional<std::size_t> looked_at) {
   const SeriesLook look = look_of(theme, series.role);
   if (series.has_line)
-    for (const std::vector<Point>& run : line_runs(plot, series.points)) {
-      if (look.is_dashed)
-        draw_dashed(canvas, run, look, series.role == SeriesRole::Cohort);
-      else
-        canvas.polyline(run, look.color, look.thickness);
-    }
+    for (const std::vector<Point>& run : line_runs(plot, series.points))
+      canvas.polyline(run, look.color, look.thickness);
   if (!series.has_marks) return;
   for (std::size_t number = 0; number < series.points.size(); ++number)
     if (!std::isnan(series.points[number].y))
@@ -121,9 +77,7 @@ float draw_legend_entry(Canvas& canvas, const Theme& theme, Point right, const s
   const float x = right.x - words - 6.0F - sample;
   if (look.is_dashed)
     canvas.dashes({x, right.y}, {x + sample, right.y}, look.color, 4.0F, 3.0F, 2.0F);
-  else if (series == nullptr)
-    canvas.fill({x, right.y - 6.0F, sample, 12.0F}, look.color, 2.0F);
-  else if (series->has_line)
+  else if (series != nullptr && series->has_line)
     canvas.fill({x, right.y - 1.5F, sample, 3.0F}, look.color, 1.5F);
   if (series != nullptr && series->has_marks)
     canvas.disc({x + sample / 2.0F, right.y}, 4.0F, look.color);
@@ -136,8 +90,6 @@ void draw_legend(Canvas& canvas, const Theme& theme, const Rect& rect, const Lin
     if (!name.empty()) at.x -= draw_legend_entry(canvas, theme, at, name, look, series) + 18.0F;
   };
   if (chart.pass_mark) entry(chart.pass_name, {theme.text_secondary, 1.5F, true}, nullptr);
-  if (chart.noise)
-    entry(chart.noise_name, {faded(theme.accent, theme.is_dark() ? 0.20F : 0.16F)}, nullptr);
   for (auto series = chart.series.rbegin(); series != chart.series.rend(); ++series)
     entry(series->name, look_of(theme, series->role), &*series);
 }
@@ -158,7 +110,6 @@ void draw_line_chart(Canvas& canvas, const Theme& theme, const Rect& rect, const
   const Plot plot = plot_of(rect, chart);
   draw_legend(canvas, theme, rect, chart);
   draw_axes(canvas, theme, rect, plot, chart);
-  draw_noise(canvas, theme, plot, chart);
   if (chart.pass_mark)
     canvas.dashes({plot.rect.x, plot.y(*chart.pass_mark)},
                   {plot.rect.right(), plot.y(*chart.pass_mark)}, theme.text_secondary, 5.0F, 4.0F,

@@ -1,4 +1,4 @@
-/// Values over attempts or time: points, their running median, a band of noise, a pass mark.
+/// Values over attempts or time: points, their running median, a pass mark.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace hallux::ui {
 
-/// Whose values they are; decides colour, stroke and mark together.
-enum class SeriesRole { You, Median, Reference, Second, Cohort };
+/// Whose values they are; decides colour and stroke together.
+enum class SeriesRole { You, Median };
 
 struct Series {
   SeriesRole role = SeriesRole::You;
@@ -30,9 +30,6 @@ struct LineChart {
   std::string x_name = {};
   double x_low = 0.0, x_high = 1.0, y_low = 0.0, y_high = 100.0;
   std::vector<Series> series = {};
-  /// Half width of the band around the median, in units of y.
-  std::optional<double> noise = {};
-  std::string noise_name = {};
   std::optional<double> pass_mark = {};
   /// "pass 70".
   std::string pass_name = {};

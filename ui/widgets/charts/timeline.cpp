@@ -1,3 +1,6 @@
+// An attempt along its time: steps, events, notes, curves over one axis, with names at the left.
+// Every row has a fixed height, so that a pixel means the same moment in all of them and `time_at`
+// is one division. Events are drawn as the shapes of their meaning, smaller than elsewhere.
 #include "ui/widgets/charts/timeline.h"
 
 #include <algorithm>
@@ -95,9 +98,6 @@ void draw_track(Canvas& canvas, const Theme& theme, const Rect& rect, const Plot
                 0.0F);
     canvas.dashes({plot.rect.x, y}, {plot.rect.right(), y}, theme.good_text, 4.0F, 4.0F, 1.0F);
   }
-  for (const std::vector<Point>& run : line_runs(plot, track.reference))
-    for (const std::vector<Point>& dash : dashes_along(run, 7.0F, 4.0F))
-      canvas.polyline(dash, theme.reference, 1.5F);
   for (const std::vector<Point>& run : line_runs(plot, track.samples))
     canvas.polyline(run, theme.accent, 1.5F);
 }

@@ -33,7 +33,6 @@ struct TimelineTrack {
   std::string name = {}, unit = {};
   /// x in seconds.
   std::vector<ChartPoint> samples = {};
-  std::vector<ChartPoint> reference = {};
   /// The scale goes from `low` to this.
   double high = 1.0;
   /// Good below it.

@@ -80,24 +80,25 @@ void draw_button(Ui& ui, const Rect& rect, const ButtonSpec& spec, const Control
 }
 
 bool button(Ui& ui, std::string_view id, const Rect& rect, const ButtonSpec& spec) {
-  Widget widget;
-  widget.id = id;
-  widget.label = spec.label;
-  widget.rect = rect;
-  widget.is_enabled = spec.is_enabled && !spec.is_busy;
-  widget.is_primary = spec.look == ButtonLook::Primary;
-  const Response response = ui.control(std::move(widget));
+  const Response response = ui.control({.id = std::string(id),
+                                        .label = std::string(spec.label),
+                                        .rect = rect,
+                                        .is_enabled = spec.is_enabled && !spec.is_busy,
+                                        .is_primary = spec.look == ButtonLook::Primary});
   draw_button(ui, rect, spec, {response.hover, response.is_held, response.shows_ring});
   return response.is_pressed();
 }
 
+bool button_in_line(Ui& ui, std::string_view id, Rect line, const ButtonSpec& spec) {
+  line.w = std::min(line.w, button_width(ui, spec));
+  return button(ui, id, line, spec);
+}
+
 bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButtonSpec& spec) {
-  Widget widget;
-  widget.id = id;
-  widget.label = spec.label;
-  widget.rect = rect;
-  widget.is_enabled = spec.is_enabled;
-  const Response response = ui.control(std::move(widget));
+  const Response response = ui.control({.id = std::string(id),
+                                        .label = std::string(spec.label),
+                                        .rect = rect,
+                                        .is_enabled = spec.is_enabled});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   if (spec.is_on)
@@ -119,11 +120,10 @@ bool link(Ui& ui, std::string_view id, Point at, std::string_view label, Align a
   const float x = align == Align::Left    ? at.x
                   : align == Align::Right ? at.x - width
                                           : at.x - width / 2.0F;
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = {x - 4.0F, at.y - 12.0F, width + 8.0F, 24.0F};
-  widget.role = Role::Link;
+  Widget widget{.id = std::string(id),
+                .label = std::string(label),
+                .rect = {x - 4.0F, at.y - 12.0F, width + 8.0F, 24.0F},
+                .role = Role::Link};
   const Rect rect = widget.rect;
   const Response response = ui.control(std::move(widget));
   ui.canvas().text({x, at.y}, {type, ui.theme().accent}, label);

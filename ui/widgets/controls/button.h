@@ -25,6 +25,8 @@ inline constexpr float button_height = 38.0F, header_button_height = 36.0F,
 /// True in the frame in which it was pressed. The first primary button of a screen is what Enter
 /// does.
 bool button(Ui& ui, std::string_view id, const Rect& rect, const ButtonSpec& spec);
+/// The same at the left of a line, as wide as its label needs and the line allows.
+bool button_in_line(Ui& ui, std::string_view id, Rect line, const ButtonSpec& spec);
 /// The width its label needs: at least 88, padding 16.
 float button_width(const Ui& ui, const ButtonSpec& spec);
 

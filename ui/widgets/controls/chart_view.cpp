@@ -15,15 +15,14 @@ std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& r
     const std::vector<ChartPoint>& points = chart.series.front().points;
     for (std::size_t number = 0; number < points.size(); ++number) {
       if (std::isnan(points[number].y)) continue;
-      Widget widget;
-      widget.id = std::string(id) + "." + std::to_string(number);
-      widget.label = words(number).first;
-      widget.rect = {plot.x(points[number].x) - 10.0F, plot.y(points[number].y) - 10.0F, 20.0F,
-                     20.0F};
-      widget.group = id;
-      widget.is_in_sequence = true;
-      widget.role = Role::Option;
-      const Response response = ui.control(std::move(widget));
+      const Response response =
+          ui.control({.id = std::string(id) + "." + std::to_string(number),
+                      .label = words(number).first,
+                      .rect = {plot.x(points[number].x) - 10.0F, plot.y(points[number].y) - 10.0F,
+                               20.0F, 20.0F},
+                      .role = Role::Option,
+                      .group = std::string(id),
+                      .is_in_sequence = true});
       if (response.shows_ring) focused = number;
       if (response.is_pressed()) pressed = number;
     }

@@ -1,3 +1,6 @@
+// Controls with which one chooses. What is drawn is what was chosen when the frame began; a press
+// changes it for the next frame, which is asked for at once. Options of one choice are a group: Tab
+// visits it once, arrows move inside.
 #include "ui/widgets/controls/choice.h"
 
 #include <string>
@@ -11,13 +14,12 @@ constexpr float thumb_inset = 3.0F, segment_padding = 16.0F;
 
 Widget option_widget(std::string_view group, std::size_t number, std::string_view label,
                      const Rect& rect, bool is_chosen) {
-  Widget widget;
-  widget.id = std::string(group) + "." + std::to_string(number);
-  widget.label = label;
-  widget.rect = rect;
-  widget.role = Role::Option;
-  widget.group = group;
-  widget.is_chosen = is_chosen;
+  Widget widget{.id = std::string(group) + "." + std::to_string(number),
+                .label = std::string(label),
+                .rect = rect,
+                .role = Role::Option,
+                .is_chosen = is_chosen,
+                .group = std::string(group)};
   return widget;
 }
 
@@ -40,13 +42,11 @@ std::vector<Rect> segments_of(const Ui& ui, const Rect& rect,
 
 bool switch_control(Ui& ui, std::string_view id, const Rect& rect, std::string_view label,
                     bool& is_on, bool is_enabled, Response& response) {
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = rect;
-  widget.role = Role::Checkbox;
-  widget.is_enabled = is_enabled;
-  response = ui.control(std::move(widget));
+  response = ui.control({.id = std::string(id),
+                         .label = std::string(label),
+                         .rect = rect,
+                         .role = Role::Checkbox,
+                         .is_enabled = is_enabled});
   if (response.is_pressed()) is_on = !is_on;
   return response.is_pressed();
 }
@@ -175,12 +175,8 @@ bool filter_pill(Ui& ui, std::string_view id, Point left_middle, std::string_vie
   const Rect rect{left_middle.x, left_middle.y - 12.0F,
                   ui.width_of(Type::CaptionMedium, label) + 20.0F, 24.0F};
   if (width != nullptr) *width = rect.w;
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = rect;
-  widget.is_chosen = is_chosen;
-  const Response response = ui.control(std::move(widget));
+  const Response response = ui.control(
+      {.id = std::string(id), .label = std::string(label), .rect = rect, .is_chosen = is_chosen});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   const Color fill = is_chosen ? theme.accent_soft : theme.chip;

@@ -1,3 +1,7 @@
+// A field draws its letters itself, since dots, selection and caret need the same places as the
+// text. Events of the frame are applied in their order, first the pointer and then keys, on the
+// text as it was shown. What a secret shows are dots, mapped letter by letter; its text is noted
+// nowhere, and copies are wiped.
 #include "ui/widgets/controls/field.h"
 
 #include <cmath>
@@ -224,9 +228,8 @@ void draw_content(Ui& ui, const Rect& room, std::string_view shown, const Layout
 
 bool draw_eye(Ui& ui, const std::string& id, const Rect& rect, bool is_open) {
   const std::string eye = id + ".eye";
-  IconButtonSpec spec;
-  spec.label = ui.text(is_open ? "field.hide" : "field.show");
-  spec.icon = is_open ? Icon::EyeOff : Icon::Eye;
+  IconButtonSpec spec{.label = ui.text(is_open ? "field.hide" : "field.show"),
+                      .icon = is_open ? Icon::EyeOff : Icon::Eye};
   return icon_button(ui, eye, {rect.right() - eye_room, rect.mid_y() - 18.0F, 36.0F, 36.0F}, spec);
 }
 
@@ -235,14 +238,12 @@ bool draw_eye(Ui& ui, const std::string& id, const Rect& rect, bool is_open) {
 bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
            const FieldSpec& spec) {
   const std::string name(id);
-  Widget widget;
-  widget.id = name;
-  widget.label = spec.label;
-  widget.rect = rect;
-  widget.role = Role::Field;
-  widget.is_enabled = spec.is_enabled;
-  widget.takes_new_line = spec.lines > 1;
-  const Response response = ui.control(std::move(widget));
+  const Response response = ui.control({.id = name,
+                                        .label = std::string(spec.label),
+                                        .rect = rect,
+                                        .role = Role::Field,
+                                        .is_enabled = spec.is_enabled,
+                                        .takes_new_line = spec.lines > 1});
   draw_box(ui, rect, spec, {response.hover, false, response.shows_ring}, response.has_focus);
   TextEdit& edit = ui.text_edit(name);
   keep_cursor_inside(edit, text);
@@ -262,6 +263,19 @@ bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
     ui.want_frame_in_s(0.0);
   }
   return is_changed;
+}
+
+bool labelled_field(Ui& ui, std::string_view id, Rect& rest, std::string& text,
+                    const FieldSpec& spec, float below) {
+  take_top(rest, field_label_height);
+  return field(ui, id, take_top(rest, field_height, below), text, spec);
+}
+
+bool search_field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
+                  std::string_view label) {
+  return field(
+      ui, id, rect, text,
+      {.label = label, .placeholder = label, .icon = Icon::Search, .is_label_shown = false});
 }
 
 void draw_field(Ui& ui, const Rect& rect, std::string_view text, const FieldSpec& spec,

@@ -37,6 +37,14 @@ inline constexpr float field_height = 42.0F, field_label_height = 26.0F,
 /// frame.
 bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text, const FieldSpec& spec);
 
+/// The same below its label, both cut off `rest`, with `below` left free under the box.
+bool labelled_field(Ui& ui, std::string_view id, Rect& rest, std::string& text,
+                    const FieldSpec& spec, float below = 0.0F);
+
+/// A field to search in, whose placeholder says so.
+bool search_field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
+                  std::string_view label);
+
 /// How it looks in a given state, with text and caret; for the gallery.
 void draw_field(Ui& ui, const Rect& rect, std::string_view text, const FieldSpec& spec,
                 const ControlState& state, bool has_focus);

@@ -1,3 +1,6 @@
+// What lies over a page: menus, questions, toasts, running work. A menu takes a press beside it
+// with a control as large as the window, so that nothing below hears it. Of a question the safe
+// answer has the focus and Esc; the verb has to be meant.
 #include "ui/widgets/controls/menu.h"
 
 #include <string>
@@ -94,13 +97,12 @@ int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> it
   draw_panel(ui, rect, items);
   const std::vector<Rect> rows = rows_of(rect, items);
   for (std::size_t number = 0; number < items.size(); ++number) {
-    Widget widget;
-    widget.id = std::string(id) + "." + std::to_string(number);
-    widget.label = items[number].label;
-    widget.rect = rows[number];
-    widget.group = id;
-    widget.role = Role::Option;
-    widget.is_enabled = items[number].is_enabled;
+    Widget widget{.id = std::string(id) + "." + std::to_string(number),
+                  .label = std::string(items[number].label),
+                  .rect = rows[number],
+                  .role = Role::Option,
+                  .is_enabled = items[number].is_enabled,
+                  .group = std::string(id)};
     const std::string name = widget.id;
     const Response response = ui.control(std::move(widget));
     if (number == 0) ui.focus_first(name);
@@ -170,11 +172,9 @@ ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& sh
       link(ui, std::string(id) + ".action", {rect.right() - 44.0F, rect.mid_y()}, shown.action,
            Align::Right, Type::BodyMedium))
     answer = ToastAnswer::Action;
-  IconButtonSpec close;
-  close.label = ui.text("toast.close");
-  close.icon = Icon::Close;
   if (icon_button(ui, std::string(id) + ".close",
-                  {rect.right() - 36.0F, rect.mid_y() - 16.0F, 32.0F, 32.0F}, close))
+                  {rect.right() - 36.0F, rect.mid_y() - 16.0F, 32.0F, 32.0F},
+                  {ui.text("toast.close"), Icon::Close}))
     answer = ToastAnswer::Closed;
   return answer;
 }

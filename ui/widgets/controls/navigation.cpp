@@ -33,13 +33,11 @@ void draw_badge(Ui& ui, const Rect& row, int count, bool is_chosen, bool is_rail
 
 Response navigation_row(Ui& ui, const Rect& row, std::string_view id, std::string_view label,
                         bool is_chosen = false) {
-  Widget widget;
-  widget.id = id;
-  widget.label = label;
-  widget.rect = row;
-  widget.role = Role::Link;
-  widget.is_chosen = is_chosen;
-  return ui.control(std::move(widget));
+  return ui.control({.id = std::string(id),
+                     .label = std::string(label),
+                     .rect = row,
+                     .role = Role::Link,
+                     .is_chosen = is_chosen});
 }
 
 bool draw_item(Ui& ui, const Rect& row, const NavigationItem& item, bool is_chosen, bool is_rail) {

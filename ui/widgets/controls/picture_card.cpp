@@ -8,14 +8,6 @@ namespace {
 
 constexpr float padding = 16.0F;
 
-void draw_due(Ui& ui, const Rect& rect, std::string_view due) {
-  const float width = ui.width_of(Type::CaptionMedium, due) + 36.0F;
-  const Rect chip{rect.right() - width - 12.0F, rect.y + 12.0F, width, 24.0F};
-  ui.canvas().fill(chip, ui.theme().hud, 12.0F);
-  ui.canvas().icon({chip.x + 14.0F, chip.mid_y()}, Icon::Clock, IconSize::Inline, ui.theme().text);
-  ui.canvas().text({chip.x + 26.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, due);
-}
-
 void draw_mark(Ui& ui, const Rect& rect, std::string_view mark) {
   const float width = ui.width_of(Type::CaptionMedium, mark) + 40.0F;
   const Rect chip{rect.x + 12.0F, rect.y + 12.0F, width, 24.0F};
@@ -45,12 +37,10 @@ void draw_state(Ui& ui, const Rect& line, const PictureCardSpec& spec) {
 }  // namespace
 
 bool picture_card(Ui& ui, std::string_view id, const Rect& place, const PictureCardSpec& spec) {
-  Widget widget;
-  widget.id = id;
-  widget.label = spec.name;
-  widget.rect = place;
-  widget.group = spec.group;
-  const Response response = ui.control(std::move(widget));
+  const Response response = ui.control({.id = std::string(id),
+                                        .label = std::string(spec.name),
+                                        .rect = place,
+                                        .group = std::string(spec.group)});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   const Rect rect = moved(place, 0.0F, -2.0F * response.hover);
@@ -64,7 +54,6 @@ bool picture_card(Ui& ui, std::string_view id, const Rect& place, const PictureC
   canvas.outline(rect, mixed(theme.line, theme.accent, response.hover), radius::picture,
                  response.hover > 0.5F ? 2.0F : 1.0F);
   if (response.shows_ring) draw_focus_ring(canvas, theme, rect, radius::picture);
-  if (!spec.due.empty()) draw_due(ui, rect, spec.due);
   if (!spec.mark.empty()) draw_mark(ui, rect, spec.mark);
   canvas.push_room(rect);
   const float x = rect.x + padding, room = rect.w - 2.0F * padding, y = picture.bottom();

@@ -24,8 +24,6 @@ struct PictureCardSpec {
   std::string_view state = {};
   /// "best" and "81.4"; empty where there is none.
   std::string_view best_word = {}, best = {};
-  /// "Due 7 Mar"; empty: not due.
-  std::string_view due = {};
   /// Arrows move between the cards of one group.
   std::string_view group = {};
   /// "Not surgeon-reviewed", over the picture; empty: none.

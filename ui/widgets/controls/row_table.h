@@ -57,8 +57,11 @@ struct RowTable {
 };
 
 /// Words on the left may be shortened, what stands at the right (a number) may not.
-void draw_cell_text(Ui& ui, const Rect& cell, Align align, const CellStyle& style,
-                    std::string_view words);
+inline void draw_cell_text(Ui& ui, const Rect& cell, Align align, const CellStyle& style,
+                           std::string_view words) {
+  ui.canvas().text_in(cell, {style.type, ui.theme().*style.color, align}, words,
+                      align == Align::Left);
+}
 
 /// An order of rows by a key: a member, or a function of the row.
 template <typename Key>

@@ -1,3 +1,7 @@
+// A table laid out by what is in sight: rows and one beyond each edge, which an arrow must find.
+// Columns share what fixed ones leave; those that say so go where the table is narrow, with their
+// numbers kept. Choosing follows what people know from lists of files: Shift extends from an
+// anchor, Ctrl+A takes all.
 #include "ui/widgets/controls/table.h"
 
 #include <cmath>
@@ -57,10 +61,9 @@ bool draw_head(Ui& ui, std::string_view id, const Rect& place, const TableColumn
   const bool is_sorted = sort.column == number;
   Response response;
   if (column.can_sort) {
-    Widget widget;
-    widget.id = std::string(id) + ".sort." + std::to_string(number);
-    widget.label = column.head;
-    widget.rect = {place.x - 6.0F, place.mid_y() - 14.0F, place.w + 12.0F, 28.0F};
+    Widget widget{.id = std::string(id) + ".sort." + std::to_string(number),
+                  .label = std::string(column.head),
+                  .rect = {place.x - 6.0F, place.mid_y() - 14.0F, place.w + 12.0F, 28.0F}};
     const Rect rect = widget.rect;
     response = ui.control(std::move(widget));
     if (response.shows_ring) draw_focus_ring(canvas, theme, inset(rect, 3.0F), radius::step);
@@ -146,14 +149,13 @@ void react(Ui& ui, const TableSpec& spec, TableState& state, const RowPlace& pla
 
 void draw_one_row(Ui& ui, std::string_view id, const TableSpec& spec, TableState& state,
                   const RowPlace& place, TableResponse& answer) {
-  Widget widget;
-  widget.id = std::string(id) + "." + place.id;
-  widget.label = spec.row_label ? spec.row_label(place.row) : place.id;
-  widget.rect = inset(place.rect, -row_reach, 0.0F);
-  widget.role = Role::Row;
-  widget.group = id;
-  widget.is_chosen = place.is_chosen;
-  const Response response = ui.control(std::move(widget));
+  const Response response =
+      ui.control({.id = std::string(id) + "." + place.id,
+                  .label = std::string(spec.row_label ? spec.row_label(place.row) : place.id),
+                  .rect = inset(place.rect, -row_reach, 0.0F),
+                  .role = Role::Row,
+                  .is_chosen = place.is_chosen,
+                  .group = std::string(id)});
   draw_row_ground(ui, place, spec, response);
   react(ui, spec, state, place, response, answer);
   if (spec.has_checkboxes)

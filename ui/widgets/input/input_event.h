@@ -118,11 +118,11 @@ enum class EventKind : std::uint8_t {
 struct InputEvent {
   EventKind kind = EventKind::PointerMoved;
   /// Of the pointer, for all its events.
-  Point position;
+  Point position = {};
   MouseButton button = MouseButton::Left;
   Key key = Key::None;
   /// Held while it happened.
-  Modifiers modifiers;
+  Modifiers modifiers = {};
   char32_t character = 0;
   /// Notches, positive away from the person.
   float wheel = 0.0F;

@@ -1,3 +1,6 @@
+// Fonts at one scale: ImGui's builder draws the glyphs, FreeType gives the advances that the
+// builder rounds. Sizes are chosen so that capitals and lines fall on device pixels; all digits
+// take the widest digit's place, so that numbers do not move while they change.
 #include "ui/widgets/look/fonts.h"
 
 #include <ft2build.h>

@@ -67,36 +67,16 @@ Theme make_theme(ThemeName name) noexcept {
   return name == ThemeName::Dark ? dark_theme() : light_theme();
 }
 
+// In the order of Meaning.
 Color fill_of(const Theme& theme, Meaning meaning) noexcept {
-  switch (meaning) {
-    case Meaning::Good:
-      return theme.good;
-    case Meaning::Warn:
-      return theme.warn;
-    case Meaning::Bad:
-      return theme.bad;
-    case Meaning::Info:
-      return theme.accent;
-    case Meaning::Neutral:
-      break;
-  }
-  return theme.text_caption;
+  const Color fills[] = {theme.good, theme.warn, theme.bad, theme.accent, theme.text_caption};
+  return fills[static_cast<std::size_t>(meaning)];
 }
 
 Color text_of(const Theme& theme, Meaning meaning) noexcept {
-  switch (meaning) {
-    case Meaning::Good:
-      return theme.good_text;
-    case Meaning::Warn:
-      return theme.warn_text;
-    case Meaning::Bad:
-      return theme.bad_text;
-    case Meaning::Info:
-      return theme.accent;
-    case Meaning::Neutral:
-      break;
-  }
-  return theme.text_secondary;
+  const Color texts[] = {theme.good_text, theme.warn_text, theme.bad_text, theme.accent,
+                         theme.text_secondary};
+  return texts[static_cast<std::size_t>(meaning)];
 }
 
 Color tint_of(const Theme& theme, Meaning meaning) noexcept {

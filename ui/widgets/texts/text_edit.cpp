@@ -1,3 +1,6 @@
+// Editing as functions of text and cursor. A key is one step back for Ctrl+Z, letters in a row are
+// one together. Places are byte offsets that always lie between two letters, so that no edit tears
+// one. A secret keeps no past and gives nothing to the clipboard.
 #include "ui/widgets/texts/text_edit.h"
 
 #include "ui/widgets/texts/text_layout.h"

@@ -1,6 +1,8 @@
+// Letters by their own advances: UTF-8 is walked code point by code point, lines are broken at
+// spaces and, where a word alone is too long, inside it. A text that is shortened keeps its
+// beginning. A broken byte counts as one letter of its own, so that damaged text can be measured
+// and edited like any other.
 #include "ui/widgets/texts/text_layout.h"
-
-#include <cmath>
 
 namespace hallux::ui {
 namespace {

@@ -1,6 +1,5 @@
 #include "ui/window/shell/background.h"
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "ui/window/shell/help.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/marks.h"
@@ -11,6 +12,25 @@ namespace {
 
 constexpr float panel_width = 460.0F, row_height = 34.0F, head_height = 60.0F, foot_height = 78.0F;
 
+constexpr std::pair<Key, std::string_view> signs[] = {
+    {Key::Left, "\xE2\x86\x90"}, {Key::Up, "\xE2\x86\x91"}, {Key::Right, "\xE2\x86\x92"},
+    {Key::Down, "\xE2\x86\x93"}, {Key::Plus, "+"},          {Key::Minus, "\xE2\x88\x92"},
+    {Key::Comma, ","},           {Key::Period, "."},        {Key::LeftBracket, "["},
+    {Key::RightBracket, "]"},    {Key::Slash, "/"},
+};
+constexpr std::pair<Key, std::string_view> named_keys[] = {
+    {Key::Tab, "key.tab"},
+    {Key::Enter, "key.enter"},
+    {Key::Escape, "key.escape"},
+    {Key::Space, "key.space"},
+    {Key::Home, "key.home"},
+    {Key::End, "key.end"},
+    {Key::PageUp, "key.page_up"},
+    {Key::PageDown, "key.page_down"},
+    {Key::Backspace, "key.backspace"},
+    {Key::Delete, "key.delete"},
+};
+
 // Letters, digits and signs are printed as they are; the catalogue names the others.
 std::string key_text(const Texts& texts, Key key) {
   if (key >= Key::A && key <= Key::Z)
@@ -19,52 +39,11 @@ std::string key_text(const Texts& texts, Key key) {
     return {static_cast<char>('0' + static_cast<int>(key) - static_cast<int>(Key::Digit0))};
   if (key >= Key::F1 && key <= Key::F12)
     return "F" + std::to_string(static_cast<int>(key) - static_cast<int>(Key::F1) + 1);
-  switch (key) {
-    case Key::Tab:
-      return std::string(texts.text("key.tab"));
-    case Key::Enter:
-      return std::string(texts.text("key.enter"));
-    case Key::Escape:
-      return std::string(texts.text("key.escape"));
-    case Key::Space:
-      return std::string(texts.text("key.space"));
-    case Key::Left:
-      return "\xE2\x86\x90";
-    case Key::Up:
-      return "\xE2\x86\x91";
-    case Key::Right:
-      return "\xE2\x86\x92";
-    case Key::Down:
-      return "\xE2\x86\x93";
-    case Key::Home:
-      return std::string(texts.text("key.home"));
-    case Key::End:
-      return std::string(texts.text("key.end"));
-    case Key::PageUp:
-      return std::string(texts.text("key.page_up"));
-    case Key::PageDown:
-      return std::string(texts.text("key.page_down"));
-    case Key::Backspace:
-      return std::string(texts.text("key.backspace"));
-    case Key::Delete:
-      return std::string(texts.text("key.delete"));
-    case Key::Plus:
-      return "+";
-    case Key::Minus:
-      return "\xE2\x88\x92";
-    case Key::Comma:
-      return ",";
-    case Key::Period:
-      return ".";
-    case Key::LeftBracket:
-      return "[";
-    case Key::RightBracket:
-      return "]";
-    case Key::Slash:
-      return "/";
-    default:
-      return {};
-  }
+  for (const auto& [sign, text] : signs)
+    if (sign == key) return std::string(text);
+  for (const auto& [named, id] : named_keys)
+    if (named == key) return std::string(texts.text(id));
+  return {};
 }
 
 }  // namespace

@@ -1,3 +1,7 @@
+// What surrounds the screens. Screens are pushed and popped between two frames, so that none ends
+// while it draws. A frame: preferences, work that ended, the screen with its navigation, then what
+// lies over it, keys last, because a control that has the focus comes first. A locked window draws
+// its lock and nothing else; what runs goes on unseen.
 #include "ui/window/shell/shell.h"
 
 #include <algorithm>
@@ -139,7 +143,7 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
     if (top()->surround() == WindowChrome::Badge) draw_badge(ui);
   }
   draw_person_menu(ui);
-  if (is_help_shown_) draw_help(ui);
+  if (is_help_shown_ && draw_shortcut_list(ui)) is_help_shown_ = false;
   draw_messages(ui);
   hear_shortcuts(ui);
   watch_idle(ui);
@@ -273,10 +277,6 @@ void Shell::draw_messages(Ui& ui) {
   std::erase_if(messages_, [&](const ShownMessage& shown) { return shown.id == closed; });
   ui.want_frame_in_s(0.0);
   if (action) action();
-}
-
-void Shell::draw_help(Ui& ui) {
-  if (draw_shortcut_list(ui)) is_help_shown_ = false;
 }
 
 void Shell::hear_shortcuts(Ui& ui) {

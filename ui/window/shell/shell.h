@@ -137,7 +137,6 @@ class Shell {
   void draw_person_menu(Ui& ui);
   void draw_messages(Ui& ui);
   float draw_work(Ui& ui);
-  void draw_help(Ui& ui);
   void hear_shortcuts(Ui& ui);
   void navigate(Ui& ui, const std::string& id);
   void sign_out(Ui& ui);

@@ -7,7 +7,7 @@ namespace hallux::ui {
 using scenarios::StepKind;
 
 LedOperation::LedOperation(database::AttemptKind kind) : session(kind) {
-  session.lay(
+  session.make_ready(
       {StepKind::Verify, StepKind::Cut, StepKind::Remove, StepKind::Close, StepKind::Finish},
       LedSaw({Quat(1.0, 0.0, 0.0, 0.0), start_mm}, {0.0, 0.0, 0.0}));
   session.begin();

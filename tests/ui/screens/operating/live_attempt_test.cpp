@@ -39,13 +39,14 @@ class LiveAttempts : public testing::Test {
 
   OperableCourse course_{"silver"};
   const std::shared_ptr<SignedInSession> signed_in_ = course_.visit_of_ada();
-  const std::shared_ptr<const OperatingTable> table_ = course_.table(*signed_in_);
+  const std::shared_ptr<const PreparedCase> prepared_case_ = course_.prepared_case(*signed_in_);
   LiveBegin what_;
 };
 
 TEST_F(LiveAttempts, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
-  const std::unique_ptr<LiveAttempt> live = begin_operation(
-      *signed_in_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
+  const std::unique_ptr<LiveAttempt> live =
+      begin_operation(*signed_in_, prepared_case_, what_,
+                      std::make_unique<LooseCable>(start_pose(*prepared_case_)));
   bool was_said = false;
   ASSERT_TRUE(soon([&] {
     const simulator::LoopView& view = live->view();
@@ -75,10 +76,10 @@ TEST_F(LiveAttempts, ADeviceThatDoesNotAnswerStopsTheSawAndIsOnTheRecord) {
 
 TEST_F(LiveAttempts, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
   what_.guidance = simulator::Guidance::Slot;
-  RigidTransform beside = start_pose(*table_);
+  RigidTransform beside = start_pose(*prepared_case_);
   beside.translation_mm += Vec3(20.0, 20.0, 20.0);
   const std::unique_ptr<LiveAttempt> live =
-      begin_operation(*signed_in_, table_, what_, std::make_unique<LooseCable>(beside));
+      begin_operation(*signed_in_, prepared_case_, what_, std::make_unique<LooseCable>(beside));
   ASSERT_TRUE(soon([&] { return live->view().sample.tick > end_tick; }));
   live->finish();
   ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
@@ -95,7 +96,8 @@ TEST_F(LiveAttempts, OfAnAssessmentIsNotBegunWithAGuide) {
   what_.kind = database::AttemptKind::Assessment;
   what_.guidance = simulator::Guidance::Soft;
   try {
-    begin_operation(*signed_in_, table_, what_, std::make_unique<LooseCable>(start_pose(*table_)));
+    begin_operation(*signed_in_, prepared_case_, what_,
+                    std::make_unique<LooseCable>(start_pose(*prepared_case_)));
     ADD_FAILURE() << "was begun";
   } catch (const database::DatabaseError& error) {
     EXPECT_EQ(error.kind(), database::DatabaseErrorKind::BadInput);

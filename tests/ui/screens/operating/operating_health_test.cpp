@@ -89,19 +89,19 @@ TEST(RecentLimits, AreReadForASecondAndGoAfterTwo) {
 struct ArmAttempt {
   ArmAttempt() {
     const std::shared_ptr<SignedInSession> signed_in = course.visit_of_ada();
-    table = course.table(*signed_in);
+    prepared_case = course.prepared_case(*signed_in);
     LiveBegin what;
     what.scenario = course.version();
     what.person = signed_in->person().id;
     simulator::HandMotion motion;
-    motion.keys = {{0, start_pose(*table), 0}};
+    motion.keys = {{0, start_pose(*prepared_case), 0}};
     live = begin_operation(
-        *signed_in, table, what,
+        *signed_in, prepared_case, what,
         std::make_unique<simulator::ModelledArm>(motion, simulator::ModelledArmSetup{}));
   }
 
   OperableCourse course{"silver"};
-  std::shared_ptr<const OperatingTable> table;
+  std::shared_ptr<const PreparedCase> prepared_case;
   std::unique_ptr<LiveAttempt> live;
 };
 

@@ -31,7 +31,7 @@ LiveEnd sealed() {
 TEST(OperatingSession, BeginsOnceAndMayBeLeftUntilThen) {
   OperatingSession session(database::AttemptKind::Practice);
   EXPECT_FALSE(session.begin()) << "nothing is laid out yet";
-  session.lay({scenarios::StepKind::Finish}, LedSaw());
+  session.make_ready({scenarios::StepKind::Finish}, LedSaw());
   EXPECT_EQ(session.phase(), Phase::Ready);
   EXPECT_EQ(session.staying(), Staying::No);
   EXPECT_TRUE(session.begin());
@@ -44,7 +44,7 @@ TEST(OperatingSession, BeginsOnceAndMayBeLeftUntilThen) {
 
 TEST(OperatingSession, ThatCannotBeginSaysWhyAndMayBeLeft) {
   OperatingSession session(database::AttemptKind::Practice);
-  session.lay({}, LedSaw());
+  session.make_ready({}, LedSaw());
   session.begin();
   session.fail_to_begin("the disk is full");
   EXPECT_EQ(session.phase(), Phase::Stopped);
@@ -55,7 +55,7 @@ TEST(OperatingSession, ThatCannotBeginSaysWhyAndMayBeLeft) {
 
 TEST(OperatingSession, HearsNobodyBeforeItRuns) {
   OperatingSession session(database::AttemptKind::Practice);
-  session.lay({}, LedSaw());
+  session.make_ready({}, LedSaw());
   session.pause(PausedBy::Locked);
   session.ask(Asked::Finish);
   EXPECT_FALSE(session.pausing().is_paused());

@@ -84,11 +84,11 @@ database::AttemptHeader OperableCourse::newest_attempt() {
   return newest == all.end() ? database::AttemptHeader{} : *newest;
 }
 
-std::shared_ptr<const OperatingTable> OperableCourse::table(SignedInSession& signed_in) {
+std::shared_ptr<const PreparedCase> OperableCourse::prepared_case(SignedInSession& signed_in) {
   return signed_in.in_turn([&](database::Session&, database::Database& database) {
     const database::ScenarioText text = database::get_scenario_version(database, version_);
-    return std::make_shared<const OperatingTable>(
-        lay_table(scenarios::parse_scenario(text.json, text.name), no_progress));
+    return std::make_shared<const PreparedCase>(
+        prepare_case(scenarios::parse_scenario(text.json, text.name), no_progress));
   });
 }
 

@@ -48,7 +48,7 @@ class OperableCourse {
   /// Where there are several.
   database::AttemptHeader newest_attempt();
   /// Bone and plan, laid out as for whoever operates.
-  std::shared_ptr<const OperatingTable> table(SignedInSession& signed_in);
+  std::shared_ptr<const PreparedCase> prepared_case(SignedInSession& signed_in);
 
  private:
   database::SomeCourse course_;

@@ -36,8 +36,8 @@ TEST(Words, InitialsAreOfTheFirstAndTheLastWord) {
 }
 
 TEST(Words, NamesOfFilesAreRead) {
-  EXPECT_EQ(words_of("first_proximal_phalanx"), "first proximal phalanx");
-  EXPECT_EQ(words_of(""), "");
+  EXPECT_EQ(file_name_text("first_proximal_phalanx"), "first proximal phalanx");
+  EXPECT_EQ(file_name_text(""), "");
 }
 
 }  // namespace

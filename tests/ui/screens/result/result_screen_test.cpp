@@ -9,10 +9,10 @@
 #include "assessment/assess.h"
 #include "assessment/number_text.h"
 #include "tests/ui/screens/some_reviewer.h"
-#include "ui/report/wound_text.h"
+#include "ui/report/effects_text.h"
+#include "ui/screens/result/effects_card.h"
 #include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_text.h"
-#include "ui/screens/result/wound_card.h"
 #include "ui/widgets/texts/texts.h"
 
 namespace hallux::ui {
@@ -274,7 +274,7 @@ TEST(ResultScreen, AStoredScoreIsShownThoughTheBoneCannotBeCut) {
   Reader reader(course, "ada", attempt);
   EXPECT_TRUE(reader.driver().sees("76.8"));
   EXPECT_TRUE(reader.driver().has("result.unseen.action"));
-  EXPECT_TRUE(reader.driver().has("result.wound.unseen.action"));
+  EXPECT_TRUE(reader.driver().has("result.effects.unseen.action"));
   EXPECT_THAT(reader.driver().faults(), IsEmpty());
 }
 
@@ -323,8 +323,8 @@ TEST(ResultScreen, AnInterruptedAttemptSaysSo) {
 }
 
 /// Ada's Akin in which the running saw touched a tendon from 0.2 s on, for 0.1 s.
-struct WoundedCourse {
-  WoundedCourse() {
+struct SawnCourse {
+  SawnCourse() {
     const auto touch = [&](std::int64_t tick, simulator::CutEventKind kind) {
       simulator::CutEvent event;
       event.tick = tick;
@@ -352,7 +352,7 @@ struct WoundedCourse {
 };
 
 TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
-  WoundedCourse akin;
+  SawnCourse akin;
   const assessment::Examination examination = assessment::assess_fully(
       akin.operation.scenario, akin.operation.bone, akin.operation.recording);
   const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
@@ -372,15 +372,15 @@ TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
 }
 
 TEST(ResultScreen, AContactWithADangerZoneLeadsToItsMomentByMouseAndByKeyboard) {
-  WoundedCourse akin;
+  SawnCourse akin;
   const std::string expected = "replay " + akin.attempt.text + " at 0.200000";
   Reader by_mouse(akin.course, "ada", akin.attempt);
   by_mouse.driver().resize(1600.0F, 1600.0F);
   by_mouse.finish();
-  by_mouse.driver().click("result.wound.zone.0");
+  by_mouse.driver().click("result.effects.zone.0");
   EXPECT_THAT(by_mouse.asked(), ElementsAre(expected));
   Reader by_keyboard(akin.course, "ada", akin.attempt);
-  by_keyboard.tab_to("result.wound.zone.0");
+  by_keyboard.tab_to("result.effects.zone.0");
   by_keyboard.driver().press(Key::Enter);
   EXPECT_THAT(by_keyboard.asked(), ElementsAre(expected));
 }
@@ -391,7 +391,7 @@ TEST(ResultScreen, AnAttemptThatTouchedNothingSaysSo) {
   reader.driver().resize(1600.0F, 1600.0F);
   reader.finish();
   EXPECT_TRUE(reader.driver().sees("none touched"));
-  EXPECT_FALSE(reader.driver().has("result.wound.zone.0"));
+  EXPECT_FALSE(reader.driver().has("result.effects.zone.0"));
 }
 
 TEST(ResultScreen, WhoDecidesReadsHowItWasRecorded) {
@@ -445,24 +445,25 @@ TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
   }
 }
 
-TEST(WoundCard, SaysWhereNothingWasRecordedAndWhereNoZoneWasWatched) {
+TEST(EffectsCard, SaysWhereNothingWasRecordedAndWhereNoZoneWasWatched) {
   const Texts texts = english_texts();
-  WoundFacts wound;
+  EffectFacts effects;
   Driver driver(texts, [&](Ui& ui) {
-    draw_wound(ui, {0.0F, 0.0F, 700.0F, wound_height(ui, wound, 700.0F)}, wound, std::nullopt);
+    draw_effects(ui, {0.0F, 0.0F, 700.0F, effects_height(ui, effects, 700.0F)}, effects,
+                 std::nullopt);
   });
   EXPECT_TRUE(driver.sees("Nothing was recorded"));
   EXPECT_THAT(driver.faults(), IsEmpty());
-  wound.traces.points = {{}};
+  effects.traces.points = {{}};
   driver.frame();
   EXPECT_TRUE(driver.sees("none watched"));
   EXPECT_TRUE(driver.sees("37 °C"));
-  EXPECT_FALSE(driver.has("result.wound.hottest")) << "body heat has no moment";
+  EXPECT_FALSE(driver.has("result.effects.hottest")) << "body heat has no moment";
   EXPECT_THAT(driver.faults(), IsEmpty());
 }
 
 TEST(ResultScreen, NothingIsCutOffAtAnyScaleOrSize) {
-  WoundedCourse akin;
+  SawnCourse akin;
   akin.course.instructor("kim", akin.course.autumn())
       .decide(
           {akin.attempt, DecisionKind::Overridden, 60'000, "The table was moved during the cut."});

@@ -67,20 +67,6 @@ TEST(Lines, KeepEveryPeakWhereManySamplesShareAColumn) {
   EXPECT_FLOAT_EQ(lowest, 97.0F);
 }
 
-TEST(Lines, AreDashedAlongTheirLength) {
-  const std::vector<Point> corner{{0, 0}, {10, 0}, {10, 10}};
-  const auto dashes = dashes_along(corner, 6.0F, 3.0F);
-  ASSERT_EQ(dashes.size(), 3U);
-  EXPECT_EQ(dashes[0], (std::vector<Point>{{0, 0}, {6, 0}}));
-  EXPECT_EQ(dashes[1], (std::vector<Point>{{9, 0}, {10, 0}, {10, 5}}));
-  EXPECT_EQ(dashes[2], (std::vector<Point>{{10, 8}, {10, 10}}));
-  float drawn = 0.0F;
-  std::vector<Point> fine;
-  for (int k = 0; k <= 1100; ++k) fine.push_back({static_cast<float>(k) * 0.1F, 0.0F});
-  for (const auto& dash : dashes_along(fine, 7.0F, 4.0F)) drawn += dash.back().x - dash.front().x;
-  EXPECT_NEAR(drawn, 70.0F, 0.1F) << "ten dashes of seven, however fine the samples";
-}
-
 LineChart small_chart() {
   LineChart chart;
   chart.y_unit = "Points", chart.x_name = "Attempt";
@@ -146,7 +132,7 @@ TEST(Timelines, HaveNoPlayheadWhereNothingIsPlayedAndScalesThatNeedNotBeginAtNot
   Timeline timeline;
   timeline.duration_s = 10.0, timeline.now_s = std::nullopt;
   timeline.steps_name = "Steps", timeline.events_name = "Events";
-  timeline.tracks = {{"Heat", "C", {{0, 37}, {10, 60}}, {}, 80.0, 47.0, 20.0}};
+  timeline.tracks = {{"Heat", "C", {{0, 37}, {10, 60}}, 80.0, 47.0, 20.0}};
   const Texts texts("");
   Driver driver(texts, [&](Ui& ui) {
     draw_timeline(ui.canvas(), ui.theme(), {40, 40, 1000, timeline_height(timeline)}, timeline);

@@ -1,4 +1,7 @@
-#include "ui/screens/result/wound_card.h"
+// What the saw did beside the cut: facts, and curves over the strokes. None of it is scored, which
+// the card says on its head. Each fact names the moment to look at where there is one; the list of
+// zones says whether any was watched, because "none touched" would mean nothing else.
+#include "ui/screens/result/effects_card.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/report/wound_text.h"
+#include "ui/report/effects_text.h"
 #include "ui/screens/parts/attempt_timeline.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/card.h"
@@ -25,7 +28,7 @@ constexpr float two_columns_from = 780.0F, column_gap = 32.0F, shape_room = 22.0
 constexpr double coolest_celsius = 20.0, celsius_step = 20.0;
 
 /// One line: what, how much, and when to look.
-struct WoundRow {
+struct EffectRow {
   std::string id;
   Meaning meaning = Meaning::Good;
   std::string name, value;
@@ -55,75 +58,76 @@ std::optional<double> first_s(const std::vector<AttemptEvent>& events, std::stri
   return std::nullopt;
 }
 
-std::vector<WoundRow> heat_rows(const Texts& texts, const WoundFacts& wound) {
-  const Traces& traces = wound.traces;
+std::vector<EffectRow> heat_rows(const Texts& texts, const EffectFacts& effects) {
+  const Traces& traces = effects.traces;
   const simulator::HeatSummary& heat = traces.heat;
   const Meaning heated = was_hot(heat) ? Meaning::Warn : Meaning::Good;
   const bool is_dead = heat.necrotic_mm3 > 0.0;
   const auto name = [&](const char* id) { return std::string(texts.text(id)); };
-  return {{"hottest", heated, name("result.wound.hottest"), hottest_text(heat),
+  return {{"hottest", heated, name("result.effects.hottest"), hottest_text(heat),
            hottest_moment_s(traces)},
-          {"hot", heated, name("result.wound.hot"), hot_time_text(heat), first_hot_s(traces)},
-          {"dead", is_dead ? Meaning::Bad : Meaning::Good, name("result.wound.dead"),
-           is_dead ? dead_bone_text(heat) : name("result.wound.dead.none"),
-           first_s(wound.events, "replay.event.bone_necrosis")},
-          {"bend", Meaning::Info, name("result.wound.bend"),
+          {"hot", heated, name("result.effects.hot"), hot_time_text(heat), first_hot_s(traces)},
+          {"dead", is_dead ? Meaning::Bad : Meaning::Good, name("result.effects.dead"),
+           is_dead ? dead_bone_text(heat) : name("result.effects.dead.none"),
+           first_s(effects.events, "replay.event.bone_necrosis")},
+          {"bend", Meaning::Info, name("result.effects.bend"),
            bend_text(traces.greatest_deflection_mm), std::nullopt}};
 }
 
-void add_zone_rows(std::vector<WoundRow>& rows, const Texts& texts,
+void add_zone_rows(std::vector<EffectRow>& rows, const Texts& texts,
                    const std::vector<ZoneContact>& zones) {
   const std::size_t before = rows.size();
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     const ZoneContact& contact = zones[zone];
     if (contact.count == 0) continue;
     rows.push_back({"zone." + std::to_string(zone), Meaning::Bad, contact.title,
-                    texts.say_count("result.wound.zone", contact.count,
+                    texts.say_count("result.effects.zone", contact.count,
                                     {{"time", contact_time_text(contact.duration_s)}}),
                     contact.first_s});
   }
   if (rows.size() > before) return;
-  const char* answer = zones.empty() ? "result.wound.zones.unwatched" : "result.wound.zones.none";
+  const char* answer =
+      zones.empty() ? "result.effects.zones.unwatched" : "result.effects.zones.none";
   rows.push_back({"zones", zones.empty() ? Meaning::Neutral : Meaning::Good,
-                  std::string(texts.text("result.wound.zones")), std::string(texts.text(answer)),
+                  std::string(texts.text("result.effects.zones")), std::string(texts.text(answer)),
                   std::nullopt});
 }
 
-std::vector<WoundRow> rows_of(const Texts& texts, const WoundFacts& wound) {
-  std::vector<WoundRow> rows = heat_rows(texts, wound);
-  add_zone_rows(rows, texts, wound.zones);
+std::vector<EffectRow> rows_of(const Texts& texts, const EffectFacts& effects) {
+  std::vector<EffectRow> rows = heat_rows(texts, effects);
+  add_zone_rows(rows, texts, effects.zones);
   return rows;
 }
 
-float values_width(const Ui& ui, const std::vector<WoundRow>& rows) {
+float values_width(const Ui& ui, const std::vector<EffectRow>& rows) {
   float width = 0.0F;
-  for (const WoundRow& row : rows)
+  for (const EffectRow& row : rows)
     width = std::max(width, ui.width_of(Type::BodyStrong, row.value));
   return std::ceil(width) + 1.0F;
 }
 
 /// What the names have beside shape, value and moment.
-float names_width(const Ui& ui, const std::vector<WoundRow>& rows, float width) {
+float names_width(const Ui& ui, const std::vector<EffectRow>& rows, float width) {
   return std::max(60.0F, width - shape_room - values_width(ui, rows) - 16.0F - moment_room);
 }
 
-float row_height(const Ui& ui, const WoundRow& row, float name_width) {
+float row_height(const Ui& ui, const EffectRow& row, float name_width) {
   return std::max(least_row, ui.paragraph_height(Type::Small, row.name, name_width) + 12.0F);
 }
 
-float facts_height(const Ui& ui, const WoundFacts& wound, float width) {
-  const std::vector<WoundRow> rows = rows_of(ui.texts(), wound);
+float facts_height(const Ui& ui, const EffectFacts& effects, float width) {
+  const std::vector<EffectRow> rows = rows_of(ui.texts(), effects);
   const float name_width = names_width(ui, rows, width);
-  float height = 10.0F + ui.paragraph_height(Type::Small, ui.text("result.wound.models"), width);
-  for (const WoundRow& row : rows) height += row_height(ui, row, name_width);
+  float height = 10.0F + ui.paragraph_height(Type::Small, ui.text("result.effects.models"), width);
+  for (const EffectRow& row : rows) height += row_height(ui, row, name_width);
   return height;
 }
 
-std::optional<double> draw_facts(Ui& ui, Rect rest, const WoundFacts& wound) {
-  const std::vector<WoundRow> rows = rows_of(ui.texts(), wound);
+std::optional<double> draw_facts(Ui& ui, Rect rest, const EffectFacts& effects) {
+  const std::vector<EffectRow> rows = rows_of(ui.texts(), effects);
   const float name_width = names_width(ui, rows, rest.w), value_width = values_width(ui, rows);
   std::optional<double> asked_s;
-  for (const WoundRow& row : rows) {
+  for (const EffectRow& row : rows) {
     Rect line = take_top(rest, row_height(ui, row, name_width));
     draw_meaning(ui.canvas(), ui.theme(), row.meaning, {line.x + 7.0F, line.mid_y()}, 6.0F);
     take_left(line, shape_room);
@@ -133,34 +137,33 @@ std::optional<double> draw_facts(Ui& ui, Rect rest, const WoundFacts& wound) {
     const Rect moment = take_right(line, moment_room);
     ui.canvas().text_in(take_right(line, value_width),
                         {Type::BodyStrong, ui.theme().text, Align::Right}, row.value);
-    if (row.moment_s && link(ui, "result.wound." + row.id, {moment.right(), moment.mid_y()},
+    if (row.moment_s && link(ui, "result.effects." + row.id, {moment.right(), moment.mid_y()},
                              clock_text(*row.moment_s), Align::Right, Type::BodyMedium))
       asked_s = row.moment_s;
     ui.canvas().hairline_across(rest.x, rest.y, rest.w, ui.theme().line);
   }
   take_top(rest, 10.0F);
   ui.canvas().paragraph(rest, {Type::Small, ui.theme().text_caption},
-                        ui.text("result.wound.models"));
+                        ui.text("result.effects.models"));
   return asked_s;
 }
 
-Timeline timeline_of(const Ui& ui, const WoundFacts& wound, std::optional<double> moment_s) {
-  Timeline shown;
-  shown.duration_s = wound.duration_s;
-  shown.now_s = moment_s;
-  shown.steps_name = ui.text("replay.steps");
-  shown.events_name = ui.text("replay.events");
-  shown.steps = wound.steps;
-  for (const AttemptEvent& event : wound.events)
+Timeline timeline_of(const Ui& ui, const EffectFacts& effects, std::optional<double> moment_s) {
+  Timeline shown{.duration_s = effects.duration_s,
+                 .now_s = moment_s,
+                 .steps_name = std::string(ui.text("replay.steps")),
+                 .events_name = std::string(ui.text("replay.events")),
+                 .steps = effects.steps};
+  for (const AttemptEvent& event : effects.events)
     shown.events.push_back({event.time_s, event.meaning});
   std::vector<ChartPoint> newton;
   TimelineTrack heat;
-  for (const TracePoint& point : wound.traces.points) {
+  for (const TracePoint& point : effects.traces.points) {
     newton.push_back({point.time_s, point.force_newton});
     heat.samples.push_back({point.time_s, point.hottest_celsius});
   }
-  heat.name = ui.text("result.wound.heat");
-  heat.unit = ui.text("result.wound.heat.unit");
+  heat.name = ui.text("result.effects.heat");
+  heat.unit = ui.text("result.effects.heat.unit");
   heat.low = coolest_celsius;
   heat.high = std::max(highest_of(heat.samples, celsius_step), 3.0 * celsius_step);
   heat.aim = simulator::hot_celsius;
@@ -169,53 +172,54 @@ Timeline timeline_of(const Ui& ui, const WoundFacts& wound, std::optional<double
 }
 
 /// Facts beside the curves, or above them where the card is narrow.
-struct WoundPanes {
+struct EffectsPanes {
   Rect facts = {}, curves = {};
 };
 
-WoundPanes panes_in(const Ui& ui, const Rect& rect, const WoundFacts& wound, float curves_height) {
+EffectsPanes panes_in(const Ui& ui, const Rect& rect, const EffectFacts& effects,
+                      float curves_height) {
   if (rect.w >= two_columns_from) {
     const float facts = std::min(400.0F, 0.42F * rect.w);
     const float x = rect.x + facts + column_gap;
-    return {{rect.x, rect.y, facts, facts_height(ui, wound, facts)},
+    return {{rect.x, rect.y, facts, facts_height(ui, effects, facts)},
             {x, rect.y, rect.right() - x, curves_height}};
   }
-  const float facts = facts_height(ui, wound, rect.w);
+  const float facts = facts_height(ui, effects, rect.w);
   return {{rect.x, rect.y, rect.w, facts},
           {rect.x, rect.y + facts + space::between_cards, rect.w, curves_height}};
 }
 
 }  // namespace
 
-float wound_height(const Ui& ui, const WoundFacts& wound, float width) {
-  if (wound.traces.points.empty()) return empty_height;
-  const float curves = timeline_height(timeline_of(ui, wound, {}));
-  const WoundPanes panes = panes_in(ui, {0.0F, 0.0F, width, 0.0F}, wound, curves);
+float effects_height(const Ui& ui, const EffectFacts& effects, float width) {
+  if (effects.traces.points.empty()) return empty_height;
+  const float curves = timeline_height(timeline_of(ui, effects, {}));
+  const EffectsPanes panes = panes_in(ui, {0.0F, 0.0F, width, 0.0F}, effects, curves);
   return std::max(panes.facts.bottom(), panes.curves.bottom());
 }
 
-std::optional<double> draw_wound(Ui& ui, const Rect& rect, const WoundFacts& wound,
-                                 std::optional<double> moment_s) {
-  if (wound.traces.points.empty()) {
+std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& effects,
+                                   std::optional<double> moment_s) {
+  if (effects.traces.points.empty()) {
     empty_card(
-        ui, "result.wound.empty", rect,
-        {Icon::History, ui.text("result.wound.empty"), ui.text("result.wound.empty.sentence"), {}});
+        ui, "result.effects.empty", rect,
+        {Icon::History, ui.text("result.effects.empty"), ui.text("result.effects.empty.sentence")});
     return std::nullopt;
   }
-  const Timeline shown = timeline_of(ui, wound, moment_s);
-  const WoundPanes panes = panes_in(ui, rect, wound, timeline_height(shown));
+  const Timeline shown = timeline_of(ui, effects, moment_s);
+  const EffectsPanes panes = panes_in(ui, rect, effects, timeline_height(shown));
   draw_timeline(ui.canvas(), ui.theme(), panes.curves, shown);
-  return draw_facts(ui, panes.facts, wound);
+  return draw_facts(ui, panes.facts, effects);
 }
 
-float wound_marks_width(const Ui& ui) {
-  return pill_width(ui, ui.text("result.wound.unscored"), false) + 8.0F +
+float effects_marks_width(const Ui& ui) {
+  return pill_width(ui, ui.text("result.effects.unscored"), false) + 8.0F +
          pill_width(ui, ui.text("result.mark.not_reviewed"));
 }
 
-void draw_wound_marks(Ui& ui, const Rect& line) {
-  Point at{line.right() - wound_marks_width(ui), line.mid_y()};
-  at.x += pill(ui, at, ui.text("result.wound.unscored"), Meaning::Neutral, false) + 8.0F;
+void draw_effects_marks(Ui& ui, const Rect& line) {
+  Point at{line.right() - effects_marks_width(ui), line.mid_y()};
+  at.x += pill(ui, at, ui.text("result.effects.unscored"), Meaning::Neutral, false) + 8.0F;
   pill(ui, at, ui.text("result.mark.not_reviewed"), Meaning::Warn);
 }
 

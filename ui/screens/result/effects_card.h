@@ -11,14 +11,14 @@ namespace hallux::ui {
 
 /// Draws the card's content into `rect`, below its title; `moment_s` is marked in the curves.
 /// Returns the moment whose link was pressed.
-std::optional<double> draw_wound(Ui& ui, const Rect& rect, const WoundFacts& wound,
-                                 std::optional<double> moment_s);
+std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& effects,
+                                   std::optional<double> moment_s);
 /// The height that the content takes at this width.
-float wound_height(const Ui& ui, const WoundFacts& wound, float width);
+float effects_height(const Ui& ui, const EffectFacts& effects, float width);
 
 /// That nothing of it is scored, and no surgeon has reviewed it: from the right end of `line` where
 /// the title leaves room.
-void draw_wound_marks(Ui& ui, const Rect& line);
-float wound_marks_width(const Ui& ui);
+void draw_effects_marks(Ui& ui, const Rect& line);
+float effects_marks_width(const Ui& ui);
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-#include "ui/report/wound_text.h"
+#include "ui/report/effects_text.h"
 
 #include "assessment/number_text.h"
 
