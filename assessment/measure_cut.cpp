@@ -1,3 +1,7 @@
+/// The first of the cut's faces is the one that is judged; all of them can have done harm at the
+/// two landmarks. Each metric is a value, a moment and a place, so that the replay can be led
+/// there. A cut that was never made has all its metrics, none of them measured: the rubric then
+/// knows what was lost.
 #include "assessment/measure_cut.h"
 
 #include <algorithm>
@@ -92,8 +96,8 @@ Harm worst_harm(const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
 }
 
 /// Which way an error along the planned normal goes, in the words of the bone.
-std::string words_of(double error_mm, const Vec3& to_waste) {
-  return direction_words(error_mm * to_waste);
+std::string error_direction_text(double error_mm, const Vec3& to_waste) {
+  return direction_text(error_mm * to_waste);
 }
 
 Moment cutting_moment(const RebuiltBone& rebuilt, std::int32_t kerf) {
@@ -122,14 +126,15 @@ void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& plan
 
 /// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the
 /// words of the bone.
-std::string edge_words(const CutFace& face, const FacePlane& planned) {
+std::string edge_text(const CutFace& face, const FacePlane& planned) {
   const Vec3 deepest = deepest_direction(face.plane, planned);
   const auto [shallow, deep] = std::minmax_element(
       face.samples_in_bone_mm.begin(), face.samples_in_bone_mm.end(),
       [&](const Vec3& a, const Vec3& b) { return glm::dot(a, deepest) < glm::dot(b, deepest); });
   const auto said = [&](const Vec3& sample) {
     const double off_mm = signed_distance_mm(planned, sample);
-    return value_text(std::abs(off_mm), "mm") + " too far " + words_of(off_mm, planned.normal);
+    return value_text(std::abs(off_mm), "mm") + " too far " +
+           error_direction_text(off_mm, planned.normal);
   };
   return "there " + said(*deep) + ", opposite " + said(*shallow);
 }
@@ -144,11 +149,11 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
   const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
   made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg,
                              {frozen_tick, frozen_tick}, metrics.worst_point_in_bone_mm));
-  made.back().direction = direction_words(deepest_direction(face.plane, plan));
-  if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_words(face, plan);
+  made.back().direction = direction_text(deepest_direction(face.plane, plan));
+  if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_text(face, plan);
   made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm,
                              cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));
-  made.back().direction = words_of(metrics.worst_mm, plan.normal);
+  made.back().direction = error_direction_text(metrics.worst_mm, plan.normal);
 }
 
 /// depth_mm and step_mm.
@@ -158,10 +163,10 @@ void add_resection(std::vector<Measurement>& made, const PlannedCut& planned,
   const Moment cutting = cutting_moment(rebuilt, face.kerf);
   made.push_back(measurement(planned, Metric::DepthMm, std::abs(resection.depth_error_mm), cutting,
                              plan.depth_point_in_bone_mm));
-  made.back().direction = words_of(resection.depth_error_mm, plan.face.normal);
+  made.back().direction = error_direction_text(resection.depth_error_mm, plan.face.normal);
   made.push_back(measurement(planned, Metric::StepMm, std::abs(resection.step_error_mm), cutting,
                              plan.exit_point_in_bone_mm));
-  made.back().direction = words_of(resection.step_error_mm, plan.face.normal);
+  made.back().direction = error_direction_text(resection.step_error_mm, plan.face.normal);
 }
 
 }  // namespace

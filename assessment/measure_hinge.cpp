@@ -1,3 +1,7 @@
+/// The bridge is as thin as the kerf that left least of it, and cut through as far as the one that
+/// went furthest; both are measured on the bone as it was: what an earlier kerf took must not move
+/// the far surface of a later one. The wedge is measured between the two faces and held against the
+/// planned one. A metric whose faces are missing is there, and not measured.
 #include "assessment/measure_hinge.h"
 
 #include <algorithm>
@@ -32,12 +36,12 @@ Measurement named(const PlannedHinge& hinge, Metric metric) {
   return made;
 }
 
-void give_value(Measurement& made, double value) {
+void set_value(Measurement& made, double value) {
   made.value = rounded_to_micro(value);
   made.is_measured = true;
 }
 
-void give_moment(Measurement& made, std::int64_t first_tick, std::int64_t last_tick) {
+void set_moment(Measurement& made, std::int64_t first_tick, std::int64_t last_tick) {
   made.start_us = time_us_from_tick(first_tick);
   made.end_us = time_us_from_tick(last_tick + 1);
 }
@@ -88,7 +92,7 @@ Wedge measure_wedge(const CutEvidence& first, const CutEvidence& second,
 }
 
 /// Which wedge was taken and which was asked for, in numbers that a ruler can check.
-std::string wedge_words(const Wedge& wedge) {
+std::string wedge_text(const Wedge& wedge) {
   return value_text(std::abs(wedge.made.wedge_deg), "deg") + " were taken out, the plan was " +
          value_text(std::abs(wedge.planned.wedge_deg), "deg") + "; the base is " +
          value_text(std::abs(wedge.made.base_mm), "mm") + " wide, the plan was " +
@@ -102,17 +106,17 @@ void add_wedge(std::vector<Measurement>& made, const CutEvidence& first, const C
   if (first.has_face() && second.has_face()) {
     const Wedge wedge = measure_wedge(first, second, hinge);
     const bool is_larger = std::abs(wedge.made.wedge_deg) > std::abs(wedge.planned.wedge_deg);
-    give_value(error, std::abs(wedge.made.wedge_error_deg));
+    set_value(error, std::abs(wedge.made.wedge_error_deg));
     error.direction = is_larger ? "large" : "small";
-    error.detail = wedge_words(wedge);
+    error.detail = wedge_text(wedge);
     const double lean_deg = wedge.made.wedge_sagittal_deg - wedge.planned.wedge_sagittal_deg;
-    give_value(sagittal, std::abs(lean_deg));
+    set_value(sagittal, std::abs(lean_deg));
     sagittal.direction = lean_deg > 0.0 ? "plantar" : "dorsal";
     sagittal.detail = "closing it tips the toe";
     const auto later =
         static_cast<std::size_t>(std::max(first.faces.front().kerf, second.faces.front().kerf));
     for (Measurement* each : {&error, &sagittal}) {
-      give_moment(*each, rebuilt.kerfs[later].frozen_tick, rebuilt.kerfs[later].last_cutting_tick);
+      set_moment(*each, rebuilt.kerfs[later].frozen_tick, rebuilt.kerfs[later].last_cutting_tick);
       each->place_in_bone_mm = second.planned.entry_point_in_bone_mm;
     }
   }
@@ -167,10 +171,10 @@ Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge
   const KerfGap& thinnest = *std::min_element(
       gaps.begin(), gaps.end(),
       [](const KerfGap& a, const KerfGap& b) { return a.gap.thickness_mm < b.gap.thickness_mm; });
-  give_value(bridge, thinnest.gap.thickness_mm);
+  set_value(bridge, thinnest.gap.thickness_mm);
   bridge.place_in_bone_mm = thinnest.gap.tip_in_bone_mm;
   if (const std::optional<Reach> reach = reach_of(evidence, hinge, thinnest)) {
-    give_moment(bridge, reach->deepest_tick, reach->deepest_tick);
+    set_moment(bridge, reach->deepest_tick, reach->deepest_tick);
   }
   return bridge;
 }
@@ -184,13 +188,13 @@ Measurement over_cut_measurement(const HingeEvidence& evidence, const PlannedHin
   const KerfGap& furthest = *std::max_element(
       gaps.begin(), gaps.end(),
       [](const KerfGap& a, const KerfGap& b) { return a.gap.over_cut_mm < b.gap.over_cut_mm; });
-  give_value(over_cut, furthest.gap.over_cut_mm);
+  set_value(over_cut, furthest.gap.over_cut_mm);
   over_cut.place_in_bone_mm = furthest.gap.tip_in_bone_mm;
   const std::optional<Reach> reach = reach_of(evidence, hinge, furthest);
   if (!reach) return over_cut;
   const bool has_passed = furthest.gap.over_cut_mm > 0.0 && reach->passed_tick.has_value();
   const std::int64_t first_tick = has_passed ? *reach->passed_tick : reach->deepest_tick;
-  give_moment(over_cut, first_tick, std::max(first_tick, reach->deepest_tick));
+  set_moment(over_cut, first_tick, std::max(first_tick, reach->deepest_tick));
   if (has_passed) {
     over_cut.detail =
         "the hand felt " + value_text(reach->passing_force_newton, "N") + " as it broke through";

@@ -1,3 +1,7 @@
+/// The best plane through points holds their centre, and its normal is the direction in which they
+/// spread least: the eigenvector of a symmetric 3 x 3 matrix, by Jacobi's rotations, which need no
+/// library. Points beyond 2.5 sigma are left out and the plane is fitted anew until none changes
+/// sides; points that are exact but for rounding are never trimmed.
 #include "assessment/metrics/face_plane.h"
 
 #include <algorithm>
@@ -150,7 +154,7 @@ double percentile(std::vector<double> values, double fraction) {
   return values[below] + part * (values[above] - values[below]);
 }
 
-std::string direction_words(const Vec3& direction_in_bone) {
+std::string direction_text(const Vec3& direction_in_bone) {
   const std::array<double, 3> parts{direction_in_bone.y, direction_in_bone.z, direction_in_bone.x};
   constexpr std::array<const char*, 3> positive{"dorsal", "lateral", "distal"};
   constexpr std::array<const char*, 3> negative{"plantar", "medial", "proximal"};

@@ -68,10 +68,10 @@ FacePicture face_picture(const PlannedCut& cut, const CutFace& face,
   const RigidTransform picture_from_bone = inverse(face_frame(cut));
   const RigidTransform bone_from_picture = face_frame(cut);
   FacePicture picture;
-  picture.right = assessment::direction_words(transform_direction(bone_from_picture, distal));
-  picture.up = assessment::direction_words(transform_direction(bone_from_picture, dorsal));
-  picture.above = assessment::direction_words(cut.face.normal);
-  picture.below = assessment::direction_words(-cut.face.normal);
+  picture.right = assessment::direction_text(transform_direction(bone_from_picture, distal));
+  picture.up = assessment::direction_text(transform_direction(bone_from_picture, dorsal));
+  picture.above = assessment::direction_text(cut.face.normal);
+  picture.below = assessment::direction_text(-cut.face.normal);
   picture.planned_outlines = std::move(outlines);
   picture.is_finished = face.is_finished;
   const FacePlane planned{cut.face.normal, cut.face.offset_mm};

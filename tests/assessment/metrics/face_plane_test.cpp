@@ -75,11 +75,11 @@ TEST(FacePlane, PercentilesAreLinearBetweenNeighbours) {
 }
 
 TEST(FacePlane, DirectionsAreSaidInTheWordsOfTheBone) {
-  EXPECT_EQ(direction_words(Vec3{0.0, 1.0, 0.0}), "dorsal");
-  EXPECT_EQ(direction_words(Vec3{0.0, 0.1, -1.0}), "medial");
-  EXPECT_EQ(direction_words(Vec3{1.0, -0.8, 0.0}), "plantar-distal");
-  EXPECT_EQ(direction_words(Vec3{-1.0, 0.9, 0.8}), "dorsal-proximal");
-  EXPECT_EQ(direction_words(Vec3{0.0, 0.0, 0.0}), "");
+  EXPECT_EQ(direction_text(Vec3{0.0, 1.0, 0.0}), "dorsal");
+  EXPECT_EQ(direction_text(Vec3{0.0, 0.1, -1.0}), "medial");
+  EXPECT_EQ(direction_text(Vec3{1.0, -0.8, 0.0}), "plantar-distal");
+  EXPECT_EQ(direction_text(Vec3{-1.0, 0.9, 0.8}), "dorsal-proximal");
+  EXPECT_EQ(direction_text(Vec3{0.0, 0.0, 0.0}), "");
 }
 
 }  // namespace
