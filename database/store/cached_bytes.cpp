@@ -1,3 +1,7 @@
+/// A file is a head (magic, key, digest, length) and packed bytes. Whatever is wrong with it, it is
+/// not there: the caller computes it again. It is written under the name of the process and
+/// renamed, so that two windows never read half of one; the oldest go where the folder grows beyond
+/// its bound.
 #include "database/store/cached_bytes.h"
 
 #include <unistd.h>
@@ -85,7 +89,7 @@ struct KeptFile {
 };
 
 /// Another process may remove a file meanwhile: what is not there needs no removing.
-void let_go(const fs::path& folder, std::int64_t bytes_max) {
+void remove_oldest(const fs::path& folder, std::int64_t bytes_max) {
   std::vector<KeptFile> files;
   std::int64_t total = 0;
   std::error_code error;
@@ -137,7 +141,7 @@ void store_cached(const fs::path& data_directory, const std::string& name, const
   std::error_code error;
   fs::rename(unfinished, file, error);
   if (error) throw file_error(file, "keep", error.value());
-  let_go(folder, bytes_max);
+  remove_oldest(folder, bytes_max);
 }
 
 void drop_cached(const fs::path& data_directory, const std::string& name) {
