@@ -33,7 +33,7 @@ ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
   return work(administrator.desk);
 }
 
-ordered_json json_of(const database::Backup& backup) {
+ordered_json backup_json(const database::Backup& backup) {
   return {{"backup", backup.file.string()},
           {"made", backup.made_utc},
           {"bytes", backup.bytes},
@@ -41,7 +41,7 @@ ordered_json json_of(const database::Backup& backup) {
           {"damaged", backup.damaged}};
 }
 
-void print(std::ostream& out, const database::Backup& backup) {
+void print_backup(std::ostream& out, const database::Backup& backup) {
   out << terminal_text(backup.file.string()) << "  " << backup.bytes << " bytes  "
       << backup.recordings << " recordings\n";
 }
@@ -51,9 +51,9 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
   const std::filesystem::path place =
       folder.empty() ? folder : std::filesystem::absolute(folder).lexically_normal();
   const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
-  ordered_json row = json_of(backup);
+  ordered_json row = backup_json(backup);
   row["new_bytes"] = backup.new_bytes;
-  answer(context, row, [&](std::ostream& out) { print(out, backup); });
+  answer(context, row, [&](std::ostream& out) { print_backup(out, backup); });
   if (backup.damaged == 0) return ExitCode::Done;
   context.notes << backup.damaged
                 << " attempts were altered before this backup; `hallux verify` names the first\n";
@@ -177,8 +177,7 @@ void add_backup_verb(CLI::App& app, VerbContext& context) {
   choose(*backup, context, [options, &context] {
     return keeping(context, "back up", [&](auto& desk) {
       if (!options->is_list) return back_up_on(context, desk, options->folder);
-      return answer_with_list(
-          context, desk.backups(), [](const auto& each) { return json_of(each); }, print);
+      return answer_with_list(context, desk.backups(), backup_json, print_backup);
     });
   });
 }

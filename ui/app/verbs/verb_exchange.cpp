@@ -121,7 +121,7 @@ ExitCode import_on(const VerbContext& context, const std::filesystem::path& fold
   return report.refused.empty() ? ExitCode::Done : ExitCode::BadInput;
 }
 
-ordered_json json_of(const database::Origin& origin) {
+ordered_json origin_json(const database::Origin& origin) {
   return {{"directory", origin.directory.text},
           {"accepted", origin.is_accepted},
           {"since", origin.imported_utc},
@@ -129,7 +129,7 @@ ordered_json json_of(const database::Origin& origin) {
           {"people", origin.people}};
 }
 
-void print(std::ostream& out, const database::Origin& origin) {
+void print_origin(std::ostream& out, const database::Origin& origin) {
   out << origin.directory.text << "  " << origin.attempts << " attempts of " << origin.people
       << " people  " << (origin.is_accepted ? "accepted" : "not accepted: does not count") << "\n";
 }
@@ -139,7 +139,7 @@ ExitCode origins_on(const VerbContext& context, const OriginOptions& options) {
   AdministratorSession administrator = sign_in_administrator(context, database, "see origins");
   if (!options.accepted.empty()) administrator.desk.set_accepted({options.accepted}, true);
   if (!options.unaccepted.empty()) administrator.desk.set_accepted({options.unaccepted}, false);
-  return answer_with_list(context, administrator.desk.origins(), json_of, print);
+  return answer_with_list(context, administrator.desk.origins(), origin_json, print_origin);
 }
 
 void add_export_verb(CLI::App& app, VerbContext& context) {

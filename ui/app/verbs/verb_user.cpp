@@ -75,7 +75,7 @@ ExitCode add_on(const VerbContext& context, const UserOptions& options) {
   return ExitCode::Done;
 }
 
-ordered_json json_of(const database::Person& person) {
+ordered_json person_json(const database::Person& person) {
   return {{"login", person.login},
           {"name", person.display_name},
           {"administrator", person.is_administrator},
@@ -83,7 +83,7 @@ ordered_json json_of(const database::Person& person) {
           {"created", person.created_utc}};
 }
 
-void print(std::ostream& out, const database::Person& person) {
+void print_person(std::ostream& out, const database::Person& person) {
   out << person.login << "  " << terminal_text(person.display_name)
       << (person.is_administrator ? "  administrator" : "")
       << (person.is_disabled ? "  disabled" : "") << "\n";
@@ -94,7 +94,7 @@ ExitCode list_on(const VerbContext& context) {
   std::vector<database::Person> people;
   if (!database::OpenHouse::enter(database))
     people = sign_in_to_manage(context, database).desk.people();
-  return answer_with_list(context, people, json_of, print);
+  return answer_with_list(context, people, person_json, print_person);
 }
 
 ExitCode redeem_on(const VerbContext& context, const std::string& login) {
