@@ -1,3 +1,7 @@
+/// Lines are made in the order of the score: items, damping, gates. A gate can take no more than
+/// what is left above its cap, so the lowest cap goes first and the others may find nothing.
+/// Integers throughout: shares are rounded by the largest remainder, so that what is shown adds up
+/// to what was lost.
 #include "assessment/ledger.h"
 
 #include <algorithm>

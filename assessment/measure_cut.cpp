@@ -1,3 +1,7 @@
+/// The first of the cut's faces is the one that is judged; all of them can have done harm at the
+/// two landmarks. Each metric is a value, a moment and a place, so that the replay can be led
+/// there. A cut that was never made has all its metrics, none of them measured: the rubric then
+/// knows what was lost.
 #include "assessment/measure_cut.h"
 
 #include <algorithm>
@@ -92,7 +96,7 @@ Harm worst_harm(const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
 }
 
 /// Which way an error along the planned normal goes, in the words of the bone.
-std::string words_of(double error_mm, const Vec3& to_waste) {
+std::string error_direction_text(double error_mm, const Vec3& to_waste) {
   return direction_text(error_mm * to_waste);
 }
 
@@ -129,7 +133,8 @@ std::string edge_text(const CutFace& face, const FacePlane& planned) {
       [&](const Vec3& a, const Vec3& b) { return glm::dot(a, deepest) < glm::dot(b, deepest); });
   const auto said = [&](const Vec3& sample) {
     const double off_mm = signed_distance_mm(planned, sample);
-    return value_text(std::abs(off_mm), "mm") + " too far " + words_of(off_mm, planned.normal);
+    return value_text(std::abs(off_mm), "mm") + " too far " +
+           error_direction_text(off_mm, planned.normal);
   };
   return "there " + said(*deep) + ", opposite " + said(*shallow);
 }
@@ -148,7 +153,7 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
   if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_text(face, plan);
   made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm,
                              cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));
-  made.back().direction = words_of(metrics.worst_mm, plan.normal);
+  made.back().direction = error_direction_text(metrics.worst_mm, plan.normal);
 }
 
 /// depth_mm and step_mm.
@@ -158,10 +163,10 @@ void add_resection(std::vector<Measurement>& made, const PlannedCut& planned,
   const Moment cutting = cutting_moment(rebuilt, face.kerf);
   made.push_back(measurement(planned, Metric::DepthMm, std::abs(resection.depth_error_mm), cutting,
                              plan.depth_point_in_bone_mm));
-  made.back().direction = words_of(resection.depth_error_mm, plan.face.normal);
+  made.back().direction = error_direction_text(resection.depth_error_mm, plan.face.normal);
   made.push_back(measurement(planned, Metric::StepMm, std::abs(resection.step_error_mm), cutting,
                              plan.exit_point_in_bone_mm));
-  made.back().direction = words_of(resection.step_error_mm, plan.face.normal);
+  made.back().direction = error_direction_text(resection.step_error_mm, plan.face.normal);
 }
 
 }  // namespace

@@ -1,3 +1,7 @@
+/// The bridge is as thin as the kerf that left least of it, and cut through as far as the one that
+/// went furthest; both are measured on the bone as it was: what an earlier kerf took must not move
+/// the far surface of a later one. The wedge is measured between the two faces and held against the
+/// planned one. A metric whose faces are missing is there, and not measured.
 #include "assessment/measure_hinge.h"
 
 #include <algorithm>

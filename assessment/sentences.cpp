@@ -1,3 +1,6 @@
+/// A sentence is put together from clauses: subject, value, which way, full points, loss. The
+/// wordings stand with the metric's name (scenarios/metric_names.h), so a new metric brings its
+/// own. The number of points comes from shown_points, never from the rubric: a reader adds them up.
 #include "assessment/sentences.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Rounding each number by itself gives columns that do not add up. So the losses are shared out
+/// among groups first and then among a group's lines, each time by the largest remainder, and what
+/// is possible likewise. Last, a group that earned nothing gives the tenth that rounding left it to
+/// one that earned most.
 #include "assessment/shown_points.h"
 
 #include <algorithm>

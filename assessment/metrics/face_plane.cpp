@@ -1,3 +1,7 @@
+/// The best plane through points holds their centre, and its normal is the direction in which they
+/// spread least: the eigenvector of a symmetric 3 x 3 matrix, by Jacobi's rotations, which need no
+/// library. Points beyond 2.5 sigma are left out and the plane is fitted anew until none changes
+/// sides; points that are exact but for rounding are never trimmed.
 #include "assessment/metrics/face_plane.h"
 
 #include <algorithm>

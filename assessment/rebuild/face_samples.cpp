@@ -1,3 +1,9 @@
+/// A face is sampled on one grid in the plane of its kerf, heights above it read off the triangles:
+/// each point stands for the same area, however the mesh is divided. Where few points fall on it
+/// the step is halved.
+///
+///     row of a region   |....bone....|  gap  |..bone..|      counted outward from the entry, bone
+///                       ooooooooooo                          only, until another kerf is met
 #include "assessment/rebuild/face_samples.h"
 
 #include <algorithm>

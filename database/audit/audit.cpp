@@ -56,10 +56,7 @@ void append_in_transaction(Database& database, AuditEntry entry) {
   {
     auto last =
         prepared(database, "SELECT audit_id, link FROM audit ORDER BY audit_id DESC LIMIT 1");
-    if (last.executeStep()) {
-      last_number = last.getColumn(0).getInt64();
-      before = digest_in(last.getColumn(1)).value_or(Digest{});
-    }
+    if (last.executeStep()) read_columns(last, 0, last_number, before);
   }
   CHECK(entry.text.empty() || !entry.detail);
   Salt salt{};
@@ -74,12 +71,11 @@ void append_in_transaction(Database& database, AuditEntry entry) {
 
 AuditRow row_in(SQLite::Statement& rows) {
   AuditRow row;
-  read_columns(rows, 0, row.number, row.at_utc);
-  if (!rows.getColumn(2).isNull()) row.entry.actor = PersonId{rows.getColumn(2).getInt64()};
-  read_columns(rows, 3, row.entry.action, row.entry.subject_kind, row.entry.subject_id);
+  read_columns(rows, 0, row.number, row.at_utc, row.entry.actor, row.entry.action,
+               row.entry.subject_kind, row.entry.subject_id);
   row.entry.was_refused = rows.getColumn(6).getString() == "refused";
-  row.entry.detail = digest_in(rows.getColumn(7));
-  row.entry.text = rows.getColumn(9).getString();
+  read_columns(rows, 7, row.entry.detail);
+  read_columns(rows, 9, row.entry.text);
   return row;
 }
 

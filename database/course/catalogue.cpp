@@ -1,3 +1,7 @@
+/// A version's state is the newest of its rows in scenario_state, so that who published it and when
+/// stays to be read. Publishing retires the other version of the name in the same transaction. A
+/// number that was published belongs to its text for good, else two attempts with one version would
+/// have been made with two plans.
 #include "database/course/catalogue.h"
 
 #include <algorithm>
@@ -22,10 +26,8 @@ constexpr const char* version_columns =
 
 ScenarioVersion version_in(SQLite::Statement& row) {
   ScenarioVersion version;
-  read_columns(row, 0, version.id, version.name, version.version, version.is_reviewed);
-  version.state =
-      scenario_state_from(row.getColumn(4).getString()).value_or(ScenarioState::Retired);
-  read_columns(row, 5, version.changed_by, version.since_utc, version.attempts);
+  read_columns(row, 0, version.id, version.name, version.version, version.is_reviewed,
+               version.state, version.changed_by, version.since_utc, version.attempts);
   return version;
 }
 

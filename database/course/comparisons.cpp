@@ -1,3 +1,7 @@
+/// A median that follows each result would tell those who know the others what one person got. So
+/// what is shown is a snapshot that stays until five people's results differ, counted in whole
+/// points. Whether it is due is looked at without a lock, and once more inside the transaction that
+/// replaces it.
 #include "database/course/comparisons.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "database/course/decisions.h"
 
+#include "database/course/in_force.h"
 #include "database/recording/attempts.h"
 #include "database/store/free_text.h"
 #include "database/store/sql.h"
@@ -40,27 +41,8 @@ void check_decidable(const AttemptHeader& header, const NewDecision& decision) {
   }
 }
 
-/// Takes the decision in force out of force by naming itself; at most one row may be in force at a
-/// time.
-std::optional<std::int64_t> retire_decision_in_force(Database& database, const AttemptId& attempt) {
-  auto row = prepared(database,
-                      "SELECT decision_id FROM decision JOIN attempt USING (attempt_id) "
-                      "WHERE uuid = ? AND superseded_by IS NULL",
-                      attempt.text);
-  if (!row.executeStep()) return std::nullopt;
-  const std::int64_t number = row.getColumn(0).getInt64();
-  execute(database, "UPDATE decision SET superseded_by = decision_id WHERE decision_id = ?",
-          number);
-  return number;
-}
-
-void name_successor(Database& database, std::int64_t retired, DecisionId successor) {
-  execute(database, "UPDATE decision SET superseded_by = ? WHERE decision_id = ?", successor.number,
-          retired);
-}
-
-DecisionId insert_decision(Database& database, const AttemptHeader& header,
-                           const NewDecision& decision, PersonId by) {
+std::int64_t insert_decision(Database& database, const AttemptHeader& header,
+                             const NewDecision& decision, PersonId by) {
   std::optional<std::int64_t> score_milli;
   if (decision.kind == DecisionKind::Confirmed) score_milli = header.score_milli.value();
   if (decision.kind == DecisionKind::Overridden) score_milli = decision.score_milli;
@@ -71,7 +53,7 @@ DecisionId insert_decision(Database& database, const AttemptHeader& header,
       "FROM attempt a LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
       "WHERE a.uuid = ?",
       name_of(decision.kind), score_milli, decision.reason, by, utc_now(database), header.id);
-  return {database.connection().getLastInsertRowid()};
+  return database.connection().getLastInsertRowid();
 }
 
 void set_state(Database& database, const AttemptHeader& header, DecisionKind kind) {
@@ -94,17 +76,13 @@ DecisionId decide(Database& database, const NewDecision& decision, PersonId by) 
   return in_transaction_of_caller(database, "decide about a result", [&] {
     const AttemptHeader header = load_header(database, decision.attempt);
     check_decidable(header, decision);
-    const auto retired = retire_decision_in_force(database, header.id);
-    const DecisionId id = insert_decision(database, header, decision, by);
-    if (retired) name_successor(database, *retired, id);
+    const DecisionId id{put_in_force(database, "decision", header.id, [&] {
+      return insert_decision(database, header, decision, by);
+    })};
     set_state(database, header, decision.kind);
-    append_audit(database, {by,
-                            "result_" + std::string{name_of(decision.kind)},
-                            "decision",
-                            audit_subject(database, id),
-                            false,
-                            {},
-                            decision.reason});
+    const std::string action = "result_" + std::string{name_of(decision.kind)};
+    append_audit(database, {by, action, "decision", audit_subject(database, id), false,
+                            std::nullopt, decision.reason});
     return id;
   });
 }
@@ -119,18 +97,9 @@ std::vector<Decision> load_decisions(Database& database, const AttemptId& attemp
         "LEFT JOIN person_detail d ON d.person_id = r.decided_by_person_id "
         "WHERE a.uuid = ? ORDER BY r.decision_id DESC",
         attempt.text);
-    std::vector<Decision> decisions;
-    while (rows.executeStep()) {
-      Decision decision;
-      read_columns(rows, 0, decision.id, decision.attempt);
-      decision.kind =
-          decision_kind_from(rows.getColumn(2).getString()).value_or(DecisionKind::Voided);
-      if (!rows.getColumn(3).isNull()) decision.about = ScoreId{rows.getColumn(3).getInt64()};
-      read_columns(rows, 4, decision.score_milli, decision.reason, decision.decided_by,
-                   decision.decided_utc, decision.is_in_force);
-      decisions.push_back(std::move(decision));
-    }
-    return decisions;
+    return rows_of(std::move(rows), &Decision::id, &Decision::attempt, &Decision::kind,
+                   &Decision::about, &Decision::score_milli, &Decision::reason,
+                   &Decision::decided_by, &Decision::decided_utc, &Decision::is_in_force);
   });
 }
 
@@ -160,17 +129,16 @@ void check_decisions_are_whole(Database& database) {
     if (rows.executeStep()) fail_altered(database, "decision " + rows.getColumn(0).getString());
     // Each row of the audit is checked against the decision it names; as many of both leave none
     // without.
-    auto counts = prepared(database,
-                           "SELECT (SELECT count(*) FROM decision) <> (SELECT count(*) FROM audit "
-                           "WHERE subject_kind = 'decision')");
-    counts.executeStep();
-    if (counts.getColumn(0).getInt() != 0) fail_altered(database, "the list of decisions");
-    auto states = prepared(database,
+    if (single<bool>(database,
+                     "SELECT (SELECT count(*) FROM decision) <> (SELECT count(*) FROM audit "
+                     "WHERE subject_kind = 'decision')")) {
+      fail_altered(database, "the list of decisions");
+    }
+    const auto undecided =
+        found<std::string>(database,
                            "SELECT uuid FROM attempt a WHERE state = 'void' AND NOT EXISTS "
                            "(SELECT 1 FROM decision r WHERE r.attempt_id = a.attempt_id) LIMIT 1");
-    if (states.executeStep()) {
-      fail_altered(database, "the state of attempt " + states.getColumn(0).getString());
-    }
+    if (undecided) fail_altered(database, "the state of attempt " + *undecided);
   });
 }
 

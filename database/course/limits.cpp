@@ -1,3 +1,6 @@
+/// What uses up a limit is counted when it is asked, not kept: an attempt that is voided, found not
+/// valid or of an origin that is no longer accepted gives its place back by itself. One that was
+/// interrupted counts once a tooth touched bone; whoever loses the recording wins no attempt by it.
 #include "database/course/limits.h"
 
 #include <algorithm>

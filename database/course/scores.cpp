@@ -1,6 +1,7 @@
 #include "database/course/scores.h"
 
 #include "database/audit/audit.h"
+#include "database/course/in_force.h"
 #include "database/course/score_json.h"
 #include "database/recording/attempts.h"
 #include "database/store/sql.h"
@@ -24,23 +25,6 @@ std::int64_t insert_score(Database& database, const AttemptId& attempt, const Sc
   return database.connection().getLastInsertRowid();
 }
 
-/// Takes the score in force out of force by naming itself; at most one row may be in force at a
-/// time.
-std::optional<std::int64_t> retire_score_in_force(Database& database, const AttemptId& attempt) {
-  auto row = prepared(database,
-                      "SELECT score_id FROM score JOIN attempt USING (attempt_id) "
-                      "WHERE uuid = ? AND superseded_by IS NULL",
-                      attempt.text);
-  if (!row.executeStep()) return std::nullopt;
-  const std::int64_t number = row.getColumn(0).getInt64();
-  execute(database, "UPDATE score SET superseded_by = score_id WHERE score_id = ?", number);
-  return number;
-}
-
-void name_successor(Database& database, std::int64_t retired, std::int64_t successor) {
-  execute(database, "UPDATE score SET superseded_by = ? WHERE score_id = ?", successor, retired);
-}
-
 }  // namespace
 
 Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept {
@@ -57,9 +41,9 @@ ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCar
   return in_transaction_of_caller(database, "store the score of attempt " + header.id.text, [&] {
     const std::optional<StoredScore> in_force = load_score(database, header.id);
     if (in_force && json_from_card(in_force->card) == json) return in_force->id;
-    const auto retired = retire_score_in_force(database, header.id);
-    const std::int64_t number = insert_score(database, header.id, card, json);
-    if (retired) name_successor(database, *retired, number);
+    const std::int64_t number = put_in_force(database, "score", header.id, [&] {
+      return insert_score(database, header.id, card, json);
+    });
     append_audit(database, {actor, "score_stored", "score", std::to_string(number), false,
                             score_digest(json, header.id), ""});
     return ScoreId{number};

@@ -1,3 +1,6 @@
+/// Runs are kept in the row of a standing as one text, which the schema's triggers write: a cohort
+/// of a thousand is one pass along two keys, without sorting and without a row for each run. A
+/// check counts them person by person from nothing and wants the same rows.
 #include "database/course/standings.h"
 
 #include <algorithm>
@@ -85,10 +88,10 @@ class Gathering {
   std::string last_scored_utc_;
 };
 
-/// By the place of each trainee in the list.
-using Places = std::map<std::int64_t, std::size_t>;
+/// Of each trainee in the list, by their number.
+using TraineeIndices = std::map<std::int64_t, std::size_t>;
 
-void add_operations(Database& database, CohortId cohort, const Places& places,
+void add_operations(Database& database, CohortId cohort, const TraineeIndices& indices,
                     std::vector<TraineeStanding>& standings) {
   // Person by person along both keys, so that nothing is sorted: the runs of a thousand people are
   // two megabytes.
@@ -103,15 +106,15 @@ void add_operations(Database& database, CohortId cohort, const Places& places,
   while (rows.executeStep()) {
     if (!gathering || rows.getColumn(0).getInt64() != person) {
       person = rows.getColumn(0).getInt64();
-      const auto place = places.find(person);
-      if (place == places.end()) continue;  // enrolled in between
-      gathering.emplace(standings[place->second].operations);
+      const auto index = indices.find(person);
+      if (index == indices.end()) continue;  // enrolled in between
+      gathering.emplace(standings[index->second].operations);
     }
     gathering->add(rows);
   }
 }
 
-void add_open_requests(Database& database, CohortId cohort, const Places& places,
+void add_open_requests(Database& database, CohortId cohort, const TraineeIndices& indices,
                        std::vector<TraineeStanding>& standings) {
   auto rows = prepared(database,
                        "SELECT h.asker_person_id, count(*) FROM help_request h JOIN membership m "
@@ -119,9 +122,9 @@ void add_open_requests(Database& database, CohortId cohort, const Places& places
                        "AND h.answered_utc IS NULL GROUP BY h.asker_person_id",
                        cohort.number);
   while (rows.executeStep()) {
-    const auto place = places.find(rows.getColumn(0).getInt64());
-    if (place != places.end())
-      standings[place->second].open_help_requests = rows.getColumn(1).getInt();
+    const auto index = indices.find(rows.getColumn(0).getInt64());
+    if (index != indices.end())
+      standings[index->second].open_help_requests = rows.getColumn(1).getInt();
   }
 }
 
@@ -150,7 +153,7 @@ TraineeStanding standing_of(const CohortMember& member) {
 
 /// What the grid reads beside each card is what the card says.
 void check_pass_facts(Database& database) {
-  auto scores = prepared(
+  const auto score = found<std::string>(
       database,
       "SELECT score_id FROM score WHERE json_valid(card_json) AND (rubric_milli, is_gated, "
       "safety_measured_milli, safety_earned_milli) IS NOT (json_extract(card_json, "
@@ -160,8 +163,7 @@ void check_pass_facts(Database& database) {
       "WHERE json_extract(value, '$.name') = 'safety'), (SELECT coalesce(sum(json_extract(value, "
       "'$.earned_milli')), 0) FROM json_each(card_json, '$.groups') "
       "WHERE json_extract(value, '$.name') = 'safety')) LIMIT 1");
-  if (!scores.executeStep()) return;
-  fail_differs(database, "what is kept of score " + scores.getColumn(0).getString());
+  if (score) fail_differs(database, "what is kept of score " + *score);
 }
 
 void check_standings_of(Database& database, std::int64_t person) {
@@ -170,14 +172,13 @@ void check_standings_of(Database& database, std::int64_t person) {
       "last_milli, last_scored_utc, last_started_utc, confirmed_milli, runs FROM ";
   const std::string kept = std::string{columns} + "standing WHERE person_id = ?1";
   const std::string counted = std::string{columns} + "standing_as_counted WHERE person_id = ?1";
-  auto differing =
-      prepared(database,
-               "SELECT scenario_name FROM (SELECT * FROM (" + kept + " EXCEPT " + counted +
-                   ") UNION ALL SELECT * FROM (" + counted + " EXCEPT " + kept + ")) LIMIT 1",
-               person);
-  if (!differing.executeStep()) return;
-  fail_differs(database, "how person " + std::to_string(person) + " stands in " +
-                             differing.getColumn(0).getString());
+  const auto differing = found<std::string>(
+      database,
+      "SELECT scenario_name FROM (SELECT * FROM (" + kept + " EXCEPT " + counted +
+          ") UNION ALL SELECT * FROM (" + counted + " EXCEPT " + kept + ")) LIMIT 1",
+      person);
+  if (!differing) return;
+  fail_differs(database, "how person " + std::to_string(person) + " stands in " + *differing);
 }
 
 }  // namespace
@@ -199,16 +200,16 @@ std::vector<OperationStanding> operation_standings(Database& database, PersonId 
 std::vector<TraineeStanding> list_standings(Database& database, CohortId cohort,
                                             std::int32_t attempts_max) {
   std::vector<TraineeStanding> standings;
-  Places places;
+  TraineeIndices indices;
   for (const CohortMember& member : list_members(database, cohort)) {
     if (member.role != CohortRole::Trainee) continue;
-    places.emplace(member.id.number, standings.size());
+    indices.emplace(member.id.number, standings.size());
     standings.push_back(standing_of(member));
     add_last_attempts(database, attempts_max, standings.back());
   }
   translating(database, "gather how a cohort stands", [&] {
-    add_operations(database, cohort, places, standings);
-    add_open_requests(database, cohort, places, standings);
+    add_operations(database, cohort, indices, standings);
+    add_open_requests(database, cohort, indices, standings);
   });
   return standings;
 }

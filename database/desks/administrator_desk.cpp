@@ -1,3 +1,6 @@
+/// Each method asks the policy table, acts, and writes its line of the audit in the transaction of
+/// the act: neither is there without the other. Where an act is about a person, the login is looked
+/// up first: an administrator may see who is there, so a wrong login is said to be one.
 #include "database/desks/administrator_desk.h"
 
 #include "database/audit/audit.h"
@@ -20,8 +23,12 @@ std::string membership_text(CohortId cohort, PersonId person) {
 
 }  // namespace
 
-Relation AdministratorDesk::relation_to_person(const Person& person) const noexcept {
-  return holder_.person == person.id ? Relation::Own : Relation::Other;
+Person AdministratorDesk::allowed_person(Action action, const std::string& login,
+                                         const char* subject) {
+  Person person = find_person(*database_, login);
+  require(*database_, holder_, action,
+          holder_.person == person.id ? Relation::Own : Relation::Other, subject + login);
+  return person;
 }
 
 std::vector<Person> AdministratorDesk::people() {
@@ -54,9 +61,7 @@ PersonId AdministratorDesk::add_person(const NewPerson& person, const SecretText
 }
 
 IssuedCode AdministratorDesk::reset(const std::string& login, const PasswordCost& cost) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::IssueCode, relation_to_person(person),
-          "the password of " + login);
+  const Person person = allowed_person(Action::IssueCode, login, "the password of ");
   return in_transaction(*database_, "reset a password", [&] {
     remove_password(*database_, person.id);
     IssuedCode issued = issue_code(*database_, person.id, *holder_.person, cost);
@@ -68,9 +73,7 @@ IssuedCode AdministratorDesk::reset(const std::string& login, const PasswordCost
 
 void AdministratorDesk::set_password(const std::string& login, const SecretText& password,
                                      const PasswordCost& cost) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::SetPassword, relation_to_person(person),
-          "the password of " + login);
+  const Person person = allowed_person(Action::SetPassword, login, "the password of ");
   in_transaction(*database_, "set a password", [&] {
     database::set_password(*database_, person.id, password, cost);
     remove_code(*database_, person.id);
@@ -82,8 +85,7 @@ void AdministratorDesk::set_password(const std::string& login, const SecretText&
 }
 
 void AdministratorDesk::set_disabled(const std::string& login, bool is_disabled) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::DisablePerson, relation_to_person(person), login);
+  const Person person = allowed_person(Action::DisablePerson, login);
   in_transaction(*database_, "disable or enable a person", [&] {
     database::set_disabled(*database_, person.id, is_disabled);
     audit(is_disabled ? "person_disabled" : "person_enabled", "person",
@@ -92,8 +94,7 @@ void AdministratorDesk::set_disabled(const std::string& login, bool is_disabled)
 }
 
 void AdministratorDesk::set_administrator(const std::string& login, bool is_administrator) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::ChangeRole, relation_to_person(person), login);
+  const Person person = allowed_person(Action::ChangeRole, login);
   in_transaction(*database_, "change a role", [&] {
     database::set_administrator(*database_, person.id, is_administrator);
     audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
@@ -106,9 +107,7 @@ void AdministratorDesk::set_administrator(const std::string& login, bool is_admi
 
 ErasedPieces AdministratorDesk::erase_person(const EraseRequest& request,
                                              const PasswordProof& proof, const Progress& progress) {
-  const Person person = find_person(*database_, request.login);
-  require(*database_, holder_, Action::ErasePerson, relation_to_person(person),
-          "the person " + request.login);
+  const Person person = allowed_person(Action::ErasePerson, request.login, "the person ");
   require_proof(holder_, proof);
   return database::erase_person(*database_, {person.id, request.with_recordings, request.reason},
                                 holder_.person, progress);
@@ -117,9 +116,7 @@ ErasedPieces AdministratorDesk::erase_person(const EraseRequest& request,
 PersonExport AdministratorDesk::export_person(const std::string& login,
                                               const std::filesystem::path& directory,
                                               const Progress& progress) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::ExportPerson, relation_to_person(person),
-          "the data of " + login);
+  const Person person = allowed_person(Action::ExportPerson, login, "the data of ");
   const PersonExport made = database::export_person(*database_, person.id, directory, progress);
   audit("person_exported", "person", std::to_string(person.id.number));
   return made;
@@ -145,8 +142,7 @@ CohortId AdministratorDesk::add_cohort(const std::string& name) {
 }
 
 void AdministratorDesk::enrol(CohortId cohort, const std::string& login, CohortRole role) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::Enrol, relation_to_person(person), login);
+  const Person person = allowed_person(Action::Enrol, login);
   in_transaction(*database_, "enrol a person", [&] {
     database::enrol(*database_, cohort, person.id, role);
     audit(role == CohortRole::Trainee ? "enrolled_as_trainee" : "enrolled_as_instructor",
@@ -155,8 +151,7 @@ void AdministratorDesk::enrol(CohortId cohort, const std::string& login, CohortR
 }
 
 void AdministratorDesk::remove_from_cohort(CohortId cohort, const std::string& login) {
-  const Person person = find_person(*database_, login);
-  require(*database_, holder_, Action::Enrol, relation_to_person(person), login);
+  const Person person = allowed_person(Action::Enrol, login);
   in_transaction(*database_, "take a person out of a cohort", [&] {
     database::remove_from_cohort(*database_, cohort, person.id);
     audit("removed_from_cohort", "membership", membership_text(cohort, person.id));
@@ -212,9 +207,7 @@ AuditPage AdministratorDesk::audit_page(const AuditRequest& request) {
 Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
                                   const Progress& progress) {
   require(*database_, holder_, Action::BackUp, Relation::Other, "the database");
-  return back_up_with_rotation(*database_,
-                               directory.empty() ? database_->directory() / "backups" : directory,
-                               holder_.person, {progress, {}});
+  return back_up_with_rotation(*database_, directory, holder_.person, {progress, {}});
 }
 
 Report AdministratorDesk::report(const std::string& sql) {
@@ -265,33 +258,15 @@ void AdministratorDesk::set_idle_lock_min(std::int32_t minutes) {
   require(*database_, holder_, Action::ChangeSettings, Relation::Other, "the settings");
   in_transaction(*database_, "change a setting", [&] {
     store_idle_lock_min(*database_, minutes);
-    append_audit(*database_, {holder_.person,
-                              "setting_changed",
-                              "setting",
-                              "idle_lock_min",
-                              false,
-                              {},
-                              std::to_string(minutes)});
+    const std::string text = std::to_string(minutes);
+    append_audit(*database_,
+                 {holder_.person, "setting_changed", "setting", "idle_lock_min", false, {}, text});
   });
 }
 
 std::vector<Backup> AdministratorDesk::backups() {
   require(*database_, holder_, Action::BackUp, Relation::Other, "the backups");
   return list_backups(database_->directory() / "backups");
-}
-
-RotationRule AdministratorDesk::rotation() {
-  require(*database_, holder_, Action::BackUp, Relation::Other, "how many backups are kept");
-  return load_rotation(*database_);
-}
-
-void AdministratorDesk::set_rotation(const RotationRule& rule) {
-  require(*database_, holder_, Action::ChangeSettings, Relation::Other,
-          "how many backups are kept");
-  in_transaction(*database_, "set how many backups are kept", [&] {
-    store_rotation(*database_, rule);
-    audit("rotation_changed", "database", "");
-  });
 }
 
 RetentionRules AdministratorDesk::retention() {

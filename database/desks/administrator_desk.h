@@ -109,8 +109,6 @@ class AdministratorDesk : public AttemptDesk {
   void set_idle_lock_min(std::int32_t minutes);
   /// Of `backups` in the data directory.
   std::vector<Backup> backups();
-  RotationRule rotation();
-  void set_rotation(const RotationRule& rule);
   RetentionRules retention();
   void set_retention(const RetentionRules& rules);
   /// A dry run: exactly what would go now.
@@ -120,7 +118,9 @@ class AdministratorDesk : public AttemptDesk {
  private:
   friend class Session;
   using AttemptDesk::AttemptDesk;
-  Relation relation_to_person(const Person& person) const noexcept;
+  /// The person of that login, once the table allowed `action` on them; `subject` begins what a
+  /// refusal names.
+  Person allowed_person(Action action, const std::string& login, const char* subject = "");
 };
 
 }  // namespace hallux::database

@@ -1,3 +1,6 @@
+/// A desk may outlive the right to it, so every question looks at the tables again. An attempt that
+/// somebody may not view and one that is not there are refused alike; only the audit says which it
+/// was, in a subject cut to 80 characters: what somebody typed is no place to fill it from.
 #include "database/desks/desks.h"
 
 #include "database/audit/audit.h"
@@ -102,13 +105,9 @@ AttemptHeader AttemptDesk::allowed_header(Action action, const AttemptId& id) {
 void AttemptDesk::refuse_unseen(Action action, const std::string& subject, bool is_there) {
   // What somebody typed is no place to fill the audit from.
   const std::string named = subject.substr(0, 80);
-  append_audit(*database_, {holder_.person,
-                            std::string{name_of(action)},
-                            "desk",
-                            "",
-                            true,
-                            {},
-                            named + (is_there ? "" : ", which is not there")});
+  const std::string name{name_of(action)};
+  const std::string seen = named + (is_there ? "" : ", which is not there");
+  append_audit(*database_, {holder_.person, name, "desk", "", true, {}, seen});
   throw DatabaseError{DatabaseErrorKind::Refused,
                       "there is no " + named +
                           " that you may see; `hallux attempts` lists those "
@@ -138,12 +137,6 @@ std::vector<AttemptHeader> AttemptDesk::attempts(std::optional<std::int32_t> cou
 
 AttemptHeader AttemptDesk::header(const AttemptId& id) {
   return allowed_header(Action::ViewAttempt, id);
-}
-
-simulator::Recording AttemptDesk::recording_part(const AttemptId& id, const TickRange& ticks) {
-  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
-  note_view(header);
-  return load_recording_part(*database_, header.id, ticks);
 }
 
 simulator::Recording AttemptDesk::recording(const AttemptId& id) {

@@ -49,8 +49,6 @@ class AttemptDesk {
   ///         as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
-  /// Only the rows of those ticks, without reading the rest.
-  simulator::Recording recording_part(const AttemptId& id, const TickRange& ticks);
   std::optional<StoredScore> score(const AttemptId& id);
   /// What instructors decided about it, newest first.
   std::vector<Decision> decisions(const AttemptId& id);

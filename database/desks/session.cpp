@@ -1,3 +1,7 @@
+/// A refused sign-in writes and costs the same whether the login is known or not, and a try is
+/// counted before its password is looked at: neither time nor rows tell who is here, and two
+/// windows cannot guess side by side. A session itself holds no rights: each desk is given out by
+/// what the tables say at that moment, because a role may end while the window is open.
 #include "database/desks/session.h"
 
 #include <algorithm>
@@ -194,13 +198,32 @@ std::optional<OpenHouse> OpenHouse::enter(Database& database) {
   return OpenHouse{database};
 }
 
+Database& OpenHouse::open(const char* else_who) const {
+  if (!has_people(*database_)) return *database_;
+  throw DatabaseError{
+      DatabaseErrorKind::Refused,
+      "somebody was added to " + database_->file().string() + " in the meantime; " + else_who};
+}
+
 Report OpenHouse::report(const std::string& sql) {
-  if (has_people(*database_)) {
-    throw DatabaseError{DatabaseErrorKind::Refused,
-                        "somebody was added to " + database_->file().string() +
-                            " in the meantime; an administrator may run reports, with --as"};
-  }
-  return ReportConnection{database_->directory()}.answer(sql);
+  const Database& database = open("an administrator may run reports, with --as");
+  return ReportConnection{database.directory()}.answer(sql);
+}
+
+Backup OpenHouse::back_up(const std::filesystem::path& directory, const Progress& progress) {
+  return back_up_with_rotation(open(), directory, std::nullopt, {progress, {}});
+}
+
+std::vector<Backup> OpenHouse::backups() { return list_backups(open().directory() / "backups"); }
+
+RetentionRules OpenHouse::retention() { return load_retention(open()); }
+
+void OpenHouse::set_retention(const RetentionRules& rules) { store_retention(open(), rules); }
+
+std::vector<RetentionPiece> OpenHouse::retention_plan() { return plan_retention(open()); }
+
+RetentionDone OpenHouse::retain(const Progress& progress) {
+  return apply_retention(open(), std::nullopt, progress);
 }
 
 PersonId OpenHouse::add_first_administrator(const NewPerson& person, const SecretText& password,
@@ -211,12 +234,8 @@ PersonId OpenHouse::add_first_administrator(const NewPerson& person, const Secre
                             "' as one, or add an administrator before"};
   }
   return in_transaction(*database_, "add the first administrator", [&] {
-    if (has_people(*database_)) {
-      throw DatabaseError{DatabaseErrorKind::Refused,
-                          "somebody was added to " + database_->file().string() +
-                              " in the meantime; an administrator must add further people"};
-    }
-    const PersonId id = create_person(*database_, person, password, cost);
+    Database& database = open("an administrator must add further people");
+    const PersonId id = create_person(database, person, password, cost);
     append_audit(*database_,
                  {std::nullopt, "first_administrator_added", "person", number_text(id)});
     return id;

@@ -84,24 +84,32 @@ Session redeem_code(Database& database, std::string_view login, const SecretText
                     const SecretText& new_password, const PasswordCost& cost = {});
 
 /// A data directory without people: no sign-in is needed, and whoever is there may add the first
-/// administrator.
+/// administrator, and keeps the directory as an administrator does at a desk.
+/// errors  of all methods: DatabaseError Refused once somebody was added; as in the files that are
+///         included
 class OpenHouse {
  public:
   /// Nothing once there are people.
   static std::optional<OpenHouse> enter(Database& database);
 
-  /// errors  DatabaseError: Refused where somebody was added in the meantime; BadInput where the
-  ///         person is no administrator, or as in database/people/people.h
+  /// errors  DatabaseError BadInput where the person is no administrator
   PersonId add_first_administrator(const NewPerson& person, const SecretText& password,
                                    const PasswordCost& cost = {});
 
   /// The answer to one SELECT over what reports may read.
-  /// errors  DatabaseError: Refused where somebody was added in the meantime; as
-  ///         ReportConnection::answer
   Report report(const std::string& sql);
+  /// Without a directory into `backups` of the data directory.
+  Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
+  std::vector<Backup> backups();
+  RetentionRules retention();
+  void set_retention(const RetentionRules& rules);
+  std::vector<RetentionPiece> retention_plan();
+  RetentionDone retain(const Progress& progress = {});
 
  private:
   explicit OpenHouse(Database& database) : database_(&database) {}
+  /// The database, while it still has no people; `else_who` ends the refusal.
+  Database& open(const char* else_who = "an administrator must do this") const;
   Database* database_;
 };
 

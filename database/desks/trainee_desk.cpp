@@ -21,13 +21,9 @@ WriterLease TraineeDesk::begin_attempt(const NewAttempt& attempt) {
     return begin(attempt);
   } catch (const DatabaseError& error) {
     if (error.kind() == DatabaseErrorKind::Refused)
-      append_audit(*database_, {holder_.person,
-                                "begin_attempt",
-                                "scenario_version",
-                                std::to_string(attempt.scenario.number),
-                                true,
-                                {},
-                                error.what()});
+      append_audit(*database_,
+                   {holder_.person, "begin_attempt", "scenario_version",
+                    std::to_string(attempt.scenario.number), true, std::nullopt, error.what()});
     throw;
   }
 }

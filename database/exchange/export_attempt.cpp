@@ -1,3 +1,6 @@
+/// All is read in one transaction of the database, then written. An imported attempt leaves with
+/// the manifest it came with, byte for byte, and only if its files still have the digests of that
+/// manifest: a copy of a copy is the original, or it is refused.
 #include "database/exchange/export_attempt.h"
 
 #include <algorithm>
@@ -31,12 +34,8 @@ std::vector<ChunkPlace> load_places(Database& database, const AttemptId& id) {
                        "SELECT c.stream, c.seq, c.first_tick, c.row_count FROM chunk c JOIN "
                        "attempt a USING (attempt_id) WHERE a.uuid = ? ORDER BY c.seq, c.stream",
                        id.text);
-  std::vector<ChunkPlace> places;
-  while (rows.executeStep()) {
-    places.push_back({static_cast<Stream>(rows.getColumn(0).getInt()), rows.getColumn(1).getInt64(),
-                      rows.getColumn(2).getInt64(), rows.getColumn(3).getInt64()});
-  }
-  return places;
+  return rows_of(std::move(rows), &ChunkPlace::stream, &ChunkPlace::seq, &ChunkPlace::first_tick,
+                 &ChunkPlace::row_count);
 }
 
 std::vector<std::int64_t> load_scores_of(Database& database, const AttemptId& id,
@@ -64,8 +63,7 @@ void load_decisions_of(Database& database, const AttemptId& id,
       id.text);
   while (rows.executeStep()) {
     ExportedDecision decision;
-    decision.kind =
-        decision_kind_from(rows.getColumn(0).getString()).value_or(DecisionKind::Voided);
+    read_columns(rows, 0, decision.kind);
     const auto about =
         std::find(score_numbers.begin(), score_numbers.end(), rows.getColumn(1).getInt64());
     if (about != score_numbers.end()) {
@@ -78,10 +76,12 @@ void load_decisions_of(Database& database, const AttemptId& id,
 
 /// The manifest that an imported attempt came with; empty for one that was made here.
 std::string load_kept_manifest(Database& database, const AttemptId& id) {
-  auto row = prepared(database, "SELECT manifest_digest FROM attempt WHERE uuid = ?", id.text);
-  if (!row.executeStep() || row.getColumn(0).isNull()) return {};
-  const auto digest = digest_in(row.getColumn(0));
-  const std::vector<std::byte> bytes = get_asset(database, digest.value_or(Digest{}));
+  const auto digest = found<Digest>(database,
+                                    "SELECT manifest_digest FROM attempt WHERE uuid = ? AND "
+                                    "manifest_digest IS NOT NULL",
+                                    id);
+  if (!digest) return {};
+  const std::vector<std::byte> bytes = get_asset(database, *digest);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

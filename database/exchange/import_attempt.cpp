@@ -1,3 +1,7 @@
+/// All is stored in one transaction, through the functions that store what is made here: a scenario
+/// version, a score, a decision get the same checks and the same lines of the audit. Scores and
+/// decisions are told again in their order, and what they lead to must be what the manifest says;
+/// else nothing was imported.
 #include "database/exchange/import_attempt.h"
 
 #include "database/course/decisions.h"
@@ -34,7 +38,9 @@ std::optional<Identity> identity_here(Database& database, const AttemptId& id) {
       "LEFT JOIN erased_recording e USING (attempt_id) WHERE a.uuid = ?",
       id.text);
   if (!row.executeStep()) return std::nullopt;
-  return Identity{digest_in(row.getColumn(0)), digest_in(row.getColumn(1)).value_or(Digest{})};
+  Identity identity;
+  read_columns(row, 0, identity.seal, identity.last_link);
+  return identity;
 }
 
 ScenarioVersionId put_scenario(Database& database, const Manifest& manifest) {

@@ -31,7 +31,7 @@ struct ExportedScore {
 };
 
 struct ExportedDecision {
-  DecisionKind kind = DecisionKind::Confirmed;
+  DecisionKind kind = DecisionKind::Voided;
   /// Which of the scores.
   std::optional<std::size_t> about;
   std::optional<std::int64_t> score_milli;

@@ -1,3 +1,7 @@
+/// A manifest comes from a stranger. Each field is read with bounds and a shape of its own, and
+/// then all are held against each other: seal and duration, scores and decisions, state and last
+/// decision. What passes here could have been written by this program; only the tables' digests and
+/// the chain can say whether it was.
 #include "database/exchange/read_manifest.h"
 
 #include <algorithm>
@@ -81,10 +85,11 @@ std::optional<PersonId> person_in(const json& object, const char* key) {
   return PersonId{number};
 }
 
-template <typename Enumeration>
-Enumeration named(const std::optional<Enumeration>& found, const char* key) {
+template <Named Enumeration>
+void take_named(const json& object, const char* key, Enumeration& value) {
+  const auto found = named<Enumeration>(text_in(object, key));
   if (!found) refuse("'" + std::string{key} + "' is none that this program knows");
-  return *found;
+  value = *found;
 }
 
 std::int32_t version_in(const json& object, const char* key) {
@@ -95,13 +100,13 @@ std::int32_t version_in(const json& object, const char* key) {
 NewAttempt begun_in(const json& attempt) {
   NewAttempt begun;
   begun.person = person_in(attempt, "person");
-  begun.kind = named(attempt_kind_from(text_in(attempt, "kind")), "kind");
+  take_named(attempt, "kind", begun.kind);
   begun.hand = line_in(attempt, "hand");
   begun.seed = number_from<std::uint64_t>(text_in(attempt, "seed", short_bytes_max), "seed");
   begun.device_class = line_in(attempt, "device_class");
   begun.pacing = line_in(attempt, "pacing");
   begun.stereo_mode = line_in(attempt, "stereo_mode");
-  begun.guidance = named(guidance_from(text_in(attempt, "guidance")), "guidance");
+  take_named(attempt, "guidance", begun.guidance);
   begun.engine = version_in(attempt, "engine_version");
   begun.bone = digest_in(attempt, "bone");
   return begun;
@@ -112,7 +117,7 @@ AttemptHeader header_in(const json& attempt) {
   header.id = {shaped_in(attempt, "uuid", "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx")};
   header.begun = begun_in(attempt);
   header.is_simulated = flag_in(attempt, "is_simulated");
-  header.state = named(attempt_state_from(text_in(attempt, "state")), "state");
+  take_named(attempt, "state", header.state);
   header.started_utc = time_in(attempt, "started_utc");
   if (!field_in(attempt, "duration_ticks").is_null()) {
     header.duration_ticks = integer_in(attempt, "duration_ticks", 0, duration_ticks_max);
@@ -167,7 +172,7 @@ std::vector<ExportedScore> scores_in(const json& list) {
 
 ExportedDecision decision_in(const json& entry, std::size_t score_count) {
   ExportedDecision decision;
-  decision.kind = named(decision_kind_from(text_in(entry, "kind")), "kind");
+  take_named(entry, "kind", decision.kind);
   if (!field_in(entry, "about_score").is_null()) {
     decision.about = static_cast<std::size_t>(
         integer_in(entry, "about_score", 0, static_cast<std::int64_t>(score_count) - 1));

@@ -1,3 +1,6 @@
+/// A table is read as strictly as it is written: one spelling of each number, ticks that rise,
+/// windows in order, no pose outside of a room. Where a line is refused it is named. What is read
+/// back gives the same rows, and from them and the windows the same chunks, links and seal.
 #include "database/exchange/record_tables.h"
 
 #include <algorithm>

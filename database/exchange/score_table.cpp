@@ -11,10 +11,8 @@ constexpr const char* header =
     "kind,item,metric,group,unit,value,is_measured,target,weight_milli,points_lost_milli,"
     "start_us,end_us,x_in_bone_mm,y_in_bone_mm,z_in_bone_mm,text\r\n";
 
-constexpr std::array<const char*, 3> kinds{"metric", "damping", "gate"};
-
 std::string line_of(const LedgerLine& line) {
-  std::string text = kinds.at(static_cast<std::size_t>(line.kind));
+  std::string text{name_of(line.kind)};
   for (const std::string& word : {line.item, line.metric, line.group, line.unit}) {
     text += "," + csv_cell(word);
   }

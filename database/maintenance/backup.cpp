@@ -1,3 +1,7 @@
+/// Recordings first, one by one, each with its chain checked, so that the snapshot of the tables
+/// that follows stays short; then the manifest, which makes a backup of them: what is cut short is
+/// none. A recording that was sealed in between goes with the tables, one that was erased in
+/// between leaves the list.
 #include "database/maintenance/backup.h"
 
 #include <SQLiteCpp/Backup.h>

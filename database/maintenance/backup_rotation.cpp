@@ -1,3 +1,7 @@
+/// Of each day, week and month the newest backup stays, for as many of them as the rule says, and
+/// the newest few in any case. Backups share their recordings: one goes when no manifest of the
+/// folder names it any more, also none of another directory, and none at all while a manifest there
+/// cannot be read.
 #include "database/maintenance/backup_rotation.h"
 
 #include <algorithm>
@@ -116,24 +120,6 @@ RotationRule load_rotation(Database& database) {
           number_setting(database, "backups_months", shipped.months, 0)};
 }
 
-void store_rotation(Database& database, const RotationRule& rule) {
-  const auto is_good = [](int number, int least) {
-    return number >= least && number <= rotation_most;
-  };
-  if (!is_good(rule.newest, 1) || !is_good(rule.days, 0) || !is_good(rule.weeks, 0) ||
-      !is_good(rule.months, 0)) {
-    throw DatabaseError{DatabaseErrorKind::BadInput,
-                        "of backups 1 to 1000 of the newest are kept, and 0 to 1000 days, weeks "
-                        "and months; choose numbers in between"};
-  }
-  in_transaction_of_caller(database, "store how many backups are kept", [&] {
-    store_setting(database, "backups_newest", std::to_string(rule.newest));
-    store_setting(database, "backups_days", std::to_string(rule.days));
-    store_setting(database, "backups_weeks", std::to_string(rule.weeks));
-    store_setting(database, "backups_months", std::to_string(rule.months));
-  });
-}
-
 std::vector<bool> kept_by(const RotationRule& rule, std::span<const std::string> made_utc) {
   std::vector<bool> kept(made_utc.size(), false);
   for (std::size_t i = 0; i < made_utc.size(); ++i) {
@@ -169,8 +155,9 @@ std::vector<fs::path> rotate_backups(Database& database, const fs::path& folder,
   return removed;
 }
 
-Backup back_up_with_rotation(Database& database, const fs::path& folder,
+Backup back_up_with_rotation(Database& database, const fs::path& asked,
                              std::optional<PersonId> actor, const BackupOptions& options) {
+  const fs::path folder = asked.empty() ? database.directory() / "backups" : asked;
   Backup backup;
   try {
     backup = back_up(database, folder, options);

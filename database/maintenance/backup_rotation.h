@@ -21,10 +21,9 @@ struct RotationRule {
 
 inline constexpr int rotation_most = 1000;
 
-/// What the administrator set, else as above.
+/// What the settings `backups_newest`, `_days`, `_weeks` and `_months` say, within 1 (the newest)
+/// or 0 (the others) and 1000; else as above.
 RotationRule load_rotation(Database& database);
-/// errors  DatabaseError BadInput outside 1 (the newest) or 0 (the others) to 1000
-void store_rotation(Database& database, const RotationRule& rule);
 
 /// One answer for each of these moments, which are newest first; the newest is always kept.
 std::vector<bool> kept_by(const RotationRule& rule, std::span<const std::string> made_utc);
@@ -37,10 +36,10 @@ std::vector<std::filesystem::path> rotate_backups(Database& database,
                                                   const std::filesystem::path& folder,
                                                   const RotationRule& rule);
 
-/// Backs up, writes the audit and rotates. Where there is no room for it, the administrators are
-/// told.
+/// Backs up into a folder, or into `backups` of the data directory where `asked` is empty, writes
+/// the audit and rotates. Where there is no room for it, the administrators are told.
 /// errors  as back_up
-Backup back_up_with_rotation(Database& database, const std::filesystem::path& folder,
+Backup back_up_with_rotation(Database& database, const std::filesystem::path& asked,
                              std::optional<PersonId> actor, const BackupOptions& options = {});
 
 }  // namespace hallux::database

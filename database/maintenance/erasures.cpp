@@ -1,3 +1,7 @@
+/// The journal beside the backups is written before a row is touched: a power cut may leave an
+/// erasure that was begun, never a backup that brings somebody back. Recordings go one by one, so
+/// that an erasure that was stopped goes on; the rows of the person go in one transaction. Texts of
+/// the audit are searched for the name, whichever row they are of.
 #include "database/maintenance/erasures.h"
 
 #include <algorithm>
@@ -98,8 +102,7 @@ std::int64_t erase_audit_texts_that_name(Database& database, const Person& perso
 std::int64_t erase_rows(Database& database, const Person& person) {
   std::int64_t changed = erase_audit_texts_that_name(database, person);
   for (const char* sql : erasing_statements) {
-    auto statement = prepared(database, sql, person.id.number);
-    changed += statement.exec();
+    changed += execute(database, sql, person.id);
   }
   execute(database, "INSERT INTO erasure (person_id, erased_utc) VALUES (?, ?)", person.id.number,
           utc_now(database));
@@ -194,17 +197,12 @@ std::vector<JournalLine> list_erasures(Database& database) {
   const std::string directory = own_directory(database).text;
   return translating(database, "list the erasures", [&] {
     auto rows = prepared(database,
-                         "SELECT e.person_id, e.erased_utc, NOT EXISTS (SELECT 1 FROM attempt a "
+                         "SELECT ?, e.person_id, e.erased_utc, NOT EXISTS (SELECT 1 FROM attempt a "
                          "JOIN chunk USING (attempt_id) WHERE a.person_id = e.person_id) "
-                         "FROM erasure e ORDER BY e.erased_utc");
-    std::vector<JournalLine> lines;
-    while (rows.executeStep()) {
-      lines.push_back({directory,
-                       {rows.getColumn(0).getInt64()},
-                       rows.getColumn(2).getInt() != 0,
-                       rows.getColumn(1).getString()});
-    }
-    return lines;
+                         "FROM erasure e ORDER BY e.erased_utc",
+                         directory);
+    return rows_of(std::move(rows), &JournalLine::directory, &JournalLine::person,
+                   &JournalLine::erased_utc, &JournalLine::with_recordings);
   });
 }
 

@@ -1,3 +1,6 @@
+/// The file is written once and never again, so that a hundred backups share it: each later one
+/// only looks at head, length and digest. It comes back into tables that know the attempt and none
+/// of its chunks, from bytes that are a stranger's until their digest is the manifest's.
 #include "database/maintenance/recording_file.h"
 
 #include <array>
@@ -66,18 +69,13 @@ std::vector<std::byte> content_from(Database& database, const AttemptId& attempt
   });
 }
 
-[[noreturn]] void fail_damaged(const fs::path& file, const char* reason) {
-  throw DatabaseError{DatabaseErrorKind::Damaged, file.string() + " was altered or damaged: " +
-                                                      reason + "; take an older backup"};
-}
-
 /// Never beyond the end, whatever the file claims.
 class Reader {
  public:
   Reader(std::span<const std::byte> rest, const fs::path& file) : rest_(rest), file_(file) {}
 
   std::span<const std::byte> take(std::size_t bytes) {
-    if (bytes > rest_.size()) fail_damaged(file_, "it ends too early");
+    if (bytes > rest_.size()) fail_backup(file_, "it ends too early");
     const auto taken = rest_.first(bytes);
     rest_ = rest_.subspan(bytes);
     return taken;
@@ -106,7 +104,7 @@ class Reader {
     chunk.first_tick = take_int();
     chunk.row_count = take_int();
     const std::int64_t length = take_int();
-    if (length < 0) fail_damaged(file_, "a chunk has a length below zero");
+    if (length < 0) fail_backup(file_, "a chunk has a length below zero");
     chunk.bytes = take(static_cast<std::size_t>(length));
     chunk.link = take(digest_bytes);
     return chunk;
@@ -160,12 +158,17 @@ std::int64_t attempt_without_chunks(Database& database, const AttemptId& attempt
                       "WHERE c.attempt_id = a.attempt_id) FROM attempt a WHERE uuid = ?",
                       attempt.text);
   if (!row.executeStep() || row.getColumn(1).getInt() == 0) {
-    fail_damaged(file, "the backup has no closed attempt that lacks it");
+    fail_backup(file, "the backup has no closed attempt that lacks it");
   }
   return row.getColumn(0).getInt64();
 }
 
 }  // namespace
+
+void fail_backup(const fs::path& file, const char* reason) {
+  throw DatabaseError{DatabaseErrorKind::Damaged, file.string() + " was altered or damaged: " +
+                                                      reason + "; take an older backup"};
+}
 
 fs::path recording_file(const fs::path& backups, const AttemptId& attempt) {
   return backups / "recordings" / (attempt.text + ".recording");
@@ -194,22 +197,22 @@ void put_recording_back(Database& database, const BackedUpRecording& kept,
   const fs::path file = recording_file(backups, kept.attempt);
   const std::vector<std::byte> content = read_plain_file(file, file_bytes_max);
   if (static_cast<std::int64_t>(content.size()) != kept.bytes || content.size() < digest_bytes) {
-    fail_damaged(file, "it has another size than the manifest says");
+    fail_backup(file, "it has another size than the manifest says");
   }
   const auto body = std::span{content}.first(content.size() - digest_bytes);
   const Digest digest = digest_of(body);
   if (digest != kept.digest || digest != digest_from(std::span{content}.last(digest_bytes))) {
-    fail_damaged(file, "its bytes do not give the digest that the manifest says");
+    fail_backup(file, "its bytes do not give the digest that the manifest says");
   }
   Reader reader{body, file};
   if (!reader.takes(file_magic) || !reader.takes(kept.attempt.text)) {
-    fail_damaged(file, "it is the recording of another attempt");
+    fail_backup(file, "it is the recording of another attempt");
   }
   const std::int64_t count = reader.take_int();
   in_transaction(database, "put back the recording of attempt " + kept.attempt.text, [&] {
     const std::int64_t attempt = attempt_without_chunks(database, kept.attempt, file);
     for (std::int64_t i = 0; i < count; ++i) insert_chunk(database, attempt, reader.take_chunk());
-    if (!reader.is_at_end()) fail_damaged(file, "it has more bytes than chunks");
+    if (!reader.is_at_end()) fail_backup(file, "it has more bytes than chunks");
   });
 }
 

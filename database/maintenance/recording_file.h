@@ -45,4 +45,7 @@ BackedUpRecording back_up_recording(Database& database, const AttemptId& attempt
 void put_recording_back(Database& database, const BackedUpRecording& kept,
                         const std::filesystem::path& backups);
 
+/// errors  DatabaseError Damaged: "FILE was altered or damaged: `reason`; take an older backup"
+[[noreturn]] void fail_backup(const std::filesystem::path& file, const char* reason);
+
 }  // namespace hallux::database

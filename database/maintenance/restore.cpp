@@ -1,3 +1,6 @@
+/// A new directory is filled beside its name and gets the name at the end: whole or not at all.
+/// Order: tables, recordings, erasures of the journal, then every check that `hallux verify` makes.
+/// A schema with other triggers or tables than ours is refused before rows are written into it.
 #include "database/maintenance/restore.h"
 
 #include <optional>
@@ -62,11 +65,6 @@ int schema_of(const fs::path& file) {
   }
 }
 
-[[noreturn]] void fail_damaged(const fs::path& file, const char* reason) {
-  throw DatabaseError{DatabaseErrorKind::Damaged, file.string() + " was altered or damaged: " +
-                                                      reason + "; take an older backup"};
-}
-
 /// Triggers or tables of somebody else's making would run with our rights.
 void check_schema_is_ours(Database& database, const fs::path& workplace, const fs::path& backup) {
   const fs::path fresh_directory = workplace / "as-made";
@@ -77,7 +75,7 @@ void check_schema_is_ours(Database& database, const fs::path& workplace, const f
   std::error_code ignored;
   fs::remove_all(fresh_directory, ignored);
   if (schema_text(database) != ours) {
-    fail_damaged(backup, "its tables are not those that this program makes");
+    fail_backup(backup, "its tables are not those that this program makes");
   }
 }
 
@@ -100,13 +98,8 @@ class Restorer {
       apply_erasures(database);
       check_all(database);
       restored_.attempts = count_attempts(database);
-      append_audit(database, {std::nullopt,
-                              "backup_restored",
-                              "database",
-                              "",
-                              false,
-                              {},
-                              restored_.backup.filename().string()});
+      const std::string name = restored_.backup.filename().string();
+      append_audit(database, {std::nullopt, "backup_restored", "database", "", false, {}, name});
       clear_log(database);
     }
     sync_file(workplace_.path() / "hallux.db");
@@ -135,14 +128,14 @@ class Restorer {
     const fs::path tables = folder() / (manifest_->name + ".tables");
     const DigestedFile copied = copy_digested(tables, database_file());
     if (copied.bytes != manifest_->tables_bytes || copied.digest != manifest_->tables) {
-      fail_damaged(tables, "its bytes do not give the digest that the manifest says");
+      fail_backup(tables, "its bytes do not give the digest that the manifest says");
     }
     report(part_of_tables);
   }
 
   void put_recordings_back(Database& database) {
     if (own_directory(database).text != manifest_->directory) {
-      fail_damaged(restored_.backup, "the tables are of another directory");
+      fail_backup(restored_.backup, "the tables are of another directory");
     }
     // What is lost with the power is made anew: it has no name yet.
     database.connection().exec("PRAGMA synchronous = OFF");

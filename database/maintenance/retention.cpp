@@ -1,3 +1,6 @@
+/// What would go is a list, made by the same question for the dry run and for the act; each piece
+/// is asked about once more in its own transaction, because somebody may have decided or asked
+/// since. A setting that is no number of days means for ever: nothing goes by mistake.
 #include "database/maintenance/retention.h"
 
 #include <algorithm>
@@ -37,7 +40,7 @@ constexpr const char* due_recordings =
 
 /// ?1 are the days, ?2 is now, ?3 a person's number, or null for all.
 constexpr const char* due_accounts =
-    "SELECT p.person_id, d.login, max(u.at_utc) AS since FROM person p "
+    "SELECT 'account', p.person_id, d.login, max(u.at_utc) AS since FROM person p "
     "JOIN person_detail d USING (person_id) JOIN audit u ON u.action = 'person_disabled' "
     "AND u.subject_kind = 'person' AND u.outcome = 'done' AND u.subject_id = CAST(p.person_id AS "
     "TEXT) "
@@ -66,26 +69,16 @@ std::vector<RetentionPiece> recordings_due(Database& database, const RetentionRu
                                            const std::optional<std::string>& only = {}) {
   auto rows = prepared(database, due_recordings, rules.practice_days, rules.assessment_days,
                        utc_now(database), only);
-  std::vector<RetentionPiece> pieces;
-  while (rows.executeStep()) {
-    const bool is_practice = rows.getColumn(1).getString() == "practice";
-    pieces.push_back({is_practice ? RetainedKind::Practice : RetainedKind::Assessment,
-                      rows.getColumn(0).getString(), rows.getColumn(4).getString(),
-                      rows.getColumn(2).getString(), rows.getColumn(3).getInt64()});
-  }
-  return pieces;
+  return rows_of(std::move(rows), &RetentionPiece::name, &RetentionPiece::kind,
+                 &RetentionPiece::since_utc, &RetentionPiece::bytes, &RetentionPiece::login);
 }
 
 std::vector<RetentionPiece> accounts_due(Database& database, const RetentionRules& rules,
                                          const std::optional<std::string>& only = {}) {
-  std::vector<RetentionPiece> pieces;
-  if (!rules.account_days) return pieces;
+  if (!rules.account_days) return {};
   auto rows = prepared(database, due_accounts, *rules.account_days, utc_now(database), only);
-  while (rows.executeStep()) {
-    pieces.push_back({RetainedKind::Account, rows.getColumn(0).getString(),
-                      rows.getColumn(1).getString(), rows.getColumn(2).getString(), 0});
-  }
-  return pieces;
+  return rows_of(std::move(rows), &RetentionPiece::kind, &RetentionPiece::name,
+                 &RetentionPiece::login, &RetentionPiece::since_utc);
 }
 
 std::string utc_of(fs::file_time_type written) {

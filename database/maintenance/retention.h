@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "database/records/ids.h"
+#include "database/records/names.h"
 #include "database/store/connection.h"
 #include "simulator/base/progress.h"
 
@@ -30,6 +31,10 @@ struct RetentionRules {
 inline constexpr std::int32_t retention_days_most = 36'500;
 
 enum class RetainedKind { Practice, Assessment, Account, Cache };
+
+template <>
+inline constexpr std::array<std::string_view, 4> stored_names<RetainedKind>{
+    "practice", "assessment", "account", "cache"};
 
 /// What would go.
 struct RetentionPiece {

@@ -1,3 +1,7 @@
+/// SQLite's own copy takes all pages, and nearly all pages are chunks that lie in the backup
+/// already. So rows are copied, table after table, within one reading: who records meanwhile is not
+/// kept waiting, and a copy that is stopped leaves a file without a name. Tables come before what
+/// is made upon them, so that no trigger runs.
 #include "database/maintenance/table_copy.h"
 
 #include <sqlite3.h>

@@ -43,9 +43,9 @@ void check_contents(Database& database, VerifyProgress& progress, Verification& 
       get_asset(database, *digest);
       progress.tell(++found.assets, count);
     }
-    auto versions = prepared(database, "SELECT scenario_version_id FROM scenario_version");
-    while (versions.executeStep()) {
-      get_scenario_version(database, {versions.getColumn(0).getInt64()});
+    for (const auto version :
+         all_of<ScenarioVersionId>(database, "SELECT scenario_version_id FROM scenario_version")) {
+      get_scenario_version(database, version);
     }
   });
 }
@@ -63,17 +63,14 @@ void check_standing_of(const Database& database, const AttemptHeader& header) {
   }
 }
 
-std::vector<std::pair<std::int64_t, AttemptId>> attempts_after(Database& database,
-                                                               std::int64_t last) {
+using NumberedAttempt = std::pair<std::int64_t, AttemptId>;
+
+std::vector<NumberedAttempt> attempts_after(Database& database, std::int64_t last) {
   auto rows = prepared(database,
                        "SELECT attempt_id, uuid FROM attempt WHERE attempt_id > ? "
                        "ORDER BY attempt_id LIMIT ?",
                        last, attempts_at_once);
-  std::vector<std::pair<std::int64_t, AttemptId>> found;
-  while (rows.executeStep()) {
-    found.emplace_back(rows.getColumn(0).getInt64(), AttemptId{rows.getColumn(1).getString()});
-  }
-  return found;
+  return rows_of(std::move(rows), &NumberedAttempt::first, &NumberedAttempt::second);
 }
 
 /// A row under a name that no program gives was not written by one.

@@ -14,10 +14,8 @@ namespace {
 
 /// Rows of before this moment were written by a program that told the audit less.
 std::string schema_4_since(Database& database) {
-  auto row = prepared(database, "SELECT made_utc FROM directory");
-  if (!row.executeStep())
-    fail_altered(database, "the identity of the directory, which is missing,");
-  return row.getColumn(0).getString();
+  if (auto since = found<std::string>(database, "SELECT made_utc FROM directory")) return *since;
+  fail_altered(database, "the identity of the directory, which is missing,");
 }
 
 void check_score(Database& database, const AuditRow& row, const std::string& since) {
@@ -111,8 +109,8 @@ constexpr Unexplained unexplained[] = {
 
 void check_nothing_is_unexplained(Database& database) {
   for (const Unexplained& kind : unexplained) {
-    auto row = prepared(database, kind.sql);
-    if (row.executeStep()) fail_altered(database, kind.is_named + row.getColumn(0).getString());
+    const auto name = found<std::string>(database, kind.sql);
+    if (name) fail_altered(database, kind.is_named + *name);
   }
 }
 
@@ -123,10 +121,8 @@ void check_audit(Database& database, VerifyProgress& progress, Verification& fou
   std::string since;
   std::int64_t all = 0;
   translating(database, "look at the audit", [&] {
-    auto count = prepared(database, "SELECT coalesce(max(audit_id), 0) FROM audit");
-    count.executeStep();
     since = schema_4_since(database);
-    all = count.getColumn(0).getInt64();
+    all = single<std::int64_t>(database, "SELECT coalesce(max(audit_id), 0) FROM audit");
   });
   walk_audit(database, [&](const AuditRow& row) {
     check_against_audit(database, row, since);

@@ -71,12 +71,12 @@ void check_scores(Database& database, VerifyProgress& progress, Verification& fo
       found.scores += static_cast<std::int64_t>(some.size());
       progress.tell(found.scores, all);
     }
-    auto out_of_turn =
-        prepared(database,
-                 "SELECT score_id FROM score s WHERE (superseded_by IS NULL) <> (score_id = "
-                 "(SELECT max(score_id) FROM score o WHERE o.attempt_id = s.attempt_id)) LIMIT 1");
-    if (out_of_turn.executeStep()) {
-      fail_altered(database, "the order of score " + out_of_turn.getColumn(0).getString());
+    const auto out_of_turn = all_of<std::string>(
+        database,
+        "SELECT score_id FROM score s WHERE (superseded_by IS NULL) <> (score_id = "
+        "(SELECT max(score_id) FROM score o WHERE o.attempt_id = s.attempt_id)) LIMIT 1");
+    if (!out_of_turn.empty()) {
+      fail_altered(database, "the order of score " + out_of_turn.front());
     }
   });
 }

@@ -14,15 +14,10 @@ constexpr const char* cohort_columns =
     "FROM cohort c ";
 
 Cohort cohort_in(SQLite::Statement& row) {
-  return {{row.getColumn(0).getInt64()},
-          row.getColumn(1).getString(),
-          row.getColumn(2).getString(),
-          row.getColumn(3).getInt(),
-          row.getColumn(4).getInt()};
-}
-
-CohortRole role_from(const std::string& name) noexcept {
-  return name == "trainee" ? CohortRole::Trainee : CohortRole::Instructor;
+  Cohort cohort;
+  read_columns(row, 0, cohort.id, cohort.name, cohort.created_utc, cohort.trainees,
+               cohort.instructors);
+  return cohort;
 }
 
 [[noreturn]] void fail_not_found(const Database& database, const std::string& what) {
@@ -55,18 +50,15 @@ void enrol(Database& database, CohortId cohort, PersonId person, CohortRole role
             "INSERT INTO membership (cohort_id, person_id, role, enrolled_utc) VALUES (?, ?, ?, ?) "
             "ON CONFLICT (cohort_id, person_id) DO UPDATE SET role = excluded.role, "
             "enrolled_utc = excluded.enrolled_utc WHERE role <> excluded.role",
-            cohort.number, person.number, role == CohortRole::Trainee ? "trainee" : "instructor",
-            utc_now(database));
+            cohort.number, person.number, role, utc_now(database));
   });
 }
 
 std::optional<CohortRole> role_in(Database& database, CohortId cohort, PersonId person) {
-  return translating(database, "look for a membership", [&]() -> std::optional<CohortRole> {
-    auto row =
-        prepared(database, "SELECT role FROM membership WHERE cohort_id = ? AND person_id = ?",
-                 cohort.number, person.number);
-    if (!row.executeStep()) return std::nullopt;
-    return role_from(row.getColumn(0).getString());
+  return translating(database, "look for a membership", [&] {
+    return found<CohortRole>(database,
+                             "SELECT role FROM membership WHERE cohort_id = ? AND person_id = ?",
+                             cohort, person);
   });
 }
 
@@ -94,13 +86,9 @@ std::vector<CohortMember> list_members(Database& database, CohortId id) {
         "(person_id) LEFT JOIN person_detail d USING (person_id) WHERE m.cohort_id = ? "
         "ORDER BY m.role, length(d.login), d.login",
         id.number);
-    return collected(rows, [](SQLite::Statement& row) {
-      CohortMember member;
-      read_columns(row, 0, member.id, member.login, member.display_name);
-      member.role = role_from(row.getColumn(3).getString());
-      read_columns(row, 4, member.is_disabled, member.enrolled_utc);
-      return member;
-    });
+    return rows_of(std::move(rows), &CohortMember::id, &CohortMember::login,
+                   &CohortMember::display_name, &CohortMember::role, &CohortMember::is_disabled,
+                   &CohortMember::enrolled_utc);
   });
 }
 
@@ -119,13 +107,8 @@ std::vector<Membership> memberships_of(Database& database, PersonId person) {
                          "SELECT c.cohort_id, c.name, m.role FROM membership m JOIN cohort c "
                          "USING (cohort_id) WHERE m.person_id = ? ORDER BY c.name",
                          person.number);
-    std::vector<Membership> memberships;
-    while (rows.executeStep()) {
-      memberships.push_back({{rows.getColumn(0).getInt64()},
-                             rows.getColumn(1).getString(),
-                             role_from(rows.getColumn(2).getString())});
-    }
-    return memberships;
+    return rows_of(std::move(rows), &Membership::cohort, &Membership::cohort_name,
+                   &Membership::role);
   });
 }
 

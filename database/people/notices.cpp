@@ -39,13 +39,13 @@ std::vector<Notice> read_notices(Database& database, PersonId person, const char
         prepared(database, std::string{notice_columns} + whose + newest_first, person.number);
     std::vector<Notice> notices;
     while (rows.executeStep()) {
-      const auto kind = notice_kind_from(rows.getColumn(1).getString());
+      const auto kind = named<NoticeKind>(rows.getColumn(1).getString());
       if (!kind) continue;
       Notice notice;
-      notice.id = {rows.getColumn(0).getInt64()};
+      read_columns(rows, 0, notice.id);
       notice.kind = *kind;
-      read_columns(rows, 2, notice.at_utc, notice.is_for_administrators, notice.login);
-      if (!rows.getColumn(5).isNull()) notice.attempt = AttemptId{rows.getColumn(5).getString()};
+      read_columns(rows, 2, notice.at_utc, notice.is_for_administrators, notice.login,
+                   notice.attempt);
       if (*kind == NoticeKind::SignInsRefused) notice.count = rows.getColumn(6).getInt64();
       notices.push_back(std::move(notice));
     }
@@ -94,7 +94,7 @@ std::optional<NoticeAudience> audience_of(Database& database, NoticeId notice) {
         prepared(database, "SELECT person_id FROM notice WHERE notice_id = ?", notice.number);
     if (!row.executeStep()) return std::nullopt;
     NoticeAudience audience;
-    if (!row.getColumn(0).isNull()) audience.person = PersonId{row.getColumn(0).getInt64()};
+    read_columns(row, 0, audience.person);
     return audience;
   });
 }

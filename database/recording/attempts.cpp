@@ -1,3 +1,6 @@
+/// One SELECT reads a header everywhere: facts of the attempt, its scenario, the score and the
+/// decision in force, and its origin, in the order of the fields. Lists of many attempts are walked
+/// from the newest on instead of being gathered and sorted; of few that would be the longer way.
 #include "database/recording/attempts.h"
 
 #include "database/audit/audit.h"
@@ -11,13 +14,14 @@ namespace {
 
 constexpr std::string_view header_columns =
     "SELECT a.uuid, a.scenario_version_id, a.person_id, a.hand, a.seed, a.device_class, a.pacing, "
-    "a.stereo_mode, a.bone_digest, a.engine_version, a.started_utc, a.state, a.duration_ticks, "
-    "a.quality_json, a.seal, v.name, v.version, v.digest, d.login, s.score_milli, a.kind, "
-    "a.is_simulated, r.kind, r.score_milli, r.score_id = s.score_id, "
+    "a.stereo_mode, a.bone_digest, a.engine_version, a.kind, a.guidance, a.started_utc, a.state, "
+    "a.duration_ticks, a.quality_json, a.seal, v.name, v.version, v.digest, d.login, "
+    "s.score_milli, a.is_simulated, "
     "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
-    "a.attempt_id, s.measured_weight_milli < 100000, a.guidance, a.is_valid, o.directory_uuid, "
-    "o.is_accepted, s.rubric_version, s.measured_weight_milli, s.rubric_milli, "
-    "s.safety_measured_milli, s.safety_earned_milli, s.is_gated "
+    "a.attempt_id, s.measured_weight_milli < 100000, a.is_valid, r.kind, r.score_milli, "
+    "r.score_id = s.score_id, o.directory_uuid, o.is_accepted, s.rubric_version, "
+    "s.measured_weight_milli, s.rubric_milli, s.safety_measured_milli, s.safety_earned_milli, "
+    "s.is_gated "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
     "LEFT JOIN origin o ON o.origin_id = a.origin_id "
@@ -27,48 +31,22 @@ constexpr std::string_view header_columns =
 constexpr std::string_view is_of_cohort =
     " IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";
 
-NewAttempt begun_in(SQLite::Statement& row) {
-  NewAttempt begun;
-  begun.scenario = {row.getColumn(1).getInt64()};
-  if (!row.getColumn(2).isNull()) begun.person = PersonId{row.getColumn(2).getInt64()};
-  begun.hand = row.getColumn(3).getString();
-  begun.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
-  read_columns(row, 5, begun.device_class, begun.pacing, begun.stereo_mode);
-  begun.bone = digest_in(row.getColumn(8)).value_or(Digest{});
-  begun.engine = row.getColumn(9).getInt();
-  begun.kind = attempt_kind_from(row.getColumn(20).getString()).value_or(AttemptKind::Practice);
-  begun.guidance = guidance_from(row.getColumn(28).getString()).value_or(simulator::Guidance::None);
-  return begun;
-}
-
 AttemptHeader header_in(SQLite::Statement& row) {
   AttemptHeader header;
-  header.id = {row.getColumn(0).getString()};
-  header.begun = begun_in(row);
-  header.started_utc = row.getColumn(10).getString();
-  header.state =
-      attempt_state_from(row.getColumn(11).getString()).value_or(AttemptState::Interrupted);
-  read_columns(row, 12, header.duration_ticks, header.quality_json);
-  header.seal = digest_in(row.getColumn(14));
-  read_columns(row, 15, header.scenario_name, header.scenario_version);
-  header.scenario_digest = digest_in(row.getColumn(17)).value_or(Digest{});
-  read_columns(row, 18, header.login, header.score_milli);
-  header.is_simulated = row.getColumn(21).getInt() != 0;
-  if (!row.getColumn(22).isNull()) {
-    header.decision = decision_kind_from(row.getColumn(22).getString());
-    read_columns(row, 23, header.decided_milli, header.decision_is_of_score_in_force);
-  }
-  read_columns(row, 25, header.is_complete, header.order, header.is_partial);
-  if (!row.getColumn(29).isNull()) header.is_valid = row.getColumn(29).getInt() != 0;
-  if (!row.getColumn(30).isNull()) {
-    header.origin = DirectoryId{row.getColumn(30).getString()};
-    header.is_counted = row.getColumn(31).getInt() != 0;
-  }
+  NewAttempt& begun = header.begun;
+  read_columns(row, 0, header.id, begun.scenario, begun.person, begun.hand, begun.seed,
+               begun.device_class, begun.pacing, begun.stereo_mode, begun.bone, begun.engine,
+               begun.kind, begun.guidance, header.started_utc, header.state, header.duration_ticks,
+               header.quality_json, header.seal, header.scenario_name, header.scenario_version,
+               header.scenario_digest, header.login, header.score_milli, header.is_simulated,
+               header.is_complete, header.order, header.is_partial, header.is_valid,
+               header.decision, header.decided_milli, header.decision_is_of_score_in_force,
+               header.origin);
+  if (header.origin) read_columns(row, 31, header.is_counted);
   if (header.score_milli) {
-    header.rubric_version = row.getColumn(32).getInt();
-    header.pass = {row.getColumn(33).getInt64(), row.getColumn(34).getInt64(),
-                   row.getColumn(35).getInt64(), row.getColumn(36).getInt64(),
-                   row.getColumn(37).getInt() != 0};
+    PassFacts& pass = header.pass;
+    read_columns(row, 32, header.rubric_version, pass.measured_milli, pass.rubric_milli,
+                 pass.safety_measured_milli, pass.safety_earned_milli, pass.is_gated);
   }
   return header;
 }
@@ -94,8 +72,7 @@ CohortAttempts attempts_in(Database& database, CohortId cohort) {
                  "FROM membership m JOIN standing t USING (person_id) WHERE m.cohort_id = ? "
                  "AND m.role = 'trainee'",
                  cohort.number);
-    row.executeStep();
-    return CohortAttempts{row.getColumn(0).getInt64(), row.getColumn(1).getString()};
+    return rows_of(std::move(row), &CohortAttempts::count, &CohortAttempts::last_started_utc).at(0);
   });
 }
 
@@ -133,13 +110,11 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
 
 std::vector<AttemptHeader> headers_that_begin_with(Database& database, const AttemptId& id) {
   return translating(database, "look for an attempt", [&] {
-    std::vector<AttemptHeader> found;
-    if (!is_uuid_start(id.text)) return found;
-    auto row = prepared(database,
-                        std::string{header_columns} + "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'",
-                        id.text);
-    while (row.executeStep()) found.push_back(header_in(row));
-    return found;
+    if (!is_uuid_start(id.text)) return std::vector<AttemptHeader>{};
+    auto rows = prepared(database,
+                         std::string{header_columns} + "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'",
+                         id.text);
+    return collected(rows, header_in);
   });
 }
 

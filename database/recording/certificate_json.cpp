@@ -1,15 +1,29 @@
 #include "database/recording/certificate_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include "database/store/database_error.h"
-#include "database/store/json_fields.h"
+#include "database/store/json_record.h"
 
 namespace hallux::database {
 
-namespace {
+template <>
+inline constexpr std::tuple fields_of<RecordingCertificate>{
+    Field{"expected_samples", &RecordingCertificate::expected_samples},
+    Field{"received_samples", &RecordingCertificate::received_samples},
+    Field{"gaps", &RecordingCertificate::gaps},
+    Field{"duplicates", &RecordingCertificate::duplicates},
+    Field{"missed_ticks", &RecordingCertificate::missed_ticks},
+    Field{"pauses", &RecordingCertificate::pauses},
+    Field{"unseen_us", &RecordingCertificate::unsampled_us},
+    Field{"clock_steps", &RecordingCertificate::clock_steps},
+    Field{"faulted_ticks", &RecordingCertificate::faulted_ticks},
+    Field{"late_p50_us", &RecordingCertificate::late_p50_us},
+    Field{"late_p99_us", &RecordingCertificate::late_p99_us},
+    Field{"late_max_us", &RecordingCertificate::late_max_us},
+    Field{"ring_share_max", &RecordingCertificate::ring_share_max},
+    Field{"priority", &RecordingCertificate::has_priority},
+    Field{"locked_memory", &RecordingCertificate::has_locked_memory}};
 
-using Json = nlohmann::ordered_json;
+namespace {
 
 constexpr JsonBounds bounds{64 * 1024, 4};
 
@@ -29,62 +43,15 @@ std::optional<nlohmann::json> object_in(std::string_view text) {
   return std::nullopt;
 }
 
-void take(const nlohmann::json& object, const char* name, std::int64_t& value) {
-  if (object.contains(name)) value = integer_in(object, name);
-}
-
-void take(const nlohmann::json& object, const char* name, double& value) {
-  if (object.contains(name)) value = number_in(object, name);
-}
-
-void take(const nlohmann::json& object, const char* name, bool& value) {
-  if (object.contains(name)) value = flag_in(object, name);
-}
-
-void take_counts(const nlohmann::json& found, RecordingCertificate& certificate) {
-  take(found, "gaps", certificate.gaps);
-  take(found, "duplicates", certificate.duplicates);
-  take(found, "missed_ticks", certificate.missed_ticks);
-  take(found, "pauses", certificate.pauses);
-  take(found, "unseen_us", certificate.unsampled_us);
-  take(found, "clock_steps", certificate.clock_steps);
-  take(found, "faulted_ticks", certificate.faulted_ticks);
-}
-
-void take_circumstances(const nlohmann::json& found, RecordingCertificate& certificate) {
-  take(found, "late_p50_us", certificate.late_p50_us);
-  take(found, "late_p99_us", certificate.late_p99_us);
-  take(found, "late_max_us", certificate.late_max_us);
-  take(found, "ring_share_max", certificate.ring_share_max);
-  take(found, "priority", certificate.has_priority);
-  take(found, "locked_memory", certificate.has_locked_memory);
-}
-
 }  // namespace
 
 std::string json_from_certificate(const RecordingCertificate& certificate) {
   const Verdict verdict = verdict_of(certificate);
-  Json reasons = Json::array();
-  for (const Invalidity reason : verdict.reasons) reasons.push_back(name_of(reason));
-  return Json{{"expected_samples", certificate.expected_samples},
-              {"received_samples", certificate.received_samples},
-              {"gaps", certificate.gaps},
-              {"duplicates", certificate.duplicates},
-              {"missed_ticks", certificate.missed_ticks},
-              {"pauses", certificate.pauses},
-              {"unseen_us", certificate.unsampled_us},
-              {"clock_steps", certificate.clock_steps},
-              {"faulted_ticks", certificate.faulted_ticks},
-              {"late_p50_us", certificate.late_p50_us},
-              {"late_p99_us", certificate.late_p99_us},
-              {"late_max_us", certificate.late_max_us},
-              {"ring_share_max", certificate.ring_share_max},
-              {"priority", certificate.has_priority},
-              {"locked_memory", certificate.has_locked_memory},
-              {"complete", certificate.is_complete()},
-              {"valid", verdict.is_valid()},
-              {"not_valid_because", reasons}}
-      .dump();
+  auto json = json_of(certificate);
+  json["complete"] = certificate.is_complete();
+  json["valid"] = verdict.is_valid();
+  json["not_valid_because"] = json_of(verdict.reasons);
+  return json.dump();
 }
 
 std::optional<RecordingCertificate> certificate_from_json(std::string_view json) {
@@ -92,10 +59,12 @@ std::optional<RecordingCertificate> certificate_from_json(std::string_view json)
   if (!found) return std::nullopt;
   try {
     RecordingCertificate certificate;
-    certificate.expected_samples = integer_in(*found, "expected_samples");
-    certificate.received_samples = integer_in(*found, "received_samples");
-    take_counts(*found, certificate);
-    take_circumstances(*found, certificate);
+    for (const char* key : {"expected_samples", "received_samples"}) field_in(*found, key);
+    // The others came one after another; what an older record does not have is 0 or false.
+    visit_fields<RecordingCertificate>([&](const auto& field) {
+      if (!found->contains(field.key)) return;
+      read_json(found->at(field.key), field.key, certificate.*field.member);
+    });
     return certificate;
   } catch (const DatabaseError&) {
     return std::nullopt;  // a word where a number was expected: no object of ours

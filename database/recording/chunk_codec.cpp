@@ -21,12 +21,6 @@ constexpr std::size_t number_bytes_max = 13;
 constexpr std::size_t noisy_row_bytes = 3;
 constexpr std::size_t head_bytes_max = 1 + varint_bytes_max;
 
-template <typename Row>
-void read_rows(const Columns& columns) {
-  std::vector<Row> rows;
-  append_rows(columns, rows);
-}
-
 }  // namespace
 
 std::size_t columns_in(Stream stream) noexcept {
@@ -117,18 +111,6 @@ void ChunkUnpacker::unpack(std::span<const std::byte> bytes, const ChunkShape& s
 
 bool may_need_tape(std::span<const std::byte> bytes) noexcept {
   return !bytes.empty() && bytes[0] == format_coded;
-}
-
-void read_any_chunk(std::span<const std::byte> bytes) {
-  if (bytes.size() < 2) return;
-  const auto stream = static_cast<Stream>(static_cast<int>(bytes[0]) % 3);
-  const ChunkShape shape{stream, static_cast<std::size_t>(bytes[1]) * 4};
-  Columns tape{simulator::tape_columns, shape.row_count};
-  Columns columns;
-  ChunkUnpacker{}.unpack(bytes.subspan(2), shape, &tape, columns);
-  if (stream == Stream::Tape) read_rows<simulator::TapeLine>(columns);
-  if (stream == Stream::Sample) read_rows<simulator::ToolSample>(columns);
-  if (stream == Stream::Event) read_rows<simulator::CutEvent>(columns);
 }
 
 }  // namespace hallux::database

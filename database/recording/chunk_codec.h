@@ -77,8 +77,4 @@ class ChunkUnpacker {
 /// False for format 1, which does not look at the tape.
 bool may_need_tape(std::span<const std::byte> bytes) noexcept;
 
-/// Reads `bytes` as a chunk of any stream; for fuzzers: whatever the bytes, it returns or throws
-/// DatabaseError.
-void read_any_chunk(std::span<const std::byte> bytes);
-
 }  // namespace hallux::database

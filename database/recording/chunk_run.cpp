@@ -1,3 +1,6 @@
+/// Half the work of reading is in the tapes, and the samples of a window are told by its tape: so a
+/// thread of its own unpacks tapes ahead, and the reader unpacks the rest and checks all links in
+/// the order of the chain. The first damaged chunk is named whichever thread met it.
 #include "database/recording/chunk_run.h"
 
 #include <algorithm>

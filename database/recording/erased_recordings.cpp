@@ -20,12 +20,12 @@ Chain chain_of(Database& database, std::int64_t attempt) {
                        "WHERE attempt_id = ?",
                        attempt);
   sums.executeStep();
-  Chain chain{{}, sums.getColumn(0).getInt64(), sums.getColumn(1).getInt64()};
-  auto last =
-      prepared(database,
-               "SELECT link FROM chunk WHERE attempt_id = ? ORDER BY seq DESC, stream DESC LIMIT 1",
-               attempt);
-  if (last.executeStep()) chain.last_link = digest_in(last.getColumn(0));
+  Chain chain;
+  read_columns(sums, 0, chain.windows, chain.bytes);
+  chain.last_link = found<Digest>(
+      database,
+      "SELECT link FROM chunk WHERE attempt_id = ? ORDER BY seq DESC, stream DESC LIMIT 1",
+      attempt);
   return chain;
 }
 
@@ -45,12 +45,9 @@ std::optional<ErasedRecording> erased_recording(Database& database, const Attemp
                         "SELECT e.last_link, e.windows, e.erased_utc FROM erased_recording e "
                         "JOIN attempt a USING (attempt_id) WHERE a.uuid = ?",
                         id.text);
-    std::optional<ErasedRecording> erased;
-    if (row.executeStep()) {
-      erased = ErasedRecording{digest_in(row.getColumn(0)).value_or(Digest{}),
-                               row.getColumn(1).getInt64(), row.getColumn(2).getString()};
-    }
-    return erased;
+    auto erased = rows_of(std::move(row), &ErasedRecording::last_link, &ErasedRecording::windows,
+                          &ErasedRecording::erased_utc);
+    return erased.empty() ? std::nullopt : std::optional{erased.front()};
   });
 }
 

@@ -1,3 +1,7 @@
+/// A pass takes what waits in the rings and then commits the windows that were already complete
+/// when the pass before began: what the producer has gone beyond was pushed. On a full disk the
+/// same window is tried again until there is room or the attempt is given up; meanwhile the loop
+/// pauses, so that what waits in memory stays bounded.
 #include "database/recording/recorder.h"
 
 #include <algorithm>

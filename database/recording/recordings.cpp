@@ -1,6 +1,5 @@
 #include "database/recording/recordings.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "database/recording/attempts.h"
@@ -24,6 +23,7 @@ void check_seal(const Database& database, const AttemptHeader& header, const Dig
                           " does not fit its seal: a fact of it was altered, or its last chunks "
                           "were taken away; restore a backup"};
 }
+
 void refuse_erased(Database& database, const AttemptId& id) {
   const auto erased = erased_recording(database, id);
   if (!erased) return;
@@ -35,37 +35,6 @@ void refuse_erased(Database& database, const AttemptId& id) {
 /// needs   the chunks were read and checked
 Digest last_link(const ChunkRun& run) {
   return run.chunks.empty() ? run.before : run.chunks.back().link.value_or(Digest{});
-}
-
-/// The chunk after `run`, or the seal, must go on from its last link.
-void check_end(Database& database, const AttemptHeader& header, const ChunkRun& run,
-               std::int64_t end_window) {
-  const auto next_window = window_from(database, header.id, end_window);
-  if (!next_window) return check_seal(database, header, last_link(run));
-  const std::vector<StoredChunk> next =
-      load_chunks(database, header.id, {*next_window, *next_window + 1});
-  if (next.empty()) return;
-  try {
-    ChunkReader{header.id}.read_checked(next.front(), nullptr, last_link(run));
-  } catch (const DatabaseError& error) {
-    fail_chunk(database, header.id, next.front(), error.what());
-  }
-}
-
-template <typename Row, typename IsInside>
-void keep(std::vector<Row>& rows, IsInside&& is_inside) {
-  std::erase_if(rows, [&](const Row& row) { return !is_inside(row); });
-}
-
-void keep_ticks(const TickRange& ticks, simulator::Recording& recording) {
-  const auto is_inside = [&](const auto& row) {
-    return row.tick >= ticks.first && row.tick < ticks.end;
-  };
-  keep(recording.tape, [&](const simulator::TapeLine& line) {
-    return line.tick + line.ticks > ticks.first && line.tick < ticks.end;
-  });
-  keep(recording.samples, is_inside);
-  keep(recording.events, is_inside);
 }
 
 }  // namespace
@@ -80,23 +49,6 @@ simulator::Recording load_recording(Database& database, const AttemptId& id) {
     const ChunkRun run{chunks, {}};
     append_run(database, header.id, run, recording);
     check_seal(database, header, last_link(run));
-    return recording;
-  });
-}
-
-simulator::Recording load_recording_part(Database& database, const AttemptId& id,
-                                         const TickRange& ticks) {
-  const AttemptHeader header = load_header(database, id);
-  refuse_erased(database, header.id);
-  return translating(database, "read a part of attempt " + header.id.text, [&] {
-    simulator::Recording recording;
-    recording.engine = header.begun.engine;
-    const WindowRange windows = windows_around(database, header.id, ticks);
-    const std::vector<StoredChunk> chunks = load_chunks(database, header.id, windows);
-    const ChunkRun run{chunks, link_before(database, header.id, windows.first)};
-    append_run(database, header.id, run, recording);
-    check_end(database, header, run, windows.end);
-    keep_ticks(ticks, recording);
     return recording;
   });
 }

@@ -15,18 +15,6 @@ namespace hallux::database {
 ///         chunk whose bytes or link were altered, or the seal
 simulator::Recording load_recording(Database& database, const AttemptId& id);
 
-/// Simulated milliseconds from the attempt's first tick: from `first` up to and not with `end`.
-struct TickRange {
-  std::int64_t first = 0, end = 0;
-};
-
-/// The rows of those ticks, and lines of the tape that cover one of them; only their windows are
-/// read. Their links are checked, and the one after them, or the seal where nothing comes after:
-/// what was taken out there is noticed.
-/// errors  as load_recording
-simulator::Recording load_recording_part(Database& database, const AttemptId& id,
-                                         const TickRange& ticks);
-
 /// What load_recording does, but keeps no rows longer than some windows; returns the number of
 /// chunks. Of an erased one the seal is checked.
 /// errors  as load_recording

@@ -17,22 +17,19 @@ std::string_view name_of(Stream stream) noexcept {
 
 StoredChunk chunk_in(SQLite::Statement& row) {
   StoredChunk chunk;
-  chunk.number = row.getColumn(0).getInt64();
-  chunk.place = {static_cast<Stream>(row.getColumn(1).getInt()), row.getColumn(2).getInt64(),
-                 row.getColumn(3).getInt64(), row.getColumn(4).getInt64()};
+  ChunkPlace& place = chunk.place;
+  read_columns(row, 0, chunk.number, place.stream, place.seq, place.first_tick, place.row_count);
   const SQLite::Column bytes = row.getColumn(5);
   const auto* const first = static_cast<const std::byte*>(bytes.getBlob());
   chunk.bytes.assign(first, first + bytes.getBytes());
-  chunk.link = digest_in(row.getColumn(6));
+  read_columns(row, 6, chunk.link);
   return chunk;
 }
 
 /// One number that a query about an attempt answers with.
 std::optional<std::int64_t> number_of(Database& database, const char* sql, const AttemptId& id,
                                       std::int64_t bound) {
-  auto query = prepared(database, sql, id.text, bound);
-  if (!query.executeStep() || query.getColumn(0).isNull()) return std::nullopt;
-  return query.getColumn(0).getInt64();
+  return single<std::optional<std::int64_t>>(database, sql, id, bound);
 }
 
 /// The last window of which a row stands before `end_tick`; first ticks rise with the windows in
@@ -75,13 +72,12 @@ WindowRange windows_around(Database& database, const AttemptId& id, const TickRa
 }
 
 Digest link_before(Database& database, const AttemptId& id, std::int64_t window) {
-  auto row = prepared(
-      database,
-      "SELECT c.link FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq < ? "
-      "ORDER BY c.seq DESC, c.stream DESC LIMIT 1",
-      id.text, window);
-  if (!row.executeStep()) return {};
-  return digest_in(row.getColumn(0)).value_or(Digest{});
+  return found<Digest>(database,
+                       "SELECT c.link FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid "
+                       "= ? AND c.seq < ? "
+                       "ORDER BY c.seq DESC, c.stream DESC LIMIT 1",
+                       id, window)
+      .value_or(Digest{});
 }
 
 ChunkShape shape_of(const StoredChunk& chunk) noexcept {

@@ -11,7 +11,6 @@
 
 #include "database/recording/chain.h"
 #include "database/recording/chunk_codec.h"
-#include "database/recording/recordings.h"
 #include "database/store/connection.h"
 #include "simulator/record/record.h"
 
@@ -40,6 +39,11 @@ struct WindowRange {
 /// errors  DatabaseError
 std::vector<StoredChunk> load_chunks(Database& database, const AttemptId& id,
                                      const WindowRange& windows);
+
+/// Simulated milliseconds from the attempt's first tick: from `first` up to and not with `end`.
+struct TickRange {
+  std::int64_t first = 0, end = 0;
+};
 
 /// The first window from that number on; nothing where there is none.
 std::optional<std::int64_t> window_from(Database& database, const AttemptId& id,

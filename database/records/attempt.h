@@ -8,6 +8,7 @@
 
 #include "database/records/decision.h"
 #include "database/records/ids.h"
+#include "database/records/names.h"
 #include "database/records/score.h"
 #include "simulator/base/digest.h"
 #include "simulator/record/guidance.h"
@@ -26,23 +27,20 @@ enum class AttemptState {
   Void
 };
 
-/// "recording", "closed", "interrupted", "void".
-std::string_view name_of(AttemptState state) noexcept;
-/// Nothing where `name` is none of the four.
-std::optional<AttemptState> attempt_state_from(std::string_view name) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 4> stored_names<AttemptState>{"recording", "closed",
+                                                                            "interrupted", "void"};
 
 /// What an attempt was for. In an assessment nothing helps: no ghost of the plan, no read-out.
 enum class AttemptKind { Practice, Assessment };
 
-/// "practice", "assessment".
-std::string_view name_of(AttemptKind kind) noexcept;
-/// Nothing where `name` is none of the two.
-std::optional<AttemptKind> attempt_kind_from(std::string_view name) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 2> stored_names<AttemptKind>{"practice",
+                                                                           "assessment"};
 
-/// "none", "soft", "slot".
-std::string_view name_of(simulator::Guidance guidance) noexcept;
-/// Nothing where `name` is none of the three.
-std::optional<simulator::Guidance> guidance_from(std::string_view name) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 3> stored_names<simulator::Guidance>{"none", "soft",
+                                                                                   "slot"};
 
 /// What is known when an attempt begins; none of it changes later.
 struct NewAttempt {

@@ -1,14 +1,8 @@
 #include "database/records/certificate.h"
 
-#include "database/records/names.h"
-
 namespace hallux::database {
 
 namespace {
-
-constexpr std::array<std::string_view, invalidities.size()> reason_names{
-    "samples_lost", "ticks_left_out", "ticks_doubled", "clock_stepped",
-    "time_unseen",  "ticks_missed",   "device_faulted"};
 
 constexpr double tick_us = 1000.0;
 
@@ -37,7 +31,5 @@ Verdict verdict_of(const RecordingCertificate& certificate) {
         Invalidity::DeviceFaulted);
   return verdict;
 }
-
-std::string_view name_of(Invalidity reason) noexcept { return name_in(reason_names, reason); }
 
 }  // namespace hallux::database

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "database/records/names.h"
+
 namespace hallux::database {
 
 /// Times of the wall clock are those of a live attempt; a scripted one has none.
@@ -83,13 +85,9 @@ struct Verdict {
 /// Judges by the limits above, nothing else.
 Verdict verdict_of(const RecordingCertificate& certificate);
 
-inline constexpr std::array<Invalidity, 7> invalidities{
-    Invalidity::SamplesLost,  Invalidity::TicksLeftOut, Invalidity::TicksDoubled,
-    Invalidity::ClockStepped, Invalidity::TimeUnseen,   Invalidity::TicksMissed,
-    Invalidity::DeviceFaulted};
-
-/// The word in JSON: "samples_lost", "ticks_left_out", "ticks_doubled", "clock_stepped",
-/// "time_unseen", "ticks_missed", "device_faulted".
-std::string_view name_of(Invalidity reason) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 7> stored_names<Invalidity>{
+    "samples_lost", "ticks_left_out", "ticks_doubled", "clock_stepped",
+    "time_unseen",  "ticks_missed",   "device_faulted"};
 
 }  // namespace hallux::database

@@ -11,6 +11,7 @@
 #include "database/records/attempt.h"
 #include "database/records/ids.h"
 #include "database/records/limit.h"
+#include "database/records/names.h"
 #include "database/records/person.h"
 #include "database/records/score.h"
 
@@ -83,10 +84,9 @@ struct TraineeStanding {
 
 enum class ScenarioState { Draft, Published, Retired };
 
-/// "draft", "published", "retired".
-std::string_view name_of(ScenarioState state) noexcept;
-/// Nothing where `name` is none of the three.
-std::optional<ScenarioState> scenario_state_from(std::string_view name) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 3> stored_names<ScenarioState>{"draft", "published",
+                                                                             "retired"};
 
 struct ScenarioVersion {
   ScenarioVersionId id;

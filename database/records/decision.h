@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "database/records/ids.h"
+#include "database/records/names.h"
 
 namespace hallux::database {
 
@@ -20,10 +21,9 @@ enum class DecisionKind {
   Voided
 };
 
-/// "confirmed", "overridden", "voided".
-std::string_view name_of(DecisionKind kind) noexcept;
-/// Nothing where `name` is none of the three.
-std::optional<DecisionKind> decision_kind_from(std::string_view name) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 3> stored_names<DecisionKind>{"confirmed",
+                                                                            "overridden", "voided"};
 
 struct NewDecision {
   AttemptId attempt;
@@ -37,7 +37,7 @@ struct NewDecision {
 struct Decision {
   DecisionId id;
   AttemptId attempt;
-  DecisionKind kind = DecisionKind::Confirmed;
+  DecisionKind kind = DecisionKind::Voided;
   /// The machine's score it was about; a voided attempt may have none.
   std::optional<ScoreId> about;
   /// That stands; nothing: voided.

@@ -1,5 +1,4 @@
-/// Enumerators and the words they are stored as, in the order of the enumeration.
-/// Inside this corner only.
+/// Enumerations and the names they are stored as and written with in JSON. Inside this room only.
 #pragma once
 
 #include <array>
@@ -9,18 +8,23 @@
 
 namespace hallux::database {
 
-template <typename Enumeration, std::size_t count>
-constexpr std::string_view name_in(const std::array<std::string_view, count>& names,
-                                   Enumeration value) noexcept {
-  return names[static_cast<std::size_t>(value)];
+/// The names of an enumeration in its order; said beside each that is stored.
+template <typename Enumeration>
+inline constexpr std::array<std::string_view, 0> stored_names{};
+
+template <typename Enumeration>
+concept Named = !stored_names<Enumeration>.empty();
+
+template <Named Enumeration>
+constexpr std::string_view name_of(Enumeration value) noexcept {
+  return stored_names<Enumeration>[static_cast<std::size_t>(value)];
 }
 
 /// Nothing where `name` is none of them.
-template <typename Enumeration, std::size_t count>
-constexpr std::optional<Enumeration> named_in(const std::array<std::string_view, count>& names,
-                                              std::string_view name) noexcept {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (names[i] == name) return static_cast<Enumeration>(i);
+template <Named Enumeration>
+constexpr std::optional<Enumeration> named(std::string_view name) noexcept {
+  for (std::size_t i = 0; i < stored_names<Enumeration>.size(); ++i) {
+    if (stored_names<Enumeration>[i] == name) return static_cast<Enumeration>(i);
   }
   return std::nullopt;
 }

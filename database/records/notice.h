@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "database/records/ids.h"
+#include "database/records/names.h"
 
 namespace hallux::database {
 
@@ -38,8 +39,9 @@ struct Notice {
   std::int64_t count = 0;
 };
 
-/// As it is kept: "result_voided".
-std::string_view name_of(NoticeKind kind) noexcept;
-std::optional<NoticeKind> notice_kind_from(std::string_view name) noexcept;
+template <>
+inline constexpr std::array<std::string_view, 8> stored_names<NoticeKind>{
+    "recovered",    "administrator_made", "backup_skipped",    "code_issued",
+    "password_set", "sign_ins_refused",   "result_overridden", "result_voided"};
 
 }  // namespace hallux::database

@@ -4,10 +4,14 @@
 #include <string>
 
 #include "database/records/ids.h"
+#include "database/records/names.h"
 
 namespace hallux::database {
 
 enum class CohortRole { Trainee, Instructor };
+
+template <>
+inline constexpr std::array<std::string_view, 2> stored_names<CohortRole>{"trainee", "instructor"};
 
 struct NewPerson {
   /// 2 to 64 of a-z 0-9 . _ -, beginning with a letter.

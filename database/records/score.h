@@ -4,11 +4,18 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "database/records/names.h"
 
 namespace hallux::database {
 
 enum class LedgerKind { Metric, Damping, Gate };
+
+template <>
+inline constexpr std::array<std::string_view, 3> stored_names<LedgerKind>{"metric", "damping",
+                                                                          "gate"};
 
 /// One place where points were won or lost. A line with points_lost_milli 0 is kept: it says what
 /// was right.

@@ -1,3 +1,7 @@
+/// Four bounds, each for what the others let pass: a connection that cannot write, an authorizer
+/// that decides about each column, SQLite's limits on the statement, and a deadline that is looked
+/// at every thousand steps. Rows are counted while they come: a report that is too large ends, it
+/// is not cut.
 #include "database/reports/report_connection.h"
 
 #include <sqlite3.h>

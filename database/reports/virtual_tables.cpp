@@ -1,3 +1,7 @@
+/// SQLite asks for a plan, then for one row after the other. The plan takes the attempt and the
+/// bounds on `tick`; they choose the windows, and the chunks of those alone are unpacked, each
+/// checked by its own link and the one stored before it. Where they let too many rows pass, SQLite
+/// compares each once more.
 #include "database/reports/virtual_tables.h"
 
 #include <sqlite3.h>
@@ -263,7 +267,7 @@ int advance(sqlite3_vtab_cursor* at) {
 
 int is_at_end(sqlite3_vtab_cursor* at) { return cursor_of(at).columns == nullptr ? 1 : 0; }
 
-int answer_column(sqlite3_vtab_cursor* at, sqlite3_context* context, int index) {
+int column_value(sqlite3_vtab_cursor* at, sqlite3_context* context, int index) {
   const Cursor& cursor = cursor_of(at);
   const RecordTable& shape = *table_of(at->pVtab).shape;
   if (index == shape.column_count) {
@@ -280,7 +284,7 @@ int answer_column(sqlite3_vtab_cursor* at, sqlite3_context* context, int index) 
 }
 
 /// A window and a place in its chunk tell a row.
-int answer_row_number(sqlite3_vtab_cursor* at, sqlite3_int64* number) {
+int row_number(sqlite3_vtab_cursor* at, sqlite3_int64* number) {
   const Cursor& cursor = cursor_of(at);
   *number = cursor.window * static_cast<std::int64_t>(rows_per_chunk_max) +
             static_cast<std::int64_t>(cursor.row);
@@ -298,8 +302,8 @@ constexpr sqlite3_module record_module = [] {
   module.xFilter = &begin;
   module.xNext = &advance;
   module.xEof = &is_at_end;
-  module.xColumn = &answer_column;
-  module.xRowid = &answer_row_number;
+  module.xColumn = &column_value;
+  module.xRowid = &row_number;
   return module;
 }();
 

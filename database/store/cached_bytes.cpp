@@ -1,3 +1,7 @@
+/// A file is a head (magic, key, digest, length) and packed bytes. Whatever is wrong with it, it is
+/// not there: the caller computes it again. It is written under the name of the process and
+/// renamed, so that two windows never read half of one; the oldest go where the folder grows beyond
+/// its bound.
 #include "database/store/cached_bytes.h"
 
 #include <unistd.h>

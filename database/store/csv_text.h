@@ -1,4 +1,4 @@
-/// CSV rows that a spreadsheet opens without running anything (RFC 4180). Inside this room only.
+/// CSV rows that a spreadsheet opens without running anything (RFC 4180).
 #pragma once
 
 #include <string>

@@ -1,3 +1,7 @@
+/// What must be on the disk before the next step is written with plain descriptors: a stream cannot
+/// be synced, and tells of a full disk too late. The folder is synced after a rename, because the
+/// name is what a power cut would lose. What is read is opened without following links and without
+/// waiting for a pipe.
 #include "database/store/durable_file.h"
 
 #include <fcntl.h>

@@ -13,11 +13,11 @@ using nlohmann::json;
   throw DatabaseError{DatabaseErrorKind::Damaged, sentence};
 }
 
-[[noreturn]] void refuse_type(const char* key, const char* wanted) {
-  refuse("'" + std::string{key} + "' is not " + wanted);
-}
-
 }  // namespace
+
+void refuse_json(const char* what, const char* wanted) {
+  refuse("'" + std::string{what} + "' is not " + wanted);
+}
 
 json parse_json(std::string_view what, std::string_view text, JsonBounds bounds) {
   const std::string name{what};
@@ -37,48 +37,37 @@ const json& field_in(const json& object, const char* key) {
   return *found;
 }
 
-std::int64_t integer_of(const json& value, const char* what) {
+std::int64_t integer_of(const json& value, const char* what, std::int64_t low, std::int64_t high) {
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   const bool is_whole = value.is_number_integer() &&
                         (!value.is_number_unsigned() || value.get<std::uint64_t>() <= most);
-  if (!is_whole) refuse_type(what, "a whole number");
-  return value.get<std::int64_t>();
-}
-
-std::int64_t integer_in(const json& object, const char* key, std::int64_t low, std::int64_t high) {
-  const std::int64_t value = integer_of(field_in(object, key), key);
-  if (value < low || value > high) refuse_type(key, "within its bounds");
-  return value;
+  if (!is_whole) refuse_json(what, "a whole number");
+  const auto number = value.get<std::int64_t>();
+  if (number < low || number > high) refuse_json(what, "within its bounds");
+  return number;
 }
 
 double number_of(const json& value, const char* what) {
   if (value.is_null()) return 0.0;
-  if (!value.is_number()) refuse_type(what, "a number");
+  if (!value.is_number()) refuse_json(what, "a number");
   return value.get<double>();
 }
 
-double number_in(const json& object, const char* key) {
-  return number_of(field_in(object, key), key);
-}
-
-bool flag_in(const json& object, const char* key) {
-  const json& value = field_in(object, key);
-  if (!value.is_boolean()) refuse_type(key, "true or false");
+bool flag_of(const json& value, const char* what) {
+  if (!value.is_boolean()) refuse_json(what, "true or false");
   return value.get<bool>();
 }
 
-const std::string& text_in(const json& object, const char* key, std::size_t bytes_max) {
-  const json& value = field_in(object, key);
-  if (!value.is_string()) refuse_type(key, "a text");
+const std::string& text_of(const json& value, const char* what, std::size_t bytes_max) {
+  if (!value.is_string()) refuse_json(what, "a text");
   const auto& text = value.get_ref<const std::string&>();
-  if (text.size() > bytes_max) refuse_type(key, "as short as it must be");
+  if (text.size() > bytes_max) refuse_json(what, "as short as it must be");
   return text;
 }
 
-const json& list_in(const json& object, const char* key, std::size_t count_max) {
-  const json& value = field_in(object, key);
-  if (!value.is_array()) refuse_type(key, "a list");
-  if (value.size() > count_max) refuse_type(key, "as short as it must be");
+const json& list_of(const json& value, const char* what, std::size_t count_max) {
+  if (!value.is_array()) refuse_json(what, "a list");
+  if (value.size() > count_max) refuse_json(what, "as short as it must be");
   return value;
 }
 

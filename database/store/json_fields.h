@@ -20,22 +20,38 @@ struct JsonBounds {
 /// errors  DatabaseError Damaged: too long, too deep, not JSON
 nlohmann::json parse_json(std::string_view what, std::string_view text, JsonBounds bounds = {});
 
-/// The value of a key; where it is missing or of another type, the sentence names the key.
+[[noreturn]] void refuse_json(const char* what, const char* wanted);
+
+/// A value of one type; where it is of another, the sentence begins with `what`, its name.
 /// errors  DatabaseError Damaged; of the others as well
-const nlohmann::json& field_in(const nlohmann::json& object, const char* key);
+///
 /// A whole number between the two: never a fraction, never one that does not fit.
-std::int64_t integer_in(const nlohmann::json& object, const char* key,
+std::int64_t integer_of(const nlohmann::json& value, const char* what,
                         std::int64_t low = std::numeric_limits<std::int64_t>::min(),
                         std::int64_t high = std::numeric_limits<std::int64_t>::max());
 /// null is 0: a number that was not finite when it was written.
-double number_in(const nlohmann::json& object, const char* key);
-bool flag_in(const nlohmann::json& object, const char* key);
-const std::string& text_in(const nlohmann::json& object, const char* key,
-                           std::size_t bytes_max = std::size_t{1} << 20U);
-const nlohmann::json& list_in(const nlohmann::json& object, const char* key, std::size_t count_max);
-
-/// As integer_in and number_in, of an entry of a list; `what` names it.
-std::int64_t integer_of(const nlohmann::json& value, const char* what);
 double number_of(const nlohmann::json& value, const char* what);
+bool flag_of(const nlohmann::json& value, const char* what);
+const std::string& text_of(const nlohmann::json& value, const char* what,
+                           std::size_t bytes_max = std::size_t{1} << 20U);
+const nlohmann::json& list_of(const nlohmann::json& value, const char* what, std::size_t count_max);
+
+/// The value of a key, which may be missing.
+const nlohmann::json& field_in(const nlohmann::json& object, const char* key);
+template <typename... Bounds>
+std::int64_t integer_in(const nlohmann::json& object, const char* key, Bounds... low_and_high) {
+  return integer_of(field_in(object, key), key, low_and_high...);
+}
+inline bool flag_in(const nlohmann::json& object, const char* key) {
+  return flag_of(field_in(object, key), key);
+}
+template <typename... Bounds>
+const std::string& text_in(const nlohmann::json& object, const char* key, Bounds... bytes_max) {
+  return text_of(field_in(object, key), key, bytes_max...);
+}
+inline const nlohmann::json& list_in(const nlohmann::json& object, const char* key,
+                                     std::size_t count_max) {
+  return list_of(field_in(object, key), key, count_max);
+}
 
 }  // namespace hallux::database

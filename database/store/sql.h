@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "database/records/names.h"
 #include "database/store/connection.h"
 #include "simulator/base/digest.h"
 
@@ -67,14 +68,16 @@ void bind_text(SQLite::Statement& statement, int index, std::string_view text);
 /// Nothing where the column is not 32 bytes.
 std::optional<Digest> digest_in(const SQLite::Column& column);
 
-/// Binds a number, a text, an id, a digest or bytes to the parameter after `index`, the parts of a
-/// tuple to as many; of an optional that holds nothing, NULL.
+/// Binds a number, a text, an id, a digest, bytes or an enumerator's stored name to the parameter
+/// after `index`, the parts of a tuple to as many; of an optional that holds nothing, NULL.
 template <typename Value>
 void bind_next(SQLite::Statement& statement, int& index, const Value& value) {
   if constexpr (requires { value.number; }) {
     statement.bind(++index, value.number);
   } else if constexpr (requires { value.text; }) {
     statement.bind(++index, value.text);
+  } else if constexpr (Named<Value>) {
+    bind_text(statement, ++index, name_of(value));
   } else if constexpr (std::is_same_v<Value, Digest>) {
     bind_next(statement, index, std::span{value.bytes});
   } else if constexpr (requires { value.has_value(); }) {
@@ -121,13 +124,23 @@ int execute(Database& database, const std::string& sql, const Values&... values)
   return prepared(database, sql, values...).exec();
 }
 
-/// Reads a number, a truth, a text or an id; NULL as nothing where `value` is an optional.
+/// Reads a number, a truth, a text, an id, a digest or an enumerator by its stored name; NULL as
+/// nothing where `value` is an optional. A digest that is none is one of zeros, or nothing; a name
+/// that is none leaves `value` as it was, or nothing.
 template <typename Value>
 void read_column(const SQLite::Column& column, Value& value) {
   if constexpr (requires { value.number; }) {
     read_column(column, value.number);
   } else if constexpr (requires { value.text; }) {
     read_column(column, value.text);
+  } else if constexpr (std::is_same_v<Value, Digest>) {
+    value = digest_in(column).value_or(Digest{});
+  } else if constexpr (std::is_same_v<Value, std::optional<Digest>>) {
+    value = digest_in(column);
+  } else if constexpr (Named<Value>) {
+    value = named<Value>(column.getString()).value_or(value);
+  } else if constexpr (requires { requires Named<typename Value::value_type>; }) {
+    value = named<typename Value::value_type>(column.getString());
   } else if constexpr (requires { value.has_value(); }) {
     value.reset();
     if (!column.isNull()) read_column(column, value.emplace());
@@ -137,10 +150,8 @@ void read_column(const SQLite::Column& column, Value& value) {
     value = column.getString();
   } else if constexpr (std::is_floating_point_v<Value>) {
     value = column.getDouble();
-  } else if constexpr (sizeof(Value) <= sizeof(int)) {
-    value = column.getInt();
   } else {
-    value = column.getInt64();
+    value = static_cast<Value>(column.getInt64());
   }
 }
 

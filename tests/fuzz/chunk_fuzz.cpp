@@ -6,6 +6,7 @@
 
 #include "database/recording/chunk_codec.h"
 #include "database/recording/column_coding.h"
+#include "tests/database/recording/any_chunk.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto input = std::as_bytes(std::span{bytes, size});

@@ -1,3 +1,6 @@
+/// The whole line is understood before anything is done: verbs only choose what to run. Everything
+/// thrown ends here, in one place, as a sentence on stderr and an exit code; what files hold is
+/// made harmless for the terminal on the way.
 #include "ui/app/command_line.h"
 
 #include <CLI/CLI.hpp>
@@ -8,9 +11,7 @@
 
 #include "database/maintenance/verify.h"
 #include "database/store/database_error.h"
-#include "scenarios/scenario_error.h"
 #include "simulator/base/progress.h"
-#include "simulator/mesh/mesh_error.h"
 #include "simulator/record/record.h"
 #include "ui/app/terminal/interrupt.h"
 #include "ui/app/terminal/terminal_text.h"
@@ -18,7 +19,6 @@
 #include "ui/app/window/open_window.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/files/output_error.h"
-#include "ui/jobs/files/read_small_file.h"
 
 namespace hallux::ui {
 
@@ -77,18 +77,13 @@ ExitCode run_chosen(const VerbContext& context, std::ostream& err) {
     return fail(error, exit_code_of(error.kind()));
   } catch (const Cancelled& error) {
     return fail(error, ExitCode::Interrupted);
-  } catch (const simulator::MeshError& error) {
-    return fail(error, ExitCode::BadInput);
-  } catch (const FileRefused& error) {
-    return fail(error, ExitCode::BadInput);
-  } catch (const scenarios::ScenarioError& error) {
-    return fail(error, ExitCode::BadInput);
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(error, ExitCode::Storage);
   } catch (const std::bad_alloc&) {
     err << "hallux: the memory of this machine is not enough for this\n";
     return ExitCode::BadInput;
   } catch (const std::exception& error) {
+    // A mesh, a scenario, a file: what was given is not what was asked for.
     return fail(error, ExitCode::BadInput);
   }
 }

@@ -19,9 +19,9 @@ using simulator::OpenedField;
 /// Another form of these bytes, or another way to open fields, has another number.
 constexpr std::int64_t form_version = 1;
 constexpr std::int32_t nodes_max = 1 << 14;
-/// Following the blade takes about this share of the time; the rest is cutting solids and
+/// Opening the fields takes about this share of the time; the rest is cutting solids and
 /// measuring.
-constexpr double follow_share = 0.4;
+constexpr double fields_share = 0.4;
 
 bool is_within(const FieldWindow& window, const FieldGrid& grid) noexcept {
   const bool is_sane = grid.spacing_mm > 0.0 && grid.u_count > 0 && grid.v_count > 0 &&
@@ -134,9 +134,9 @@ assessment::Examination examine_kept(const AttemptMaterial& material,
   const Progress reached = progress("Scoring");
   return cancelled_as("stopped while examining; nothing was changed", [&] {
     const OpenedFields fields =
-        fields_of(material, data_directory, part_of(reached, 0.0, follow_share));
+        fields_of(material, data_directory, part_of(reached, 0.0, fields_share));
     return assessment::assess_fully(material.scenario, material.bone, material.recording,
-                                    part_of(reached, follow_share, 1.0), &fields);
+                                    part_of(reached, fields_share, 1.0), &fields);
   });
 }
 

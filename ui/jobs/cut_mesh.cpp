@@ -88,13 +88,6 @@ std::vector<IndexedMesh> name_pieces(std::vector<CutSolid> bodies,
   return meshes;
 }
 
-/// The progress of one stage out of several.
-Progress stage_of(const Progress& progress, double stage, double stages) {
-  return [&progress, stage, stages](double fraction) {
-    return !progress || progress((stage + fraction) / stages);
-  };
-}
-
 }  // namespace
 
 double CutReport::missing_mm3() const noexcept {
@@ -112,7 +105,8 @@ CutReport cut_mesh(const CutRequest& request, const Progress& progress) {
   for (const CutGroup& group : request.groups) {
     const double stage = static_cast<double>(report.cuts.size()) + 1.0;
     hallux::report(progress, stage / stages);
-    report.cuts.push_back(saw(bone, group, stage_of(progress, stage, stages)));
+    report.cuts.push_back(
+        saw(bone, group, part_of(progress, stage / stages, (stage + 1.0) / stages)));
   }
   report.removed_mm3 = bone.removed_mm3();
   hallux::report(progress, (stages - 1.0) / stages);

@@ -50,7 +50,7 @@ std::string quality_text(const AttemptHeader& header) {
   return "";
 }
 
-constexpr std::array<std::string_view, database::invalidities.size()> reasons{
+constexpr std::array<std::string_view, database::stored_names<database::Invalidity>.size()> reasons{
     "samples were lost",
     "the tape leaves ticks out",
     "the tape has ticks twice",

@@ -210,11 +210,6 @@ Table reading() {
   add_times(table, "the whole attempt", 9, [&] { database::load_recording(database, id); });
   Random random{7};
   const auto any_tick = [&] { return static_cast<std::int64_t>(random.uniform(0.0, 599'000.0)); };
-  add_times(table, "any second", random_places, [&] {
-    const std::int64_t first = any_tick();
-    const auto part = database::load_recording_part(database, id, {first, first + 1000});
-    if (part.samples.size() != 1000) throw std::runtime_error{"a second has not 1000 samples"};
-  });
   database::ReportConnection report{database.directory()};
   add_times(table, "pose_samples, any 10 ms", random_places, [&] {
     const std::string first = std::to_string(any_tick());

@@ -17,6 +17,7 @@
 #include "database/recording/erased_recordings.h"
 #include "database/recording/recordings.h"
 #include "database/store/assets.h"
+#include "database/store/settings.h"
 #include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 #include "tests/support/faulty_vfs.h"
@@ -280,7 +281,9 @@ TEST(Rotation, RemovesBackupsAndLastWhatNoManifestNames) {
   Database& database = course.database();
   const fs::path folder = backups_of(database);
   const AttemptId attempt = course.recorded_by("ada");
-  store_rotation(database, {1, 0, 0, 0});
+  store_setting(database, "backups_newest", "1");
+  for (const char* period : {"backups_days", "backups_weeks", "backups_months"})
+    store_setting(database, period, "0");
   database.pretend_it_is("2026-03-01T14:25:07.000Z");
   const Backup first = back_up_with_rotation(database, folder, {});
   erase_recording(database, attempt, std::nullopt);
@@ -314,16 +317,14 @@ TEST(Rotation, TouchesNothingOfAnotherDirectoryAndNoRecordingWhileAManifestIsUnr
   EXPECT_EQ(recording_count(folder), 0U);
 }
 
-TEST(Rotation, IsSetWithinItsBounds) {
+TEST(Rotation, IsAsTheSettingsSayWithinItsBounds) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
   EXPECT_EQ(load_rotation(database).newest, 10);
-  store_rotation(database, {3, 2, 1, 0});
-  EXPECT_EQ(load_rotation(database).months, 0);
-  EXPECT_EQ(kind_thrown([&] {
-              store_rotation(database, {0, 2, 1, 0});
-            }),
-            DatabaseErrorKind::BadInput);
+  store_setting(database, "backups_newest", "0");
+  store_setting(database, "backups_months", "5000");
+  EXPECT_EQ(load_rotation(database).newest, 1);
+  EXPECT_EQ(load_rotation(database).months, 1000);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "database/recording/column_coding.h"
+#include "tests/database/recording/any_chunk.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {

@@ -8,18 +8,6 @@ using nlohmann::ordered_json;
 
 double points(std::int64_t milli) { return static_cast<double>(milli) / 1000.0; }
 
-std::string_view name_of(database::LedgerKind kind) {
-  switch (kind) {
-    case database::LedgerKind::Metric:
-      return "metric";
-    case database::LedgerKind::Damping:
-      return "damping";
-    case database::LedgerKind::Gate:
-      return "gate";
-  }
-  return "metric";
-}
-
 }  // namespace
 
 ordered_json card_summary_json(const database::ScoreCard& card) {
@@ -57,7 +45,7 @@ ordered_json ledger_json(const database::ScoreCard& card) {
   ordered_json ledger = ordered_json::array();
   for (std::size_t i = 0; i < card.ledger.size(); ++i) {
     const database::LedgerLine& line = card.ledger[i];
-    ordered_json row = {{"kind", name_of(line.kind)},
+    ordered_json row = {{"kind", database::name_of(line.kind)},
                         {"item", line.item},
                         {"metric", line.metric},
                         {"group", line.group},

@@ -8,7 +8,8 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -67,5 +68,24 @@ void write_json(std::ostream& out, const nlohmann::ordered_json& value);
 /// What was asked for: the value with --json, else what `print` writes.
 void answer(const VerbContext& context, const nlohmann::ordered_json& value,
             const std::function<void(std::ostream& out)>& print);
+
+template <typename Value>
+nlohmann::ordered_json or_null(const std::optional<Value>& value) {
+  if (!value) return nullptr;
+  return *value;
+}
+
+/// A list that was asked for: with --json one array of what `json_of` makes of each, else each as
+/// `print(out, one)` writes it.
+template <typename List, typename JsonOf, typename Print>
+ExitCode answer_with_list(const VerbContext& context, const List& list, JsonOf json_of,
+                          Print print) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& one : list) rows.push_back(json_of(one));
+  answer(context, rows, [&](std::ostream& out) {
+    for (const auto& one : list) print(out, one);
+  });
+  return ExitCode::Done;
+}
 
 }  // namespace hallux::ui

@@ -1,3 +1,7 @@
+/// attempt, attempts. A scripted attempt goes through loop, recorder and score as a person's does,
+/// and stays the robot's whoever asked for it. A hand that is none of the names is a file with a
+/// motion: the hands that feel lead the saw themselves, so that the modelled arm takes a file
+/// alone.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -54,7 +58,8 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   attempt.seed = options.seed;
   attempt.pacing =
       options.pacing == "real-time" ? simulator::Pacing::RealTime : simulator::Pacing::Virtual;
-  attempt.guidance = database::guidance_from(options.guidance).value_or(simulator::Guidance::None);
+  attempt.guidance =
+      database::named<simulator::Guidance>(options.guidance).value_or(simulator::Guidance::None);
   if (options.device == "arm") attempt.arm_law = force_law_from(options.force_law);
   if (is_feeling(options.hand)) return attempt;
   if (!is_utf8(options.hand)) {
@@ -119,7 +124,7 @@ ordered_json attempt_json(const database::AttemptHeader& header) {
            header.decision ? ordered_json(database::name_of(*header.decision)) : ordered_json()},
           {"decided_score", points_json(header.decided_milli)},
           {"simulated", header.is_simulated},
-          {"valid", header.is_valid ? ordered_json(*header.is_valid) : ordered_json()}};
+          {"valid", or_null(header.is_valid)}};
 }
 
 void print_attempt(std::ostream& out, const database::AttemptHeader& header) {
@@ -158,13 +163,8 @@ ExitCode list_attempts_on(const VerbContext& context) {
     return ExitCode::Done;
   }
   database::Database database = open_kept(context);
-  ordered_json rows = ordered_json::array();
-  for (const database::AttemptHeader& header : visible_attempts(context, database)) {
-    if (context.json) rows.push_back(attempt_json(header));
-    if (!context.json) print_attempt(context.out, header);
-  }
-  if (context.json) write_json(context.out, rows);
-  return ExitCode::Done;
+  return answer_with_list(context, visible_attempts(context, database), attempt_json,
+                          print_attempt);
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+/// backup, restore, retention. In a directory without people whoever owns it keeps it, else an
+/// administrator at a desk that asks the policy table: the templates take either, so that both do
+/// the same. Restoring makes a new directory, where nobody is yet, and so takes no --as.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -7,7 +10,6 @@
 #include <optional>
 #include <ostream>
 
-#include "database/maintenance/open_maintenance.h"
 #include "database/maintenance/restore.h"
 #include "simulator/base/progress.h"
 #include "ui/app/terminal/terminal_text.h"
@@ -25,13 +27,13 @@ template <typename Work>
 ExitCode keeping(const VerbContext& context, const char* task, Work&& work) {
   database::Database database = open_kept(context);
   if (context.login.empty()) {
-    if (auto open = database::OpenMaintenance::enter(database)) return work(*open);
+    if (auto open = database::OpenHouse::enter(database)) return work(*open);
   }
   AdministratorSession administrator = sign_in_administrator(context, database, task);
   return work(administrator.desk);
 }
 
-ordered_json json_of(const database::Backup& backup) {
+ordered_json backup_json(const database::Backup& backup) {
   return {{"backup", backup.file.string()},
           {"made", backup.made_utc},
           {"bytes", backup.bytes},
@@ -39,20 +41,9 @@ ordered_json json_of(const database::Backup& backup) {
           {"damaged", backup.damaged}};
 }
 
-void print(const VerbContext& context, const database::Backup& backup) {
-  context.out << terminal_text(backup.file.string()) << "  " << backup.bytes << " bytes  "
-              << backup.recordings << " recordings\n";
-}
-
-template <typename Desk>
-ExitCode list_backups_on(const VerbContext& context, Desk& desk) {
-  ordered_json rows = ordered_json::array();
-  for (const database::Backup& backup : desk.backups()) {
-    rows.push_back(json_of(backup));
-    if (!context.json) print(context, backup);
-  }
-  if (context.json) write_json(context.out, rows);
-  return ExitCode::Done;
+void print_backup(std::ostream& out, const database::Backup& backup) {
+  out << terminal_text(backup.file.string()) << "  " << backup.bytes << " bytes  "
+      << backup.recordings << " recordings\n";
 }
 
 template <typename Desk>
@@ -60,9 +51,9 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
   const std::filesystem::path place =
       folder.empty() ? folder : std::filesystem::absolute(folder).lexically_normal();
   const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
-  ordered_json row = json_of(backup);
+  ordered_json row = backup_json(backup);
   row["new_bytes"] = backup.new_bytes;
-  answer(context, row, [&](std::ostream&) { print(context, backup); });
+  answer(context, row, [&](std::ostream& out) { print_backup(out, backup); });
   if (backup.damaged == 0) return ExitCode::Done;
   context.notes << backup.damaged
                 << " attempts were altered before this backup; `hallux verify` names the first\n";
@@ -70,13 +61,10 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
 }
 
 ordered_json json_of(const database::Restored& restored) {
-  return {{"backup", restored.backup.string()},
-          {"made", restored.made_utc},
-          {"attempts", restored.attempts},
-          {"recordings", restored.recordings},
-          {"erased_again", restored.erased_people},
-          {"first_damage",
-           restored.first_damage ? ordered_json(*restored.first_damage) : ordered_json()}};
+  return {
+      {"backup", restored.backup.string()},     {"made", restored.made_utc},
+      {"attempts", restored.attempts},          {"recordings", restored.recordings},
+      {"erased_again", restored.erased_people}, {"first_damage", or_null(restored.first_damage)}};
 }
 
 ExitCode restore_on(const VerbContext& context, database::RestoreOrder order) {
@@ -118,28 +106,11 @@ std::string fault_in_days(const std::string& text) {
   return is_number || text == "ever" ? "" : "must be a number of days, or ever";
 }
 
-std::string_view name_of(database::RetainedKind kind) {
-  switch (kind) {
-    case database::RetainedKind::Practice:
-      return "practice";
-    case database::RetainedKind::Assessment:
-      return "assessment";
-    case database::RetainedKind::Account:
-      return "account";
-    case database::RetainedKind::Cache:
-      return "cache";
-  }
-  return "";
-}
-
 ordered_json json_of(const database::RetentionRules& rules) {
-  const auto days = [](const std::optional<std::int32_t>& set) {
-    return set ? ordered_json(*set) : ordered_json();
-  };
-  return {{"practice_days", days(rules.practice_days)},
-          {"assessment_days", days(rules.assessment_days)},
-          {"account_days", days(rules.account_days)},
-          {"cache_days", days(rules.cache_days)}};
+  return {{"practice_days", or_null(rules.practice_days)},
+          {"assessment_days", or_null(rules.assessment_days)},
+          {"account_days", or_null(rules.account_days)},
+          {"cache_days", or_null(rules.cache_days)}};
 }
 
 void print_plan(const VerbContext& context, const database::RetentionRules& rules,
@@ -148,13 +119,13 @@ void print_plan(const VerbContext& context, const database::RetentionRules& rule
   std::int64_t bytes = 0;
   for (const database::RetentionPiece& piece : pieces) {
     bytes += piece.bytes;
-    rows.push_back({{"kind", name_of(piece.kind)},
+    rows.push_back({{"kind", database::name_of(piece.kind)},
                     {"name", piece.name},
                     {"person", piece.login.empty() ? ordered_json() : ordered_json(piece.login)},
                     {"since", piece.since_utc},
                     {"bytes", piece.bytes}});
     if (context.json) continue;
-    context.out << name_of(piece.kind) << "  " << terminal_text(piece.name) << "  "
+    context.out << database::name_of(piece.kind) << "  " << terminal_text(piece.name) << "  "
                 << terminal_text(piece.login) << "  " << terminal_text(piece.since_utc) << "  "
                 << piece.bytes << " bytes\n";
   }
@@ -205,8 +176,8 @@ void add_backup_verb(CLI::App& app, VerbContext& context) {
   backup->add_flag("--list", options->is_list, "list the backups in DIR/backups instead");
   choose(*backup, context, [options, &context] {
     return keeping(context, "back up", [&](auto& desk) {
-      return options->is_list ? list_backups_on(context, desk)
-                              : back_up_on(context, desk, options->folder);
+      if (!options->is_list) return back_up_on(context, desk, options->folder);
+      return answer_with_list(context, desk.backups(), backup_json, print_backup);
     });
   });
 }

@@ -1,3 +1,7 @@
+/// cut: the kernel on any closed mesh, without a scenario. --plane, --kerf and --sweep are groups
+/// in the order in which they stand on the line, which is read from CLI11's own record of it. The
+/// balance of volumes is the exit code: pieces, debris and what was removed must add up to the
+/// input.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,6 @@
+/// export, import, origins. An attempt leaves at the desk that may export it, which with --as is
+/// looked for among all that the person has; without people it is the house's. What came from
+/// elsewhere counts once an administrator has accepted its origin.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -56,44 +59,36 @@ ExportRequest of_person(database::Database& database, database::Session& session
   return {exportable_attempts(database, session, options.choice), options.folder};
 }
 
-void check_not_empty(const ExportRequest& request) {
-  if (!request.attempts.empty()) return;
-  throw VerbError(ExitCode::BadInput,
-                  "there is no such attempt that you may export; `hallux attempts` lists yours, "
-                  "and --as says who you are");
-}
-
-void say_exported(const VerbContext& context, const ExportRequest& request) {
+ExitCode export_chosen(const VerbContext& context, const ExportRequest& request,
+                       const FindDesk& desk_of) {
+  if (request.attempts.empty()) {
+    throw VerbError(ExitCode::BadInput,
+                    "there is no such attempt that you may export; `hallux attempts` lists yours, "
+                    "and --as says who you are");
+  }
+  export_attempts(request, desk_of, stages_on(context));
   answer(context, {{"folder", request.folder.string()}, {"attempts", request.attempts.size()}},
          [&](std::ostream& out) {
            out << request.attempts.size() << " attempts in "
                << terminal_text(request.folder.string()) << "\n";
          });
+  return ExitCode::Done;
 }
 
 ExitCode export_on(const VerbContext& context, const ExportOptions& options) {
   check_choice(options);
   database::Database database = open_kept(context);
   if (context.login.empty()) {
-    const ExportRequest request = of_nobody(database, options);
-    check_not_empty(request);
-    export_attempts(
-        request, [&](const database::AttemptId&) { return database::HouseDesk(database); },
-        stages_on(context));
-    say_exported(context, request);
-    return ExitCode::Done;
+    return export_chosen(context, of_nobody(database, options),
+                         [&](const database::AttemptId&) { return database::HouseDesk(database); });
   }
   database::Session session = sign_in_as(context, database);
-  const ExportRequest request = of_person(database, session, options);
-  check_not_empty(request);
   const FindDesk desk_of = [&](const database::AttemptId& id) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ExportAttempt, id);
     if (!desk) throw VerbError(ExitCode::Refused, context.login + " has no desk here");
     return *desk;
   };
-  export_attempts(request, desk_of, stages_on(context));
-  say_exported(context, request);
-  return ExitCode::Done;
+  return export_chosen(context, of_person(database, session, options), desk_of);
 }
 
 ordered_json ids_json(const std::vector<database::AttemptId>& ids) {
@@ -126,25 +121,25 @@ ExitCode import_on(const VerbContext& context, const std::filesystem::path& fold
   return report.refused.empty() ? ExitCode::Done : ExitCode::BadInput;
 }
 
+ordered_json origin_json(const database::Origin& origin) {
+  return {{"directory", origin.directory.text},
+          {"accepted", origin.is_accepted},
+          {"since", origin.imported_utc},
+          {"attempts", origin.attempts},
+          {"people", origin.people}};
+}
+
+void print_origin(std::ostream& out, const database::Origin& origin) {
+  out << origin.directory.text << "  " << origin.attempts << " attempts of " << origin.people
+      << " people  " << (origin.is_accepted ? "accepted" : "not accepted: does not count") << "\n";
+}
+
 ExitCode origins_on(const VerbContext& context, const OriginOptions& options) {
   database::Database database = open_kept(context);
   AdministratorSession administrator = sign_in_administrator(context, database, "see origins");
   if (!options.accepted.empty()) administrator.desk.set_accepted({options.accepted}, true);
   if (!options.unaccepted.empty()) administrator.desk.set_accepted({options.unaccepted}, false);
-  ordered_json rows = ordered_json::array();
-  for (const database::Origin& origin : administrator.desk.origins()) {
-    rows.push_back({{"directory", origin.directory.text},
-                    {"accepted", origin.is_accepted},
-                    {"since", origin.imported_utc},
-                    {"attempts", origin.attempts},
-                    {"people", origin.people}});
-    if (context.json) continue;
-    context.out << origin.directory.text << "  " << origin.attempts << " attempts of "
-                << origin.people << " people  "
-                << (origin.is_accepted ? "accepted" : "not accepted: does not count") << "\n";
-  }
-  if (context.json) write_json(context.out, rows);
-  return ExitCode::Done;
+  return answer_with_list(context, administrator.desk.origins(), origin_json, print_origin);
 }
 
 void add_export_verb(CLI::App& app, VerbContext& context) {

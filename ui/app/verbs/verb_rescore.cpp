@@ -91,22 +91,22 @@ ExitCode answer_on(const VerbContext& context, const RescoreOptions& options,
   const auto changed = count([](const RescoredAttempt& each) { return each.is_changed; });
   const auto stored = count([](const RescoredAttempt& each) { return each.is_stored; });
   const auto faulty = count([](const RescoredAttempt& each) { return !each.fault.empty(); });
-  if (context.json) {
-    ordered_json answer = {{"scenario", options.scenario},
-                           {"dry_run", options.is_dry_run},
-                           {"attempts", attempts.size()},
-                           {"changed", changed},
-                           {"stored", stored},
-                           {"not_scored", faulty},
-                           {"rows", ordered_json::array()}};
-    for (const RescoredAttempt& attempt : attempts) answer["rows"].push_back(attempt_json(attempt));
-    write_json(context.out, answer);
-  } else {
-    for (const RescoredAttempt& attempt : attempts) print_attempt(context.out, attempt);
-    context.out << attempts.size() << (attempts.size() == 1 ? " attempt, " : " attempts, ")
-                << changed << " changed, " << stored << " stored"
-                << (options.is_dry_run ? " (dry run)" : "") << "\n";
-  }
+  ordered_json rows = ordered_json::array();
+  for (const RescoredAttempt& attempt : attempts) rows.push_back(attempt_json(attempt));
+  answer(context,
+         {{"scenario", options.scenario},
+          {"dry_run", options.is_dry_run},
+          {"attempts", attempts.size()},
+          {"changed", changed},
+          {"stored", stored},
+          {"not_scored", faulty},
+          {"rows", rows}},
+         [&](std::ostream& out) {
+           for (const RescoredAttempt& attempt : attempts) print_attempt(out, attempt);
+           out << attempts.size() << (attempts.size() == 1 ? " attempt, " : " attempts, ")
+               << changed << " changed, " << stored << " stored"
+               << (options.is_dry_run ? " (dry run)" : "") << "\n";
+         });
   return faulty == 0 ? ExitCode::Done : ExitCode::CheckFailed;
 }
 

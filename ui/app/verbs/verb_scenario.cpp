@@ -24,18 +24,11 @@ ordered_json summary_json(const Scenario& scenario) {
 }
 
 ExitCode list_on(const VerbContext& context) {
-  const std::vector<Scenario> shipped = list_scenarios();
-  if (context.json) {
-    ordered_json rows = ordered_json::array();
-    for (const Scenario& scenario : shipped) rows.push_back(summary_json(scenario));
-    write_json(context.out, rows);
-    return ExitCode::Done;
-  }
-  for (const Scenario& scenario : shipped) {
-    context.out << scenario.name << "  " << scenario.title << ", version " << scenario.version
-                << ", " << scenarios::review_label(scenario) << "\n";
-  }
-  return ExitCode::Done;
+  const auto print = [](std::ostream& out, const Scenario& scenario) {
+    out << scenario.name << "  " << scenario.title << ", version " << scenario.version << ", "
+        << scenarios::review_label(scenario) << "\n";
+  };
+  return answer_with_list(context, list_scenarios(), summary_json, print);
 }
 
 ordered_json planned_json(const scenarios::PlannedCut& cut) {

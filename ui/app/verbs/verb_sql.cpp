@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "database/store/csv_text.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 
@@ -70,14 +71,7 @@ std::string csv_of(const ReportCell& cell) {
   const std::string text = text_of(cell);
   const bool is_formula = std::holds_alternative<std::string>(cell) && !text.empty() &&
                           std::string_view{"=+-@\t\r"}.find(text[0]) != std::string::npos;
-  const std::string safe = is_formula ? "'" + text : text;
-  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
-  std::string quoted = "\"";
-  for (const char letter : safe) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
-  }
-  return quoted + '"';
+  return database::csv_cell(text, !is_formula);
 }
 
 /// What a terminal may show of a cell.

@@ -1,3 +1,7 @@
+/// user add, list, passwd, disable, erase, recover. Passwords come from the terminal or as lines of
+/// stdin, never from the command line, which others can see: first that of --as, then the new one.
+/// In a directory without people the first to be added must be an administrator. A recovery needs
+/// the owner of the files instead of a password.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -25,7 +29,7 @@ struct UserOptions {
   bool with_recordings = false;
 };
 
-AdministratorSession visit(const VerbContext& context, database::Database& database) {
+AdministratorSession sign_in_to_manage(const VerbContext& context, database::Database& database) {
   return sign_in_administrator(context, database, "manage people");
 }
 
@@ -64,31 +68,33 @@ ExitCode add_on(const VerbContext& context, const UserOptions& options) {
     add_first(context, person);
   } else {
     database::Database database = open_kept(context);
-    AdministratorSession administrator = visit(context, database);
+    AdministratorSession administrator = sign_in_to_manage(context, database);
     administrator.desk.add_person(person, ask_password(context, "Password for " + options.login));
   }
   say(context, options.login, "added");
   return ExitCode::Done;
 }
 
+ordered_json person_json(const database::Person& person) {
+  return {{"login", person.login},
+          {"name", person.display_name},
+          {"administrator", person.is_administrator},
+          {"disabled", person.is_disabled},
+          {"created", person.created_utc}};
+}
+
+void print_person(std::ostream& out, const database::Person& person) {
+  out << person.login << "  " << terminal_text(person.display_name)
+      << (person.is_administrator ? "  administrator" : "")
+      << (person.is_disabled ? "  disabled" : "") << "\n";
+}
+
 ExitCode list_on(const VerbContext& context) {
   database::Database database = open_kept(context);
   std::vector<database::Person> people;
-  if (!database::OpenHouse::enter(database)) people = visit(context, database).desk.people();
-  ordered_json rows = ordered_json::array();
-  for (const database::Person& person : people) {
-    rows.push_back({{"login", person.login},
-                    {"name", person.display_name},
-                    {"administrator", person.is_administrator},
-                    {"disabled", person.is_disabled},
-                    {"created", person.created_utc}});
-    if (context.json) continue;
-    context.out << person.login << "  " << terminal_text(person.display_name)
-                << (person.is_administrator ? "  administrator" : "")
-                << (person.is_disabled ? "  disabled" : "") << "\n";
-  }
-  if (context.json) write_json(context.out, rows);
-  return ExitCode::Done;
+  if (!database::OpenHouse::enter(database))
+    people = sign_in_to_manage(context, database).desk.people();
+  return answer_with_list(context, people, person_json, print_person);
 }
 
 ExitCode redeem_on(const VerbContext& context, const std::string& login) {
@@ -113,7 +119,7 @@ ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
     database::Session session = database::sign_in(database, login, old_password);
     session.change_password(old_password, ask_password(own, "New password for " + login));
   } else {
-    AdministratorSession administrator = visit(context, database);
+    AdministratorSession administrator = sign_in_to_manage(context, database);
     administrator.desk.set_password(login, ask_password(context, "New password for " + login));
   }
   say(context, login, "password changed");
@@ -122,7 +128,7 @@ ExitCode passwd_on(const VerbContext& context, const UserOptions& options) {
 
 ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
   database::Database database = open_kept(context);
-  AdministratorSession administrator = visit(context, database);
+  AdministratorSession administrator = sign_in_to_manage(context, database);
   administrator.desk.set_disabled(options.login, !options.enable);
   say(context, options.login, options.enable ? "enabled" : "disabled");
   return ExitCode::Done;

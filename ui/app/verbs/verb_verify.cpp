@@ -12,30 +12,28 @@ namespace hallux::ui {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 ExitCode verify_on(const VerbContext& context) {
   database::OpenOptions for_reading;
   for_reading.access = database::Access::ReadOnly;
   database::Database database = database::Database::open(context.data_directory, for_reading);
   const database::Verification found = verify(database, progress_on(context, "Verifying"));
-  if (context.json) {
-    write_json(context.out,
-               ordered_json{{"whole", found.is_whole()},
-                            {"first_damage", found.first_damage ? ordered_json(*found.first_damage)
-                                                                : ordered_json()},
-                            {"attempts", found.attempts},
-                            {"chunks", found.chunks},
-                            {"scores", found.scores},
-                            {"assets", found.assets},
-                            {"audit_rows", found.audit_rows}});
-  } else if (found.is_whole()) {
-    context.out << "whole: " << found.attempts << " attempts, " << found.chunks << " chunks, "
-                << found.scores << " scores, " << found.assets << " assets, " << found.audit_rows
-                << " audit rows\n";
-  } else {
-    context.out << "damaged: " << terminal_text(*found.first_damage) << "\n";
-  }
+  answer(context,
+         {{"whole", found.is_whole()},
+          {"first_damage", or_null(found.first_damage)},
+          {"attempts", found.attempts},
+          {"chunks", found.chunks},
+          {"scores", found.scores},
+          {"assets", found.assets},
+          {"audit_rows", found.audit_rows}},
+         [&](std::ostream& out) {
+           if (!found.is_whole()) {
+             out << "damaged: " << terminal_text(*found.first_damage) << "\n";
+             return;
+           }
+           out << "whole: " << found.attempts << " attempts, " << found.chunks << " chunks, "
+               << found.scores << " scores, " << found.assets << " assets, " << found.audit_rows
+               << " audit rows\n";
+         });
   return found.is_whole() ? ExitCode::Done : ExitCode::CheckFailed;
 }
 

@@ -1,3 +1,7 @@
+/// Who is signed in decides which places there are, by one table of routes; a screen asks its
+/// caller (Course) for the next one, so no screen knows another. What must be told to the database
+/// when somebody leaves is told beside the window: the connection may be in use, and nobody should
+/// look at a window that stands still.
 #include "ui/app/window/course.h"
 
 #include <algorithm>

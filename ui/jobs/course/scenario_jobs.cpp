@@ -1,3 +1,6 @@
+/// The sheet prints every number of a scenario with its origin, in the order in which it is
+/// operated: a surgeon who signs a version reads this and not JSON. Numbers are printed to nine
+/// digits: what went through radians reads as it was written.
 #include "ui/jobs/course/scenario_jobs.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// What a person has learned is judged from runs alone: those of the newest rubric, on the device
+/// of the last one, each passed or not. A cohort's runs come with the standings, one's own with the
+/// attempts; both ways end in one function, so that trainee and instructor see the same word.
 #include "ui/jobs/course/standing_jobs.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// The course is made at the desks, as people would make it: so policy, audit, notices and
+/// standings are those of a real one. Time is told to the database before each act and only moves
+/// forward. Who asks, replies or is overruled follows from the trainee's number, so that each
+/// screen has something of every kind.
 #include "ui/jobs/demo/demo_people.h"
 
 #include <algorithm>
@@ -92,16 +96,18 @@ void DemoPeople::set_time(std::int64_t minute) {
   database_.pretend_it_is(utc_text(begun_s_ + 60 * minute_));
 }
 
+database::SecretText DemoPeople::password(const char* mistyped) const {
+  std::string text = course_.password + mistyped;
+  return database::SecretText::take(text);
+}
+
 database::Session DemoPeople::sign_in(const std::string& login) {
-  std::string password = course_.password;
-  return database::sign_in(database_, login, database::SecretText::take(password), cost_);
+  return database::sign_in(database_, login, password(), cost_);
 }
 
 void DemoPeople::found(const std::vector<DemoOperation>& operated) {
-  std::string password = course_.password;
   database::OpenHouse::enter(database_)->add_first_administrator(
-      {administrator_login, shown_name(administrator_login), true},
-      database::SecretText::take(password), cost_);
+      {administrator_login, shown_name(administrator_login), true}, password(), cost_);
   course_.accounts.push_back({administrator_login, "administrator"});
   database::Session session = sign_in(administrator_login);
   database::AdministratorDesk desk = *session.administrator();
@@ -122,10 +128,7 @@ void DemoPeople::add_people(database::AdministratorDesk& desk) {
     // The code is used at once: it need not withstand guessing for a week.
     const database::AddedPerson added =
         desk.add_person_with_code({login, shown_name(login), false}, {1, 8192});
-    std::string password = course_.password;
-    database::redeem_code(database_, login, added.issued.code, database::SecretText::take(password),
-                          cost_)
-        .sign_out();
+    database::redeem_code(database_, login, added.issued.code, password(), cost_).sign_out();
     course_.accounts.push_back({login, role});
   };
   for (int i = 1; i <= demo_instructors; ++i) add(instructor_login(i), "instructor");
@@ -229,10 +232,8 @@ void DemoPeople::talk(const Kept& kept) {
 
 /// So that the audit has a refusal to show.
 void DemoPeople::mistype_password(int trainee) {
-  std::string mistyped = course_.password + "?";
   try {
-    database::sign_in(database_, trainee_login(trainee), database::SecretText::take(mistyped),
-                      cost_);
+    database::sign_in(database_, trainee_login(trainee), password("?"), cost_);
   } catch (const database::DatabaseError& error) {
     if (error.kind() != database::DatabaseErrorKind::Refused) throw;
   }

@@ -36,6 +36,8 @@ class DemoPeople {
   };
 
   void set_time(std::int64_t minute);
+  /// Of everybody; with `mistyped` behind it nobody's.
+  database::SecretText password(const char* mistyped = "") const;
   database::Session sign_in(const std::string& login);
   void acknowledge_all(const std::string& login);
   database::InstructorDesk desk_of_instructor(int trainee);

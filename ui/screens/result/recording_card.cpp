@@ -28,10 +28,10 @@ std::string limits_text(const Texts& texts, std::uint32_t limits) {
   return words.empty() ? std::string(texts.text("limit.none")) : words;
 }
 
-constexpr std::array<std::string_view, database::invalidities.size()> invalidity_texts{
-    "invalid.samples_lost",  "invalid.ticks_left_out", "invalid.ticks_doubled",
-    "invalid.clock_stepped", "invalid.time_unseen",    "invalid.ticks_missed",
-    "invalid.device_faulted"};
+constexpr std::array<std::string_view, database::stored_names<database::Invalidity>.size()>
+    invalidity_texts{"invalid.samples_lost",  "invalid.ticks_left_out", "invalid.ticks_doubled",
+                     "invalid.clock_stepped", "invalid.time_unseen",    "invalid.ticks_missed",
+                     "invalid.device_faulted"};
 
 /// What was sealed counts; the reasons are those of the certificate.
 std::string validity_text(const Texts& texts, const ResultFacts& facts) {
