@@ -33,7 +33,7 @@ class Walker {
     Visitor who;
     who.name = "Walker";
     for (const std::string& place : navigator)
-      who.navigator.push_back({place, place, Icon::Home, 0});
+      who.places.push_back({place, place, Icon::Home, 0});
     visitor_.shell().set_visitor(who);
     visitor_.shell().on_navigate(
         [this, make](const std::string& place) { visitor_.shell().replace_all(make(place)); });

@@ -254,7 +254,7 @@ bool adopt_texts(database::ScoreCard& stored, const database::ScoreCard& fresh) 
       stored.sentences == fresh.sentences &&
       std::equal(stored.ledger.begin(), stored.ledger.end(), fresh.ledger.begin(),
                  fresh.ledger.end(), [](const auto& a, const auto& b) { return a.text == b.text; });
-  if (has_same_text || !is_same_score(stored, fresh)) return false;
+  if (has_same_texts || !is_same_score(stored, fresh)) return false;
   stored.sentences = fresh.sentences;
   for (std::size_t line = 0; line < stored.ledger.size(); ++line)
     stored.ledger[line].text = fresh.ledger[line].text;
