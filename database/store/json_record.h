@@ -31,8 +31,7 @@ template <typename Record>
 inline constexpr std::tuple<> fields_of{};
 
 template <typename Record>
-concept Listed = std::tuple_size_v<decltype(fields_of<Record>)> >
-0;
+concept Listed = (std::tuple_size_v<decltype(fields_of<Record>)> != 0);
 
 /// Shows each field to `visit`, in their order.
 template <Listed Record, typename Visit>
