@@ -28,12 +28,11 @@ class Walker {
  public:
   using MakeScreen = std::function<std::unique_ptr<Screen>(const std::string& place)>;
 
-  Walker(std::vector<std::string> navigator, const MakeScreen& make)
-      : visitor_(make(navigator.front())), random_(20261122) {
+  Walker(std::vector<std::string> places, const MakeScreen& make)
+      : visitor_(make(places.front())), random_(20261122) {
     Visitor who;
     who.name = "Walker";
-    for (const std::string& place : navigator)
-      who.places.push_back({place, place, Icon::Home, 0});
+    for (const std::string& place : places) who.places.push_back({place, place, Icon::Home, 0});
     visitor_.shell().set_visitor(who);
     visitor_.shell().on_navigate(
         [this, make](const std::string& place) { visitor_.shell().replace_all(make(place)); });
