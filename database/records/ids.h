@@ -55,7 +55,7 @@ struct DecisionId {
 
 struct NoticeId {
   std::int64_t number = 0;
-  friend auto operator<=>(const NoticeId&, const NoticeId&) = default;
+  friend auto operator<=>(const NoticeId&, const NoticeId&) = default;  // NOLINT: no null
 };
 
 }  // namespace hallux::database

@@ -35,6 +35,7 @@ const char* name_of(StereoMode mode) {
 
 std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& steps) {
   std::vector<StepKind> kinds;
+  kinds.reserve(steps.size());
   for (const scenarios::OperationStep& step : steps) kinds.push_back(step.kind);
   return kinds;
 }
