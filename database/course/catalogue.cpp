@@ -26,6 +26,7 @@ constexpr const char* version_columns =
 
 ScenarioVersion version_in(SQLite::Statement& row) {
   ScenarioVersion version;
+  version.state = ScenarioState::Retired;  // Under a name that is unknown nobody begins it.
   read_columns(row, 0, version.id, version.name, version.version, version.is_reviewed,
                version.state, version.changed_by, version.since_utc, version.attempts);
   return version;

@@ -33,6 +33,7 @@ constexpr std::string_view is_of_cohort =
 
 AttemptHeader header_in(SQLite::Statement& row) {
   AttemptHeader header;
+  header.state = AttemptState::Interrupted;  // Under a name that is unknown nothing counts.
   NewAttempt& begun = header.begun;
   read_columns(row, 0, header.id, begun.scenario, begun.person, begun.hand, begun.seed,
                begun.device_class, begun.pacing, begun.stereo_mode, begun.bone, begun.engine,

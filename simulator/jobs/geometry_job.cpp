@@ -24,9 +24,9 @@ double section_area_mm2(const SlabSlice& contact) {
 
 AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
                                  std::optional<PlannedBridge> bridge)
-    : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(solid_of(bone)) {
-  bone_.before(0);  // Its tree is built now, while no hand waits for a section.
-}
+    : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(solid_of(bone)) {}
+
+void AttemptGeometry::prepare() { bone_.before(0); }
 
 void AttemptGeometry::apply(const CutEvent& event) {
   if (event.kind == CutEventKind::PlaneFrozen) {

@@ -59,6 +59,8 @@ class AttemptGeometry {
  public:
   AttemptGeometry(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
 
+  /// Builds the tree of the whole bone, which the first section would wait for; work of 0.1 s.
+  void prepare();
   /// Applies what the step gave out; events of a tick before its sample.
   void apply(const CutEvent& event);
   void apply(const ToolSample& sample);

@@ -63,6 +63,7 @@ std::exception_ptr ThreadedJobs::failure() const noexcept {
 
 void ThreadedJobs::work(const std::stop_token& stop) {
   try {
+    geometry_.prepare();
     Feed feed;
     while (!stop.stop_requested()) {
       if (feed_.pop(feed)) {

@@ -41,7 +41,9 @@ class JobRunner {
 class ImmediateJobs final : public JobRunner {
  public:
   ImmediateJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {})
-      : geometry_(bone, blade, bridge) {}
+      : geometry_(bone, blade, bridge) {
+    geometry_.prepare();
+  }
 
   bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
