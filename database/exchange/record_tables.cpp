@@ -62,8 +62,7 @@ void take_numbers(const ForeignLines& lines, std::string_view line,
       lines.refuse("it has not as many columns as its table");
     const auto [next, error] = std::from_chars(at, end, numbers[i]);
     const std::string_view cell{at, static_cast<std::size_t>(next - at)};
-    const bool is_shortest =
-        cell == "0" || (!cell.empty() && cell[cell[0] == '-' ? 1 : 0] != '0');
+    const bool is_shortest = cell == "0" || (!cell.empty() && cell[cell[0] == '-' ? 1 : 0] != '0');
     if (error != std::errc{} || !is_shortest || cell == "-0") {
       lines.refuse("column " + std::to_string(i + 1) + " is not a whole number as we write it");
     }
