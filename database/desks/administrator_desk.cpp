@@ -8,7 +8,7 @@
 #include "database/course/limits.h"
 #include "database/exchange/import_attempt.h"
 #include "database/exchange/origins.h"
-#include "database/reports/report_connection.h"
+#include "database/reports/report_process.h"
 #include "database/store/settings.h"
 #include "database/store/sql.h"
 #include "simulator/base/progress.h"
@@ -210,10 +210,10 @@ Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
   return back_up_with_rotation(*database_, directory, holder_.person, {progress, {}});
 }
 
-Report AdministratorDesk::report(const std::string& sql) {
+Report AdministratorDesk::report(const std::string& sql, ReportProcess& process) {
   require(*database_, holder_, Action::RunReport, Relation::Other, "the tables");
   append_audit(*database_, {holder_.person, "report_run", "database", "", false, {}, sql});
-  return ReportConnection{database_->directory()}.answer(sql);
+  return process.answer(database_->directory(), sql);
 }
 
 bool AdministratorDesk::is_here(const ImportedAttempt& attempt) {

@@ -147,7 +147,10 @@ ordered_json json_of(const SQLite::Column& column) {
 class PersonWriter {
  public:
   PersonWriter(Database& database, PersonId person, const std::filesystem::path& directory)
-      : database_(database), person_(person), fresh_(directory), done_{directory} {}
+      : database_(database),
+        person_(person),
+        fresh_(directory, database.directory()),
+        done_{directory} {}
 
   PersonExport write(const Progress& progress) {
     std::string explanation = beginning;

@@ -29,7 +29,14 @@ void check_schema_is_known(Database& database) {
     const SQLite::Transaction moment{database.connection()};
     const std::int32_t found = pragma_number(database, "PRAGMA user_version");
     const std::int32_t owner = pragma_number(database, "PRAGMA application_id");
-    if (owner != application_id && (owner != 0 || found != 0 || has_tables(database))) {
+    if (owner == 0 && found == 0 && !has_tables(database)) {
+      throw DatabaseError{DatabaseErrorKind::Damaged,
+                          database.file().string() +
+                              " is empty, which no database of this program ever is: it was "
+                              "overwritten or lost; keep a copy and restore a backup (hallux "
+                              "restore). Where nothing was ever kept there, remove the file"};
+    }
+    if (owner != application_id) {
       throw DatabaseError{
           DatabaseErrorKind::Damaged,
           database.file().string() +

@@ -11,7 +11,7 @@ std::int32_t newest_schema() noexcept;
 
 /// Looks at the file without changing it.
 /// errors  DatabaseError: Newer where the file's schema is newer than this program; Damaged where
-///         it is not ours
+///         it is empty or not ours
 void check_schema_is_known(Database& database);
 
 /// Whether there is something to migrate; a file without any schema has nothing.

@@ -20,8 +20,8 @@ using FindDesk = std::function<database::AttemptDesk(const database::AttemptId&)
 
 struct ExportRequest {
   std::vector<database::AttemptId> attempts;
-  /// New, or empty.
-  std::filesystem::path folder;
+  /// New, or empty, and outside the data directory.
+  std::filesystem::path folder, data_directory;
 };
 
 /// Writes a folder for each attempt into a fresh one, which gets its name when all are there.

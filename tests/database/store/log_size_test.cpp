@@ -26,6 +26,7 @@ TEST(LogSize, IsNothingWhereThereIsNoLog) {
 TEST(LogSize, IsNothingAfterAnAttempt) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
+  write_megabytes(database, 1);
   EXPECT_GT(log_bytes(temporary.data()), 0U);
   record(database, some_attempt(database), some_recording(2000));
   EXPECT_EQ(log_bytes(temporary.data()), 0U);

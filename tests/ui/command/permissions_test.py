@@ -9,7 +9,7 @@ import re
 import shutil
 import unittest
 
-from hallux_command import DONE, REFUSED, WRONG_USAGE, RecordedTest
+from hallux_command import BAD_INPUT, DONE, WRONG_USAGE, RecordedTest
 
 PASSWORD = "saw bone hinge wire"
 #: ada's attempt is looked at by: nobody signed in, ada, another trainee of her cohort, the instructor of it, an instructor of
@@ -159,7 +159,7 @@ class Permissions(RecordedTest):
                         answer = self.hallux(verb[0], attempt, *verb[1:], *signed_in, stdin=PASSWORD + "\n")
                         answers.append((answer.code, answer.out, answer.err.replace(attempt, "?")))
                     self.assertEqual(answers[0], answers[1])
-                    self.assertEqual(answers[0][0], REFUSED)
+                    self.assertEqual(answers[0][0], BAD_INPUT)
                     self.assertFalse((self.folder / "page.html").exists())
 
     def test_those_it_concerns_see_the_attempt(self):

@@ -127,6 +127,18 @@ def use_course_window(program, pictures, use, prepare=None):
             sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")
 
 
+def end_by_the_system(window, number, patience_s):
+    """As a session manager ends a program, which waits for no answer: the exit code says so, and a sentence."""
+    window.send_signal(number)
+    try:
+        code = window.wait(timeout=patience_s)
+    except subprocess.TimeoutExpired:
+        sys.exit(f"the window did not end within {patience_s} s of {number.name}")
+    said = window.stderr.read()
+    if code != 5 or "closed by the system" not in said:
+        sys.exit(f"after {number.name} the window ended with {code} and said: {said}")
+
+
 @contextlib.contextmanager
 def held_up(process):
     """The process makes no step meanwhile; what is done at its window waits for it."""

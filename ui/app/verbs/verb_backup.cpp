@@ -172,7 +172,8 @@ void add_backup_verb(CLI::App& app, VerbContext& context) {
   auto options = std::make_shared<Options>();
   CLI::App* backup = app.add_subcommand(
       "backup", "copy all that is kept, also while it is used; recordings are written once");
-  backup->add_option("--to", options->folder, "folder of backups; without it DIR/backups");
+  backup->add_option("--to", options->folder, "folder of backups; without it DIR/backups")
+      ->check(fault_in_place);
   backup->add_flag("--list", options->is_list, "list the backups in DIR/backups instead");
   choose(*backup, context, [options, &context] {
     return keeping(context, "back up", [&](auto& desk) {

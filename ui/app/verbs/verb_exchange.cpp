@@ -42,7 +42,7 @@ void check_choice(const ExportOptions& options) {
 /// At the house's desk: the robot's.
 ExportRequest of_nobody(database::Database& database, const ExportOptions& options) {
   database::HouseDesk desk(database);
-  ExportRequest request{{}, options.folder};
+  ExportRequest request{{}, options.folder, database.directory()};
   if (!options.attempt.empty()) {
     request.attempts.push_back(desk.header({options.attempt}).id);
   } else if (options.is_all) {
@@ -55,8 +55,9 @@ ExportRequest of_nobody(database::Database& database, const ExportOptions& optio
 
 ExportRequest of_person(database::Database& database, database::Session& session,
                         const ExportOptions& options) {
-  if (!options.attempt.empty()) return {{{options.attempt}}, options.folder};
-  return {exportable_attempts(database, session, options.choice), options.folder};
+  if (!options.attempt.empty()) return {{{options.attempt}}, options.folder, database.directory()};
+  return {exportable_attempts(database, session, options.choice), options.folder,
+          database.directory()};
 }
 
 ExitCode export_chosen(const VerbContext& context, const ExportRequest& request,
@@ -151,7 +152,9 @@ void add_export_verb(CLI::App& app, VerbContext& context) {
   verb->add_option("--cohort", options->choice.cohort,
                    "all attempts of the trainees of this cohort");
   verb->add_flag("--all", options->is_all, "all that you may export");
-  verb->add_option("-o,--output", options->folder, "folder that is new or empty")->required();
+  verb->add_option("-o,--output", options->folder, "folder that is new or empty")
+      ->required()
+      ->check(fault_in_place);
   choose(*verb, context, [options, &context] { return export_on(context, *options); });
 }
 
@@ -168,8 +171,9 @@ void add_exchange_verbs(CLI::App& app, VerbContext& context) {
   auto options = std::make_shared<OriginOptions>();
   CLI::App* origins = app.add_subcommand(
       "origins", "where imported attempts were made, and whether they count; for administrators");
-  origins->add_option("--accept", options->accepted, "what came from this directory counts");
-  origins->add_option("--unaccept", options->unaccepted, "it counts no longer");
+  CLI::Option* accept =
+      origins->add_option("--accept", options->accepted, "what came from this directory counts");
+  origins->add_option("--unaccept", options->unaccepted, "it counts no longer")->excludes(accept);
   choose(*origins, context, [options, &context] { return origins_on(context, *options); });
 }
 
