@@ -172,7 +172,8 @@ std::string answer_to(const std::string& question, const ReportLimits& limits) {
   }
 }
 
-/// What this process has open is not the child's business; another child's question would never end.
+/// What this process has open is not the child's business; another child's question would never
+/// end.
 void close_all_but(int one, int other) noexcept {
   const auto [low, high] = std::minmax(one, other);
   const auto from = [](int descriptor) { return static_cast<unsigned>(descriptor); };

@@ -1,4 +1,5 @@
-/// Rules of names, and of free text in notes, questions, answers and reasons. Inside this room only.
+/// Rules of names, and of free text in notes, questions, answers and reasons.
+/// Inside this room only.
 #pragma once
 
 #include <cstddef>

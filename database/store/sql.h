@@ -19,7 +19,7 @@
 namespace hallux::database {
 
 /// The sentence "could not `tried` in FILE: reason; what to do" with its kind.
-/// needs   called where the error was caught: what the operating system answered is still known then
+/// needs   called where the error was caught, while what the operating system answered is known
 DatabaseError translated(const SQLite::Exception& error, std::string_view tried,
                          const std::filesystem::path& file);
 

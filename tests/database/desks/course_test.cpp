@@ -137,7 +137,8 @@ TEST_F(Course, NeverShowsATraineeAPrivateNote) {
   EXPECT_EQ(all[0].id, hidden) << "by moment";
   EXPECT_EQ(kind_thrown([&] { desk.reply(hidden, "this"); }), DatabaseErrorKind::BadInput);
   EXPECT_EQ(kind_thrown([&] { trainee("bob").notes(id); }), DatabaseErrorKind::NotFound);
-  EXPECT_EQ(kind_thrown([&] { trainee("bob").reply(open, "me too"); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(kind_thrown([&] { trainee("bob").reply(open, "me too"); }),
+            DatabaseErrorKind::NotFound);
 }
 
 TEST_F(Course, LetsTraineeAndInstructorTalkBelowANote) {

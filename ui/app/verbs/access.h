@@ -24,8 +24,8 @@ bool has_database(const VerbContext& context);
 /// errors  DatabaseError; VerbError BadInput where there is no database yet
 database::Database open_kept(const VerbContext& context);
 
-/// The same for verbs that only read: where the directory cannot be written, and nobody signs in, it
-/// is read as it is.
+/// The same for verbs that only read: where the directory cannot be written, and nobody signs in,
+/// it is read as it is.
 /// errors  as open_kept; DatabaseError ReadOnly where somebody is to be signed in there
 database::Database open_to_read(const VerbContext& context);
 
