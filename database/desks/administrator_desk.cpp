@@ -65,8 +65,8 @@ IssuedCode AdministratorDesk::reset(const std::string& login, const PasswordCost
   return in_transaction(*database_, "reset a password", [&] {
     remove_password(*database_, person.id);
     IssuedCode issued = issue_code(*database_, person.id, *holder_.person, cost);
-    audit("password_reset", "person", std::to_string(person.id.number));
     tell_person(*database_, person.id, NoticeKind::CodeIssued, {holder_.person, {}});
+    audit("password_reset", "person", std::to_string(person.id.number));
     return issued;
   });
 }
@@ -77,10 +77,10 @@ void AdministratorDesk::set_password(const std::string& login, const SecretText&
   in_transaction(*database_, "set a password", [&] {
     database::set_password(*database_, person.id, password, cost);
     remove_code(*database_, person.id);
-    audit("password_set", "person", std::to_string(person.id.number));
     if (holder_.person != person.id) {
       tell_person(*database_, person.id, NoticeKind::PasswordSet, {holder_.person, {}});
     }
+    audit("password_set", "person", std::to_string(person.id.number));
   });
 }
 
@@ -97,11 +97,11 @@ void AdministratorDesk::set_administrator(const std::string& login, bool is_admi
   const Person person = allowed_person(Action::ChangeRole, login);
   in_transaction(*database_, "change a role", [&] {
     database::set_administrator(*database_, person.id, is_administrator);
-    audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
-          std::to_string(person.id.number));
     if (is_administrator && !person.is_administrator) {
       tell_administrators(*database_, NoticeKind::AdministratorMade, {person.id, {}});
     }
+    audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
+          std::to_string(person.id.number));
   });
 }
 

@@ -33,9 +33,9 @@ std::int64_t open_session(Database& database, PersonId person, std::string_view 
 void note_refusal(Database& database, const std::string& action, std::string_view login) {
   in_transaction(database, "note a refusal", [&] {
     const std::optional<Person> known = known_person(database, login);
+    if (known) tell_of_refused_sign_in(database, known->id);
     append_audit(database, {std::nullopt, action, known ? "person" : "login",
                             known ? number_text(known->id) : std::string{}, true});
-    if (known) tell_of_refused_sign_in(database, known->id);
   });
 }
 

@@ -169,8 +169,8 @@ Backup back_up_with_rotation(Database& database, const fs::path& asked,
   } catch (const DatabaseError& error) {
     if (error.kind() == DatabaseErrorKind::Full) {
       in_transaction(database, "tell of a skipped backup", [&] {
-        append_audit(database, {actor, "backup_made", "database", "", true, {}, error.what()});
         tell_administrators(database, NoticeKind::BackupSkipped);
+        append_audit(database, {actor, "backup_made", "database", "", true, {}, error.what()});
       });
     }
     throw;

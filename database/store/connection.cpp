@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "database/store/busy_wait.h"
+#include "database/store/changed_rows.h"
 #include "database/store/durable_file.h"
 #include "database/store/file_system.h"
 #include "database/store/files.h"
@@ -173,6 +174,7 @@ Database Database::open(const std::filesystem::path& directory, const OpenOption
   if (options.access == Access::ReadWrite) {
     if (options.backs_up_before_migration) back_up_first(database);
     translating(database, "migrate the schema", [&] { migrate(database); });
+    database.changes_ = std::make_unique<ChangedRows>(database.connection().getHandle());
     mark_interrupted_attempts(database);
   } else if (is_of_older_schema(database)) {
     throw DatabaseError{DatabaseErrorKind::ReadOnly,

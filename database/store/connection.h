@@ -15,6 +15,8 @@ class Database;
 
 namespace hallux::database {
 
+class ChangedRows;
+
 /// "HALX": tells our files from other SQLite databases.
 inline constexpr std::int32_t application_id = 0x48414C58;
 
@@ -66,6 +68,9 @@ class Database {
   /// For the files of this room only: SQL is written nowhere else. Valid as long as this object.
   SQLite::Database& connection() noexcept { return *connection_; }
   const SQLite::Database& connection() const noexcept { return *connection_; }
+  /// For this room as well: what this transaction changed and no act accounts for yet; nothing of a
+  /// connection that only reads.
+  ChangedRows* changes() const noexcept { return changes_.get(); }
   /// The data directory, and `hallux.db` in it.
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
@@ -88,6 +93,8 @@ class Database {
   /// That is read where the directory cannot be written.
   std::shared_ptr<const std::filesystem::path> copy_;
   std::unique_ptr<SQLite::Database> connection_;
+  /// After the connection that it watches.
+  std::unique_ptr<ChangedRows> changes_;
 };
 
 }  // namespace hallux::database

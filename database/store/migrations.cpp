@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "database/store/changed_rows.h"
 #include "database/store/sql.h"
 #include "simulator/base/embedded.h"
 
@@ -22,6 +23,10 @@ bool has_tables(Database& database) {
 }  // namespace
 
 std::int32_t newest_schema() noexcept { return static_cast<std::int32_t>(schema_files().size()); }
+
+std::string schema_statements(std::int32_t index) {
+  return std::string{schema_files()[static_cast<std::size_t>(index)].text};
+}
 
 void check_schema_is_known(Database& database) {
   translating(database, "read the schema version", [&] {
@@ -69,6 +74,7 @@ void migrate(Database& database) {
       database.connection().exec(std::string{files[i].text});
       database.connection().exec("PRAGMA application_id = " + std::to_string(application_id));
       database.connection().exec("PRAGMA user_version = " + std::to_string(i + 1));
+      if (i + 1 == files.size()) take_baseline(database);
     });
   }
 }

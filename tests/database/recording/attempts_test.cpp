@@ -67,12 +67,12 @@ TEST(Attempts, ThatWereGuidedCannotBeMadeUnguidedUnseen) {
   record(database, attempt, some_recording(10));
   ASSERT_TRUE(verify(database).is_whole());
   for (const char* other : {"none", "soft"}) {
-    database.connection().exec(std::string("UPDATE attempt SET guidance = '") + other + "'");
+    tamper(database, std::string("UPDATE attempt SET guidance = '") + other + "'");
     EXPECT_FALSE(verify(database).is_whole()) << other;
   }
   // A word that nobody knows stands only where the schema was talked out of its check.
-  database.connection().exec("PRAGMA ignore_check_constraints = ON");
-  database.connection().exec("UPDATE attempt SET guidance = 'laser'");
+  tamper(database,
+         "PRAGMA ignore_check_constraints = ON; UPDATE attempt SET guidance = 'laser'");
   EXPECT_FALSE(verify(database).is_whole());
 }
 

@@ -13,8 +13,8 @@ namespace {
 void write_megabytes(Database& database, int count) {
   for (int i = 0; i < count; ++i) {
     database.connection().exec(
-        "INSERT INTO setting VALUES ('much', hex(zeroblob(500000)), ''); "
-        "DELETE FROM setting WHERE name = 'much'");
+        "INSERT INTO sign_in_guard VALUES (zeroblob(32), zeroblob(32), 1, hex(zeroblob(500000))); "
+        "DELETE FROM sign_in_guard");
   }
 }
 

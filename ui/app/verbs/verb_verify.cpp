@@ -24,7 +24,8 @@ ExitCode verify_on(const VerbContext& context) {
           {"chunks", found.chunks},
           {"scores", found.scores},
           {"assets", found.assets},
-          {"audit_rows", found.audit_rows}},
+          {"audit_rows", found.audit_rows},
+          {"covered_since", or_null(found.covered_since_utc)}},
          [&](std::ostream& out) {
            if (!found.is_whole()) {
              out << "damaged: " << terminal_text(*found.first_damage) << "\n";
@@ -32,7 +33,8 @@ ExitCode verify_on(const VerbContext& context) {
            }
            out << "whole: " << found.attempts << " attempts, " << found.chunks << " chunks, "
                << found.scores << " scores, " << found.assets << " assets, " << found.audit_rows
-               << " audit rows\n";
+               << " audit rows; every row covered since "
+               << found.covered_since_utc.value_or("nothing: an older program made it") << "\n";
          });
   return found.is_whole() ? ExitCode::Done : ExitCode::CheckFailed;
 }
