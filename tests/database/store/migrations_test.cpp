@@ -86,6 +86,31 @@ TEST(Migrations, OpenADatabaseOfSchemaThreeWithItsCourseAndDecisions) {
   EXPECT_EQ(kim.instructor_of(CohortId{1})->help_requests().size(), 1U);
 }
 
+TEST(Migrations, OpenADatabaseOfSchemaFourAndCoverItFromThenOn) {
+  const TemporaryDirectory temporary;
+  const fs::path directory = place(temporary, "schema_4.db");
+  Database database = Database::open(directory);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt"), 1);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM person WHERE is_disabled = 1"), 1);
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.covered_since_utc->substr(0, 2), "20");
+  tamper(database, "UPDATE person SET is_disabled = 0");
+  EXPECT_NE(verify(database).first_damage.value_or("").find("person "), std::string::npos);
+}
+
+TEST(Migrations, AnAdministratorOfNoDateIsNamedOnceItIsCovered) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_4.db"));
+  tamper(
+      database,
+      "INSERT INTO person (is_administrator, created_utc) VALUES (1, '2020-01-01T00:00:00.000Z'); "
+      "INSERT INTO person_detail VALUES ((SELECT max(person_id) FROM person), 'eve', 'Eve'); "
+      "INSERT INTO password SELECT (SELECT max(person_id) FROM person), argon2id, changed_utc "
+      "FROM password WHERE person_id = 2");
+  EXPECT_NE(verify(database).first_damage.value_or("").find("without an act"), std::string::npos);
+}
+
 TEST(Migrations, GiveEachDirectoryAnIdentityOfItsOwnForGood) {
   const TemporaryDirectory first, second;
   Database one = Database::open(place(first, "schema_3.db"));

@@ -15,7 +15,7 @@ FILES = {("report", "--output")}
 FOLDERS = {("cut", "--output"), ("export", "--output"), ("export-person", "--output"), ("backup", "--to")}
 # Options with a text that names none: files that are read, names, numbers.
 READ = {("attempt", "--hand"), ("cut", "--plane"), ("cut", "--kerf"), ("cut", "--sweep"), ("cut", "--close"),
-        ("export", "--person"), ("export", "--cohort"), ("restore", "--erasures"), ("origins", "--accept"),
+        ("verify", "--anchor"), ("export", "--person"), ("export", "--cohort"), ("restore", "--erasures"), ("origins", "--accept"),
         ("origins", "--unaccept"), ("retention", "--practice-days"), ("retention", "--assessment-days"),
         ("retention", "--account-days"), ("retention", "--cache-days"), ("user add", "--name"), ("user erase", "--reason")}
 OPTION = re.compile(r"^ +(?:-\w,)?(--[\w-]+) TEXT(?!:)", re.MULTILINE)

@@ -36,6 +36,7 @@ LINES = {
     "score": [["score", "{attempt}"]],
     "report": [["report", "{attempt}", "-o", "{out}"]],
     "verify": [["verify"]],
+    "anchor": [["anchor"]],
     "user list": [["user", "list"]],
     "user add": [["user", "add", "new-one"]],
     "user passwd": [["user", "passwd", "canary-login-eve"]],

@@ -32,7 +32,8 @@ OPTIONS = {
     ("import",): ("folder",),
     ("origins",): ("--accept", "--unaccept"),
     ("demo",): ("--attempts",),
-    ("verify",): (),
+    ("verify",): ("--anchor",),
+    ("anchor",): (),
 }
 
 WRONG = [

@@ -53,7 +53,11 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
   const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
   ordered_json row = backup_json(backup);
   row["new_bytes"] = backup.new_bytes;
-  answer(context, row, [&](std::ostream& out) { print_backup(out, backup); });
+  row["anchor"] = backup.anchor;
+  answer(context, row, [&](std::ostream& out) {
+    print_backup(out, backup);
+    out << backup.anchor << "\n";
+  });
   if (backup.damaged == 0) return ExitCode::Done;
   context.notes << backup.damaged
                 << " attempts were altered before this backup; `hallux verify` names the first\n";

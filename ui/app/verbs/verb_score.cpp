@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 
+#include "database/audit/anchors.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
@@ -65,6 +66,7 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
     const auto quality = quality_from_json(material.header.quality_json);
     add_attempt_facts(shown, material.header,
                       quality ? verdict_of(quality->certificate) : database::Verdict{});
+    shown.versions.push_back({"Anchor", text_of(database::take_anchor(database))});
     const std::string page = html_report(shown);
     write_output(options.output, page, report_page, context.data_directory);
     answer(context,
