@@ -9,7 +9,7 @@ CREATE TABLE audit_row (
   row_digest BLOB CHECK (length(row_digest) = 32),
   PRIMARY KEY (audit_id, place)
 ) STRICT, WITHOUT ROWID;
-CREATE INDEX audit_row_of_table ON audit_row (table_name);
+CREATE INDEX audit_row_of_row ON audit_row (table_name, row_key);
 CREATE TRIGGER audit_row_is_never_altered BEFORE UPDATE ON audit_row
 BEGIN SELECT RAISE(ABORT, 'the audit is only added to'); END;
 CREATE TRIGGER audit_row_is_never_deleted BEFORE DELETE ON audit_row

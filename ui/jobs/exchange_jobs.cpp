@@ -69,6 +69,7 @@ void import_one(database::AdministratorDesk& desk, const std::filesystem::path& 
     const auto card = rescored(attempt, progress);
     const bool is_new = desk.import_attempt(attempt, card);
     (is_new ? report.imported : report.known).push_back(id);
+    if (is_new && !attempt.why_not_all.empty()) report.not_all.push_back(attempt.why_not_all);
   } catch (const DatabaseError& error) {
     if (!is_of_one_folder(error)) throw;
     refuse(error);

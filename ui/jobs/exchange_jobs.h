@@ -36,6 +36,8 @@ struct RefusedFolder {
 struct ImportReport {
   std::vector<database::AttemptId> imported, known;
   std::vector<RefusedFolder> refused;
+  /// Of those that were taken in and not with all that their manifest said: why.
+  std::vector<std::string> not_all;
 };
 
 /// Takes in what export_attempts wrote; a folder that is refused is named, and the others are taken

@@ -104,10 +104,12 @@ void say_imported(const VerbContext& context, const ImportReport& report) {
     refused.push_back({{"folder", folder.folder}, {"reason", folder.reason}});
     if (!context.json) context.out << "refused: " << terminal_text(folder.reason) << "\n";
   }
+  for (const std::string& why : report.not_all) context.notes << terminal_text(why) << "\n";
   answer(context,
          {{"imported", ids_json(report.imported)},
           {"known", ids_json(report.known)},
-          {"refused", refused}},
+          {"refused", refused},
+          {"not_all", report.not_all}},
          [&](std::ostream& out) {
            out << report.imported.size() << " taken in, " << report.known.size()
                << " were here already, " << report.refused.size() << " refused\n";
