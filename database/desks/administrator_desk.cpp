@@ -117,7 +117,7 @@ PersonExport AdministratorDesk::export_person(const std::string& login,
                                               const std::filesystem::path& directory,
                                               const Progress& progress) {
   const Person person = allowed_person(Action::ExportPerson, login, "the data of ");
-  const PersonExport made = database::export_person(*database_, person.id, directory, progress);
+  PersonExport made = database::export_person(*database_, person.id, directory, progress);
   audit("person_exported", "person", std::to_string(person.id.number));
   return made;
 }

@@ -71,7 +71,7 @@ void TraineeDesk::acknowledge(NoticeId notice) {
 PersonExport TraineeDesk::export_own(const std::filesystem::path& directory,
                                      const Progress& progress) {
   require(*database_, holder_, Action::ExportPerson, Relation::Own, "your data");
-  const PersonExport made = export_person(*database_, *holder_.person, directory, progress);
+  PersonExport made = export_person(*database_, *holder_.person, directory, progress);
   audit("person_exported", "person", std::to_string(holder_.person->number));
   return made;
 }

@@ -63,7 +63,7 @@ void take_numbers(const ForeignLines& lines, std::string_view line,
     const auto [next, error] = std::from_chars(at, end, numbers[i]);
     const std::string_view cell{at, static_cast<std::size_t>(next - at)};
     const bool is_shortest =
-        cell == "0" || (cell.size() > 0 && cell[cell[0] == '-' ? 1 : 0] != '0');
+        cell == "0" || (!cell.empty() && cell[cell[0] == '-' ? 1 : 0] != '0');
     if (error != std::errc{} || !is_shortest || cell == "-0") {
       lines.refuse("column " + std::to_string(i + 1) + " is not a whole number as we write it");
     }
@@ -183,6 +183,7 @@ std::vector<ExchangeFile> write_record_tables(const std::filesystem::path& folde
     write_rows(writers[static_cast<std::size_t>(place.stream)], place.seq, rows);
   });
   std::vector<ExchangeFile> files;
+  files.reserve(writers.size());
   for (ExchangeWriter& writer : writers) files.push_back(writer.finish());
   return files;
 }
