@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "database/content/assets.h"
 #include "database/exchange/exchange_file.h"
 #include "database/records/attempt.h"
 #include "database/records/decision.h"
-#include "database/store/assets.h"
 
 namespace hallux::database {
 

@@ -1,5 +1,5 @@
-/// Facts of an exported attempt that its seal does not hold, and what is taken of them where nothing
-/// vouches for them. Inside this corner only.
+/// Facts of an exported attempt that its seal does not hold, and what is taken of them where
+/// nothing vouches for them. Inside this corner only.
 ///
 /// A seal is no signature: who makes a manifest can make all of it. That the origin is one's own is
 /// vouched for by who accepts it, and by an anchor.

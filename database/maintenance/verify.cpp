@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "database/content/assets.h"
 #include "database/course/decisions.h"
 #include "database/course/standings.h"
 #include "database/exchange/import_attempt.h"
@@ -13,7 +14,6 @@
 #include "database/recording/attempts.h"
 #include "database/recording/certificate_json.h"
 #include "database/recording/recordings.h"
-#include "database/store/assets.h"
 #include "database/store/sql.h"
 #include "simulator/base/progress.h"
 

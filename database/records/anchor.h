@@ -1,5 +1,6 @@
 /// Anchor: one line about an audit that somebody keeps elsewhere. It vouches for all that was done
 /// until then, also against who owns the files.
+/// Inside this room only.
 #pragma once
 
 #include <cstdint>

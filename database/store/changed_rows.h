@@ -3,8 +3,8 @@
 ///     statement --preupdate hook--> rows by table and key --settle--> act with their digests
 ///                                        commit hook: nothing leaves unaccounted
 ///
-/// So nobody who writes has to name what they wrote, and nobody can forget it. Inside this room
-/// only.
+/// So nobody who writes has to name what they wrote, and nobody can forget it.
+/// Inside this room only.
 #pragma once
 
 #include <array>

@@ -3,10 +3,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "database/content/assets.h"
 #include "database/course/begin_attempt.h"
 #include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
-#include "database/store/assets.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {
@@ -71,8 +71,7 @@ TEST(Attempts, ThatWereGuidedCannotBeMadeUnguidedUnseen) {
     EXPECT_FALSE(verify(database).is_whole()) << other;
   }
   // A word that nobody knows stands only where the schema was talked out of its check.
-  tamper(database,
-         "PRAGMA ignore_check_constraints = ON; UPDATE attempt SET guidance = 'laser'");
+  tamper(database, "PRAGMA ignore_check_constraints = ON; UPDATE attempt SET guidance = 'laser'");
   EXPECT_FALSE(verify(database).is_whole());
 }
 
