@@ -1,10 +1,10 @@
 /// Rows that a transaction changed, until an act of the audit accounts for them.
+/// Inside this room only.
 ///
 ///     statement --preupdate hook--> rows by table and key --settle--> act with their digests
 ///                                        commit hook: nothing leaves unaccounted
 ///
 /// So nobody who writes has to name what they wrote, and nobody can forget it.
-/// Inside this room only.
 #pragma once
 
 #include <array>
