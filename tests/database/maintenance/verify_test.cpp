@@ -256,9 +256,9 @@ TEST(Verify, SeesAnAlteredDecision) {
 
 TEST(Verify, SeesWhatAnAttemptWasForAltered) {
   EXPECT_TRUE(names(damage_after("UPDATE attempt SET kind = 'assessment' WHERE attempt_id = 1"),
-                    "was for"));
+                    "attempt "));
   EXPECT_TRUE(
-      names(damage_after("UPDATE attempt SET is_simulated = 1 WHERE attempt_id = 1"), "was for"));
+      names(damage_after("UPDATE attempt SET is_simulated = 1 WHERE attempt_id = 1"), "attempt "));
 }
 
 TEST(Verify, StoppedIsNotDamaged) {

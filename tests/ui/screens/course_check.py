@@ -66,7 +66,7 @@ def main():
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     with opened_course(sys.argv[1], pictures=pictures) as course:
         use_course_and_read_map(course.person, course.place, course.take_picture)
-        end_by_the_system(course.window, signal.SIGINT, 2.0)
+        end_by_the_system(course.window, signal.SIGINT)
     print("course check: passed")
 
 

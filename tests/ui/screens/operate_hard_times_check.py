@@ -103,7 +103,7 @@ def operate_until_the_session_ends(course):
     begin(person, course.take_picture)
     start_the_saw(person, place)
     ticks = recorded_ticks(place)
-    end_by_the_system(course.window, signal.SIGTERM, 2.0)
+    end_by_the_system(course.window, signal.SIGTERM)
     return ticks
 
 
