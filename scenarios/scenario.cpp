@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "scenarios/check_references.h"
+#include "scenarios/hidden_letters.h"
 #include "scenarios/json_node.h"
 #include "scenarios/read_cuts.h"
 #include "scenarios/read_rubric.h"
@@ -158,7 +159,9 @@ Scenario read_scenario(const std::filesystem::path& file) {
     throw ScenarioError(file.string() + ": cannot be read; check that you may read it");
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_scenario(text, name);
+  Scenario scenario = parse_scenario(text, name);
+  check_letters(text, name);
+  return scenario;
 }
 
 std::string review_label(const Scenario& scenario) {

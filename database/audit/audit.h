@@ -1,6 +1,7 @@
 /// The audit: what was done by whom to what, only ever added to, each row chained to the one
 /// before. Inside this room only.
 ///
+/// Each act also says what the rows are that it left, by digest (database/audit/row_accounts.h).
 /// A row holds numbers, uuids and digests. Names and free text stand in audit_text with a salt, can
 /// be erased there, and are bound to the chain by their salted digest. What it can show: that a row
 /// was altered or one in the middle taken away. What it cannot: that the last rows were cut off, or
@@ -18,6 +19,8 @@
 #include "simulator/base/digest.h"
 
 namespace hallux::database {
+
+struct RowAccount;
 
 struct AuditEntry {
   /// Nothing: nobody signed in.
@@ -42,6 +45,10 @@ struct AuditRow {
 /// Appends inside the caller's transaction, or in one of its own where there is none.
 /// errors  DatabaseError
 void append_audit(Database& database, const AuditEntry& entry);
+
+/// An act that accounts for those rows, whatever changed.
+/// needs   the caller's transaction
+void append_baseline(Database& database, const AuditEntry& entry, std::vector<RowAccount> accounts);
 
 /// Shows each row to `visit`, oldest first, a thousand in one reading.
 /// errors  DatabaseError Damaged naming the first row whose link does not fit; what `visit` throws

@@ -10,8 +10,8 @@
 
 #include <vector>
 
+#include "database/content/assets.h"
 #include "database/records/course.h"
-#include "database/store/assets.h"
 #include "database/store/connection.h"
 
 namespace hallux::database {

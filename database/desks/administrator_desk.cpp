@@ -8,7 +8,7 @@
 #include "database/course/limits.h"
 #include "database/exchange/import_attempt.h"
 #include "database/exchange/origins.h"
-#include "database/reports/report_connection.h"
+#include "database/reports/report_process.h"
 #include "database/store/settings.h"
 #include "database/store/sql.h"
 #include "simulator/base/progress.h"
@@ -65,8 +65,8 @@ IssuedCode AdministratorDesk::reset(const std::string& login, const PasswordCost
   return in_transaction(*database_, "reset a password", [&] {
     remove_password(*database_, person.id);
     IssuedCode issued = issue_code(*database_, person.id, *holder_.person, cost);
-    audit("password_reset", "person", std::to_string(person.id.number));
     tell_person(*database_, person.id, NoticeKind::CodeIssued, {holder_.person, {}});
+    audit("password_reset", "person", std::to_string(person.id.number));
     return issued;
   });
 }
@@ -77,10 +77,10 @@ void AdministratorDesk::set_password(const std::string& login, const SecretText&
   in_transaction(*database_, "set a password", [&] {
     database::set_password(*database_, person.id, password, cost);
     remove_code(*database_, person.id);
-    audit("password_set", "person", std::to_string(person.id.number));
     if (holder_.person != person.id) {
       tell_person(*database_, person.id, NoticeKind::PasswordSet, {holder_.person, {}});
     }
+    audit("password_set", "person", std::to_string(person.id.number));
   });
 }
 
@@ -97,11 +97,11 @@ void AdministratorDesk::set_administrator(const std::string& login, bool is_admi
   const Person person = allowed_person(Action::ChangeRole, login);
   in_transaction(*database_, "change a role", [&] {
     database::set_administrator(*database_, person.id, is_administrator);
-    audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
-          std::to_string(person.id.number));
     if (is_administrator && !person.is_administrator) {
       tell_administrators(*database_, NoticeKind::AdministratorMade, {person.id, {}});
     }
+    audit(is_administrator ? "administrator_made" : "administrator_unmade", "person",
+          std::to_string(person.id.number));
   });
 }
 
@@ -210,10 +210,10 @@ Backup AdministratorDesk::back_up(const std::filesystem::path& directory,
   return back_up_with_rotation(*database_, directory, holder_.person, {progress, {}});
 }
 
-Report AdministratorDesk::report(const std::string& sql) {
+Report AdministratorDesk::report(const std::string& sql, ReportProcess& process) {
   require(*database_, holder_, Action::RunReport, Relation::Other, "the tables");
   append_audit(*database_, {holder_.person, "report_run", "database", "", false, {}, sql});
-  return ReportConnection{database_->directory()}.answer(sql);
+  return process.answer(database_->directory(), sql);
 }
 
 bool AdministratorDesk::is_here(const ImportedAttempt& attempt) {

@@ -17,6 +17,7 @@
 #include "database/records/limit.h"
 #include "database/records/origin.h"
 #include "database/records/report.h"
+#include "database/reports/report_process.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::database {
@@ -90,7 +91,7 @@ class AdministratorDesk : public AttemptDesk {
   /// The answer to one SELECT over what reports may read; the statement is written to the audit,
   /// also where it fails.
   /// errors  DatabaseError as ReportConnection::answer
-  Report report(const std::string& sql);
+  Report report(const std::string& sql, ReportProcess& process);
   /// Where imported attempts come from.
   std::vector<Origin> origins();
   /// Whether this very attempt is here already.

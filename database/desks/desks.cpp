@@ -108,7 +108,7 @@ void AttemptDesk::refuse_unseen(Action action, const std::string& subject, bool 
   const std::string name{name_of(action)};
   const std::string seen = named + (is_there ? "" : ", which is not there");
   append_audit(*database_, {holder_.person, name, "desk", "", true, {}, seen});
-  throw DatabaseError{DatabaseErrorKind::Refused,
+  throw DatabaseError{DatabaseErrorKind::NotFound,
                       "there is no " + named +
                           " that you may see; `hallux attempts` lists those "
                           "you may, and --as says who you are"};

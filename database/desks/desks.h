@@ -45,8 +45,8 @@ class AttemptDesk {
  public:
   /// The attempts that the table lets this desk list, newest first; all, or so many.
   std::vector<AttemptHeader> attempts(std::optional<std::int32_t> count_max = std::nullopt);
-  /// errors  DatabaseError: Refused; NotFound where `id` begins more than one; of the other methods
-  ///         as well
+  /// errors  DatabaseError: NotFound where `id` begins none or more than one that may be viewed;
+  ///         Refused; of the other methods as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
@@ -71,7 +71,7 @@ class AttemptDesk {
   /// errors  DatabaseError NotFound where it begins more than one of them
   std::optional<AttemptHeader> seen_header(const AttemptId& id, Action action);
   /// The header, once the table allowed `action` on it.
-  /// errors  DatabaseError Refused, in the same words where there is no such attempt
+  /// errors  DatabaseError: NotFound, in the same words where it may not be viewed; Refused
   AttemptHeader allowed_header(Action action, const AttemptId& id);
   /// Refuses what is not there and what may not be seen in the same words and with the same work;
   /// the audit knows which.
@@ -98,7 +98,7 @@ class CourseDesk : public AttemptDesk {
  public:
   /// By moment, with their replies; private ones for those whom the table lets read them.
   std::vector<Note> notes(const AttemptId& id);
-  /// errors  DatabaseError: Refused, alike for a note that this desk may not read and for none;
+  /// errors  DatabaseError: NotFound, alike for a note that this desk may not read and for none;
   ///         BadInput for the text
   void reply(NoteId note, const std::string& text);
 

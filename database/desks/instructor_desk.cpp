@@ -102,9 +102,8 @@ DecisionId InstructorDesk::decide(const NewDecision& decision) {
   NewDecision allowed = decision;
   allowed.attempt = allowed_header(Action::DecideResult, decision.attempt).id;
   return in_transaction(*database_, "decide about a result", [&] {
-    const DecisionId id = database::decide(*database_, allowed, *holder_.person);
     tell_of_decision(allowed);
-    return id;
+    return database::decide(*database_, allowed, *holder_.person);
   });
 }
 

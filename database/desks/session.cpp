@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "database/audit/audit.h"
-#include "database/reports/report_connection.h"
+#include "database/reports/report_process.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -33,9 +33,9 @@ std::int64_t open_session(Database& database, PersonId person, std::string_view 
 void note_refusal(Database& database, const std::string& action, std::string_view login) {
   in_transaction(database, "note a refusal", [&] {
     const std::optional<Person> known = known_person(database, login);
+    if (known) tell_of_refused_sign_in(database, known->id);
     append_audit(database, {std::nullopt, action, known ? "person" : "login",
                             known ? number_text(known->id) : std::string{}, true});
-    if (known) tell_of_refused_sign_in(database, known->id);
   });
 }
 
@@ -205,9 +205,9 @@ Database& OpenHouse::open(const char* else_who) const {
       "somebody was added to " + database_->file().string() + " in the meantime; " + else_who};
 }
 
-Report OpenHouse::report(const std::string& sql) {
+Report OpenHouse::report(const std::string& sql, ReportProcess& process) {
   const Database& database = open("an administrator may run reports, with --as");
-  return ReportConnection{database.directory()}.answer(sql);
+  return process.answer(database.directory(), sql);
 }
 
 Backup OpenHouse::back_up(const std::filesystem::path& directory, const Progress& progress) {

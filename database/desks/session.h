@@ -97,7 +97,7 @@ class OpenHouse {
                                    const PasswordCost& cost = {});
 
   /// The answer to one SELECT over what reports may read.
-  Report report(const std::string& sql);
+  Report report(const std::string& sql, ReportProcess& process);
   /// Without a directory into `backups` of the data directory.
   Backup back_up(const std::filesystem::path& directory = {}, const Progress& progress = {});
   std::vector<Backup> backups();

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "database/content/assets.h"
 #include "database/records/attempt.h"
-#include "database/store/assets.h"
 #include "simulator/record/record.h"
 
 namespace hallux::database {

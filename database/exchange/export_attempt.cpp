@@ -9,6 +9,7 @@
 #include "database/exchange/read_manifest.h"
 #include "database/exchange/record_tables.h"
 #include "database/exchange/score_table.h"
+#include "database/exchange/vouched_facts.h"
 #include "database/exchange/write_manifest.h"
 #include "database/recording/attempts.h"
 #include "database/recording/recordings.h"
@@ -101,6 +102,19 @@ void check_exportable(Database& database, const AttemptHeader& header) {
                           erased.getColumn(0).getString() + "); there is nothing to export"};
 }
 
+/// The newest act that left the attempt's row, which each decision does; the same each time.
+ExportedAct act_of(Database& database, const AttemptId& id) {
+  ExportedAct act;
+  auto row = prepared(database,
+                      "SELECT u.audit_id, u.link FROM audit_row r JOIN audit u USING (audit_id) "
+                      "WHERE r.table_name = 'attempt' AND r.row_key = "
+                      "(SELECT CAST(attempt_id AS TEXT) FROM attempt WHERE uuid = ?) "
+                      "ORDER BY r.audit_id DESC LIMIT 1",
+                      id.text);
+  if (row.executeStep()) read_columns(row, 0, act.number, act.link);
+  return act;
+}
+
 /// What is known of an attempt that was made here.
 Manifest manifest_of(Database& database, const AttemptHeader& header) {
   Manifest manifest;
@@ -109,6 +123,8 @@ Manifest manifest_of(Database& database, const AttemptHeader& header) {
   manifest.scenario = get_scenario_version(database, header.begun.scenario);
   load_decisions_of(database, header.id, load_scores_of(database, header.id, manifest.scores),
                     manifest.decisions);
+  manifest.act = act_of(database, header.id);
+  manifest.act->facts = facts_of(manifest);
   return manifest;
 }
 

@@ -10,17 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "database/content/assets.h"
 #include "database/exchange/exchange_file.h"
 #include "database/records/attempt.h"
 #include "database/records/decision.h"
-#include "database/store/assets.h"
 
 namespace hallux::database {
 
 inline constexpr const char* manifest_name = "manifest.json";
 inline constexpr const char* bone_name = "bone.bin";
 inline constexpr const char* score_table_name = "score.csv";
-inline constexpr std::int32_t manifest_format = 1;
+/// 2: with an act of the audit. A reader takes 1 as well.
+inline constexpr std::int32_t manifest_format = 2;
 /// Scenario and score cards together: what a reader takes memory for.
 inline constexpr std::int64_t manifest_bytes_max = std::int64_t{32} << 20U;
 
@@ -39,6 +40,13 @@ struct ExportedDecision {
   std::string decided_utc;
 };
 
+/// What binds person and decisions, which stay outside the seal, to the audit of where the attempt
+/// was made: the newest act that left its row, by number and link, and a digest of all of them.
+struct ExportedAct {
+  std::int64_t number = 0;
+  Digest link, facts;
+};
+
 struct Manifest {
   /// Where it was made.
   DirectoryId directory;
@@ -52,6 +60,8 @@ struct Manifest {
   std::vector<ExportedScore> scores;
   /// Oldest first; the last one is in force.
   std::vector<ExportedDecision> decisions;
+  /// Nothing in format 1.
+  std::optional<ExportedAct> act;
   /// Beside it, by name.
   std::vector<ExchangeFile> files;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "database/exchange/read_manifest.h"
+#include "database/exchange/vouched_facts.h"
 #include "database/recording/chain.h"
 
 namespace hallux::database {
@@ -53,7 +54,7 @@ void check_chain(const fs::path& folder, const ImportedAttempt& attempt) {
            "its tables do not give the last link of its chain; a row was altered, or they "
            "are of another attempt");
   }
-  if (manifest.header.seal && seal_of(link, manifest.header) != *manifest.header.seal) {
+  if (manifest.header.seal && !seal_form(link, manifest.header)) {
     refuse(folder, "it does not fit its seal; a fact of it was altered");
   }
 }
@@ -73,6 +74,9 @@ ImportedAttempt read_exported(const fs::path& folder) {
   attempt.tables.recording.engine = attempt.manifest.header.begun.engine;
   check_others(foreign, attempt);
   check_chain(folder, attempt);
+  TakenManifest taken = taken_of(attempt.manifest);
+  attempt.manifest = std::move(taken.manifest);
+  attempt.why_not_all = std::move(taken.why_not_all);
   return attempt;
 }
 

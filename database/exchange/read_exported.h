@@ -13,7 +13,10 @@
 namespace hallux::database {
 
 struct ImportedAttempt {
+  /// What is taken of the one that was read.
   Manifest manifest;
+  /// Why not all of it is taken; empty where it is.
+  std::string why_not_all = {};
   /// As it was read: kept, so that it can be exported again as it came.
   std::string manifest_text;
   std::vector<std::byte> bone;

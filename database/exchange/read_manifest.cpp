@@ -8,6 +8,7 @@
 #include <charconv>
 #include <limits>
 
+#include "database/exchange/vouched_facts.h"
 #include "database/store/json_fields.h"
 
 namespace hallux::database {
@@ -223,9 +224,14 @@ std::vector<ExchangeFile> files_in(const json& list) {
   return files;
 }
 
+ExportedAct act_in(const json& object) {
+  return {integer_in(object, "number", 1), digest_in(object, "link"), digest_in(object, "facts")};
+}
+
 Manifest manifest_in(const json& document) {
   if (text_in(document, "format") != "hallux-attempt") refuse("it is no exported attempt");
-  if (integer_in(document, "format_version", 1) > manifest_format) {
+  const std::int64_t format = integer_in(document, "format_version", 1);
+  if (format > manifest_format) {
     throw DatabaseError{DatabaseErrorKind::Newer,
                         "it was exported by a newer version of this program; update this one"};
   }
@@ -240,6 +246,11 @@ Manifest manifest_in(const json& document) {
   manifest.scores = scores_in(list_in(document, "scores", scores_max));
   manifest.decisions = decisions_in(list_in(document, "decisions", decisions_max), manifest);
   manifest.files = files_in(list_in(document, "files", files_max));
+  if (format == 1) return manifest;
+  manifest.act = act_in(field_in(document, "audit"));
+  if (manifest.act->facts != facts_of(manifest)) {
+    refuse("its person or its decisions are not those of the act that it names");
+  }
   return manifest;
 }
 

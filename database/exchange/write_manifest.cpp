@@ -75,6 +75,12 @@ Json decisions_json(const std::vector<ExportedDecision>& decisions) {
   return list;
 }
 
+Json act_json(const ExportedAct& act) {
+  return {{"number", act.number},
+          {"link", hex_from_digest(act.link)},
+          {"facts", hex_from_digest(act.facts)}};
+}
+
 Json files_json(const std::vector<ExchangeFile>& files) {
   Json list = Json::array();
   for (const ExchangeFile& file : files) {
@@ -89,15 +95,16 @@ Json files_json(const std::vector<ExchangeFile>& files) {
 
 std::string json_from_manifest(const Manifest& manifest) {
   try {
-    const Json json{{"format", "hallux-attempt"},
-                    {"format_version", manifest_format},
-                    {"directory", manifest.directory.text},
-                    {"attempt", attempt_json(manifest.header)},
-                    {"last_link", hex_from_digest(manifest.last_link)},
-                    {"scenario", scenario_json(manifest)},
-                    {"scores", scores_json(manifest.scores)},
-                    {"decisions", decisions_json(manifest.decisions)},
-                    {"files", files_json(manifest.files)}};
+    Json json{{"format", "hallux-attempt"},
+              {"format_version", manifest.act ? manifest_format : 1},
+              {"directory", manifest.directory.text},
+              {"attempt", attempt_json(manifest.header)},
+              {"last_link", hex_from_digest(manifest.last_link)},
+              {"scenario", scenario_json(manifest)},
+              {"scores", scores_json(manifest.scores)},
+              {"decisions", decisions_json(manifest.decisions)}};
+    if (manifest.act) json["audit"] = act_json(*manifest.act);
+    json["files"] = files_json(manifest.files);
     return json.dump(1) + "\n";
   } catch (const Json::exception& error) {
     throw DatabaseError{

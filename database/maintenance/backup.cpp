@@ -11,6 +11,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "database/audit/anchors.h"
 #include "database/maintenance/backup_manifest.h"
 #include "database/maintenance/erasures.h"
 #include "database/maintenance/table_copy.h"
@@ -67,6 +68,7 @@ class BackupWriter {
     manifest_.made_utc = utc_now(source_);
     manifest_.name = folder_.free_name(manifest_.made_utc);
     manifest_.directory = own_directory(source_).text;
+    anchor_ = text_of(take_anchor(source_));
   }
 
   Backup write() {
@@ -85,6 +87,7 @@ class BackupWriter {
     backup.recordings = static_cast<std::int64_t>(manifest_.recordings.size());
     for (const BackedUpRecording& kept : manifest_.recordings) backup.bytes += kept.bytes;
     backup.damaged = static_cast<std::int64_t>(manifest_.damaged.size());
+    backup.anchor = anchor_;
     return backup;
   }
 
@@ -158,6 +161,7 @@ class BackupWriter {
   const BackupOptions& options_;
   BackupProgress progress_;
   BackupManifest manifest_;
+  std::string anchor_;
 };
 
 std::optional<Backup> backup_in(const fs::path& file) {

@@ -39,6 +39,8 @@ struct Backup {
   std::int64_t new_bytes = 0;
   /// Attempts whose chain did not hold; their rows are kept as they are.
   std::int64_t damaged = 0;
+  /// Of the audit when it was begun, as a line (database/audit/anchors.h); "" in a list.
+  std::string anchor = {};
 };
 
 struct BackupOptions {

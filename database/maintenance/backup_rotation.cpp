@@ -15,6 +15,7 @@
 #include "database/store/backup_folder.h"
 #include "database/store/durable_file.h"
 #include "database/store/files.h"
+#include "database/store/output_place.h"
 #include "database/store/own_directory.h"
 #include "database/store/settings.h"
 #include "database/store/sql.h"
@@ -157,15 +158,19 @@ std::vector<fs::path> rotate_backups(Database& database, const fs::path& folder,
 
 Backup back_up_with_rotation(Database& database, const fs::path& asked,
                              std::optional<PersonId> actor, const BackupOptions& options) {
-  const fs::path folder = asked.empty() ? database.directory() / "backups" : asked;
+  const fs::path usual = database.directory() / "backups";
+  const fs::path folder = asked.empty() ? usual : asked;
+  std::error_code ignored;
+  const bool is_usual = folder == usual || fs::equivalent(folder, usual, ignored);
+  if (!is_usual) check_outside(folder, database.directory());
   Backup backup;
   try {
     backup = back_up(database, folder, options);
   } catch (const DatabaseError& error) {
     if (error.kind() == DatabaseErrorKind::Full) {
       in_transaction(database, "tell of a skipped backup", [&] {
-        append_audit(database, {actor, "backup_made", "database", "", true, {}, error.what()});
         tell_administrators(database, NoticeKind::BackupSkipped);
+        append_audit(database, {actor, "backup_made", "database", "", true, {}, error.what()});
       });
     }
     throw;

@@ -38,7 +38,7 @@ std::vector<std::filesystem::path> rotate_backups(Database& database,
 
 /// Backs up into a folder, or into `backups` of the data directory where `asked` is empty, writes
 /// the audit and rotates. Where there is no room for it, the administrators are told.
-/// errors  as back_up
+/// errors  as back_up; BadInput elsewhere in the data directory
 Backup back_up_with_rotation(Database& database, const std::filesystem::path& asked,
                              std::optional<PersonId> actor, const BackupOptions& options = {});
 

@@ -124,8 +124,9 @@ constexpr const char* beginning =
     ".csv file for a spreadsheet, and all together in person.json for another program. Times are "
     "UTC. The course keeps this to let you practise, to show you and your instructors how you "
     "stand, and to grade assessments. You see your own attempts; the instructors of your cohorts "
-    "see them as well; administrators see who there is and what was done, but not your attempts. "
-    "The log below says who looked.\r\n\r\nIf something is wrong, or should go, tell an "
+    "see them as well; administrators see who there is and what was done, and can export your "
+    "attempts or what is kept about you. The log below says who looked and who exported.\r\n\r\nIf "
+    "something is wrong, or should go, tell an "
     "administrator of the course: they can correct your name, and erase you, with or without your "
     "recordings. Results then stay as a statistic that names nobody. How long recordings are kept "
     "is set by the course. Copies are made (backups) so that nothing is lost; they are let go by "
@@ -147,7 +148,10 @@ ordered_json json_of(const SQLite::Column& column) {
 class PersonWriter {
  public:
   PersonWriter(Database& database, PersonId person, const std::filesystem::path& directory)
-      : database_(database), person_(person), fresh_(directory), done_{directory} {}
+      : database_(database),
+        person_(person),
+        fresh_(directory, database.directory()),
+        done_{directory} {}
 
   PersonExport write(const Progress& progress) {
     std::string explanation = beginning;

@@ -21,8 +21,8 @@ struct PersonExport {
 /// one moment, into a directory that is new or empty; complete or not there. Other people are named
 /// where the person sees their names anyway; notes that are private to instructors are not in it,
 /// and their number is.
-/// errors  DatabaseError: NotFound; Refused where the directory holds something; storage failures;
-///         Cancelled
+/// errors  DatabaseError: NotFound; BadInput where it lies in the data directory; Refused where it
+///         holds something; storage failures; Cancelled
 PersonExport export_person(Database& database, PersonId person,
                            const std::filesystem::path& directory, const Progress& progress = {});
 

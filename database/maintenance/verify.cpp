@@ -2,17 +2,18 @@
 
 #include <vector>
 
+#include "database/content/assets.h"
 #include "database/course/decisions.h"
 #include "database/course/standings.h"
 #include "database/exchange/import_attempt.h"
 #include "database/maintenance/verify_audit.h"
 #include "database/maintenance/verify_pages.h"
 #include "database/maintenance/verify_progress.h"
+#include "database/maintenance/verify_rows.h"
 #include "database/maintenance/verify_scores.h"
 #include "database/recording/attempts.h"
 #include "database/recording/certificate_json.h"
 #include "database/recording/recordings.h"
-#include "database/store/assets.h"
 #include "database/store/sql.h"
 #include "simulator/base/progress.h"
 
@@ -114,6 +115,8 @@ Verification verify(Database& database, const Progress& progress) {
     check_decisions_are_whole(database);
     check_audit(database, told, found);
     check_standings(database);
+    check_schema(database);
+    check_rows(database, told, found);
   } catch (const DatabaseError& error) {
     if (error.kind() != DatabaseErrorKind::Damaged) throw;
     found.first_damage = error.what();

@@ -1,6 +1,7 @@
 #include "database/people/cohorts.h"
 
 #include "database/people/people.h"
+#include "database/store/free_text.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -32,6 +33,7 @@ CohortId create_cohort(Database& database, const std::string& name) {
   if (name.empty()) {
     throw DatabaseError{DatabaseErrorKind::BadInput, "a cohort needs a name"};
   }
+  check_name("the name of the cohort", name);
   return in_transaction_of_caller(database, "add a cohort", [&] {
     if (execute(
             database,

@@ -4,6 +4,7 @@
 /// administrator who can sign in.
 #include "database/people/people.h"
 
+#include "database/store/free_text.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -54,6 +55,7 @@ void store_hash(Database& database, PersonId id, const std::string& argon2id) {
 }
 
 PersonId insert_person(Database& database, const NewPerson& person) {
+  check_name("the name of " + person.login, person.display_name);
   execute(database, "INSERT INTO person (is_administrator, created_utc) VALUES (?, ?)",
           person.is_administrator ? 1 : 0, utc_now(database));
   const PersonId id{database.connection().getLastInsertRowid()};

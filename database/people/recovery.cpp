@@ -38,9 +38,9 @@ IssuedCode recover_administrator(Database& database, std::string_view login,
   const Person person = administrator_of(database, login);
   return in_transaction(database, "recover an administrator", [&] {
     IssuedCode issued = issue_code(database, person.id, person.id, cost);
+    tell_administrators(database, NoticeKind::Recovered, {person.id, {}});
     append_audit(database, {std::nullopt, "administrator_recovered", "person",
                             std::to_string(person.id.number)});
-    tell_administrators(database, NoticeKind::Recovered, {person.id, {}});
     return issued;
   });
 }

@@ -24,7 +24,9 @@ Digest link_of(const Digest& before, const AttemptId& attempt, const ChunkPlace&
   return digester.finish();
 }
 
-Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept {
+namespace {
+
+Digest seal_in_form(SealForm form, const Digest& last_link, const AttemptHeader& header) noexcept {
   Digester digester;
   digester.add_digest(last_link);
   digester.add_text(header.id.text);
@@ -39,8 +41,27 @@ Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept {
   digester.add_text(header.started_utc);
   digester.add_int(header.duration_ticks.value_or(0));
   digester.add_text(header.quality_json);
-  add_guidance(digester, header.begun.guidance);
+  if (form == SealForm::WithoutPurpose) {
+    add_guidance(digester, header.begun.guidance);
+  } else {
+    digester.add_text(name_of(header.begun.guidance));
+    digester.add_text(name_of(header.begun.kind));
+    digester.add_int(header.is_simulated ? 1 : 0);
+  }
   return digester.finish();
+}
+
+}  // namespace
+
+Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept {
+  return seal_in_form(SealForm::All, last_link, header);
+}
+
+std::optional<SealForm> seal_form(const Digest& last_link, const AttemptHeader& header) noexcept {
+  for (const SealForm form : {SealForm::All, SealForm::WithoutPurpose}) {
+    if (header.seal == seal_in_form(form, last_link, header)) return form;
+  }
+  return std::nullopt;
 }
 
 Digest purpose_digest(AttemptKind kind, bool is_simulated, simulator::Guidance guidance) noexcept {

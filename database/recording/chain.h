@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "database/recording/chunk_codec.h"
@@ -26,10 +27,20 @@ Digest link_of(const Digest& before, const AttemptId& attempt, const ChunkPlace&
                std::span<const std::byte> payload) noexcept;
 
 /// BLAKE2b-256 of the last link and of every fact in the header except the person, whose name may
-/// be erased and whose number the audit chain holds. A guidance is added at the end, where there is
-/// one: older seals hold.
+/// be erased and whose number the audit chain holds.
 /// needs   duration_ticks is known
 Digest seal_of(const Digest& last_link, const AttemptHeader& header) noexcept;
+
+/// What a seal is of.
+enum class SealForm {
+  /// As seal_of makes it.
+  All,
+  /// As older programs made it: without the kind of the attempt and whether it is simulated.
+  WithoutPurpose
+};
+/// Nothing where the header's seal fits neither.
+/// needs   the header has a seal
+std::optional<SealForm> seal_form(const Digest& last_link, const AttemptHeader& header) noexcept;
 
 /// Binds what an attempt is for to the audit row of its beginning: BLAKE2b-256 of the name of the
 /// kind, 1 or 0, and the name of the guidance where there is one.

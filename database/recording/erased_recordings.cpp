@@ -1,8 +1,8 @@
 #include "database/recording/erased_recordings.h"
 
 #include "database/audit/audit.h"
+#include "database/content/cached_bytes.h"
 #include "database/recording/attempts.h"
-#include "database/store/cached_bytes.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {

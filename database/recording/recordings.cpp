@@ -17,7 +17,7 @@ constexpr std::int64_t windows_checked_at_once = 240;
 
 void check_seal(const Database& database, const AttemptHeader& header, const Digest& last_link) {
   if (!header.seal) return;
-  if (seal_of(last_link, header) == *header.seal) return;
+  if (seal_form(last_link, header)) return;
   throw DatabaseError{DatabaseErrorKind::Damaged,
                       "attempt " + header.id.text + " in " + database.file().string() +
                           " does not fit its seal: a fact of it was altered, or its last chunks "

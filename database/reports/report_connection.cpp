@@ -76,6 +76,8 @@ using StatementPtr = std::unique_ptr<sqlite3_stmt, Finalizer>;
 
 [[noreturn]] void fail_as_sqlite(sqlite3* connection, const ReportLimits& limits) {
   const std::string text = sqlite3_errmsg(connection);
+  // Of a function that the authorizer denies SQLite says no more than this.
+  if (text.starts_with("not authorized")) fail(DatabaseErrorKind::Refused, text);
   switch (sqlite3_errcode(connection)) {
     case SQLITE_AUTH:
       fail(DatabaseErrorKind::Refused,
@@ -170,8 +172,7 @@ Report ReportConnection::answer(const std::string& sql) {
     for (int i = 0; i < column_count; ++i) {
       row.push_back(cell_of(statement.get(), i));
       bytes += bytes_of(row.back());
-    }
-    if (report.rows.size() > limits_.rows || bytes > limits_.bytes) {
+      if (report.rows.size() <= limits_.rows && bytes <= limits_.bytes) continue;
       fail(DatabaseErrorKind::BadInput, "it has more than " + std::to_string(limits_.rows) +
                                             " rows or " + std::to_string(limits_.bytes >> 20U) +
                                             " MB; add a LIMIT");

@@ -1,4 +1,4 @@
-/// Plain SQL for reports: reads, and nothing else, for a bounded time. Inside this room only.
+/// Plain SQL for reports: reads, and nothing else, for a bounded time. Inside this corner only.
 ///
 /// A connection of its own, opened read-only and defensive. An authorizer lets SELECT pass and
 /// decides about each table and column (database/reports/report_access.h): passwords, codes, names,

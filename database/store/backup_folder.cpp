@@ -30,10 +30,20 @@ void for_each_file(const fs::path& folder, Work&& work) {
   }
 }
 
+/// What is written and removed in it would be elsewhere.
+void check_is_no_link(const fs::path& directory) {
+  std::error_code ignored;
+  if (!fs::is_symlink(fs::symlink_status(directory, ignored))) return;
+  throw DatabaseError{
+      DatabaseErrorKind::BadInput,
+      directory.string() + " is a link, which is not followed; remove it, or name another folder"};
+}
+
 }  // namespace
 
 BackupFolder::BackupFolder(fs::path folder, Wait wait) : folder_(std::move(folder)) {
   make_private_directory(folder_);
+  check_is_no_link(folder_ / "recordings");
   make_private_directory(folder_ / "recordings");
   const fs::path file = folder_ / ".lock";
   lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);

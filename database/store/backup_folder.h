@@ -17,8 +17,8 @@ class BackupFolder {
   enum class Wait { No, Yes };
   /// Makes the folder (0700) where it is missing, takes its lock and clears what a stopped backup
   /// left.
-  /// errors  DatabaseError: Locked where another process has it and is not waited for; storage
-  ///         failures
+  /// errors  DatabaseError: Locked where another process has it and is not waited for; BadInput
+  ///         where its place for recordings is a link; storage failures
   explicit BackupFolder(std::filesystem::path folder, Wait wait = Wait::No);
   ~BackupFolder();
   BackupFolder(const BackupFolder&) = delete;

@@ -15,9 +15,12 @@ class Database;
 
 namespace hallux::database {
 
+class ChangedRows;
+
 /// "HALX": tells our files from other SQLite databases.
 inline constexpr std::int32_t application_id = 0x48414C58;
 
+/// ReadOnly also reads what lies where nothing may be written.
 enum class Access { ReadWrite, ReadOnly };
 
 struct OpenOptions {
@@ -44,13 +47,14 @@ struct OpenOptions {
 /// thread  one at a time; another thread gets a connection of its own by open_again()
 class Database {
  public:
-  /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600),
-  /// migrates the schema, and marks as interrupted the attempts whose writer is gone.
+  /// Opens `directory`/hallux.db. For writing: creates what is missing (directory 0700, file 0600;
+  /// the file appears when it is whole), migrates the schema, and marks as interrupted the attempts
+  /// whose writer is gone.
   /// A network share is refused for writing: the log needs memory that all who write share.
   /// ensures  WAL, synchronous FULL, foreign keys, busy timeout, no trusted schema; a newer file is
   ///          not touched
-  /// errors   DatabaseError: ReadOnly, Full, InputOutput, Damaged, Newer, Locked; NotFound where
-  ///          reading finds no file
+  /// errors   DatabaseError: ReadOnly, Full, InputOutput, Newer, Locked; Damaged, also where the
+  ///          file is empty; NotFound where reading finds no file
   static Database open(const std::filesystem::path& directory, const OpenOptions& options = {});
 
   /// Another connection to the same file with the same options, for another thread.
@@ -63,6 +67,10 @@ class Database {
 
   /// For the files of this room only: SQL is written nowhere else. Valid as long as this object.
   SQLite::Database& connection() noexcept { return *connection_; }
+  const SQLite::Database& connection() const noexcept { return *connection_; }
+  /// For this room as well: what this transaction changed and no act accounts for yet; nothing of a
+  /// connection that only reads.
+  ChangedRows* changes() const noexcept { return changes_.get(); }
   /// The data directory, and `hallux.db` in it.
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
@@ -75,11 +83,18 @@ class Database {
   void pretend_to_be(std::string station) { options_.pretended_station = std::move(station); }
 
  private:
+  /// A bare connection to a file that is there.
   Database(std::filesystem::path directory, const OpenOptions& options);
+  /// Makes the file of a directory that has none.
+  static void make(const std::filesystem::path& directory, const OpenOptions& options);
 
   std::filesystem::path directory_, file_;
   OpenOptions options_;
+  /// That is read where the directory cannot be written.
+  std::shared_ptr<const std::filesystem::path> copy_;
   std::unique_ptr<SQLite::Database> connection_;
+  /// After the connection that it watches.
+  std::unique_ptr<ChangedRows> changes_;
 };
 
 }  // namespace hallux::database

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <utility>
 
 #include "database/store/files.h"
@@ -136,6 +137,16 @@ void sync_directory(const std::filesystem::path& directory) {
 void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& file) {
   if (::rename(finished.c_str(), file.c_str()) != 0) throw file_error(file, "name", errno);
   sync_directory(file.parent_path());
+}
+
+bool put_in_free_place(const std::filesystem::path& finished, const std::filesystem::path& file) {
+  // Where there are no links (FAT), the other call can do the same.
+  const bool is_placed = ::link(finished.c_str(), file.c_str()) == 0 ||
+                         (errno == EPERM && ::renameat2(AT_FDCWD, finished.c_str(), AT_FDCWD,
+                                                        file.c_str(), RENAME_NOREPLACE) == 0);
+  if (!is_placed && errno != EEXIST) throw file_error(file, "name", errno);
+  sync_directory(file.parent_path());
+  return is_placed;
 }
 
 std::vector<std::byte> read_plain_file(const std::filesystem::path& file, std::int64_t bytes_max) {

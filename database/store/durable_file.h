@@ -46,6 +46,8 @@ class DurableFile {
 
 /// The name stands for the whole new content from now on, also after a power cut.
 void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& file);
+/// The same without ever replacing anything: false where something has the name.
+bool put_in_free_place(const std::filesystem::path& finished, const std::filesystem::path& file);
 void sync_directory(const std::filesystem::path& directory);
 void sync_file(const std::filesystem::path& file);
 

@@ -120,9 +120,10 @@ void make_private_file(const std::filesystem::path& file) {
     return;
   }
   if (errno != EEXIST) throw file_error(file, "make", errno);
-  // Not opened where it exists: closing it again would drop the POSIX locks of this process's other
-  // connections.
-  ::chmod(file.c_str(), 0600);
+  close_to_others(file);
 }
+
+// Not opened: closing it again would drop the POSIX locks of this process's other connections.
+void close_to_others(const std::filesystem::path& file) noexcept { ::chmod(file.c_str(), 0600); }
 
 }  // namespace hallux::database

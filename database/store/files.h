@@ -22,8 +22,11 @@ DatabaseError named_file_error(const std::filesystem::path& file, const char* tr
 void make_private_directory(const std::filesystem::path& directory);
 
 /// Makes the file with mode 0600 where it is missing; takes the rights of others away where it is
-/// not. SQLite gives its -wal and -shm files the mode of the file beside them.
+/// not.
 /// errors  DatabaseError
 void make_private_file(const std::filesystem::path& file);
+/// Takes the rights of others away where that is permitted. SQLite gives its -wal and -shm files
+/// the mode of the file beside them.
+void close_to_others(const std::filesystem::path& file) noexcept;
 
 }  // namespace hallux::database

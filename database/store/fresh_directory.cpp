@@ -10,6 +10,7 @@
 
 #include "database/store/durable_file.h"
 #include "database/store/files.h"
+#include "database/store/output_place.h"
 
 namespace hallux::database {
 
@@ -21,10 +22,15 @@ fs::path without_slash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+fs::path target_for(const fs::path& directory, const fs::path& data_directory) {
+  check_outside(directory, data_directory);
+  return without_slash(fs::absolute(directory));
+}
+
 }  // namespace
 
-FreshDirectory::FreshDirectory(const fs::path& directory)
-    : target_(without_slash(fs::absolute(directory))),
+FreshDirectory::FreshDirectory(const fs::path& directory, const fs::path& data_directory)
+    : target_(target_for(directory, data_directory)),
       path_(target_.parent_path() / ("." + target_.filename().string() + ".unfinished")),
       lock_file_(path_.string() + ".lock") {
   check_target_is_free();

@@ -10,10 +10,12 @@ namespace hallux::database {
 /// cleared.
 class FreshDirectory {
  public:
-  /// Makes the directories it lies in where they are missing.
+  /// Makes the directories it lies in where they are missing. `data_directory`: it may not lie
+  /// there; empty: it is itself one.
   /// errors  DatabaseError: Refused where the directory holds something; Locked where another
   ///         process makes it; BadInput where nothing can have this name; storage failures
-  explicit FreshDirectory(const std::filesystem::path& directory);
+  explicit FreshDirectory(const std::filesystem::path& directory,
+                          const std::filesystem::path& data_directory = {});
   ~FreshDirectory();
   FreshDirectory(const FreshDirectory&) = delete;
   FreshDirectory& operator=(const FreshDirectory&) = delete;

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "database/store/changed_rows.h"
 #include "database/store/sql.h"
 #include "simulator/base/embedded.h"
 
@@ -23,13 +24,24 @@ bool has_tables(Database& database) {
 
 std::int32_t newest_schema() noexcept { return static_cast<std::int32_t>(schema_files().size()); }
 
+std::string schema_statements(std::int32_t index) {
+  return std::string{schema_files()[static_cast<std::size_t>(index)].text};
+}
+
 void check_schema_is_known(Database& database) {
   translating(database, "read the schema version", [&] {
     // One moment for all of it: another process may be making the file.
     const SQLite::Transaction moment{database.connection()};
     const std::int32_t found = pragma_number(database, "PRAGMA user_version");
     const std::int32_t owner = pragma_number(database, "PRAGMA application_id");
-    if (owner != application_id && (owner != 0 || found != 0 || has_tables(database))) {
+    if (owner == 0 && found == 0 && !has_tables(database)) {
+      throw DatabaseError{DatabaseErrorKind::Damaged,
+                          database.file().string() +
+                              " is empty, which no database of this program ever is: it was "
+                              "overwritten or lost; keep a copy and restore a backup (hallux "
+                              "restore). Where nothing was ever kept there, remove the file"};
+    }
+    if (owner != application_id) {
       throw DatabaseError{
           DatabaseErrorKind::Damaged,
           database.file().string() +
@@ -62,6 +74,7 @@ void migrate(Database& database) {
       database.connection().exec(std::string{files[i].text});
       database.connection().exec("PRAGMA application_id = " + std::to_string(application_id));
       database.connection().exec("PRAGMA user_version = " + std::to_string(i + 1));
+      if (i + 1 == files.size()) take_baseline(database);
     });
   }
 }

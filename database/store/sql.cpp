@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cerrno>
 
 namespace hallux::database {
 
@@ -13,11 +14,19 @@ struct Reason {
   std::string_view text;
 };
 
-Reason reason_of(int code) noexcept {
+/// SQLite calls only one of the system's answers a full disk.
+bool is_of_full_disk(int extended_code, int system_error) noexcept {
+  if ((extended_code & 0xFF) == SQLITE_FULL || extended_code == SQLITE_IOERR_SHMSIZE) return true;
+  return (extended_code & 0xFF) == SQLITE_IOERR &&
+         (system_error == ENOSPC || system_error == EDQUOT || system_error == EFBIG);
+}
+
+Reason reason_of(int extended_code, int system_error) noexcept {
   using enum DatabaseErrorKind;
-  switch (code & 0xFF) {
-    case SQLITE_FULL:
-      return {Full, "the disk is full; free some space and try again"};
+  if (is_of_full_disk(extended_code, system_error)) {
+    return {Full, "the disk is full; free some space and try again"};
+  }
+  switch (extended_code & 0xFF) {
     case SQLITE_READONLY:
     case SQLITE_PERM:
       return {ReadOnly, "it is read-only; make the directory writable or name another with --data"};
@@ -44,7 +53,9 @@ Reason reason_of(int code) noexcept {
 
 DatabaseError translated(const SQLite::Exception& error, std::string_view tried,
                          const std::filesystem::path& file) {
-  const Reason reason = reason_of(error.getErrorCode());
+  // Not SQLite's own note of it: that is not taken when a commit fails.
+  const int system_error = errno;
+  const Reason reason = reason_of(error.getExtendedErrorCode(), system_error);
   return {reason.kind, "could not " + std::string{tried} + " in " + file.string() + ": " +
                            std::string{reason.text} + " (" + error.what() + ")"};
 }

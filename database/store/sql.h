@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "database/records/names.h"
+#include "database/store/changed_rows.h"
 #include "database/store/connection.h"
 #include "simulator/base/digest.h"
 
 namespace hallux::database {
 
 /// The sentence "could not `tried` in FILE: reason; what to do" with its kind.
+/// needs   called where the error was caught, while what the operating system answered is known
 DatabaseError translated(const SQLite::Exception& error, std::string_view tried,
                          const std::filesystem::path& file);
 
@@ -38,15 +40,18 @@ bool is_in_transaction(Database& database) noexcept;
 std::int64_t page_bytes(Database& database);
 
 /// Runs `work` in one IMMEDIATE transaction: committed where it returns, undone where it throws.
+/// What it changed and accounted for in no act is accounted for in one of the program's own.
 template <typename Work>
 auto in_transaction(Database& database, std::string_view tried, Work&& work) {
   return translating(database, tried, [&] {
     SQLite::Transaction transaction{database.connection(), SQLite::TransactionBehavior::IMMEDIATE};
     if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
       std::forward<Work>(work)();
+      settle_changes(database);
       transaction.commit();
     } else {
       auto result = std::forward<Work>(work)();
+      settle_changes(database);
       transaction.commit();
       return result;
     }

@@ -86,6 +86,7 @@ IndexedMesh read_mesh(const fs::path& file, const MeshLimits& limits) {
   if (!format) refuse_mesh(name, "is of an unknown kind; meshes are read from .stl, .obj and .ply");
   IndexedMesh mesh = parse_mesh(bytes_of(file, name, size), *format, name, limits);
   check_closed_solid(mesh, name);
+  check_shells(mesh, name);
   return mesh;
 }
 

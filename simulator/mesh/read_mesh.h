@@ -28,7 +28,8 @@ enum class MeshFormat { Stl, Obj, Ply };
 /// The mesh in the file, in the file's own units taken as millimetres; STL corners with equal
 /// coordinates become one point and STL triangles that thereby lose a corner are left out; points
 /// that no triangle uses are left out.
-/// ensures the mesh is closed, manifold and outward (see check_closed_solid)
+/// ensures the mesh is closed, manifold and outward (see check_closed_solid), and no part of space
+///         lies in it twice (see check_shells)
 /// errors  MeshError naming the file, the place and the mend
 IndexedMesh read_mesh(const std::filesystem::path& file, const MeshLimits& limits = {});
 
@@ -42,5 +43,10 @@ IndexedMesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std:
 ///         twice, and the enclosed volume is positive; the sentence counts the faults and places
 ///         the first
 void check_closed_solid(const IndexedMesh& mesh, std::string_view name);
+
+/// errors  MeshError naming the place where two shells cross, or where one does not face the other
+///         way than the one that it lies in: a marrow canal in a bone faces inward
+/// needs   a mesh that passed check_closed_solid
+void check_shells(const IndexedMesh& mesh, std::string_view name);
 
 }  // namespace hallux::simulator

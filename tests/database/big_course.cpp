@@ -10,6 +10,7 @@
 #include "database/course/score_json.h"
 #include "database/course/standings.h"
 #include "database/desks/session.h"
+#include "database/store/sql.h"
 #include "simulator/base/random.h"
 
 namespace hallux::database {
@@ -57,15 +58,15 @@ void make_people(Database& database, const BigCourse& course, const std::string&
   const CohortId big = create_cohort(database, "big"), idle = create_cohort(database, "idle");
   enrol(database, big, find_person(database, "kim").id, CohortRole::Instructor);
   enrol(database, idle, find_person(database, "lee").id, CohortRole::Instructor);
-  database.connection().exec("BEGIN");
-  for (int number = 1; number <= course.trainees + 5; ++number) {
-    const std::string login = "trainee-" + std::to_string(number);
-    const NewPerson person{login, "Trainee " + std::to_string(number), false};
-    const PersonId id = number == 1 ? create_person(database, person, secret(password), cheap)
-                                    : create_person_without_password(database, person);
-    enrol(database, number <= course.trainees ? big : idle, id, CohortRole::Trainee);
-  }
-  database.connection().exec("COMMIT");
+  in_transaction(database, "make people", [&] {
+    for (int number = 1; number <= course.trainees + 5; ++number) {
+      const std::string login = "trainee-" + std::to_string(number);
+      const NewPerson person{login, "Trainee " + std::to_string(number), false};
+      const PersonId id = number == 1 ? create_person(database, person, secret(password), cheap)
+                                      : create_person_without_password(database, person);
+      enrol(database, number <= course.trainees ? big : idle, id, CohortRole::Trainee);
+    }
+  });
 }
 
 void publish_operations(Database& database, const std::string& password) {
@@ -163,16 +164,16 @@ void make_big_course(Database& database, const BigCourse& course, const std::str
   Random random{7};
   // Each trigger would count a person's hundred attempts anew for each of them.
   sqlite3_db_config(database.connection().getHandle(), SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
-  database.connection().exec("BEGIN");
-  Rows rows{database};
-  std::int64_t number = 0;
-  for (std::int32_t round = 0; round < course.attempts_each; ++round) {
-    for (const CohortMember& member : members) {
-      if (member.role == CohortRole::Trainee) rows.add(++number, member.id, bone, random);
+  in_transaction(database, "make attempts", [&] {
+    Rows rows{database};
+    std::int64_t number = 0;
+    for (std::int32_t round = 0; round < course.attempts_each; ++round) {
+      for (const CohortMember& member : members) {
+        if (member.role == CohortRole::Trainee) rows.add(++number, member.id, bone, random);
+      }
     }
-  }
-  recount_standings(database);
-  database.connection().exec("COMMIT");
+    recount_standings(database);
+  });
   sqlite3_db_config(database.connection().getHandle(), SQLITE_DBCONFIG_ENABLE_TRIGGER, 1, nullptr);
 }
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "database/content/assets.h"
 #include "database/course/begin_attempt.h"
-#include "database/store/assets.h"
 #include "simulator/base/random.h"
 
 namespace hallux::database {

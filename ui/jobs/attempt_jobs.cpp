@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "database/content/assets.h"
 #include "database/recording/recordings.h"
-#include "database/store/assets.h"
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/simulation_setup.h"

@@ -25,7 +25,7 @@ using StageProgress = std::function<Progress(const std::string& stage)>;
 
 struct ScriptedAttempt {
   scenarios::Scenario scenario;
-  /// Expert, novice, or the name of the file.
+  /// Expert, novice, or what a file is called in the record.
   std::string hand = "expert";
   /// From a file; else made for the hand and seed.
   std::optional<simulator::HandMotion> motion;

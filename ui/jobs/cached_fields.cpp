@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "database/store/cached_bytes.h"
+#include "database/content/cached_bytes.h"
 #include "database/store/database_error.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/files/byte_form.h"

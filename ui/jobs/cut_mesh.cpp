@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "database/store/output_place.h"
 #include "simulator/base/progress.h"
 #include "simulator/bone/close_wedge.h"
 #include "simulator/mesh/read_mesh.h"
@@ -98,6 +99,7 @@ double CutReport::missing_mm3() const noexcept {
 
 CutReport cut_mesh(const CutRequest& request, const Progress& progress) {
   report(progress, 0.0);
+  database::check_outside(request.output_folder, request.data_directory);
   SawnBone bone(read_mesh(request.mesh_file));
   CutReport report;
   report.input_mm3 = signed_volume_mm3(bone.whole().mesh);
@@ -116,7 +118,7 @@ CutReport cut_mesh(const CutRequest& request, const Progress& progress) {
   if (closure) report.hinge = hinge_report(*closure, order);
   const std::vector<IndexedMesh> meshes = name_pieces(std::move(bodies), order, report);
   hallux::report(progress, (stages - 0.5) / stages);
-  write_pieces(meshes, request.output_folder);
+  write_pieces(meshes, request.output_folder, request.data_directory);
   if (progress) progress(1.0);
   return report;
 }

@@ -21,8 +21,9 @@ struct CutRequest {
   std::filesystem::path mesh_file;
   /// Act in turn.
   std::vector<CutGroup> groups;
-  /// Made where it is missing.
+  /// Made where it is missing, outside the data directory.
   std::filesystem::path output_folder;
+  std::filesystem::path data_directory{};
   /// Closes the wedge between two kerfs after all are cut.
   std::optional<HingeGroups> close{};
 };
@@ -62,8 +63,8 @@ struct CutReport {
 
 /// Reads, cuts, checks, and only then writes piece-1.ply ... (see write_pieces.h).
 /// errors  MeshError (CutInputError) for the mesh, the sweeps, and kerfs without a wedge;
-///         KernelRefusal; OutputError where the folder cannot be made or written; Cancelled. After
-///         an error no piece is new.
+///         KernelRefusal; OutputError and DatabaseError where the pieces cannot or may not be
+///         written there; Cancelled. After an error no piece is new.
 /// thread  any; it is a job: not the render thread
 CutReport cut_mesh(const CutRequest& request, const Progress& progress);
 

@@ -3,6 +3,7 @@
 #include "assessment/rebuild/rebuild.h"
 #include "database/exchange/read_exported.h"
 #include "database/store/fresh_directory.h"
+#include "scenarios/hidden_letters.h"
 #include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
@@ -26,6 +27,7 @@ Progress one_of(const Progress& whole, std::size_t index, std::size_t count) {
 scenarios::Scenario scenario_of(const database::Manifest& manifest) {
   scenarios::Scenario scenario =
       scenarios::parse_scenario(manifest.scenario.json, manifest.scenario.name);
+  scenarios::check_letters(manifest.scenario.json, manifest.scenario.name);
   if (scenario.name != manifest.scenario.name || scenario.version != manifest.scenario.version ||
       scenario.is_reviewed != manifest.scenario.is_reviewed) {
     throw DatabaseError{DatabaseErrorKind::BadInput,
@@ -67,6 +69,7 @@ void import_one(database::AdministratorDesk& desk, const std::filesystem::path& 
     const auto card = rescored(attempt, progress);
     const bool is_new = desk.import_attempt(attempt, card);
     (is_new ? report.imported : report.known).push_back(id);
+    if (is_new && !attempt.why_not_all.empty()) report.not_all.push_back(attempt.why_not_all);
   } catch (const DatabaseError& error) {
     if (!is_of_one_folder(error)) throw;
     refuse(error);
@@ -96,7 +99,7 @@ std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& mat
 void export_attempts(const ExportRequest& request, const FindDesk& desk_of,
                      const StageProgress& progress) {
   const Progress progress_of_all = progress("Exporting");
-  const database::FreshDirectory fresh(request.folder);
+  const database::FreshDirectory fresh(request.folder, request.data_directory);
   for (std::size_t i = 0; i < request.attempts.size(); ++i) {
     cancelled_as("stopped while exporting; nothing was left in " + request.folder.string(),
                  [&] { hallux::report(one_of(progress_of_all, i, request.attempts.size()), 0.0); });

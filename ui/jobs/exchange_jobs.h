@@ -20,8 +20,8 @@ using FindDesk = std::function<database::AttemptDesk(const database::AttemptId&)
 
 struct ExportRequest {
   std::vector<database::AttemptId> attempts;
-  /// New, or empty.
-  std::filesystem::path folder;
+  /// New, or empty, and outside the data directory.
+  std::filesystem::path folder, data_directory;
 };
 
 /// Writes a folder for each attempt into a fresh one, which gets its name when all are there.
@@ -36,6 +36,8 @@ struct RefusedFolder {
 struct ImportReport {
   std::vector<database::AttemptId> imported, known;
   std::vector<RefusedFolder> refused;
+  /// Of those that were taken in and not with all that their manifest said: why.
+  std::vector<std::string> not_all;
 };
 
 /// Takes in what export_attempts wrote; a folder that is refused is named, and the others are taken

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "database/content/assets.h"
 #include "database/course/score_json.h"
-#include "database/store/assets.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::ui {

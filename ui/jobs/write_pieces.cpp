@@ -7,9 +7,11 @@
 #include <system_error>
 #include <vector>
 
+#include "database/store/output_place.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
 #include "ui/jobs/files/output_error.h"
+#include "ui/jobs/files/output_file.h"
 
 namespace hallux::ui {
 
@@ -53,7 +55,8 @@ void remove_stale_pieces(const fs::path& folder, std::size_t piece_count) {
   std::vector<fs::path> stale;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const bool is_stale = piece_number(entry.path().filename().string()) > piece_count;
-    if (is_stale && entry.is_regular_file()) stale.push_back(entry.path());
+    const bool is_ours = is_stale && entry.is_regular_file();
+    if (is_ours && may_be_replaced(entry.path(), piece_mesh)) stale.push_back(entry.path());
   }
   for (const fs::path& file : stale) fs::remove(file);
 }
@@ -62,7 +65,9 @@ void remove_stale_pieces(const fs::path& folder, std::size_t piece_count) {
 
 std::string piece_file(std::size_t index) { return "piece-" + std::to_string(index + 1) + ".ply"; }
 
-void write_pieces(std::span<const simulator::IndexedMesh> meshes, const fs::path& folder) {
+void write_pieces(std::span<const simulator::IndexedMesh> meshes, const fs::path& folder,
+                  const fs::path& data_directory) {
+  database::check_outside(folder, data_directory);
   try {
     fs::create_directories(folder);
     const PendingFolder pending(folder);
@@ -70,8 +75,7 @@ void write_pieces(std::span<const simulator::IndexedMesh> meshes, const fs::path
       simulator::write_ply(meshes[i], pending.path() / piece_file(i));
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const fs::path file = folder / piece_file(i);
-      if (fs::is_directory(file)) throw output_error(file, EISDIR);
+      check_output(folder / piece_file(i), piece_mesh, data_directory);
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       fs::rename(pending.path() / piece_file(i), folder / piece_file(i));

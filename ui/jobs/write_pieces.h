@@ -13,10 +13,11 @@ namespace hallux::ui {
 std::string piece_file(std::size_t index);
 
 /// Writes piece-1.ply ... into a folder of its own within `folder`, and moves them when all are
-/// there. A piece-N.ply of an earlier cut with a higher N is removed. `folder` is made where it is
-/// missing.
-/// errors  OutputError; then no piece is new
+/// there. A piece-N.ply of an earlier cut with a higher N is removed; one that somebody else made
+/// stays, and where a piece has its name nothing is written. `folder` is made where it is missing.
+/// errors  OutputError; database::DatabaseError BadInput in the data directory; then no piece is
+///         new
 void write_pieces(std::span<const simulator::IndexedMesh> meshes,
-                  const std::filesystem::path& folder);
+                  const std::filesystem::path& folder, const std::filesystem::path& data_directory);
 
 }  // namespace hallux::ui

@@ -1,31 +1,13 @@
 #include "ui/widgets/ui_map.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace hallux::ui {
 namespace {
 
 constexpr double least_interval_s = 0.1;
-
-void replace_file(const std::filesystem::path& file, const std::string& text) {
-  std::filesystem::path beside = file;
-  beside += ".new";
-  {
-    std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.flush();
-    if (!stream)
-      throw std::runtime_error(
-          file.string() + ": the map of the window cannot be written there; name another place");
-  }
-  std::error_code fault;
-  std::filesystem::rename(beside, file, fault);
-  if (fault) throw std::runtime_error(file.string() + ": cannot be replaced: " + fault.message());
-}
 
 }  // namespace
 
@@ -54,7 +36,7 @@ double UiMap::update(const FrameContent& content, float scale, double time_s) {
   if (has_written_ && text == written_) return std::numeric_limits<double>::infinity();
   const double wait_s = written_at_s_ + least_interval_s - time_s;
   if (has_written_ && wait_s > 0.0) return wait_s;
-  replace_file(file_, text);
+  write_(text);
   written_ = std::move(text);
   written_at_s_ = time_s;
   has_written_ = true;

@@ -1,7 +1,7 @@
 /// Tells accessibility tools and tests, in a file, which widgets are on the screen and where.
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <string>
 
 #include "ui/widgets/input/widget.h"
@@ -13,19 +13,20 @@ namespace hallux::ui {
 /// seen and reached; never what a field holds.
 std::string ui_map_json(const FrameContent& content, float scale);
 
-/// Keeps the file up to date: replaced as a whole, so that no reader sees half of it, and at most
-/// ten times a second.
+/// Keeps the file up to date, at most ten times a second.
 class UiMap {
  public:
-  explicit UiMap(std::filesystem::path file) : file_(std::move(file)) {}
+  /// Puts the new content in the file's place, as a whole: no reader sees half of it.
+  using Write = std::function<void(const std::string& json)>;
+  explicit UiMap(Write write) : write_(std::move(write)) {}
 
   /// Writes where the content has changed and the last writing is 0.1 s ago. Returns the seconds
   /// until it wants to be called again; infinity where the file says what is shown.
-  /// errors  std::runtime_error naming the file and what to do
+  /// errors  those of the writing
   double update(const FrameContent& content, float scale, double time_s);
 
  private:
-  std::filesystem::path file_;
+  Write write_;
   std::string written_;
   double written_at_s_ = -1.0;
   bool has_written_ = false;

@@ -72,6 +72,7 @@ struct Window::State {
   std::unique_ptr<ImguiPainter> painter;
   std::unique_ptr<OpenGlScenePainter> scenes;
   std::optional<UiMap> map;
+  bool (*is_asked_to_end)() noexcept = nullptr;
   std::array<GLFWcursor*, 3> cursors{};
   PointerShape shape = PointerShape::Arrow;
   std::optional<std::filesystem::path> picture;
@@ -121,7 +122,8 @@ Window::Window(const Texts& texts, const WindowSetting& setting)
       std::make_unique<Ui>(texts, state.clipboard, ThemeName::Dark, state.events.content_scale);
   state.painter = std::make_unique<ImguiPainter>();
   state.scenes = std::make_unique<OpenGlScenePainter>();
-  if (setting.ui_map) state.map.emplace(*setting.ui_map);
+  if (setting.write_ui_map) state.map.emplace(setting.write_ui_map);
+  state.is_asked_to_end = setting.is_asked_to_end;
 }
 
 Window::~Window() = default;
@@ -240,7 +242,8 @@ void Window::wait_for_frame() {
     // show.
     const bool was_only_the_map = !is_due && glfwGetTime() >= map_due_s && glfwGetTime() < due_s &&
                                   state.events.queue.is_empty() && !state.events.wants_frame;
-    if (glfwWindowShouldClose(state.window) != 0 || (!is_hidden && !was_only_the_map)) return;
+    const bool is_ending = glfwWindowShouldClose(state.window) != 0 || state.is_asked_to_end();
+    if (is_ending || (!is_hidden && !was_only_the_map)) return;
   }
 }
 
@@ -250,9 +253,11 @@ void Window::update_map() {
     state.map_due_in_s = state.map->update(state.ui->shown(), state.ui->scale(), glfwGetTime());
 }
 
-// Asked to close, the window says why it stays where a screen may not be left.
+// Asked to close, the window says why it stays where a screen may not be left. The system does not
+// wait for an answer.
 bool Window::is_closing(Shell& shell) {
   State& state = *state_;
+  if (state.is_asked_to_end()) return true;
   if (glfwWindowShouldClose(state.window) == 0) return false;
   if (shell.may_leave(*state.ui)) return true;
   glfwSetWindowShouldClose(state.window, GLFW_FALSE);

@@ -26,8 +26,10 @@ struct WindowSetting {
   std::string title = "Hallux";
   /// Logical pixels.
   int width = 1440, height = 900;
-  /// Written while the window is open; see ui_map.h.
-  std::optional<std::filesystem::path> ui_map = {};
+  /// Keeps what the window shows, while it is open; see ui_map.h.
+  std::function<void(const std::string& json)> write_ui_map = {};
+  /// Whether the system asked for the end; the window is woken where that changes.
+  bool (*is_asked_to_end)() noexcept = []() noexcept { return false; };
 };
 
 class Window {
@@ -40,7 +42,8 @@ class Window {
   ~Window();
 
   /// Shows the shell until the window is closed or close() is called, and a screen that may not be
-  /// left now says why instead. An idle window waits and costs next to nothing.
+  /// left now says why instead; or until the system asks for the end, at once. An idle window waits
+  /// and costs next to nothing.
   /// needs   the shell and what its screens keep on the graphics card end before the window
   /// thread  the one that opened the window
   /// errors  std::runtime_error where the map of the window cannot be written

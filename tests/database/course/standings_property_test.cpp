@@ -42,7 +42,8 @@ class PlayedCourse {
  public:
   PlayedCourse() : database_(Database::open(temporary_.data())) {
     bone_ = some_attempt(database_).bone;
-    exec(
+    tamper(
+        database_,
         "INSERT INTO person VALUES (1, 0, 0, 'then'), (2, 0, 0, 'then'), (3, 0, 0, 'then');"
         "INSERT INTO scenario_version (scenario_version_id, name, version, json, digest, "
         "is_reviewed, stored_utc) VALUES (11, 'akin', 1, '{}', randomblob(32), 0, ''), "

@@ -88,11 +88,11 @@ TEST_F(Course, LetsOnePersonTeachOneCohortAndLearnInAnother) {
   EXPECT_FALSE(lee.instructor_of(autumn()));
   InstructorDesk teaching = *lee.instructor_of(spring());
   EXPECT_NO_THROW(teaching.recording(of_eve));
-  EXPECT_EQ(kind_thrown([&] { teaching.recording(of_ada); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { teaching.recording(of_ada); }), DatabaseErrorKind::NotFound);
   EXPECT_EQ(kind_thrown([&] {
               teaching.decide({of_lee, DecisionKind::Voided, 0, "mine"});
             }),
-            DatabaseErrorKind::Refused)
+            DatabaseErrorKind::NotFound)
       << "nobody decides about their own";
   EXPECT_NO_THROW(instructor("kim", autumn()).recording(of_lee));
 }
@@ -118,7 +118,7 @@ TEST_F(Course, EndsAnInstructorsViewWhenTheTraineeLeavesTheCohort) {
   InstructorDesk desk = instructor("kim", autumn());
   EXPECT_NO_THROW(desk.header(id));
   administrator().remove_from_cohort(autumn(), "ada");
-  EXPECT_EQ(kind_thrown([&] { desk.header(id); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.header(id); }), DatabaseErrorKind::NotFound);
   EXPECT_EQ(trainee("ada").attempts().size(), 1U) << "the attempt stays theirs";
 }
 
@@ -131,13 +131,14 @@ TEST_F(Course, NeverShowsATraineeAPrivateNote) {
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_EQ(seen[0].id, open);
   EXPECT_EQ(kind_thrown([&] { trainee("ada").reply(hidden, "which one?"); }),
-            DatabaseErrorKind::Refused);
+            DatabaseErrorKind::NotFound);
   const auto all = desk.notes(id);
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].id, hidden) << "by moment";
   EXPECT_EQ(kind_thrown([&] { desk.reply(hidden, "this"); }), DatabaseErrorKind::BadInput);
-  EXPECT_EQ(kind_thrown([&] { trainee("bob").notes(id); }), DatabaseErrorKind::Refused);
-  EXPECT_EQ(kind_thrown([&] { trainee("bob").reply(open, "me too"); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { trainee("bob").notes(id); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(kind_thrown([&] { trainee("bob").reply(open, "me too"); }),
+            DatabaseErrorKind::NotFound);
 }
 
 TEST_F(Course, LetsTraineeAndInstructorTalkBelowANote) {
@@ -192,7 +193,7 @@ TEST_F(Course, BringsAQuestionToTheInstructorAndTheAnswerBack) {
   EXPECT_TRUE(trainee("bob").help_requests().empty());
   EXPECT_TRUE(instructor("lee", spring()).help_requests().empty());
   EXPECT_EQ(kind_thrown([&] { instructor("lee", spring()).answer(first, "no"); }),
-            DatabaseErrorKind::Refused);
+            DatabaseErrorKind::NotFound);
 }
 
 TEST_F(Course, ConfirmsAndOverridesAndKeepsTheMachinesScore) {

@@ -40,7 +40,17 @@ struct TriedDesk {
   Session* session = nullptr;
 };
 
-class Walk : public SomeCourse {
+/// Processes for reports, which begin before anything is opened.
+class ReportProcesses {
+ public:
+  ReportProcess& next_report() { return processes_.at(used_++); }
+
+ private:
+  std::array<ReportProcess, relation_count> processes_;
+  std::size_t used_ = 0;
+};
+
+class Walk : public ReportProcesses, public SomeCourse {
  public:
   Walk() {
     for (const char* login : {"ada", "bob", "eve", "kim", "root"}) add_rows_of(login);
@@ -65,7 +75,7 @@ class Walk : public SomeCourse {
   }
 
   std::filesystem::path new_directory() {
-    return database().directory() / ("new-" + std::to_string(++directories_));
+    return database().directory().parent_path() / ("new-" + std::to_string(++directories_));
   }
 
   Outcome try_at(Role role, const std::function<Outcome(TriedDesk&)>& work) {
@@ -116,7 +126,8 @@ Outcome refused_or_done(Work&& work) {
   try {
     work();
   } catch (const DatabaseError& error) {
-    EXPECT_EQ(error.kind(), DatabaseErrorKind::Refused) << error.what();
+    const bool is_unseen = error.kind() == DatabaseErrorKind::NotFound;
+    EXPECT_TRUE(is_unseen || error.kind() == DatabaseErrorKind::Refused) << error.what();
     return Outcome::Refused;
   }
   return Outcome::Done;
@@ -279,7 +290,9 @@ Outcome about_directory(Walk& world, TriedDesk& desk, Action action, const Subje
         administrator.retain();
         return;
       case Action::RunReport:
-        EXPECT_EQ(administrator.report("SELECT count(*) FROM attempt").rows.size(), 1U);
+        EXPECT_EQ(
+            administrator.report("SELECT count(*) FROM attempt", world.next_report()).rows.size(),
+            1U);
         return;
       case Action::ReadAudit:
         EXPECT_GT(administrator.audit_page({}).total, 0);

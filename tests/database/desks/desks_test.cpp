@@ -33,10 +33,10 @@ TEST_F(Desks, ShowATraineeTheirOwnAttemptsAndTheRobots) {
   EXPECT_EQ(listed[0].id, robot);
   EXPECT_EQ(listed[1].id, own);
   EXPECT_EQ(desk.recording(own).samples.size(), 5U);
-  EXPECT_EQ(kind_thrown([&] { desk.header(other); }), DatabaseErrorKind::Refused);
-  EXPECT_EQ(kind_thrown([&] { desk.recording(other); }), DatabaseErrorKind::Refused);
-  EXPECT_EQ(kind_thrown([&] { desk.score(other); }), DatabaseErrorKind::Refused);
-  EXPECT_EQ(kind_thrown([&] { desk.store_score(other, {}); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.header(other); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(kind_thrown([&] { desk.recording(other); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(kind_thrown([&] { desk.score(other); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(kind_thrown([&] { desk.store_score(other, {}); }), DatabaseErrorKind::NotFound);
   EXPECT_EQ(kind_thrown([&] { desk.begin_attempt(attempt_of("bob")); }),
             DatabaseErrorKind::Refused);
 }
@@ -60,7 +60,7 @@ TEST_F(Desks, ShowAnInstructorTheirCohortAndNoOther) {
   EXPECT_EQ(desk.attempts()[0].id, of_cohort);
   EXPECT_EQ(desk.recording(of_cohort).samples.size(), 5U);
   EXPECT_EQ(read_audit(database()).back().entry.action, "attempt_viewed");
-  EXPECT_EQ(kind_thrown([&] { desk.recording(of_other_cohort); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.recording(of_other_cohort); }), DatabaseErrorKind::NotFound);
   const AuditRow last = read_audit(database()).back();
   EXPECT_TRUE(last.entry.was_refused);
   EXPECT_EQ(last.entry.actor, find_person(database(), "kim").id);
@@ -77,8 +77,8 @@ TEST_F(Desks, OfAnAdministratorKeepTheRobotsScoresAndSeeNobodysAttempt) {
   const AuditEntry last = read_audit(database()).back().entry;
   EXPECT_EQ(last.action, "score_stored");
   EXPECT_EQ(last.actor, find_person(database(), "root").id);
-  EXPECT_EQ(kind_thrown([&] { desk.header(of_ada); }), DatabaseErrorKind::Refused);
-  EXPECT_EQ(kind_thrown([&] { desk.store_score(of_ada, {}); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.header(of_ada); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(kind_thrown([&] { desk.store_score(of_ada, {}); }), DatabaseErrorKind::NotFound);
 }
 
 TEST_F(Desks, AreChosenByWhatTheTableAllowsOnTheAttempt) {
@@ -104,7 +104,7 @@ TEST_F(Desks, AreChosenByWhatTheTableAllowsOnTheAttempt) {
   EXPECT_FALSE(may_store("bob", of_ada));
   Session bob = sign_in_as("bob");
   EXPECT_EQ(kind_thrown([&] { bob.desk_for(Action::ViewAttempt, of_ada)->header(of_ada); }),
-            DatabaseErrorKind::Refused);
+            DatabaseErrorKind::NotFound);
   sign_in_as("root").administrator()->set_disabled("bob", true);
   EXPECT_FALSE(bob.desk_for(Action::ViewAttempt, robot));
 }
@@ -115,7 +115,7 @@ TEST_F(Desks, OfTheHouseHoldOnlyWhatIsNobodys) {
   HouseDesk desk{database()};
   ASSERT_EQ(desk.attempts().size(), 1U);
   EXPECT_EQ(desk.attempts()[0].id, robot);
-  EXPECT_EQ(kind_thrown([&] { desk.header(of_ada); }), DatabaseErrorKind::Refused);
+  EXPECT_EQ(kind_thrown([&] { desk.header(of_ada); }), DatabaseErrorKind::NotFound);
   EXPECT_EQ(kind_thrown([&] { desk.begin_attempt(attempt_of("ada")); }),
             DatabaseErrorKind::Refused);
 }

@@ -55,7 +55,7 @@ TEST_F(Unseen, AttemptsAreAsIfThereWereNone) {
       EXPECT_EQ(last_audit().text.find("not there"), std::string::npos);
       EXPECT_EQ(foreign, answer_to([&] { ask(absent_); }, absent_.text));
       EXPECT_NE(last_audit().text.find("not there"), std::string::npos);
-      EXPECT_EQ(foreign.kind, DatabaseErrorKind::Refused);
+      EXPECT_EQ(foreign.kind, DatabaseErrorKind::NotFound);
       EXPECT_EQ(foreign.rows_written, 1U);
     };
     alike([&](const AttemptId& id) { desk->header(id); });

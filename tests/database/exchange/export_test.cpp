@@ -104,7 +104,7 @@ TEST(Export, GivesATraineeNothingOfAnother) {
   const AttemptId id = two.course().recorded_by("eve");
   EXPECT_EQ(
       kind_thrown([&] { two.course().trainee("ada").export_attempt(id, two.out(), some_derived); }),
-      DatabaseErrorKind::Refused);
+      DatabaseErrorKind::NotFound);
   EXPECT_TRUE(fs::is_empty(two.out()));
 }
 

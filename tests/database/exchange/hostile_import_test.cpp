@@ -53,6 +53,11 @@ std::vector<Attack> on_the_manifest() {
                       "{\\\"name\\\": \\\"akin\\\"}"),
           in_manifest("AStateOfItsOwn", "\"state\": \"closed\"", "\"state\": \"void\""),
           in_manifest("AKindOfItsOwn", "\"kind\": \"practice\"", "\"kind\": \"exam\""),
+          in_manifest("AnotherPurpose", "\"kind\": \"practice\"", "\"kind\": \"assessment\""),
+          in_manifest("SimulatedSuddenly", "\"is_simulated\": false", "\"is_simulated\": true"),
+          in_manifest("AnotherPerson", "\"person\": \"person-", "\"person\": \"person-7"),
+          in_manifest("AnotherAct", "\"number\": ", "\"number\": 1"),
+          in_manifest("NoAct", "\"audit\": ", "\"adieu\": "),
           in_manifest("APersonByName", "\"person\": \"person-", "\"person\": \"ada-"),
           in_manifest("ATimeThatIsNone", "\"started_utc\": \"2", "\"started_utc\": \"x")};
 }
@@ -189,7 +194,7 @@ TEST(HostileImport, TheTablesOfAnotherAttemptDoNotFit) {
 TEST(HostileImport, ANewerFormatIsSaid) {
   TwoDirectories two;
   const fs::path folder = two.exported(two.course().recorded_by("ada"));
-  alter_alone(folder / manifest_name, "\"format_version\": 1", "\"format_version\": 2");
+  alter_alone(folder / manifest_name, "\"format_version\": 2", "\"format_version\": 3");
   EXPECT_EQ(kind_thrown([&] { two.import(folder); }), DatabaseErrorKind::Newer);
 }
 

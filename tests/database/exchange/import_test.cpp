@@ -91,9 +91,13 @@ const std::vector<Kind>& kinds() {
        }},
       {"Simulated",
        [](SomeCourse& c) {
-         AttemptId id = recorded(c, AttemptKind::Practice, Guidance::None);
+         simulator::AttemptChannels channels{4096};
+         Recorder recorder{c.database(), create_attempt(c.database(), c.attempt_of("ada")),
+                           channels};
          tamper(c.database(), "UPDATE attempt SET is_simulated = 1");
-         return id;
+         produce(some_recording(1700), channels);
+         recorder.finish(R"({"complete": true})");
+         return recorder.attempt();
        }},
       {"Unscored", [](SomeCourse& c) { return c.recorded_by("ada"); }},
       {"TheRobots", [](SomeCourse& c) { return c.recorded_by_robot(); }}};

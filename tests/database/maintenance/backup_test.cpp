@@ -9,6 +9,7 @@
 #include <fstream>
 #include <thread>
 
+#include "database/content/assets.h"
 #include "database/course/begin_attempt.h"
 #include "database/maintenance/backup_manifest.h"
 #include "database/maintenance/backup_rotation.h"
@@ -16,7 +17,6 @@
 #include "database/maintenance/verify.h"
 #include "database/recording/erased_recordings.h"
 #include "database/recording/recordings.h"
-#include "database/store/assets.h"
 #include "database/store/settings.h"
 #include "simulator/base/progress.h"
 #include "tests/database/some_course.h"

@@ -8,12 +8,12 @@
 #include <iterator>
 
 #include "database/audit/audit.h"
+#include "database/content/cached_bytes.h"
 #include "database/course/begin_attempt.h"
 #include "database/course/help_requests.h"
 #include "database/maintenance/verify.h"
 #include "database/recording/erased_recordings.h"
 #include "database/recording/recordings.h"
-#include "database/store/cached_bytes.h"
 #include "database/store/own_directory.h"
 #include "simulator/base/progress.h"
 #include "tests/database/some_course.h"

@@ -390,7 +390,7 @@ int exit_of_restoring_within(const BackedUpCourse& course, rlim_t file_bytes) {
 TEST(Restore, OnAFullDiskLeavesNothing) {
   const BackedUpCourse course;
   const auto bytes = static_cast<rlim_t>(fs::file_size(course.tables()));
-  for (const rlim_t limit : {rlim_t{1000}, bytes / 2, bytes + 5000}) {
+  for (const rlim_t limit : {rlim_t{1000}, bytes / 2, bytes - 5000}) {
     EXPECT_EQ(exit_of_restoring_within(course, limit), 6) << limit;
     course.expect_nothing_left();
   }

@@ -3,10 +3,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "database/content/assets.h"
 #include "database/course/begin_attempt.h"
 #include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
-#include "database/store/assets.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {
@@ -67,12 +67,11 @@ TEST(Attempts, ThatWereGuidedCannotBeMadeUnguidedUnseen) {
   record(database, attempt, some_recording(10));
   ASSERT_TRUE(verify(database).is_whole());
   for (const char* other : {"none", "soft"}) {
-    database.connection().exec(std::string("UPDATE attempt SET guidance = '") + other + "'");
+    tamper(database, std::string("UPDATE attempt SET guidance = '") + other + "'");
     EXPECT_FALSE(verify(database).is_whole()) << other;
   }
   // A word that nobody knows stands only where the schema was talked out of its check.
-  database.connection().exec("PRAGMA ignore_check_constraints = ON");
-  database.connection().exec("UPDATE attempt SET guidance = 'laser'");
+  tamper(database, "PRAGMA ignore_check_constraints = ON; UPDATE attempt SET guidance = 'laser'");
   EXPECT_FALSE(verify(database).is_whole());
 }
 

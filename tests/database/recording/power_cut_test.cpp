@@ -11,6 +11,7 @@
 #include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
 #include "database/recording/window_writer.h"
+#include "database/store/sql.h"
 #include "simulator/base/random.h"
 #include "tests/database/some_database.h"
 #include "tests/support/power_cut_vfs.h"
@@ -112,7 +113,8 @@ TEST(PowerCut, TakesWhatWasNeverSynced) {
   int lost = 0;
   for (int i = 0; i < 40; ++i) {
     const std::string name = "number " + std::to_string(i);
-    database.connection().exec("INSERT INTO setting VALUES ('" + name + "', '', '')");
+    in_transaction(database, "write",
+                   [&] { execute(database, "INSERT INTO setting VALUES (?, '', '')", name); });
     const TemporaryDirectory after;
     std::filesystem::create_directory(after.data());
     vfs.leave_after_power_cut(after.data(), static_cast<std::uint64_t>(i));

@@ -95,6 +95,7 @@ TEST_P(FailureWhileRecording, StopsTheRecorderAndKeepsWhatWasCommitted) {
 
 INSTANTIATE_TEST_SUITE_P(StorageFailure, FailureWhileRecording,
                          testing::Values(Failure{SQLITE_FULL, DatabaseErrorKind::Full},
+                                         Failure{SQLITE_IOERR_SHMSIZE, DatabaseErrorKind::Full},
                                          Failure{SQLITE_READONLY, DatabaseErrorKind::ReadOnly},
                                          Failure{SQLITE_IOERR_WRITE,
                                                  DatabaseErrorKind::InputOutput}));

@@ -113,6 +113,32 @@ TEST(Connection, SaysThatATextFileIsNoDatabase) {
   EXPECT_EQ(kind_of_opening(temporary.data()), DatabaseErrorKind::Damaged);
 }
 
+TEST(Connection, SaysThatAnEmptyFileIsDamageAndPutsNothingIntoIt) {
+  for (const std::string left : {"", "x"}) {
+    const TemporaryDirectory temporary;
+    { Database::open(temporary.data()); }
+    std::ofstream{temporary.data() / "hallux.db"} << left;
+    for (const Access access : {Access::ReadOnly, Access::ReadWrite}) {
+      OpenOptions options;
+      options.access = access;
+      EXPECT_EQ(kind_of_opening(temporary.data(), options), DatabaseErrorKind::Damaged);
+      EXPECT_EQ(bytes_of(temporary.data() / "hallux.db"), left);
+    }
+  }
+}
+
+TEST(Connection, ANewFileAppearsWholeAndNothingStaysBesideIt) {
+  const TemporaryDirectory temporary;
+  std::filesystem::create_directories(temporary.data() / ".new-ab12cd");  // as a kill leaves it
+  std::ofstream{temporary.data() / ".new-ab12cd" / "hallux.db"} << "half";
+  { Database::open(temporary.data()); }
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{temporary.data()}) {
+    names.push_back(entry.path().filename().string());
+  }
+  EXPECT_EQ(names, std::vector<std::string>{"hallux.db"});
+}
+
 TEST(Connection, SaysThatADirectoryIsAFile) {
   const TemporaryDirectory temporary;
   std::ofstream{temporary.data()} << "not a directory";

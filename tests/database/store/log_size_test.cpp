@@ -13,8 +13,8 @@ namespace {
 void write_megabytes(Database& database, int count) {
   for (int i = 0; i < count; ++i) {
     database.connection().exec(
-        "INSERT INTO setting VALUES ('much', hex(zeroblob(500000)), ''); "
-        "DELETE FROM setting WHERE name = 'much'");
+        "INSERT INTO sign_in_guard VALUES (zeroblob(32), zeroblob(32), 1, hex(zeroblob(500000))); "
+        "DELETE FROM sign_in_guard");
   }
 }
 
@@ -26,6 +26,7 @@ TEST(LogSize, IsNothingWhereThereIsNoLog) {
 TEST(LogSize, IsNothingAfterAnAttempt) {
   const TemporaryDirectory temporary;
   Database database = Database::open(temporary.data());
+  write_megabytes(database, 1);
   EXPECT_GT(log_bytes(temporary.data()), 0U);
   record(database, some_attempt(database), some_recording(2000));
   EXPECT_EQ(log_bytes(temporary.data()), 0U);

@@ -64,7 +64,8 @@ TEST(Migrations, OpenADatabaseOfSchemaTwoWhoseAttemptsNothingGuided) {
             static_cast<std::size_t>(*attempts[0].duration_ticks));
   const Verification found = verify(database);
   EXPECT_TRUE(found.is_whole()) << *found.first_damage;
-  EXPECT_EQ(found.audit_rows, 8);
+  EXPECT_EQ(found.audit_rows, 9);  // with the baseline
+  EXPECT_TRUE(found.covered_since_utc.has_value());
   EXPECT_EQ(
       sign_in(database, "ada", secret("saw bone hinge wire")).administrator()->people().size(), 3U);
 }
@@ -83,6 +84,31 @@ TEST(Migrations, OpenADatabaseOfSchemaThreeWithItsCourseAndDecisions) {
   EXPECT_EQ(found.scores, 6);
   Session kim = sign_in(database, "kim", secret(good_password));
   EXPECT_EQ(kim.instructor_of(CohortId{1})->help_requests().size(), 1U);
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaFourAndCoverItFromThenOn) {
+  const TemporaryDirectory temporary;
+  const fs::path directory = place(temporary, "schema_4.db");
+  Database database = Database::open(directory);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM attempt"), 1);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM person WHERE is_disabled = 1"), 1);
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.covered_since_utc->substr(0, 2), "20");
+  tamper(database, "UPDATE person SET is_disabled = 0");
+  EXPECT_NE(verify(database).first_damage.value_or("").find("person "), std::string::npos);
+}
+
+TEST(Migrations, AnAdministratorOfNoDateIsNamedOnceItIsCovered) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_4.db"));
+  tamper(
+      database,
+      "INSERT INTO person (is_administrator, created_utc) VALUES (1, '2020-01-01T00:00:00.000Z'); "
+      "INSERT INTO person_detail VALUES ((SELECT max(person_id) FROM person), 'eve', 'Eve'); "
+      "INSERT INTO password SELECT (SELECT max(person_id) FROM person), argon2id, changed_utc "
+      "FROM password WHERE person_id = 2");
+  EXPECT_NE(verify(database).first_damage.value_or("").find("without an act"), std::string::npos);
 }
 
 TEST(Migrations, GiveEachDirectoryAnIdentityOfItsOwnForGood) {
@@ -107,7 +133,7 @@ TEST(Migrations, LeaveEveryChainOfSchemaOneWhole) {
   EXPECT_TRUE(found.is_whole()) << *found.first_damage;
   EXPECT_EQ(found.attempts, 1);
   EXPECT_EQ(found.scores, 1);
-  EXPECT_EQ(found.audit_rows, 9);
+  EXPECT_EQ(found.audit_rows, 10);  // with the baseline
 }
 
 TEST(Migrations, LetThePeopleOfSchemaOneInAsBefore) {
@@ -130,7 +156,7 @@ TEST(Migrations, AreDoneOnce) {
   const fs::path directory = place(temporary, "schema_1.db");
   { Database::open(directory); }
   Database database = Database::open(directory);
-  EXPECT_EQ(number(database, "SELECT count(*) FROM audit"), 9);
+  EXPECT_EQ(number(database, "SELECT count(*) FROM audit"), 10);
   EXPECT_TRUE(verify(database).is_whole());
 }
 

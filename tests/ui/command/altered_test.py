@@ -31,7 +31,9 @@ def seal_of(row):
     integer(row["engine_version"])
     text(row["started_utc"])
     integer(row["duration_ticks"])
-    text(row["quality_json"])
+    for column in ("quality_json", "guidance", "kind"):
+        text(row[column])
+    integer(row["is_simulated"])
     return digest.digest()
 
 

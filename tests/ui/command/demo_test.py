@@ -89,7 +89,8 @@ class Demo(CommandTest):
         self.assertEqual(row["decided_score"], min(100, round(row["score"] + 5, 3)))
 
     def test_it_is_told_of_the_past_in_the_order_of_the_audit(self):
-        times = [time for (time,) in self.query("SELECT at_utc FROM audit ORDER BY audit_id")]
+        """But for the first act, which is of the day on which the directory was made."""
+        times = [time for (time,) in self.query("SELECT at_utc FROM audit WHERE action <> 'baseline_taken' ORDER BY audit_id")]
         self.assertEqual(times, sorted(times))
         self.assertGreater(times[-1][:10], times[0][:10])
         self.assertEqual(self.query("SELECT count(*) FROM audit WHERE outcome = 'refused'"), [(1,)])

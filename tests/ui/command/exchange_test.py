@@ -19,6 +19,35 @@ def bytes_below(folder):
     return {str(file.relative_to(folder)): file.read_bytes() for file in sorted(folder.rglob("*")) if file.is_file()}
 
 
+def older_seal(manifest):
+    """Of the facts in a manifest, as programs sealed before kind and simulation were in it."""
+    digest = hashlib.blake2b(digest_size=32)
+    attempt = manifest["attempt"]
+
+    def integer(value):
+        digest.update(int(value).to_bytes(8, "little", signed=True))
+
+    def text(value):
+        integer(len(value.encode()))
+        digest.update(value.encode())
+
+    digest.update(bytes.fromhex(manifest["last_link"]))
+    text(attempt["uuid"])
+    digest.update(bytes.fromhex(manifest["scenario"]["digest"]))
+    text(attempt["hand"])
+    integer(attempt["seed"])
+    for key in ("device_class", "pacing", "stereo_mode"):
+        text(attempt[key])
+    digest.update(bytes.fromhex(attempt["bone"]))
+    integer(attempt["engine_version"])
+    text(attempt["started_utc"])
+    integer(attempt["duration_ticks"])
+    text(attempt["quality"])
+    if attempt["guidance"] != "none":
+        text(attempt["guidance"])
+    return digest.hexdigest()
+
+
 class Exchange(RecordedTest):
     """The robot's attempt of this directory, and another directory with an administrator."""
 
@@ -64,10 +93,10 @@ class Exchange(RecordedTest):
                 self.assertLessEqual(abs(len(rows) - ticks), 1)
 
     def test_out_in_and_out_again_is_the_same_to_the_byte(self):
-        self.assertEqual(self.as_ada("import", self.out), {"imported": [self.attempt], "known": [], "refused": []})
+        self.assertEqual(self.as_ada("import", self.out), {"imported": [self.attempt], "known": [], "refused": [], "not_all": []})
         self.as_ada("export", "--all", "-o", self.folder / "again")
         self.assertEqual(bytes_below(self.folder / "again"), bytes_below(self.out))
-        self.assertEqual(self.as_ada("import", self.out), {"imported": [], "known": [self.attempt], "refused": []})
+        self.assertEqual(self.as_ada("import", self.out), {"imported": [], "known": [self.attempt], "refused": [], "not_all": []})
         self.ask("verify")
         self.assertIs(self.ask("replay", self.attempt)["identical"], True)
 
@@ -78,6 +107,36 @@ class Exchange(RecordedTest):
         self.assertEqual(self.as_ada("origins", "--accept", directory)[0]["directory"], directory)
         self.assertIs(self.as_ada("origins")[0]["accepted"], True)
         self.assertIs(self.as_ada("origins", "--unaccept", directory)[0]["accepted"], False)
+
+    def write_manifest(self, manifest):
+        (self.exported / "manifest.json").write_text(json.dumps(manifest, indent=1))
+
+    def test_what_an_older_program_exported_is_taken_as_practice_without_decisions(self):
+        """Neither its kind was sealed, nor its person and decisions bound to an act: both could be rewritten at will."""
+        manifest = self.manifest()
+        attempt = manifest["attempt"]
+        attempt["kind"], attempt["person"], attempt["hand"], attempt["is_simulated"] = "assessment", "person-77", "", False
+        manifest["decisions"] = [{"kind": "overridden", "about_score": 0, "score_milli": 100_000, "decided_by": "person-1",
+                                  "decided_utc": "2026-03-10T08:00:00.000Z"}]
+        manifest["format_version"] = 1
+        del manifest["audit"]
+        attempt["seal"] = older_seal(manifest)
+        self.write_manifest(manifest)
+        report = self.as_ada("import", self.out)
+        self.assertEqual(report["imported"], [self.attempt])
+        self.assertIn("taken as practice", report["not_all"][0])
+        self.assertEqual(self.query("SELECT kind FROM attempt"), [("practice", )])
+        self.assertEqual(self.query("SELECT count(*) FROM decision"), [(0, )])
+        self.assertIs(self.ask("verify")["whole"], True)
+
+    def test_kind_person_and_decisions_cannot_be_rewritten_alone(self):
+        before = (self.exported / "manifest.json").read_text()
+        for key, value in (("kind", "assessment"), ("is_simulated", True), ("person", "person-77")):
+            manifest = json.loads(before)
+            manifest["attempt"][key] = value
+            self.write_manifest(manifest)
+            self.assertEqual(len(self.as_ada("import", self.out, code=BAD_INPUT)["refused"]), 1, key)
+        self.assertEqual(self.query("SELECT count(*) FROM attempt"), [(0, )])
 
     def test_what_was_altered_is_refused_and_named_and_nothing_is_kept(self):
         for name, old, new in (("samples.csv", b"\r\n0,1,", b"\r\n0,1,1"), ("tape.csv", b"\r\n0,1,", b"\r\n0,=1,"),

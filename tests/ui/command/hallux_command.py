@@ -43,6 +43,9 @@ class Answer:
 
 
 class CommandTest(unittest.TestCase):
+    # Who runs the program, as subprocess takes it; whoever runs the tests.
+    program_user = {}
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="hallux-command-")
         self.addCleanup(folder.cleanup)
@@ -67,7 +70,7 @@ class CommandTest(unittest.TestCase):
     def hallux(self, *arguments, stdin=""):
         """Runs `hallux ARGUMENTS --data DIR`."""
         return Answer(subprocess.run(self.line(arguments), input=stdin, capture_output=True, text=True, timeout=120,
-                                     cwd=self.untouched[2], env=self.environment()))
+                                     cwd=self.untouched[2], env=self.environment(), **self.program_user))
 
     def start(self, *arguments):
         """The same without waiting; ended with the test at the latest."""
@@ -99,10 +102,14 @@ class CommandTest(unittest.TestCase):
         return answer.json()
 
     def expect_refusal(self, code, says, *arguments, stdin=""):
-        """One sentence on stderr that holds every text of `says`, nothing on stdout, and the exit code."""
+        """One sentence on stderr that holds every text of `says`, with --json the same as one value on stdout and else nothing,
+        and the exit code."""
         answer = self.hallux(*arguments, "--quiet", stdin=stdin)
         self.assertEqual(answer.code, code, answer)
-        self.assertEqual(answer.out, "", answer)
+        if "--json" in arguments:
+            self.assertEqual(answer.json()["error"]["code"], code, answer)
+        else:
+            self.assertEqual(answer.out, "", answer)
         lines = answer.err.splitlines()
         self.assertEqual(len(lines), 1, answer)
         self.assertTrue(lines[0].startswith("hallux: "), answer)

@@ -9,7 +9,7 @@ import re
 import shutil
 import unittest
 
-from hallux_command import DONE, REFUSED, WRONG_USAGE, RecordedTest
+from hallux_command import BAD_INPUT, DONE, WRONG_USAGE, RecordedTest
 
 PASSWORD = "saw bone hinge wire"
 #: ada's attempt is looked at by: nobody signed in, ada, another trainee of her cohort, the instructor of it, an instructor of
@@ -36,6 +36,7 @@ LINES = {
     "score": [["score", "{attempt}"]],
     "report": [["report", "{attempt}", "-o", "{out}"]],
     "verify": [["verify"]],
+    "anchor": [["anchor"]],
     "user list": [["user", "list"]],
     "user add": [["user", "add", "new-one"]],
     "user passwd": [["user", "passwd", "canary-login-eve"]],
@@ -159,7 +160,7 @@ class Permissions(RecordedTest):
                         answer = self.hallux(verb[0], attempt, *verb[1:], *signed_in, stdin=PASSWORD + "\n")
                         answers.append((answer.code, answer.out, answer.err.replace(attempt, "?")))
                     self.assertEqual(answers[0], answers[1])
-                    self.assertEqual(answers[0][0], REFUSED)
+                    self.assertEqual(answers[0][0], BAD_INPUT)
                     self.assertFalse((self.folder / "page.html").exists())
 
     def test_those_it_concerns_see_the_attempt(self):

@@ -101,9 +101,7 @@ class Attempt:
             digest.text(facts[name])
         digest.bytes(facts["bone_digest"]).integer(facts["engine_version"]).text(facts["started_utc"])
         digest.integer(facts["duration_ticks"]).text(facts["quality_json"])
-        if facts["guidance"] != "none":
-            digest.text(facts["guidance"])
-        return digest.finish()
+        return digest.text(facts["guidance"]).text(facts["kind"]).integer(facts["is_simulated"]).finish()
 
 
 class Stranger(RecordedTest):
@@ -119,6 +117,28 @@ class Stranger(RecordedTest):
         lines = [row[:8] + (row[8] & 0xFFFFFFFF, row[8] >> 32 & 0xFFFFFFFF) + row[9:] for row in attempt.streams[0]]
         self.assertEqual(lines, self.rows("tape_lines"))
         self.assertIn(2, attempt.formats)
+
+    def test_follows_the_audit_and_what_each_act_says_of_its_rows(self):
+        nothing, before = bytes(32), bytes(32)
+        acts = self.query("SELECT audit_id, at_utc, actor_person_id, action, subject_kind, subject_id, outcome, detail_digest, "
+                          "link FROM audit ORDER BY audit_id")
+        self.assertEqual(acts[0][3], "baseline_taken")
+        for number, at, actor, action, kind, subject, outcome, detail, link in acts:
+            rows = Digest()
+            for table, key, digest in self.query("SELECT table_name, row_key, row_digest FROM audit_row WHERE audit_id = ? "
+                                                 "ORDER BY place", (number, )):
+                rows.text(table).text(key).integer(1 if digest else 0).bytes(digest or nothing)
+            whole = Digest().bytes(before).integer(number).text(at).integer(actor or 0).text(action).text(kind).text(subject)
+            before = whole.text(outcome).bytes(detail or nothing).bytes(rows.finish()).finish()
+            self.assertEqual(before, link, number)
+
+    def test_computes_what_a_row_must_be(self):
+        [row] = self.query("SELECT directory_id, uuid, made_utc FROM directory")
+        digest = Digest().text("directory")
+        digest.text("directory_id").integer(1).integer(row[0])
+        for name, value in (("uuid", row[1]), ("made_utc", row[2])):
+            digest.text(name).integer(3).text(value)
+        self.assertEqual(self.query("SELECT row_digest FROM audit_row WHERE table_name = 'directory'"), [(digest.finish(), )])
 
     def test_finds_the_chain_and_the_seal_as_they_are_stored(self):
         attempt = Attempt(self.database())

@@ -32,7 +32,8 @@ OPTIONS = {
     ("import",): ("folder",),
     ("origins",): ("--accept", "--unaccept"),
     ("demo",): ("--attempts",),
-    ("verify",): (),
+    ("verify",): ("--anchor",),
+    ("anchor",): (),
 }
 
 WRONG = [
@@ -99,12 +100,15 @@ class Usage(CommandTest):
         for option in ("--data", "--as", "--json", "--quiet", "--version"):
             self.assertIn(option, answer.out)
 
-    def test_wrong_usage_is_said_on_stderr_only(self):
+    def test_wrong_usage_is_said_on_stderr_and_as_json_where_that_is_asked_for(self):
         for arguments in WRONG:
             with self.subTest(arguments=arguments):
                 answer = self.hallux(*arguments)
                 self.assertEqual(answer.code, WRONG_USAGE, answer)
-                self.assertEqual(answer.out, "")
+                if "--json" in arguments:
+                    self.assertEqual(answer.json()["error"]["code"], WRONG_USAGE)
+                else:
+                    self.assertEqual(answer.out, "")
                 self.assertNotEqual(answer.err, "")
 
     def test_no_verb_opens_the_window_which_needs_a_display(self):

@@ -5,9 +5,10 @@ usage: course_check.py HALLUX [PICTURE_FOLDER]
 """
 
 import pathlib
+import signal
 import sys
 
-from window_check import use_course_window, wait_until
+from window_check import end_by_the_system, opened_course, wait_until
 
 PASSWORD = "a long enough phrase"
 
@@ -63,7 +64,9 @@ def use_course_and_read_map(person, place, take_picture):
 
 def main():
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    use_course_window(sys.argv[1], pictures, use_course_and_read_map)
+    with opened_course(sys.argv[1], pictures=pictures) as course:
+        use_course_and_read_map(course.person, course.place, course.take_picture)
+        end_by_the_system(course.window, signal.SIGINT)
     print("course check: passed")
 
 

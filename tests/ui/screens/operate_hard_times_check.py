@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
-"""What happens to the window while somebody saws: it loses the keyboard, it is asked to close, its display goes away.
+"""What happens to the window while somebody saws: it loses the keyboard, it is asked to close, its display goes away,
+the session ends.
 
 usage: operate_hard_times_check.py HALLUX [PICTURE_FOLDER]
 """
 
 import ctypes
 import pathlib
+import signal
 import subprocess
 import sys
 import time
 
 from hard_times_check import lose_display, window_of
 from operate_check import PASSWORD, PATIENCE_S, begin, come_in, recorded_ticks
-from window_check import opened_course, rows_of, wait_until
+from window_check import end_by_the_system, opened_course, rows_of, wait_until
 
 
 def is_shown(person, name):
@@ -77,7 +79,7 @@ def check_kept(program, place, ticks_before):
     states = rows_of(place, "SELECT state FROM attempt")
     if states != [("interrupted",)] or recorded_ticks(place) < ticks_before:
         sys.exit(f"kept: {states}, {recorded_ticks(place)} ticks after {ticks_before}")
-    print(f"operating in hard times: {recorded_ticks(place)} ticks kept of an attempt whose display was lost")
+    print(f"operating in hard times: {recorded_ticks(place)} ticks kept of an attempt that was cut off")
 
 
 def operate(course):
@@ -94,11 +96,24 @@ def operate(course):
     return ticks
 
 
+def operate_until_the_session_ends(course):
+    """SIGTERM in mid-attempt: nobody is asked, the tool is safe, what was recorded is kept."""
+    person, place = course.person, course.place
+    come_in(person)
+    begin(person, course.take_picture)
+    start_the_saw(person, place)
+    ticks = recorded_ticks(place)
+    end_by_the_system(course.window, signal.SIGTERM)
+    return ticks
+
+
 def main():
     program = sys.argv[1]
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     with opened_course(program, pictures=pictures) as course:
         check_kept(program, course.place, operate(course))
+    with opened_course(program) as course:
+        check_kept(program, course.place, operate_until_the_session_ends(course))
     print("operating in hard times: passed")
 
 

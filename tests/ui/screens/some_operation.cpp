@@ -4,7 +4,7 @@
 
 #include "assessment/assess.h"
 #include "assessment/rebuild/rebuild.h"
-#include "database/store/assets.h"
+#include "database/content/assets.h"
 #include "tests/assessment/akin_attempt.h"
 
 namespace hallux::ui {

@@ -2,7 +2,7 @@
 /// scored attempts at it.
 #pragma once
 
-#include "database/store/assets.h"
+#include "database/content/assets.h"
 #include "scenarios/scenario.h"
 #include "tests/database/some_course.h"
 

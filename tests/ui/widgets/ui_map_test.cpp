@@ -3,11 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <string>
 
 #include "tests/ui/widgets/driver.h"
 #include "ui/widgets/controls/field.h"
@@ -16,22 +13,8 @@
 namespace hallux::ui {
 namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class UiMapFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("hallux_ui_map_" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
-               "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_;
   Texts texts_ = english_texts();
 };
 
@@ -79,37 +62,18 @@ FrameContent content_with(const std::string& id) {
 }
 
 TEST_F(UiMapFile, IsWrittenAtMostTenTimesASecond) {
-  const std::filesystem::path file = folder_ / "map.json";
-  UiMap map(file);
+  std::string written;
+  UiMap map([&](const std::string& json) { written = json; });
   EXPECT_TRUE(std::isinf(map.update(content_with("a"), 1.0F, 10.0)));
-  EXPECT_NE(content_of(file).find("\"a\""), std::string::npos);
+  EXPECT_NE(written.find("\"a\""), std::string::npos);
   EXPECT_NEAR(map.update(content_with("b"), 1.0F, 10.04), 0.06, 1e-9);
-  EXPECT_EQ(content_of(file).find("\"b\""), std::string::npos);
+  EXPECT_EQ(written.find("\"b\""), std::string::npos);
   EXPECT_TRUE(std::isinf(map.update(content_with("b"), 1.0F, 10.11)));
-  EXPECT_NE(content_of(file).find("\"b\""), std::string::npos);
+  EXPECT_NE(written.find("\"b\""), std::string::npos);
 }
 
-TEST_F(UiMapFile, IsReplacedAsAWhole) {
-  const std::filesystem::path file = folder_ / "map.json";
-  UiMap map(file);
-  map.update(content_with("a"), 1.0F, 0.0);
-  std::ifstream reader(file);  // opened before the replacement: sees the old file to its end
-  map.update(content_with("b"), 1.0F, 1.0);
-  const std::string old{std::istreambuf_iterator<char>(reader), {}};
-  EXPECT_TRUE(nlohmann::json::accept(old));
-  EXPECT_NE(old.find("\"a\""), std::string::npos);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1)
-      << "nothing is left beside it";
-}
-
-TEST_F(UiMapFile, ThatCannotBeWrittenIsNamed) {
-  UiMap map(folder_ / "no" / "map.json");
-  try {
-    map.update(content_with("a"), 1.0F, 0.0);
-    FAIL() << "nothing was thrown";
-  } catch (const std::runtime_error& fault) {
-    EXPECT_NE(std::string(fault.what()).find("map.json"), std::string::npos);
-  }
+TEST_F(UiMapFile, BeginsAsItsKindOfOutputDoes) {
+  EXPECT_EQ(ui_map_json(content_with("a"), 1.0F).rfind("{\n \"focus\": ", 0), 0U);
 }
 
 }  // namespace

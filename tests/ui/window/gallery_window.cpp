@@ -38,7 +38,10 @@ int run(int count, char** arguments) {
   const Texts texts = english_texts();
   WindowSetting setting{"Gallery"};
   if (const std::string map = argument(count, arguments, "--ui-map"); !map.empty())
-    setting.ui_map = map;
+    setting.write_ui_map = [map](const std::string& json) {
+      std::ofstream(map + ".new") << json;
+      std::filesystem::rename(map + ".new", map);
+    };
   Window window(texts, setting);
   GalleryState state;
   Shell shell(Window::wake);

@@ -127,6 +127,21 @@ def use_course_window(program, pictures, use, prepare=None):
             sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")
 
 
+def end_by_the_system(window, number):
+    """As a session manager ends a program, which waits for no answer: the exit code says so, and a sentence. Two seconds are
+    the goal; a machine that does much else is given more."""
+    window.send_signal(number)
+    begun = time.monotonic()
+    try:
+        code = window.wait(timeout=30.0)
+    except subprocess.TimeoutExpired:
+        sys.exit(f"the window does not end on {number.name}")
+    print(f"{number.name}: ended after {time.monotonic() - begun:.1f} s")
+    said = window.stderr.read()
+    if code != 5 or "closed by the system" not in said:
+        sys.exit(f"after {number.name} the window ended with {code} and said: {said}")
+
+
 @contextlib.contextmanager
 def held_up(process):
     """The process makes no step meanwhile; what is done at its window waits for it."""

@@ -1,4 +1,4 @@
-/// Text that others chose (file names, texts of files), made fit for a terminal and for JSON.
+/// Text that others chose (file names, texts of files), made fit for a terminal.
 #pragma once
 
 #include <string>
@@ -6,12 +6,8 @@
 
 namespace hallux::ui {
 
-/// Whether all of it is well-formed UTF-8: no stray bytes, no surrogates, nothing in a longer form
-/// than needed.
-bool is_utf8(std::string_view text) noexcept;
-
-/// The same on one line that commands no terminal: control characters (C0, DEL, C1) and bytes that
-/// are not UTF-8 are written as \x1b.
+/// Text on one line that commands no terminal: control characters (C0, DEL, C1), marks that turn
+/// the direction of writing and bytes that are not UTF-8 are written as \x1b.
 std::string terminal_text(std::string_view text);
 
 }  // namespace hallux::ui

@@ -62,6 +62,21 @@ database::Database open_kept(const VerbContext& context) {
   return open_or_make(context);
 }
 
+database::Database open_to_read(const VerbContext& context) {
+  try {
+    return open_kept(context);
+  } catch (const database::DatabaseError& error) {
+    const bool is_read_only = error.kind() == database::DatabaseErrorKind::ReadOnly &&
+                              ::access(context.data_directory.c_str(), W_OK) != 0 &&
+                              ::access((context.data_directory / "hallux.db").c_str(), R_OK) == 0;
+    if (!is_read_only || !context.login.empty()) throw;
+  }
+  context.notes << "the directory cannot be written; it is read as it is\n";
+  database::OpenOptions for_reading;
+  for_reading.access = database::Access::ReadOnly;
+  return database::Database::open(context.data_directory, for_reading);
+}
+
 database::Database open_to_record(const VerbContext& context) {
   return context.login.empty() ? open_or_make(context) : open_kept(context);
 }

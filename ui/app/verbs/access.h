@@ -24,6 +24,11 @@ bool has_database(const VerbContext& context);
 /// errors  DatabaseError; VerbError BadInput where there is no database yet
 database::Database open_kept(const VerbContext& context);
 
+/// The same for verbs that only read: where the directory cannot be written, and nobody signs in,
+/// it is read as it is.
+/// errors  as open_kept; DatabaseError ReadOnly where somebody is to be signed in there
+database::Database open_to_read(const VerbContext& context);
+
 /// The same for verbs that record: makes the database where there is none, unless somebody signs in
 /// with --as; nobody can be known to a database that does not exist.
 database::Database open_to_record(const VerbContext& context);

@@ -34,6 +34,10 @@ std::function<Progress(const std::string&)> stages_on(const VerbContext& context
   return [&context](const std::string& stage) { return progress_on(context, stage); };
 }
 
+std::string fault_in_place(const std::string& name) {
+  return name.empty() ? "must name a place" : "";
+}
+
 void choose(CLI::App& verb, VerbContext& context, std::function<ExitCode()> run) {
   verb.callback([&context, run = std::move(run)] { context.chosen = run; });
 }

@@ -58,6 +58,9 @@ Progress progress_on(const VerbContext& context, std::string label);
 /// The same for work of several stages, each of which is a label.
 std::function<Progress(const std::string& stage)> stages_on(const VerbContext& context);
 
+/// For options that name a place: what is wrong with an empty one.
+std::string fault_in_place(const std::string& name);
+
 /// Lets `verb` choose `run` once it stands on the line.
 void choose(CLI::App& verb, VerbContext& context, std::function<ExitCode()> run);
 

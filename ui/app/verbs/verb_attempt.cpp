@@ -5,13 +5,16 @@
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <iomanip>
 #include <memory>
 #include <ostream>
 #include <vector>
 
 #include "scenarios/hands/hand_file.h"
+#include "simulator/base/digest.h"
 #include "simulator/base/units.h"
+#include "simulator/base/utf8.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
@@ -49,6 +52,29 @@ void check_device(const AttemptOptions& options) {
   }
 }
 
+/// How a hand's file is named in the record: without the folders it lay in, and by its content.
+/// errors  ScenarioError
+std::string kept_name_of(const std::filesystem::path& file, std::string_view content) {
+  constexpr std::size_t digits_shown = 16;
+  const std::string name = file.filename().string();
+  if (!is_utf8(name) || has_hidden_letters(name)) {
+    throw scenarios::ScenarioError(
+        terminal_text(name) +
+        ": the name holds letters that nobody sees, and it is kept with the attempt; rename the "
+        "file");
+  }
+  const Digest digest = digest_of(std::as_bytes(std::span{content.data(), content.size()}));
+  return name + " " + hex_from_digest(digest).substr(0, digits_shown);
+}
+
+/// A whole number that fits; a larger one is not made to fit.
+std::string fault_in_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool is_seed = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_seed ? "" : "must be a whole number from 0 to 18446744073709551615";
+}
+
 /// A hand that is none of the names is a file with a motion.
 ScriptedAttempt attempt_from(const AttemptOptions& options) {
   check_device(options);
@@ -62,13 +88,10 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
       database::named<simulator::Guidance>(options.guidance).value_or(simulator::Guidance::None);
   if (options.device == "arm") attempt.arm_law = force_law_from(options.force_law);
   if (is_feeling(options.hand)) return attempt;
-  if (!is_utf8(options.hand)) {
-    throw scenarios::ScenarioError(
-        options.hand + ": the name is not UTF-8, and it is kept with the attempt; rename the file");
-  }
   const std::string text = read_small_file(options.hand, hand_mebibytes_max,
                                            "--hand takes expert, novice, or a file with a motion");
   attempt.motion = scenarios::parse_hand_motion(text, options.hand);
+  attempt.hand = kept_name_of(options.hand, text);
   return attempt;
 }
 
@@ -162,7 +185,7 @@ ExitCode list_attempts_on(const VerbContext& context) {
     if (context.json) write_json(context.out, ordered_json::array());
     return ExitCode::Done;
   }
-  database::Database database = open_kept(context);
+  database::Database database = open_to_read(context);
   return answer_with_list(context, visible_attempts(context, database), attempt_json,
                           print_attempt);
 }
@@ -178,7 +201,7 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
   attempt->add_option("--hand", options->hand, "expert, novice, or a file with a motion")
       ->capture_default_str();
   attempt->add_option("--seed", options->seed, "seed of the hand's errors")
-      ->check(CLI::NonNegativeNumber)
+      ->check(fault_in_seed)
       ->capture_default_str();
   attempt->add_option("--pacing", options->pacing, "virtual (as fast as it goes) or real-time")
       ->check(CLI::IsMember({"virtual", "real-time"}))

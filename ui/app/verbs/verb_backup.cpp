@@ -53,7 +53,11 @@ ExitCode back_up_on(const VerbContext& context, Desk& desk, const std::filesyste
   const database::Backup backup = desk.back_up(place, progress_on(context, "Backing up"));
   ordered_json row = backup_json(backup);
   row["new_bytes"] = backup.new_bytes;
-  answer(context, row, [&](std::ostream& out) { print_backup(out, backup); });
+  row["anchor"] = backup.anchor;
+  answer(context, row, [&](std::ostream& out) {
+    print_backup(out, backup);
+    out << backup.anchor << "\n";
+  });
   if (backup.damaged == 0) return ExitCode::Done;
   context.notes << backup.damaged
                 << " attempts were altered before this backup; `hallux verify` names the first\n";
@@ -172,7 +176,8 @@ void add_backup_verb(CLI::App& app, VerbContext& context) {
   auto options = std::make_shared<Options>();
   CLI::App* backup = app.add_subcommand(
       "backup", "copy all that is kept, also while it is used; recordings are written once");
-  backup->add_option("--to", options->folder, "folder of backups; without it DIR/backups");
+  backup->add_option("--to", options->folder, "folder of backups; without it DIR/backups")
+      ->check(fault_in_place);
   backup->add_flag("--list", options->is_list, "list the backups in DIR/backups instead");
   choose(*backup, context, [options, &context] {
     return keeping(context, "back up", [&](auto& desk) {

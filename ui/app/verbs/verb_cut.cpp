@@ -268,9 +268,12 @@ void add_cut_verb(CLI::App& app, VerbContext& context) {
   verb->add_option("--close", options->close,
                    "A,B: turn the bone beyond group B about the bridge that groups A and B leave, "
                    "until their wedge is closed");
-  verb->add_option("-o,--output", options->output, "folder for piece-1.ply ...")->required();
+  verb->add_option("-o,--output", options->output, "folder for piece-1.ply ...")
+      ->required()
+      ->check(fault_in_place);
   verb->callback([verb, options, &context] {
-    CutRequest request{options->mesh, groups_from(*verb, *options), options->output};
+    CutRequest request{options->mesh, groups_from(*verb, *options), options->output,
+                       context.data_directory};
     if (!options->close.empty()) {
       request.close = hinge_from(options->close, request.groups.size());
     }

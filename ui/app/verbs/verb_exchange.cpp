@@ -42,7 +42,7 @@ void check_choice(const ExportOptions& options) {
 /// At the house's desk: the robot's.
 ExportRequest of_nobody(database::Database& database, const ExportOptions& options) {
   database::HouseDesk desk(database);
-  ExportRequest request{{}, options.folder};
+  ExportRequest request{{}, options.folder, database.directory()};
   if (!options.attempt.empty()) {
     request.attempts.push_back(desk.header({options.attempt}).id);
   } else if (options.is_all) {
@@ -55,8 +55,9 @@ ExportRequest of_nobody(database::Database& database, const ExportOptions& optio
 
 ExportRequest of_person(database::Database& database, database::Session& session,
                         const ExportOptions& options) {
-  if (!options.attempt.empty()) return {{{options.attempt}}, options.folder};
-  return {exportable_attempts(database, session, options.choice), options.folder};
+  if (!options.attempt.empty()) return {{{options.attempt}}, options.folder, database.directory()};
+  return {exportable_attempts(database, session, options.choice), options.folder,
+          database.directory()};
 }
 
 ExitCode export_chosen(const VerbContext& context, const ExportRequest& request,
@@ -103,10 +104,12 @@ void say_imported(const VerbContext& context, const ImportReport& report) {
     refused.push_back({{"folder", folder.folder}, {"reason", folder.reason}});
     if (!context.json) context.out << "refused: " << terminal_text(folder.reason) << "\n";
   }
+  for (const std::string& why : report.not_all) context.notes << terminal_text(why) << "\n";
   answer(context,
          {{"imported", ids_json(report.imported)},
           {"known", ids_json(report.known)},
-          {"refused", refused}},
+          {"refused", refused},
+          {"not_all", report.not_all}},
          [&](std::ostream& out) {
            out << report.imported.size() << " taken in, " << report.known.size()
                << " were here already, " << report.refused.size() << " refused\n";
@@ -151,7 +154,9 @@ void add_export_verb(CLI::App& app, VerbContext& context) {
   verb->add_option("--cohort", options->choice.cohort,
                    "all attempts of the trainees of this cohort");
   verb->add_flag("--all", options->is_all, "all that you may export");
-  verb->add_option("-o,--output", options->folder, "folder that is new or empty")->required();
+  verb->add_option("-o,--output", options->folder, "folder that is new or empty")
+      ->required()
+      ->check(fault_in_place);
   choose(*verb, context, [options, &context] { return export_on(context, *options); });
 }
 
@@ -168,8 +173,9 @@ void add_exchange_verbs(CLI::App& app, VerbContext& context) {
   auto options = std::make_shared<OriginOptions>();
   CLI::App* origins = app.add_subcommand(
       "origins", "where imported attempts were made, and whether they count; for administrators");
-  origins->add_option("--accept", options->accepted, "what came from this directory counts");
-  origins->add_option("--unaccept", options->unaccepted, "it counts no longer");
+  CLI::Option* accept =
+      origins->add_option("--accept", options->accepted, "what came from this directory counts");
+  origins->add_option("--unaccept", options->unaccepted, "it counts no longer")->excludes(accept);
   choose(*origins, context, [options, &context] { return origins_on(context, *options); });
 }
 

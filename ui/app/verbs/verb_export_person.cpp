@@ -57,7 +57,9 @@ void add_export_person_verb(CLI::App& app, VerbContext& context) {
       "export-person", "all that is kept of one person, for that person, with an explanation");
   verb->add_option("login", options->login, "whose; your own, or as an administrator anybody's")
       ->required();
-  verb->add_option("-o,--output", options->directory, "directory that is new or empty")->required();
+  verb->add_option("-o,--output", options->directory, "directory that is new or empty")
+      ->required()
+      ->check(fault_in_place);
   choose(*verb, context, [options, &context] { return export_on(context, *options); });
 }
 

@@ -50,7 +50,7 @@ void print_replay(std::ostream& out, const AttemptMaterial& material,
 }
 
 ExitCode replay_on(const VerbContext& context, const std::string& id) {
-  database::Database database = open_kept(context);
+  database::Database database = open_to_read(context);
   const AttemptAction wanted{database::Action::ViewAttempt, {id}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {id});

@@ -4,11 +4,12 @@
 #include <memory>
 #include <ostream>
 
+#include "database/audit/anchors.h"
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/app/terminal/write_file.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/files/output_file.h"
 #include "ui/report/html_report.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_pictures.h"
@@ -54,7 +55,8 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
 }
 
 ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
-  database::Database database = open_kept(context);
+  check_output(options.output, report_page, context.data_directory);
+  database::Database database = open_to_read(context);
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
@@ -64,8 +66,9 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
     const auto quality = quality_from_json(material.header.quality_json);
     add_attempt_facts(shown, material.header,
                       quality ? verdict_of(quality->certificate) : database::Verdict{});
+    shown.versions.push_back({"Anchor", text_of(database::take_anchor(database))});
     const std::string page = html_report(shown);
-    write_file_whole(options.output, page);
+    write_output(options.output, page, report_page, context.data_directory);
     answer(context,
            {{"attempt", material.header.id.text},
             {"file", options.output.string()},
@@ -90,7 +93,9 @@ void add_score_verbs(CLI::App& app, VerbContext& context) {
   CLI::App* report = app.add_subcommand("report", "write an attempt's report as one HTML page");
   report->add_option("attempt", options->attempt, "the attempt's id, or its first characters")
       ->required();
-  report->add_option("-o,--output", options->output, "the file to write")->required();
+  report->add_option("-o,--output", options->output, "the file to write")
+      ->required()
+      ->check(fault_in_place);
   choose(*report, context, [options, &context] { return report_on(context, *options); });
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "database/reports/report_process.h"
 #include "database/store/csv_text.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
@@ -26,11 +27,12 @@ struct SqlOptions {
 
 /// Nobody signs in to a data directory without people; else it is an administrator's.
 Report answer_to(const VerbContext& context, const std::string& statement) {
-  database::Database database = open_kept(context);
+  database::ReportProcess process;
+  database::Database database = open_to_read(context);
   if (context.login.empty()) {
-    if (auto house = database::OpenHouse::enter(database)) return house->report(statement);
+    if (auto house = database::OpenHouse::enter(database)) return house->report(statement, process);
   }
-  return sign_in_administrator(context, database, "run reports").desk.report(statement);
+  return sign_in_administrator(context, database, "run reports").desk.report(statement, process);
 }
 
 std::string hex_of(const std::vector<std::byte>& bytes) {

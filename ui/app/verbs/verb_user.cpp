@@ -165,6 +165,11 @@ ExitCode erase_on(const VerbContext& context, const UserOptions& options) {
 
 /// The code goes to stdout, for it is what was asked for; it is shown once.
 ExitCode recover_on(const VerbContext& context, const UserOptions& options) {
+  if (!context.login.empty()) {
+    throw VerbError(ExitCode::Refused,
+                    "recovering asks nobody's password: it is for the owner of the data directory; "
+                    "leave --as out");
+  }
   database::Database database = open_kept(context);
   const database::IssuedCode issued = database::recover_administrator(database, options.login);
   const std::string code{issued.code.view()};

@@ -27,8 +27,9 @@ void add_scenario_verb(CLI::App& app, VerbContext& context);
 /// `hallux user add | list | passwd | disable | erase | recover`.
 void add_user_verb(CLI::App& app, VerbContext& context);
 
-/// `hallux verify`: integrity of the file and of every hash chain in it.
-void add_verify_verb(CLI::App& app, VerbContext& context);
+/// `hallux verify [--anchor FILE]`: integrity of the file, of every hash chain and row in it; and
+/// `hallux anchor`: the head of the audit, to be kept elsewhere.
+void add_verify_verbs(CLI::App& app, VerbContext& context);
 
 /// `hallux backup`, `hallux restore`, `hallux retention`: keeping what there is, and no longer than
 /// it must be kept.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "simulator/base/json_depth.h"
-#include "ui/app/terminal/write_file.h"
+#include "ui/jobs/files/output_file.h"
 #include "ui/jobs/files/read_small_file.h"
 
 namespace hallux::ui {
@@ -56,7 +56,7 @@ void keep_preferences(const fs::path& data_directory, const Preferences& prefere
                           {"full_screen", preferences.is_full_screen},
                           {"reduced_motion", preferences.is_motion_reduced},
                           {"saw_sound", preferences.is_saw_heard}};
-  write_file_whole(data_directory / file_name, kept.dump(1) + "\n");
+  replace_own_file(data_directory / file_name, kept.dump(1) + "\n");
 }
 
 PreferenceKeeper::PreferenceKeeper(const Texts& texts, fs::path data_directory, Shell& shell)

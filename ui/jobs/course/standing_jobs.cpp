@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "database/store/assets.h"
+#include "database/content/assets.h"
 
 namespace hallux::ui {
 

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "database/content/assets.h"
 #include "database/course/simulated_course.h"
-#include "database/store/assets.h"
 #include "simulator/mesh/bone.h"
 #include "ui/jobs/course/course_jobs.h"
 

@@ -61,6 +61,8 @@ constexpr auto deeds = std::to_array<Deed>({
     {"retention_changed", "audit.retention_changed"},
     {"retention_applied", "audit.retention_applied"},
     {"report_run", "audit.report_run"},
+    {"rows_changed", "audit.rows_changed"},
+    {"baseline_taken", "audit.baseline_taken"},
     {"attempt_exported", "audit.attempt_exported"},
     {"attempt_imported", "audit.attempt_imported"},
     {"origin_accepted", "audit.origin_accepted"},

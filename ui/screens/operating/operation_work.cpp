@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "database/store/assets.h"
+#include "database/content/assets.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::ui {

@@ -3,7 +3,7 @@
 #include <bit>
 #include <optional>
 
-#include "database/store/cached_bytes.h"
+#include "database/content/cached_bytes.h"
 #include "database/store/database_error.h"
 #include "simulator/base/digest.h"
 #include "ui/jobs/files/byte_form.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/store/assets.h"
+#include "database/content/assets.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"

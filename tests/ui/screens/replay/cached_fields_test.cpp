@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "assessment/assess.h"
-#include "database/store/cached_bytes.h"
+#include "database/content/cached_bytes.h"
 #include "simulator/base/progress.h"
 #include "tests/database/some_database.h"
 #include "tests/ui/screens/some_operation.h"

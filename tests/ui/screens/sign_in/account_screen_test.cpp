@@ -135,7 +135,7 @@ TEST(AccountScreen, NothingIsCutOffAtAnySize) {
 TEST(AccountScreen, ExportsWhatIsKeptOfOneselfIntoANewFolder) {
   database::SomeCourse course;
   AtAccount at(course);
-  const std::filesystem::path folder = course.database().directory() / "of-lee";
+  const std::filesystem::path folder = course.database().directory().parent_path() / "of-lee";
   at.driver().click("account.export");
   EXPECT_FALSE(at.driver().widget("account.export.act").is_enabled) << "a folder has no name yet";
   at.driver().press(Key::A, {.control = true});
@@ -151,7 +151,7 @@ TEST(AccountScreen, AnExportIntoAFolderThatHoldsSomethingIsRefusedAndSaid) {
   AtAccount at(course);
   at.driver().click("account.export");
   at.driver().press(Key::A, {.control = true});
-  at.driver().type(course.database().directory().string());
+  at.driver().type(course.database().directory().parent_path().string());
   at.send();
   EXPECT_THAT(all_text(at.driver()), HasSubstr("holds something already"));
   EXPECT_TRUE(at.driver().has("account.export.act")) << "what was typed stays";

@@ -1,4 +1,4 @@
-#include "database/store/assets.h"
+#include "database/content/assets.h"
 
 #include <zstd.h>
 

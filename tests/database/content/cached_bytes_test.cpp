@@ -1,4 +1,4 @@
-#include "database/store/cached_bytes.h"
+#include "database/content/cached_bytes.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

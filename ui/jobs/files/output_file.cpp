@@ -1,11 +1,13 @@
-#include "ui/app/terminal/write_file.h"
+#include "ui/jobs/files/output_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <string>
 
+#include "database/store/output_place.h"
 #include "ui/jobs/files/output_error.h"
 
 namespace hallux::ui {
@@ -18,12 +20,13 @@ namespace fs = std::filesystem;
 /// it was published.
 class FileBeside {
  public:
-  explicit FileBeside(const fs::path& target) : target_(target) {
+  FileBeside(const fs::path& target, bool is_private) : target_(target) {
+    const mode_t mode = is_private ? 0600 : 0666;
     constexpr int attempts_max = 1000;
     const std::string start = ".hallux-" + std::to_string(::getpid()) + "-";
     for (int i = 0; i < attempts_max && descriptor_ < 0; ++i) {
       file_ = target.parent_path() / (start + std::to_string(i) + ".new");
-      descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
       if (descriptor_ < 0 && errno != EEXIST) break;
     }
     if (descriptor_ < 0) fail();
@@ -59,19 +62,48 @@ class FileBeside {
   bool is_published_ = false;
 };
 
+void replace_file(const fs::path& file, std::string_view bytes, bool is_private) {
+  FileBeside beside(file, is_private);
+  beside.write(bytes);
+  beside.publish();
+}
+
 }  // namespace
 
-void write_file_whole(const fs::path& file, std::string_view bytes) {
+bool may_be_replaced(const fs::path& file, const OutputKind& kind) {
+  std::error_code error;
+  if (fs::file_size(file, error) == 0 && !error) return true;
+  std::ifstream stream(file, std::ios::binary);
+  std::string beginning(kind.beginning.size(), '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning == kind.beginning;
+}
+
+void check_output(const fs::path& file, const OutputKind& kind, const fs::path& data_directory) {
+  database::check_outside(file, data_directory);
   std::error_code ignored;
   const fs::file_status before = fs::status(file, ignored);
+  if (!fs::exists(before)) return;
   if (fs::is_directory(before)) throw output_error(file, EISDIR);
-  if (fs::exists(before) && !fs::is_regular_file(before)) {
+  if (!fs::is_regular_file(before)) {
     throw OutputError(OutputErrorKind::Name, "could not write " + file.string() +
                                                  ": it is a device or a pipe; name a file");
   }
-  FileBeside beside(file);
-  beside.write(bytes);
-  beside.publish();
+  if (may_be_replaced(file, kind)) return;
+  throw OutputError(OutputErrorKind::Name, file.string() + " is there already and is not " +
+                                               std::string(kind.name) +
+                                               " of this program; it was left as it is, name "
+                                               "another file");
+}
+
+void write_output(const fs::path& file, std::string_view bytes, const OutputKind& kind,
+                  const fs::path& data_directory) {
+  check_output(file, kind, data_directory);
+  replace_file(file, bytes, kind.is_of_people);
+}
+
+void replace_own_file(const fs::path& file, std::string_view bytes) {
+  replace_file(file, bytes, true);
 }
 
 }  // namespace hallux::ui

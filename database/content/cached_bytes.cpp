@@ -2,7 +2,7 @@
 /// not there: the caller computes it again. It is written under the name of the process and
 /// renamed, so that two windows never read half of one; the oldest go where the folder grows beyond
 /// its bound.
-#include "database/store/cached_bytes.h"
+#include "database/content/cached_bytes.h"
 
 #include <unistd.h>
 #include <zstd.h>
