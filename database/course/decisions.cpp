@@ -2,8 +2,8 @@
 
 #include "database/course/in_force.h"
 #include "database/recording/attempts.h"
-#include "database/store/free_text.h"
 #include "database/store/sql.h"
+#include "database/text/free_text.h"
 
 namespace hallux::database {
 

@@ -3,8 +3,8 @@
 #include "database/course/moment_columns.h"
 #include "database/course/notes.h"
 #include "database/recording/attempts.h"
-#include "database/store/free_text.h"
 #include "database/store/sql.h"
+#include "database/text/free_text.h"
 
 namespace hallux::database {
 

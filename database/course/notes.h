@@ -9,7 +9,7 @@
 
 namespace hallux::database {
 
-/// errors  DatabaseError: NotFound; BadInput where the text (database/store/free_text.h) or the
+/// errors  DatabaseError: NotFound; BadInput where the text (database/text/free_text.h) or the
 ///         moment cannot be kept: after the attempt's end, or at a place that is no number
 NoteId add_note(Database& database, const NewNote& note, PersonId author);
 

@@ -151,21 +151,6 @@ TraineeStanding standing_of(const CohortMember& member) {
                           " was altered: it is not what the attempts say; restore a backup"};
 }
 
-/// What the grid reads beside each card is what the card says.
-void check_pass_facts(Database& database) {
-  const auto score = found<std::string>(
-      database,
-      "SELECT score_id FROM score WHERE json_valid(card_json) AND (rubric_milli, is_gated, "
-      "safety_measured_milli, safety_earned_milli) IS NOT (json_extract(card_json, "
-      "'$.rubric_milli'), EXISTS (SELECT 1 FROM json_each(card_json, '$.gates') "
-      "WHERE json_extract(value, '$.is_triggered')), (SELECT coalesce(sum(json_extract(value, "
-      "'$.measured_milli')), 0) FROM json_each(card_json, '$.groups') "
-      "WHERE json_extract(value, '$.name') = 'safety'), (SELECT coalesce(sum(json_extract(value, "
-      "'$.earned_milli')), 0) FROM json_each(card_json, '$.groups') "
-      "WHERE json_extract(value, '$.name') = 'safety')) LIMIT 1");
-  if (score) fail_differs(database, "what is kept of score " + *score);
-}
-
 void check_standings_of(Database& database, std::int64_t person) {
   constexpr const char* columns =
       "SELECT person_id, scenario_name, device_class, attempts, assessments, best_milli, "
@@ -243,7 +228,6 @@ void recount_standings(Database& database) {
 
 void check_standings(Database& database) {
   translating(database, "check how people stand", [&] {
-    check_pass_facts(database);
     // One person at a time: no long reading, whose memory would grow with the course.
     for (const std::int64_t person : all_of<std::int64_t>(database, "SELECT person_id FROM person"))
       check_standings_of(database, person);

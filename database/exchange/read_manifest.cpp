@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "database/exchange/vouched_facts.h"
-#include "database/store/json_fields.h"
+#include "database/text/json_fields.h"
 
 namespace hallux::database {
 

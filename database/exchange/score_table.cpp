@@ -1,7 +1,7 @@
 #include "database/exchange/score_table.h"
 
 #include "database/exchange/manifest.h"
-#include "database/store/csv_text.h"
+#include "database/text/csv_text.h"
 
 namespace hallux::database {
 

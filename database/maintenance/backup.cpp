@@ -15,6 +15,7 @@
 #include "database/maintenance/backup_manifest.h"
 #include "database/maintenance/erasures.h"
 #include "database/maintenance/table_copy.h"
+#include "database/recording/attempts.h"
 #include "database/recording/erased_recordings.h"
 #include "database/recording/recordings.h"
 #include "database/store/backup_folder.h"
@@ -100,6 +101,7 @@ class BackupWriter {
                       static_cast<double>(attempts.size()));
       keep(attempts[i]);
     }
+    files_.put_in_place();
     progress_.reach(part_of_recordings);
   }
 
@@ -108,11 +110,11 @@ class BackupWriter {
       std::error_code error;
       // One that is there was checked when it was written.
       if (!fs::exists(recording_file(folder_.path(), attempt), error)) {
-        check_recording(source_, attempt);
+        check_.check(load_header(source_, attempt));
         // Erased in the meantime: the tables say so.
         if (erased_recording(source_, attempt)) return;
       }
-      manifest_.recordings.push_back(back_up_recording(source_, attempt, folder_.path()));
+      manifest_.recordings.push_back(files_.add(source_, attempt));
     } catch (const DatabaseError& error) {
       if (error.kind() != DatabaseErrorKind::Damaged) throw;
       manifest_.damaged.push_back(attempt);
@@ -160,6 +162,8 @@ class BackupWriter {
   BackupFolder folder_;
   const BackupOptions& options_;
   BackupProgress progress_;
+  RecordingCheck check_{source_};
+  NewRecordingFiles files_{folder_.path()};
   BackupManifest manifest_;
   std::string anchor_;
 };

@@ -11,9 +11,9 @@
 #include "database/people/people.h"
 #include "database/recording/attempts.h"
 #include "database/recording/erased_recordings.h"
-#include "database/store/free_text.h"
 #include "database/store/own_directory.h"
 #include "database/store/sql.h"
+#include "database/text/free_text.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::database {

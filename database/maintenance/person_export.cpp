@@ -11,10 +11,10 @@
 #include <string>
 
 #include "database/people/people.h"
-#include "database/store/csv_text.h"
 #include "database/store/durable_file.h"
 #include "database/store/fresh_directory.h"
 #include "database/store/sql.h"
+#include "database/text/csv_text.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::database {

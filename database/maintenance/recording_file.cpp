@@ -19,6 +19,11 @@ constexpr std::string_view file_magic = "HALLUXR1";
 constexpr std::size_t uuid_bytes = 36, digest_bytes = 32;
 /// Twelve hours of a hand are 500 MB.
 constexpr std::int64_t file_bytes_max = std::int64_t{1} << 30U;
+/// What a backup that is stopped has to write once more is at most this.
+constexpr std::int64_t unnamed_bytes_max = std::int64_t{64} << 20U;
+
+fs::path recording_folder(const fs::path& backups) { return backups / "recordings"; }
+fs::path unnamed(const fs::path& file) { return file.string() + ".part"; }
 
 struct KeptChunk {
   std::int64_t seq = 0, stream = 0, first_tick = 0, row_count = 0;
@@ -171,25 +176,30 @@ void fail_backup(const fs::path& file, const char* reason) {
 }
 
 fs::path recording_file(const fs::path& backups, const AttemptId& attempt) {
-  return backups / "recordings" / (attempt.text + ".recording");
+  return recording_folder(backups) / (attempt.text + ".recording");
 }
 
-BackedUpRecording back_up_recording(Database& database, const AttemptId& attempt,
-                                    const fs::path& backups) {
-  const fs::path file = recording_file(backups, attempt);
+BackedUpRecording NewRecordingFiles::add(Database& database, const AttemptId& attempt) {
+  const fs::path file = recording_file(backups_, attempt);
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error))) return found_file(file, attempt);
   std::vector<std::byte> content = content_from(database, attempt);
   const Digest digest = digest_of(content);
   append(content, std::as_bytes(std::span{digest.bytes}));
-  const fs::path unfinished = file.string() + ".part";
-  {
-    DurableFile written = DurableFile::create(unfinished);
-    written.write(content);
-    written.sync();
-  }
-  put_in_place(unfinished, file);
+  DurableFile::create(unnamed(file)).write(content);
+  unnamed_.push_back(file);
+  unnamed_bytes_ += static_cast<std::int64_t>(content.size());
+  if (unnamed_bytes_ >= unnamed_bytes_max) put_in_place();
   return {attempt, static_cast<std::int64_t>(content.size()), digest};
+}
+
+void NewRecordingFiles::put_in_place() {
+  if (unnamed_.empty()) return;
+  sync_file_system(backups_);
+  for (const fs::path& file : unnamed_) name_finished(unnamed(file), file);
+  sync_directory(recording_folder(backups_));
+  unnamed_.clear();
+  unnamed_bytes_ = 0;
 }
 
 void put_recording_back(Database& database, const BackedUpRecording& kept,

@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "database/records/ids.h"
 #include "database/store/connection.h"
@@ -31,12 +33,26 @@ struct BackedUpRecording {
 std::filesystem::path recording_file(const std::filesystem::path& backups,
                                      const AttemptId& attempt);
 
-/// Writes the file unless it is there; whole or not at all.
-/// needs   the attempt is sealed, and its chain was checked
-/// errors  DatabaseError: storage failures; BadInput where what is there is no recording of that
-///         attempt
-BackedUpRecording back_up_recording(Database& database, const AttemptId& attempt,
-                                    const std::filesystem::path& backups);
+/// Recordings on their way into a folder of backups. Each file is whole or not there: many are
+/// written under no final name, synced together and then named, because to sync each of some
+/// thousand costs more than all the rest.
+class NewRecordingFiles {
+ public:
+  explicit NewRecordingFiles(std::filesystem::path backups) : backups_(std::move(backups)) {}
+
+  /// Writes the file unless it is there.
+  /// needs   the attempt is sealed, and its chain was checked
+  /// errors  DatabaseError: storage failures; BadInput where what is there is no recording of that
+  ///         attempt
+  BackedUpRecording add(Database& database, const AttemptId& attempt);
+  /// All that were added stand under their names from now on, also after a power cut.
+  void put_in_place();
+
+ private:
+  std::filesystem::path backups_;
+  std::vector<std::filesystem::path> unnamed_;
+  std::int64_t unnamed_bytes_ = 0;
+};
 
 /// Puts the chunks of the file into the database, which knows the attempt but not its chunks, in
 /// one transaction.

@@ -92,10 +92,11 @@ void check_attempts(Database& database, VerifyProgress& progress, Verification& 
   };
   const std::int64_t count =
       translating(database, "count the attempts", [&] { return count_in(database, "attempt"); });
+  RecordingCheck recordings{database};
   for (auto some = next(0); !some.empty(); some = next(some.back().first)) {
     for (const auto& [order, id] : some) {
       const AttemptHeader header = header_of(database, id);
-      found.chunks += check_recording(database, id);
+      found.chunks += recordings.check(header);
       check_standing_of(database, header);
       progress.tell(++found.attempts, count);
     }

@@ -1,8 +1,8 @@
 #include "database/people/cohorts.h"
 
 #include "database/people/people.h"
-#include "database/store/free_text.h"
 #include "database/store/sql.h"
+#include "database/text/free_text.h"
 
 namespace hallux::database {
 

@@ -4,8 +4,8 @@
 /// administrator who can sign in.
 #include "database/people/people.h"
 
-#include "database/store/free_text.h"
 #include "database/store/sql.h"
+#include "database/text/free_text.h"
 
 namespace hallux::database {
 

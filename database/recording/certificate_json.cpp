@@ -1,7 +1,7 @@
 #include "database/recording/certificate_json.h"
 
 #include "database/store/database_error.h"
-#include "database/store/json_record.h"
+#include "database/text/json_record.h"
 
 namespace hallux::database {
 

@@ -4,6 +4,7 @@
 
 #include "database/recording/attempts.h"
 #include "database/recording/chunk_run.h"
+#include "database/recording/columns.h"
 #include "database/recording/erased_recordings.h"
 #include "database/recording/stored_chunks.h"
 #include "database/store/sql.h"
@@ -53,29 +54,65 @@ simulator::Recording load_recording(Database& database, const AttemptId& id) {
   });
 }
 
-std::int64_t check_recording(Database& database, const AttemptId& id) {
-  const AttemptHeader header = load_header(database, id);
-  if (const auto erased = erased_recording(database, header.id)) {
-    check_seal(database, header, erased->last_link);
+std::int64_t RecordingCheck::check(const AttemptHeader& header) {
+  if (const auto erased = erased_recording(database_, header.id)) {
+    check_seal(database_, header, erased->last_link);
     return 0;
   }
-  return translating(database, "check attempt " + header.id.text, [&] {
-    std::int64_t chunk_count = 0;
-    Digest link;
-    auto window = window_from(database, header.id, 0);
-    while (window) {
-      const WindowRange windows{*window, *window + windows_checked_at_once};
-      const std::vector<StoredChunk> chunks = load_chunks(database, header.id, windows);
-      const ChunkRun run{chunks, link};
-      simulator::Recording some_windows;
-      append_run(database, header.id, run, some_windows);
-      link = last_link(run);
-      chunk_count += static_cast<std::int64_t>(chunks.size());
-      window = window_from(database, header.id, windows.end);
+  return translating(database_, "check attempt " + header.id.text,
+                     [&] { return check_chunks(header); });
+}
+
+std::int64_t RecordingCheck::check_chunks(const AttemptHeader& header) {
+  tapes_.turn_to(header.id);
+  others_.turn_to(header.id);
+  tape_ = nullptr;
+  std::int64_t chunk_count = 0;
+  Digest link;
+  for (auto window = window_from(database_, header.id, 0); window;) {
+    const WindowRange windows{*window, *window + windows_checked_at_once};
+    {
+      ChunkWalk walk{database_, header.id, windows};
+      while (const auto chunk = walk.next()) {
+        check_chunk(header.id, *chunk, link);
+        link = chunk->link.value_or(Digest{});
+        ++chunk_count;
+      }
     }
-    check_seal(database, header, link);
-    return chunk_count;
-  });
+    window = window_from(database_, header.id, windows.end);
+  }
+  check_seal(database_, header, link);
+  return chunk_count;
+}
+
+void RecordingCheck::check_chunk(const AttemptId& id, const StoredChunk& chunk,
+                                 const Digest& before) {
+  try {
+    check_rows(chunk, before);
+  } catch (const std::exception& error) {
+    fail_chunk(database_, id, chunk, error.what());
+  }
+}
+
+void RecordingCheck::check_rows(const StoredChunk& chunk, const Digest& before) {
+  const ChunkPlace& place = chunk.place;
+  rows_.tape.clear();
+  rows_.samples.clear();
+  rows_.events.clear();
+  if (place.stream == Stream::Tape) {
+    tape_ = &tapes_.read_checked(chunk, nullptr, before);
+    tape_window_ = place.seq;
+    append_rows(*tape_, rows_.tape);
+  } else if (place.stream == Stream::Sample) {
+    const Columns* const tape = tape_window_ == place.seq ? tape_ : nullptr;
+    append_rows(others_.read_checked(chunk, tape, before), rows_.samples);
+  } else {
+    append_rows(others_.read_checked(chunk, nullptr, before), rows_.events);
+  }
+}
+
+std::int64_t check_recording(Database& database, const AttemptId& id) {
+  return RecordingCheck{database}.check(load_header(database, id));
 }
 
 }  // namespace hallux::database

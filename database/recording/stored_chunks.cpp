@@ -87,13 +87,12 @@ ChunkShape shape_of(const StoredChunk& chunk) noexcept {
 ChunkWalk::ChunkWalk(Database& database, const AttemptId& id, const WindowRange& windows)
     : database_(&database),
       attempt_(id),
-      rows_(std::make_unique<SQLite::Statement>(
-          database.connection(),
-          "SELECT c.chunk_id, c.stream, c.seq, c.first_tick, c.row_count, c.bytes, c.link FROM "
-          "attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq >= ? AND c.seq < ? "
-          "ORDER BY c.seq, c.stream")) {
-  bind_all(*rows_, id, windows.first, windows.end);
-}
+      rows_(std::make_unique<PreparedStatement>(
+          prepared(database,
+                   "SELECT c.chunk_id, c.stream, c.seq, c.first_tick, c.row_count, c.bytes, c.link "
+                   "FROM attempt a JOIN chunk c USING (attempt_id) WHERE a.uuid = ? AND c.seq >= ? "
+                   "AND c.seq < ? ORDER BY c.seq, c.stream",
+                   id, windows.first, windows.end))) {}
 ChunkWalk::ChunkWalk(ChunkWalk&&) noexcept = default;
 ChunkWalk& ChunkWalk::operator=(ChunkWalk&&) noexcept = default;
 ChunkWalk::~ChunkWalk() = default;

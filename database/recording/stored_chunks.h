@@ -14,11 +14,9 @@
 #include "database/store/connection.h"
 #include "simulator/record/record.h"
 
-namespace SQLite {
-class Statement;
-}
-
 namespace hallux::database {
+
+class PreparedStatement;
 
 struct StoredChunk {
   /// Its row in the database.
@@ -70,14 +68,18 @@ class ChunkWalk {
  private:
   Database* database_;
   AttemptId attempt_;
-  std::unique_ptr<SQLite::Statement> rows_;
+  std::unique_ptr<PreparedStatement> rows_;
 };
 
 /// Reads chunks of one attempt and checks their links.
 /// thread  one at a time
 class ChunkReader {
  public:
+  ChunkReader() = default;
   explicit ChunkReader(AttemptId attempt) : attempt_(std::move(attempt)) {}
+
+  /// Chunks of another attempt from now on.
+  void turn_to(const AttemptId& attempt) { attempt_ = attempt; }
 
   /// What `chunk` holds, without a look at its link; valid until the next call.
   /// errors  DatabaseError Damaged

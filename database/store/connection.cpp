@@ -14,6 +14,7 @@
 #include "database/store/durable_file.h"
 #include "database/store/file_system.h"
 #include "database/store/files.h"
+#include "database/store/idle_statements.h"
 #include "database/store/log_size.h"
 #include "database/store/migrations.h"
 #include "database/store/schema_backup.h"
@@ -133,6 +134,7 @@ Database::Database(std::filesystem::path directory, const OpenOptions& options)
     connection_ = open_file(file_.string(),
                             is_writing ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY, options);
   }
+  idle_statements_ = std::make_unique<IdleStatements>(*connection_);
 }
 
 Database::Database(Database&&) noexcept = default;

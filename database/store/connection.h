@@ -16,6 +16,7 @@ class Database;
 namespace hallux::database {
 
 class ChangedRows;
+class IdleStatements;
 
 /// "HALX": tells our files from other SQLite databases.
 inline constexpr std::int32_t application_id = 0x48414C58;
@@ -71,6 +72,8 @@ class Database {
   /// For this room as well: what this transaction changed and no act accounts for yet; nothing of a
   /// connection that only reads.
   ChangedRows* changes() const noexcept { return changes_.get(); }
+  /// For this room as well: what it has prepared before.
+  IdleStatements& idle_statements() noexcept { return *idle_statements_; }
   /// The data directory, and `hallux.db` in it.
   const std::filesystem::path& directory() const noexcept { return directory_; }
   const std::filesystem::path& file() const noexcept { return file_; }
@@ -93,8 +96,9 @@ class Database {
   /// That is read where the directory cannot be written.
   std::shared_ptr<const std::filesystem::path> copy_;
   std::unique_ptr<SQLite::Database> connection_;
-  /// After the connection that it watches.
+  /// After the connection, which they watch and are of.
   std::unique_ptr<ChangedRows> changes_;
+  std::unique_ptr<IdleStatements> idle_statements_;
 };
 
 }  // namespace hallux::database

@@ -134,8 +134,12 @@ void sync_directory(const std::filesystem::path& directory) {
   if (answer != 0 && error_number != EINVAL) throw file_error(directory, "write", error_number);
 }
 
-void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& file) {
+void name_finished(const std::filesystem::path& finished, const std::filesystem::path& file) {
   if (::rename(finished.c_str(), file.c_str()) != 0) throw file_error(file, "name", errno);
+}
+
+void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& file) {
+  name_finished(finished, file);
   sync_directory(file.parent_path());
 }
 
@@ -167,6 +171,14 @@ void sync_file(const std::filesystem::path& file) {
   const int error_number = errno;
   ::close(descriptor);
   if (answer != 0) throw file_error(file, "write", error_number);
+}
+
+void sync_file_system(const std::filesystem::path& directory) {
+  const int descriptor = opened(directory, O_RDONLY | O_DIRECTORY, "read");
+  const int answer = ::syncfs(descriptor);
+  const int error_number = errno;
+  ::close(descriptor);
+  if (answer != 0) throw file_error(directory, "write", error_number);
 }
 
 DigestedFile digest_of_file(const std::filesystem::path& file) {

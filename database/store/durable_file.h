@@ -44,12 +44,17 @@ class DurableFile {
   int descriptor_ = -1;
 };
 
-/// The name stands for the whole new content from now on, also after a power cut.
+/// The name stands for the whole new content from now on; after a power cut once its directory was
+/// synced.
+void name_finished(const std::filesystem::path& finished, const std::filesystem::path& file);
+/// The same, also after a power cut.
 void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& file);
 /// The same without ever replacing anything: false where something has the name.
 bool put_in_free_place(const std::filesystem::path& finished, const std::filesystem::path& file);
 void sync_directory(const std::filesystem::path& directory);
 void sync_file(const std::filesystem::path& file);
+/// All that was written into the file system of that directory: for many files at once.
+void sync_file_system(const std::filesystem::path& directory);
 
 /// errors  DatabaseError: as open_to_read; BadInput where it is larger than `bytes_max`
 std::vector<std::byte> read_plain_file(const std::filesystem::path& file, std::int64_t bytes_max);

@@ -15,6 +15,7 @@
 #include "database/records/names.h"
 #include "database/store/changed_rows.h"
 #include "database/store/connection.h"
+#include "database/store/idle_statements.h"
 #include "simulator/base/digest.h"
 
 namespace hallux::database {
@@ -116,9 +117,10 @@ void run_again(SQLite::Statement& statement, const Values&... values) {
 }
 
 /// A statement with copies of `values` bound in their order.
+/// needs   it names its columns: one that was prepared before a migration does not see new ones
 template <typename... Values>
-SQLite::Statement prepared(Database& database, const std::string& sql, const Values&... values) {
-  SQLite::Statement statement{database.connection(), sql};
+PreparedStatement prepared(Database& database, const std::string& sql, const Values&... values) {
+  PreparedStatement statement{database.idle_statements(), sql};
   bind_all(statement, values...);
   return statement;
 }
@@ -169,7 +171,7 @@ void read_columns(SQLite::Statement& row, int first, Values&... values) {
 /// The one value that a statement answers with.
 template <typename Value, typename... Values>
 Value single(Database& database, const std::string& sql, const Values&... values) {
-  SQLite::Statement row = prepared(database, sql, values...);
+  auto row = prepared(database, sql, values...);
   row.executeStep();
   Value value{};
   read_column(row.getColumn(0), value);
@@ -179,7 +181,7 @@ Value single(Database& database, const std::string& sql, const Values&... values
 /// The one value that a statement answers with; nothing where it answers with no row.
 template <typename Value, typename... Values>
 std::optional<Value> found(Database& database, const std::string& sql, const Values&... values) {
-  SQLite::Statement row = prepared(database, sql, values...);
+  auto row = prepared(database, sql, values...);
   if (!row.executeStep()) return std::nullopt;
   Value value{};
   read_column(row.getColumn(0), value);
@@ -189,7 +191,7 @@ std::optional<Value> found(Database& database, const std::string& sql, const Val
 /// The first column of all rows.
 template <typename Value, typename... Values>
 std::vector<Value> all_of(Database& database, const std::string& sql, const Values&... values) {
-  SQLite::Statement rows = prepared(database, sql, values...);
+  auto rows = prepared(database, sql, values...);
   std::vector<Value> read;
   while (rows.executeStep()) read_column(rows.getColumn(0), read.emplace_back());
   return read;
@@ -197,7 +199,7 @@ std::vector<Value> all_of(Database& database, const std::string& sql, const Valu
 
 /// Of each row its columns as the members of a `Row`, in their order.
 template <typename Row, typename... Members>
-std::vector<Row> rows_of(SQLite::Statement rows, Members Row::*... members) {
+std::vector<Row> rows_of(SQLite::Statement&& rows, Members Row::*... members) {
   std::vector<Row> found;
   while (rows.executeStep()) {
     Row& row = found.emplace_back();

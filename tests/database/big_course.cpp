@@ -25,30 +25,8 @@ constexpr const char* quality =
     R"("lateness_p99_us": 220, "lateness_max_us": 1890, "ring_high_water": 312, )"
     R"("device_faults": 0, "realtime": true})";
 
-/// As long as a real one: five groups, four gates and twenty lines.
 /// The same for all: what is asked of many goes by the columns beside it.
-std::string card_text(bool is_gated) {
-  ScoreCard card;
-  card.score_milli = card.earned_milli = 60'000;
-  card.measured_milli = card.rubric_milli = 100'000;
-  for (const char* name : {"accuracy", "safety", "tool use", "procedure", "efficiency"})
-    card.groups.push_back({name, 20'000, 20'000, 15'000});
-  for (const char* name : {"joint", "critical", "plunge", "hinge"})
-    card.gates.push_back({name, 59'000, is_gated, 1.25, 2.0, "mm", std::string(90, 'g')});
-  for (int line = 0; line < 20; ++line) {
-    LedgerLine& made = card.ledger.emplace_back();
-    made.item = "A" + std::to_string(line);
-    made.metric = "angle_deg";
-    made.group = "accuracy";
-    made.unit = "deg";
-    made.text = std::string(120, 't');
-  }
-  card.shown_losses_milli.assign(20, 1000);
-  card.sentences.assign(3, std::string(140, 's'));
-  card.scenario = "akin";
-  card.rubric_version = 2;
-  return json_from_card(card);
-}
+std::string card_text(bool is_gated) { return json_from_card(card_of_usual_length(is_gated)); }
 
 void make_people(Database& database, const BigCourse& course, const std::string& password) {
   OpenHouse::enter(database)->add_first_administrator({"root", "Root", true}, secret(password),
@@ -155,6 +133,29 @@ class Rows {
 };
 
 }  // namespace
+
+ScoreCard card_of_usual_length(bool is_gated) {
+  ScoreCard card;
+  card.score_milli = card.earned_milli = 60'000;
+  card.measured_milli = card.rubric_milli = 100'000;
+  for (const char* name : {"accuracy", "safety", "tool use", "procedure", "efficiency"})
+    card.groups.push_back({name, 20'000, 20'000, 15'000});
+  for (const char* name : {"joint", "critical", "plunge", "hinge"})
+    card.gates.push_back({name, 59'000, is_gated, 1.25, 2.0, "mm", std::string(90, 'g')});
+  for (int line = 0; line < 20; ++line) {
+    LedgerLine& made = card.ledger.emplace_back();
+    made.item = "A" + std::to_string(line);
+    made.metric = "angle_deg";
+    made.group = "accuracy";
+    made.unit = "deg";
+    made.text = std::string(120, 't');
+  }
+  card.shown_losses_milli.assign(20, 1000);
+  card.sentences.assign(3, std::string(140, 's'));
+  card.scenario = "akin";
+  card.rubric_version = 2;
+  return card;
+}
 
 void make_big_course(Database& database, const BigCourse& course, const std::string& password) {
   make_people(database, course, password);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "database/records/score.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {
@@ -17,5 +18,8 @@ struct BigCourse {
 /// about; each tenth attempt has a question, each tenth of those is open. The audit's rows are
 /// there, its chain is not. Passwords are `password`, at the cheapest cost.
 void make_big_course(Database& database, const BigCourse& course, const std::string& password);
+
+/// As long as a real one: five groups, four gates and twenty lines.
+ScoreCard card_of_usual_length(bool is_gated);
 
 }  // namespace hallux::database

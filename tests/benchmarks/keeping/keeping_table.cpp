@@ -1,17 +1,21 @@
 // What keeping costs: a first backup, the next one, a whole copy beside them, restoring, erasing a
-// person, letting recordings go; on a course of so many attempts of one minute.
+// person, letting recordings go, on a course of so many attempts of one minute; and what goes
+// through all of a directory of many people with many short attempts.
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 #include "database/maintenance/backup.h"
 #include "database/maintenance/erasures.h"
 #include "database/maintenance/restore.h"
 #include "database/maintenance/retention.h"
+#include "database/maintenance/verify.h"
 #include "database/people/people.h"
 #include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
 #include "tests/database/some_database.h"
+#include "tests/database/whole_course.h"
 
 namespace hallux::benchmarks {
 
@@ -83,6 +87,47 @@ Table keeping(int attempts) {
   return table;
 }
 
+/// Made in memory: what is measured is not how it is made.
+void make_on_disk(const database::WholeCourse& course, const std::filesystem::path& data) {
+  const TemporaryDirectory made{Medium::Memory};
+  {
+    Database database = Database::open(made.data());
+    make_whole_course(database, course, "a long enough phrase");
+    clear_log(database);
+  }
+  std::filesystem::copy(made.data(), data, std::filesystem::copy_options::recursive);
+}
+
+Table keeping_many(const database::WholeCourse& course) {
+  const TemporaryDirectory temporary{Medium::Disk};
+  make_on_disk(course, temporary.data());
+  Database database = Database::open(temporary.data());
+  const std::filesystem::path folder = temporary.data() / "backups";
+  Table table{
+      .name = "keeping_many",
+      .title = std::to_string(course.trainees) + " people, " + std::to_string(course.attempts) +
+               " attempts of " + std::to_string(course.ticks) + " ms, scored",
+      .columns = {"what", "wall ms", "processor ms", "MB looked at or written"},
+      .rows = {},
+      .notes = {"a million square roots in a row take " + text_of(calibration_ms()) + " ms here"}};
+  const auto bytes_of = [](const std::filesystem::path& file) {
+    return static_cast<std::int64_t>(std::filesystem::file_size(file));
+  };
+  add_row(table, "verify, all found whole", [&] {
+    if (const auto found = database::verify(database); !found.is_whole())
+      throw std::runtime_error(*found.first_damage);
+    return bytes_of(database.file());
+  });
+  add_row(table, "a first backup", [&] { return database::back_up(database, folder).new_bytes; });
+  add_row(table, "the next, nothing new",
+          [&] { return database::back_up(database, folder).new_bytes; });
+  add_row(table, "restoring, all checked", [&] {
+    database::restore({folder, temporary.data() / "again", {}});
+    return bytes_of(temporary.data() / "again" / "hallux.db");
+  });
+  return table;
+}
+
 }  // namespace
 
 }  // namespace hallux::benchmarks
@@ -91,6 +136,8 @@ int main(int argc, char** argv) {
   using namespace hallux::benchmarks;
   try {
     print_table(std::cout, keeping(argc > 1 ? std::atoi(argv[1]) : 100));
+    const std::int32_t attempts = argc > 2 ? std::atoi(argv[2]) : 20'000;
+    print_table(std::cout, keeping_many({.trainees = attempts / 10, .attempts = attempts}));
   } catch (const std::exception& error) {
     std::cerr << "keeping_table: " << error.what() << '\n';
     return 2;

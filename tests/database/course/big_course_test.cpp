@@ -7,6 +7,9 @@
 
 #include "database/course/standings.h"
 #include "database/desks/session.h"
+#include "database/maintenance/backup.h"
+#include "database/maintenance/verify.h"
+#include "tests/database/whole_course.h"
 
 namespace hallux::database {
 
@@ -89,6 +92,18 @@ TEST_F(ManyAttempts, AreCountedInPagesOfTheAudit) {
   const AuditPage refused = desk.audit_page(request);
   EXPECT_EQ(refused.total, 3 * 6000 / 50);
   for (const AuditLine& line : refused.lines) EXPECT_LT(line.number, *request.before);
+}
+
+/// What a table of speeds goes through is what the program makes.
+TEST(WholeCourse, IsFoundWhole) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  make_whole_course(database, {7, 20, 1200}, password);
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.attempts, 20);
+  EXPECT_EQ(found.scores, 20);
+  EXPECT_EQ(back_up(database, temporary.data() / "backups").recordings, 20);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 #include "database/exchange/read_manifest.h"
 #include "database/exchange/write_manifest.h"
-#include "database/store/csv_text.h"
 #include "database/store/fresh_directory.h"
+#include "database/text/csv_text.h"
 #include "tests/database/some_exchange.h"
 
 namespace hallux::database {

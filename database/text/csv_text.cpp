@@ -1,4 +1,4 @@
-#include "database/store/csv_text.h"
+#include "database/text/csv_text.h"
 
 #include <array>
 #include <charconv>

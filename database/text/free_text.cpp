@@ -1,4 +1,4 @@
-#include "database/store/free_text.h"
+#include "database/text/free_text.h"
 
 #include "database/store/database_error.h"
 #include "simulator/base/utf8.h"

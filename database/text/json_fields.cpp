@@ -1,4 +1,4 @@
-#include "database/store/json_fields.h"
+#include "database/text/json_fields.h"
 
 #include "database/store/database_error.h"
 #include "simulator/base/json_depth.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "database/records/names.h"
-#include "database/store/json_fields.h"
+#include "database/text/json_fields.h"
 
 namespace hallux::database {
 
