@@ -2,9 +2,10 @@
 """All attempts of an operation scored anew: what would change is said first, old scores stay, and nobody scores their own."""
 
 import json
+import signal
 import unittest
 
-from hallux_command import BAD_INPUT, CHECK_FAILED, REFUSED, RecordedTest
+from hallux_command import BAD_INPUT, CHECK_FAILED, INTERRUPTED, REFUSED, RecordedTest, coarse_silver
 
 
 class Rescored(RecordedTest):
@@ -57,6 +58,21 @@ class Rescored(RecordedTest):
         answer = self.ask("rescore", "silver", code=CHECK_FAILED)
         self.assertEqual(answer["not_scored"], 1)
         self.assertIn("restore a backup", answer["rows"][0]["fault"])
+
+    def test_it_tells_how_far_it_is_and_stops_when_asked(self):
+        for seed in range(2, 5):
+            self.ask("attempt", self.write("coarse.json", coarse_silver()), "--seed", seed)
+        before = self.scores()
+        process = self.start("rescore", "silver", "--dry-run")
+        for said in process.stderr:
+            words = said.split()
+            if words[:1] == ["Scoring"] and int(words[1]) > 0:
+                break
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (INTERRUPTED, ""), err)
+        self.assertRegex(err, "the scoring was stopped after [1-3] of 4 attempts; 0 new scores were stored")
+        self.assertEqual(self.scores(), before)
 
     def test_what_is_not_there_is_refused(self):
         self.expect_refusal(BAD_INPUT, ["no attempt of 'gold'", "hallux attempts"], "rescore", "gold")

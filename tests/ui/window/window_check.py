@@ -94,15 +94,20 @@ def rows_of(place, words):
 @contextlib.contextmanager
 def opened_course(program, size="1440x900x24", pictures=None, prepare=None):
     """The command's window on an empty course, or on what prepare(folder) makes, with all that belongs to it: person, place, window and server (processes; what
-    the window says on stderr is kept for who reads it) and take_picture(name). Both processes are gone afterwards."""
+    the window says on stderr is kept for who reads it), take_picture(name), and open_again() for another window where this one
+    has ended. All processes are gone afterwards."""
     server, display = start_display(size)
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         if prepare:
             prepare(place / "course")
         environment = dict(os.environ, DISPLAY=display)
-        window = subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
-                                  env=environment, stderr=subprocess.PIPE, text=True)
+        windows = []
+
+        def open_window():
+            windows.append(subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+                                            env=environment, stderr=subprocess.PIPE, text=True))
+            return windows[-1]
 
         def take_picture(name):
             if pictures:
@@ -110,10 +115,11 @@ def opened_course(program, size="1440x900x24", pictures=None, prepare=None):
                 subprocess.run(["import", "-window", "root", str(pictures / f"{name}.png")], env=environment, check=True)
 
         try:
-            yield types.SimpleNamespace(person=Person(place / "map.json", environment), place=place, window=window,
-                                        server=server, take_picture=take_picture)
+            yield types.SimpleNamespace(person=Person(place / "map.json", environment), place=place,
+                                        window=open_window(), server=server, take_picture=take_picture,
+                                        open_again=open_window)
         finally:
-            for process in (window, server):
+            for process in (*windows, server):
                 if process.poll() is None:
                     process.kill()
                 process.wait()

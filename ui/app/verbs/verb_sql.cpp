@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "database/reports/report_process.h"
-#include "database/store/csv_text.h"
+#include "database/text/csv_text.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 
