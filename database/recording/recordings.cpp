@@ -111,8 +111,4 @@ void RecordingCheck::check_rows(const StoredChunk& chunk, const Digest& before) 
   }
 }
 
-std::int64_t check_recording(Database& database, const AttemptId& id) {
-  return RecordingCheck{database}.check(load_header(database, id));
-}
-
 }  // namespace hallux::database

@@ -41,7 +41,4 @@ class RecordingCheck {
   simulator::Recording rows_;
 };
 
-/// One recording, checked as there.
-std::int64_t check_recording(Database& database, const AttemptId& id);
-
 }  // namespace hallux::database

@@ -10,6 +10,7 @@
 
 #include "database/content/assets.h"
 #include "database/course/begin_attempt.h"
+#include "database/recording/recordings.h"
 #include "simulator/base/random.h"
 
 namespace hallux::database {
@@ -102,6 +103,10 @@ AttemptId record(Database& database, const NewAttempt& attempt,
   produce(recording, channels);
   recorder.finish(R"({"complete": true})");
   return recorder.attempt();
+}
+
+std::int64_t check_recording(Database& database, const AttemptId& id) {
+  return RecordingCheck{database}.check(load_header(database, id));
 }
 
 void tamper(const Database& database, const std::string& sql) {

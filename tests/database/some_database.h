@@ -52,6 +52,9 @@ void produce(const simulator::Recording& recording, simulator::AttemptChannels& 
 AttemptId record(Database& database, const NewAttempt& attempt,
                  const simulator::Recording& recording);
 
+/// The number of its chunks; throws as RecordingCheck does.
+std::int64_t check_recording(Database& database, const AttemptId& id);
+
 /// Runs SQL as somebody with another tool would.
 void tamper(const Database& database, const std::string& sql);
 
