@@ -33,6 +33,7 @@ constexpr EventText event_texts[] = {
     {CutEventKind::PieceFreed, Meaning::Good, "replay.event.piece_freed"},
     {CutEventKind::PieceRemoved, Meaning::Neutral, "replay.event.piece_removed"},
     {CutEventKind::StepDone, Meaning::Neutral, "replay.event.step_done"},
+    {CutEventKind::StepReopened, Meaning::Neutral, "replay.event.step_reopened"},
     {CutEventKind::Paused, Meaning::Neutral, "replay.event.paused"},
     {CutEventKind::Resumed, Meaning::Neutral, "replay.event.resumed"},
     {CutEventKind::Fault, Meaning::Bad, "replay.event.fault"},
@@ -73,8 +74,12 @@ std::vector<TimelineStep> steps_of(const Recording& recording, const scenarios::
     next = index + 1;
   };
   for (const CutEvent& event : recording.events) {
-    if (event.kind == CutEventKind::StepDone && event.subject >= 0)
-      add(static_cast<std::size_t>(event.subject), second_from_tick(event.tick));
+    if (event.subject < 0) continue;
+    const auto step = static_cast<std::size_t>(event.subject);
+    if (event.kind == CutEventKind::StepDone) add(step, second_from_tick(event.tick));
+    if (event.kind != CutEventKind::StepReopened) continue;
+    add(next, second_from_tick(event.tick));
+    next = step;
   }
   add(next, duration_s);
   return steps;
