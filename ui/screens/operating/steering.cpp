@@ -62,6 +62,16 @@ const scenarios::PlannedCut& first_cut(const PreparedCase& prepared_case) {
   return prepared_case.plan.cuts.front();
 }
 
+/// The view frame of an eye in that direction, dorsal up; of one that looks straight down, distal
+/// up.
+Quat facing(const Vec3& eye_in_world) {
+  constexpr double straight = 0.999;
+  const bool is_straight = std::abs(eye_in_world.y) > straight;
+  const Vec3 up = is_straight ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+  const Vec3 right = unit(glm::cross(up, eye_in_world));
+  return rotation_from_axes(right, glm::cross(eye_in_world, right));
+}
+
 Vec3 site_in_bone_mm(const scenarios::PlannedCut& cut) {
   return 0.5 * (cut.entry_point_in_bone_mm + cut.exit_point_in_bone_mm);
 }
@@ -70,6 +80,12 @@ Vec3 site_in_bone_mm(const scenarios::PlannedCut& cut) {
 
 RigidTransform start_pose(const PreparedCase& prepared_case) {
   const scenarios::PlannedCut& cut = first_cut(prepared_case);
+  if (const auto& start = prepared_case.scenario.start) {
+    const Vec3 across = glm::cross(start->normal_in_bone, start->feed_in_bone);
+    return prepared_case.bone.world_from_bone *
+           RigidTransform{rotation_from_axes(start->feed_in_bone, across),
+                          cut.entry_point_in_bone_mm + start->tip_from_entry_mm};
+  }
   const auto reference =
       std::find_if(prepared_case.scenario.cuts.begin(), prepared_case.scenario.cuts.end(),
                    [&](const scenarios::ReferenceCut& each) { return each.name == cut.name; });
@@ -84,6 +100,12 @@ Camera start_camera(const PreparedCase& prepared_case) {
   Camera camera;
   camera.target_mm = transform_point(prepared_case.bone.world_from_bone,
                                      site_in_bone_mm(first_cut(prepared_case)));
+  if (const auto& start = prepared_case.scenario.start) {
+    camera = fitted(camera, Viewer{}, start->radius_mm, usual_aspect);
+    camera.world_from_view =
+        facing(transform_direction(prepared_case.bone.world_from_bone, start->eye_in_bone));
+    return camera;
+  }
   const double length_mm = prepared_case.scenario.patient.length_mm;
   const double radius_mm = std::clamp(site_share_of_bone * length_mm, site_least_mm, site_most_mm);
   return standard_view(fitted(camera, Viewer{}, radius_mm, usual_aspect), StandardView::Operator);
