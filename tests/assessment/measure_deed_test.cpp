@@ -100,11 +100,11 @@ struct Deeds {
 
 Deeds deeds_of(const Recording& recording) {
   scenarios::Scenario scenario = testing::akin_scenario();
-  scenario.steps = {{scenarios::StepKind::Remove, "", "", "", "lateral_hinge"},
-                    {scenarios::StepKind::Close, "", "", "", "lateral_hinge"}};
+  scenario.steps = {{scenarios::StepKind::Remove, "", "", "", "lateral"},
+                    {scenarios::StepKind::Close, "", "", "", "lateral"}};
   const Examination examination = assess_fully(scenario, testing::oval_bone(), recording);
   const auto value = [&](const char* metric) {
-    return find_measurement(examination.measurements, metric, "", "lateral_hinge")->value;
+    return find_measurement(examination.measurements, metric, "", "lateral")->value;
   };
   return {value("piece_out"), value("wedge_closed")};
 }
