@@ -116,7 +116,7 @@ TEST_F(Pictures, TheBladeShadowsTheBone) {
     for (int x = 0; x < size.width; ++x) {
       const Colour with = pixel_at(shaded, x, y), without = pixel_at(lit, x, y);
       if (!is_bone_coloured(with) || !is_bone_coloured(without)) continue;
-      darker += with.red < without.red - 25 ? 1U : 0U;
+      darker += with.red < without.red - 15 ? 1U : 0U;
       brighter += with.red > without.red + 2 ? 1U : 0U;
     }
   }

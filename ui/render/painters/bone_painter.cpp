@@ -111,9 +111,8 @@ void set_shadow(ShaderProgram& program, const Frame& frame) {
     return;
   }
   const ToolShadow shadow = tool_shadow(*frame.scene.saw, frame.key_light);
-  const double strength = frame.scene.ground == Ground::Dark ? 0.80 : 0.62;
   program.set("key_in_tool", to_float(shadow.key_in_tool));
-  program.set("blade_shadow", Float4(shadow.blade_depth_mm, shadow.blade_half_width_mm, strength,
+  program.set("blade_shadow", Float4(shadow.blade_depth_mm, shadow.blade_half_width_mm, 1.0,
                                      shadow.handpiece_from_mm));
 }
 

@@ -70,7 +70,7 @@ void main() {
   float grazing = fresnel(normal, to_eye);
   vec3 own = is_steel ? vec3(0.035) : is_grip ? vec3(0.030, 0.034, 0.040) : vec3(0.21, 0.225, 0.245);
   vec3 mirror = is_steel ? vec3(0.60, 0.615, 0.64) : vec3(0.035 + 0.27 * grazing);
-  vec3 light = lit(own, normal, to_eye, 1.0, 1.0) + mirror * studio(mirrored, is_steel ? 0.12 : 0.42);
+  vec3 light = lit(own, normal, Reach(1.0, 1.0, 1.0)) + mirror * studio(mirrored, is_steel ? 0.12 : 0.42);
 #endif
   colour = vec4(shown(light), share);
 }
