@@ -10,18 +10,9 @@ uniform vec3 view_right, view_back;
 uniform sampler3D noise;
 
 #ifdef SEEN_THROUGH
-// The line from the eye to the teeth: what lies nearer than they and within its reach is seen through.
-uniform vec3 teeth_mm;            // in the world
-uniform vec2 reach_mm;            // least and full presence, distances from the line
-uniform float is_translucent_part;  // 1: draws what is seen through, 0: the rest
+#include "seen_through.glsl"
 
-float presence() {
-  vec3 to_teeth = normalize(teeth_mm - eye_mm), from_teeth = in_world_mm - teeth_mm;
-  float beside_mm = length(cross(from_teeth, to_teeth));
-  float nearer_mm = -dot(from_teeth, to_teeth);
-  float clear = (1.0 - smoothstep(reach_mm.x, reach_mm.y, beside_mm)) * smoothstep(2.0, 6.0, nearer_mm);
-  return 1.0 - 0.86 * clear;
-}
+uniform float is_translucent_part;  // 1: draws what is seen through, 0: the rest
 #endif
 
 vec3 studio(vec3 way, float blur) {
@@ -58,7 +49,7 @@ vec3 blade(vec3 normal, vec3 to_eye) {
 void main() {
   float share = 1.0;
 #ifdef SEEN_THROUGH
-  share = presence();
+  share = presence_at(in_world_mm, eye_mm);
   if ((share < 1.0) != (is_translucent_part > 0.5)) discard;
 #endif
   vec3 to_eye = normalize(eye_mm - in_world_mm), normal = normalize(normal_in_world);

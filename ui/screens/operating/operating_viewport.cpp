@@ -18,6 +18,8 @@ namespace {
 using simulator::ToolStatus;
 
 constexpr Vec2 plane_half_mm{16.0, 13.0};
+/// The blade's line on the bone: a little wider than the teeth, and faintly on.
+constexpr double beside_teeth_mm = 1.0, faint_line_mm = 8.0;
 
 constexpr std::array<const char*, standard_view_count> view_names{
     "operate.key.view.1", "operate.key.view.2", "operate.key.view.3", "operate.key.view.4",
@@ -109,7 +111,9 @@ Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) cons
   // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
   saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
   scene.saw = saw;
-  scene.lines.push_back({saw.world_from_tool, 0.5 * saw.blade.width_mm + 1.0});
+  scene.lines.push_back({.world_from_plane = saw.world_from_tool,
+                         .half_mm = Vec2(0.0, 0.5 * saw.blade.width_mm + beside_teeth_mm),
+                         .faint_mm = faint_line_mm});
   scene.chips = swarf_.chips();
   if (shown.cut != nullptr) {
     scene.planes.push_back(

@@ -179,9 +179,8 @@ Scene scene_of(const PatientView& view, PatientPicture picture, Ground ground) {
   add(view.bone, 1.0);
   add(view.neighbour, picture == PatientPicture::Pair ? 1.0 : 0.45);
   for (const FaceInView& face : view.faces) {
-    if (scene.lines.size() == lines_at_most) break;
-    scene.planes.push_back({face.world_from_plane, face.half_mm, Ink::Accent, true});
-    scene.lines.push_back({face.world_from_plane, face.half_mm.y});
+    if (scene.planes.size() == lines_at_most) break;
+    scene.planes.push_back({face.world_from_plane, face.half_mm});
   }
   if (picture == PatientPicture::Card && !view.faces.empty()) scene.saw = saw_of(view);
   return scene;

@@ -142,7 +142,7 @@ Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   if (shows_plan_) {
     for (const scenarios::PlannedCut& cut : material().plan.cuts) {
       scene.planes.push_back({material().world_from_bone * bone_from_planned(cut),
-                              Vec2(0.55 * material().radius_mm), Ink::Accent, true});
+                              Vec2(0.55 * material().radius_mm)});
     }
   }
   if (picked_in_bone_mm_) {

@@ -94,7 +94,7 @@ Scene PlanCard::scene_of(const Theme& theme, const ExaminedAttempt& examined) co
     if (!shows_whole && static_cast<int>(i) != chosen_) continue;
     const CutAgainstPlan& cut = examined.cuts[i];
     scene.planes.push_back({examined.world_from_bone * cut.bone_from_face,
-                            Vec2(1.15 * cut.radius_mm), Ink::Accent, false});
+                            Vec2(1.15 * cut.radius_mm), Ink::Reference, false, false});
   }
   if (place_in_bone_mm_) {
     scene.marks.push_back(
