@@ -132,6 +132,19 @@ const SolidPatch* BoneMoment::patch() const noexcept {
   return patch_.hidden.empty() && patch_.triangles.empty() ? nullptr : &patch_;
 }
 
+std::optional<KerfOpening> BoneMoment::kerf_at_hand() const {
+  const KerfGrowth* newest = nullptr;
+  std::int32_t newest_tick = -1;
+  for (const KerfGrowth& kerf : history_.kerfs) {
+    const std::size_t grown = kerf.grown_at(tick_);
+    if (grown == 0 || kerf.ticks[grown - 1] < newest_tick) continue;
+    newest = &kerf;
+    newest_tick = kerf.ticks[grown - 1];
+  }
+  if (newest == nullptr) return std::nullopt;
+  return KerfOpening{newest->opened.plane, loops_of(outline_at(newest->opened, tick_))};
+}
+
 std::optional<Vec3> BoneMoment::first_hit(const Vec3& from_in_bone_mm,
                                           const Vec3& direction) const {
   NearestHit fixed{from_in_bone_mm, direction};

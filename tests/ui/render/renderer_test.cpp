@@ -105,7 +105,8 @@ TEST_F(Pictures, TheBladeShadowsTheBone) {
   scene.bones.pop_back();
   scene.planes.clear();
   scene.lines.clear();
-  const Camera camera = standard_view(world->camera(), StandardView::AlongBlade);
+  // The operator's height, from medial.
+  const Camera camera = orbited(standard_view(world->camera(), StandardView::Medial), -0.13, 0.35);
   scene.bones.front().patch = nullptr;
   const Pixels shaded = draw(scene, camera);
   // The same with the saw far away, its shadow with it.

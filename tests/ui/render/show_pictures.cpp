@@ -99,7 +99,8 @@ void add_wedge(Album& album, OperatingWorld& world) {
   album.add("wedge", scene, camera);
   album.add("wedge_light", on_light(scene), camera);
   camera.magnification = 20.0;
-  album.add("wedge_near", scene, standard_view(camera, StandardView::AlongBlade));
+  album.add("wedge_near", scene,
+            along_blade(camera, world.world_from_tool(), BladeSight::AcrossFromMinus));
   // As if the plan had been a little oblique to what was cut.
   const Vec3 normal = glm::normalize(world.cut().face.normal + Vec3(0.0, 0.10, 0.14));
   const Vec3 middle_mm =
@@ -142,9 +143,17 @@ void show(const std::filesystem::path& folder, double edge_mm) {
   near.magnification = 22.0;
   near.target_mm = transform_point(world.world_from_tool(), Vec3(0.0));
   album.add("near", scene, near);
-  for (int view = 0; view < standard_view_count; ++view) {
+  for (int view = 0; view + 1 < standard_view_count; ++view) {
     album.add("view_" + std::to_string(view + 1), scene,
               standard_view(camera, static_cast<StandardView>(view)));
+  }
+  for (std::size_t sight = 0; sight < blade_sight_count; ++sight) {
+    Scene along = scene;
+    if (static_cast<BladeSight>(sight) == BladeSight::OverHandle) {
+      along.saw->handpiece_presence = 0.1;
+    }
+    album.add("along_blade_" + std::to_string(sight), along,
+              along_blade(camera, scene.saw->world_from_tool, static_cast<BladeSight>(sight)));
   }
   add_site(album, world);
   add_planes(album, world);

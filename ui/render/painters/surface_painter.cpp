@@ -96,13 +96,20 @@ std::vector<PixelBox> lined_pixels(const Frame& frame, const BoneInScene& bone,
   return tiles.boxes();
 }
 
-constexpr double halo_least_mm = 0.7, halo_growth = 0.22, halo_most_mm = 4.5;
+constexpr double halo_least_mm = 0.6, halo_growth = 0.12, halo_most_mm = 3.0;
+/// From here on it grows fainter with the distance.
+constexpr double halo_whole_mm = 8.0, halo_faint_mm = 30.0, halo_faint = 0.35;
 /// How far behind its nearest place the bone is still drawn on.
 constexpr double halo_depth_mm = 6.0;
 
 double halo_radius_mm(const ContactHalo& halo) {
   if (halo.kind == HaloKind::Behind) return 1.4;
   return std::min(halo_least_mm + halo_growth * std::max(halo.distance_mm, 0.0), halo_most_mm);
+}
+
+double halo_presence(const ContactHalo& halo) {
+  const double share = (halo.distance_mm - halo_whole_mm) / (halo_faint_mm - halo_whole_mm);
+  return 1.0 - (1.0 - halo_faint) * std::clamp(share, 0.0, 1.0);
 }
 
 /// The pixels on which the ring can lie.
@@ -151,6 +158,7 @@ void set_halo(ShaderProgram& program, const Frame& frame, const ContactHalo& hal
                              is_behind ? dash_mm : 0.0));
   program.set("half_pixels", static_cast<float>(1.4 * frame.pixel_scale));
   program.set("fill", halo.kind == HaloKind::On ? 0.55F : is_behind ? 0.0F : 0.18F);
+  program.set("halo_presence", static_cast<float>(halo_presence(halo)));
   program.set("is_behind", is_behind ? 1.0F : 0.0F);
   program.set("ink", colour_of(frame.palette, Ink::Accent));
 }

@@ -7,7 +7,7 @@ uniform vec3 eye_mm;  // in the world
 uniform mat4 ring_from_world;  // y along the teeth, z across them, x on to the bone
 uniform vec3 ring_along, ring_across;  // those axes in the world
 uniform vec4 ring;  // half of the straight sides, radius, how far to draw [mm]; a dash with its gap, 0: none
-uniform float half_pixels, fill, is_behind;
+uniform float half_pixels, fill, halo_presence, is_behind;
 uniform vec3 ink;
 
 const float dash_share = 0.6;
@@ -32,5 +32,5 @@ void main() {
     edge *= step(fract(run / ring.w), dash_share);
   }
   float inside = fill * (1.0 - smoothstep(0.55 * ring.y, ring.y, off));
-  colour = vec4(ink, 1.0) * max(edge * 0.95, inside);
+  colour = vec4(ink, 1.0) * (halo_presence * max(edge * 0.95, inside));
 }

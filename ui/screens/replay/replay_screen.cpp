@@ -140,9 +140,8 @@ Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   scene.saw =
       SawInScene{hand.world_from_tool, material().scenario.saw.blade, hand.is_saw_on, swing};
   if (shows_plan_) {
-    for (const scenarios::PlannedCut& cut : material().plan.cuts) {
-      scene.planes.push_back({material().world_from_bone * bone_from_planned(cut),
-                              Vec2(0.55 * material().radius_mm)});
+    for (const PlannedFace& face : material().faces) {
+      scene.planes.push_back({material().world_from_bone * face.bone_from_face, face.half_mm});
     }
   }
   if (picked_in_bone_mm_) {
@@ -162,6 +161,7 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
                             (picked_in_bone_mm_ ? fixed_text(picked_in_bone_mm_->x, 6) +
                                                       fixed_text(picked_in_bone_mm_->y, 6)
                                                 : std::string());
+  stage_.set_blade(hand.world_from_tool);
   const StageResponse response =
       stage_.draw(ui, shell, rect, scene_of(ui, hand),
                   {"replay.view", ui.text("replay.view"), picture_id(state), 0.0F});
