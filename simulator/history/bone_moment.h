@@ -31,7 +31,7 @@ class BoneMoment {
   const SolidPatch* patch() const noexcept;
 
   /// The kerf that grew last, as far as it is open; nothing before the first.
-  std::optional<KerfOpening> kerf_at_hand() const;
+  std::optional<KerfOpening> kerf_at_hand();
 
   /// Where a ray first meets what stands, in the frame of the bone before anything moved; nothing
   /// where it misses.

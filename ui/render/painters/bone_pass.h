@@ -1,5 +1,5 @@
 /// A pass over what is seen of bones, once a pixel: which bone is where stands in the stencil, at
-/// which point of it in the shapes' textures. Inside this room only.
+/// which point of it in the shapes' textures. Inside this corner only.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Draws danger zones, and bone that still holds. Inside this room only.
+/// Draws danger zones, and bone that still holds.
 #pragma once
 
 #include "ui/render/gl/display_buffer.h"

@@ -1,5 +1,4 @@
-/// Draws on what is seen of bones: where planes meet them, and where the teeth do. Inside this room
-/// only.
+/// Draws on what is seen of bones: where planes meet them, and where the teeth do.
 #pragma once
 
 #include <map>
@@ -14,7 +13,8 @@ class SurfacePainter {
  public:
   SurfacePainter();
 
-  /// The scene's lines and those of its planes, over the lit skins of bones that are wholly present.
+  /// The scene's lines and those of its planes, over the lit skins of bones that are wholly
+  /// present.
   /// needs   the shapes of all the picture are drawn; a framebuffer with their stencil is bound
   void draw_lines(const Frame& frame);
   /// needs   as for lines

@@ -1,4 +1,4 @@
-/// A capsule of any length and radius as one mesh. Inside this room only.
+/// A capsule of any length and radius as one mesh.
 #pragma once
 
 #include <vector>

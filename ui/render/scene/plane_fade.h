@@ -1,4 +1,4 @@
-/// Planes that are seen edge on: how much of the rectangle is drawn, and what is drawn in its place.
+/// Planes that are seen edge on: how much of the rectangle is drawn, and what stands in its place.
 #pragma once
 
 #include "ui/render/scene/scene.h"

@@ -1,7 +1,7 @@
 // The blade's plane drawn by rows: bone may be concave and have holes, which a canvas does not
 // fill, so each row of pixels is filled where it runs through bone and not through what is open.
-// Every kind of thing has a line of its own beside its colour: bone a fill, what is open an outline,
-// the plan long dashes, a zone short ones until the blade is near.
+// Every kind of thing has a line of its own beside its colour: bone a fill, what is open an
+// outline, the plan long dashes, a zone short ones until the blade is near.
 #include "ui/screens/pictures/blade_section_view.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 /// A scenario's patient as it is shown before it is operated on: the bone with its neighbour, the
-/// planned faces, the saw. Inside this corner only.
+/// planned faces, the saw.
 #pragma once
 
 #include <cstdint>
