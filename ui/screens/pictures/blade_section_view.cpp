@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace hallux::ui {
 
@@ -18,9 +19,12 @@ namespace {
 constexpr Color bone_dark{208, 192, 160}, bone_light{214, 196, 160};
 constexpr Color canal_dark{84, 58, 44}, canal_light{176, 140, 112};
 /// Room before the bone, where the blade comes from, and around it.
-constexpr double approach_mm = 12.0, around_mm = 3.0;
-constexpr float plan_on = 7.0F, plan_off = 4.0F, zone_on = 4.0F, zone_off = 4.0F;
+constexpr double approach_mm = 8.0, around_mm = 3.0;
+constexpr float plan_on = 7.0F, plan_off = 4.0F;
+constexpr double zone_on_mm = 0.8, zone_on_off_mm = 1.5;
 constexpr double longest_way_mm = 99.0;
+/// Of the words about the way, at the foot.
+constexpr float way_height = 20.0F;
 
 /// The plane on the window: x downwards, y to the right.
 class PlaneOnWindow {
@@ -85,26 +89,51 @@ ShownPart shown_part(const BladeSection& section) {
   return nearest;
 }
 
-void dashed(Canvas& canvas, std::span<const Point> points, Color color, float on, float off) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    canvas.dashes(points[i], points[i + 1], color, on, off, 1.5F);
+void dashed(Canvas& canvas, Point from, Point to, Color color) {
+  // Dashes along an axis are filled from their lesser end.
+  if (from.x > to.x || from.y > to.y) std::swap(from, to);
+  canvas.dashes(from, to, color, plan_on, plan_off, 1.5F);
+}
+
+/// The loop's edges in short pieces, each told with how far along the loop it lies.
+template <typename Visit>
+void for_pieces(const PlaneLoop& loop, double longest_mm, Visit&& visit) {
+  double run_mm = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+    const double length_mm = glm::distance(a, b);
+    const int count = std::max(1, static_cast<int>(std::ceil(length_mm / longest_mm)));
+    for (int piece = 0; piece < count; ++piece) {
+      const double from = static_cast<double>(piece) / count;
+      const double to = static_cast<double>(piece + 1) / count;
+      visit(a + from * (b - a), a + to * (b - a), run_mm + from * length_mm);
+    }
+    run_mm += length_mm;
   }
 }
 
-/// A loop of many short edges: dashes run on over its corners.
-void dashed_loop(Canvas& canvas, std::span<const Point> points, Color color, float on, float off) {
-  std::vector<Point> dash;
-  float run = 0.0F;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i > 0) run += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
-    if (std::fmod(run, on + off) < on) {
-      dash.push_back(points[i]);
-    } else {
-      canvas.polyline(dash, color, 1.5F);
-      dash.clear();
-    }
-  }
-  canvas.polyline(dash, color, 1.5F);
+/// Only where `is_drawn` says so of a piece's middle and its place along the loop.
+template <typename Test>
+void draw_pieces(Canvas& canvas, const PlaneOnWindow& plane, const PlaneLoop& loop, Color color,
+                 float thickness, Test&& is_drawn) {
+  constexpr double longest_mm = 0.35;
+  std::vector<Point> run;
+  const auto end_run = [&] {
+    if (run.size() > 1) canvas.polyline(run, color, thickness);
+    run.clear();
+  };
+  for_pieces(loop, longest_mm, [&](const Vec2& from_mm, const Vec2& to_mm, double along_mm) {
+    if (!is_drawn(0.5 * (from_mm + to_mm), along_mm)) return end_run();
+    if (run.empty()) run.push_back(plane.at(from_mm));
+    run.push_back(plane.at(to_mm));
+  });
+  end_run();
+}
+
+bool is_in_bone(const KerfSection& section, const Vec2& place_mm) {
+  const std::vector<RowSpan> spans = spans_at(section.bone_mm, place_mm.x);
+  // Between the first and the last: holes are in it, too.
+  return !spans.empty() && place_mm.y > spans.front().from_mm && place_mm.y < spans.back().to_mm;
 }
 
 void fill_rows(Canvas& canvas, const Rect& rect, const PlaneOnWindow& plane,
@@ -131,8 +160,10 @@ void draw_bone(Ui& ui, const Rect& rect, const PlaneOnWindow& plane, const KerfS
   fill_rows(canvas, rect, plane, canals, section.opened_mm, is_dark ? canal_dark : canal_light);
   for (const PlaneLoop& loop : section.bone_mm)
     canvas.polyline(plane.points_of(loop), ui.theme().border, 1.0F);
-  for (const PlaneLoop& loop : section.opened_mm)
-    canvas.polyline(plane.points_of(loop), ui.theme().accent, 1.5F);
+  for (const PlaneLoop& loop : section.opened_mm) {
+    draw_pieces(canvas, plane, loop, ui.theme().accent, 2.0F,
+                [&](const Vec2& middle_mm, double) { return is_in_bone(section, middle_mm); });
+  }
 }
 
 void draw_blade(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section) {
@@ -157,30 +188,32 @@ void draw_way(Ui& ui, const Rect& rect, const PlaneOnWindow& plane, const BladeS
   std::snprintf(value.data(), value.size(), "%.1f", section.far_edge->way_mm);
   const std::string words = ui.texts().say("section.way", {{"distance", value.data()}});
   const float width = ui.width_of(Type::CaptionMedium, words);
-  const float x = std::clamp(to.x - 0.5F * width, rect.x + 4.0F, rect.right() - width - 4.0F);
-  const float y = std::min(to.y + 12.0F, rect.bottom() - 10.0F);
+  // At the foot, where it covers nothing and stays.
+  const float x = rect.mid_x() - 0.5F * width, y = rect.bottom() - 9.0F;
   ui.canvas().fill({x - 4.0F, y - 9.0F, width + 8.0F, 18.0F}, ui.theme().hud, radius::step);
   ui.canvas().text({x, y}, {Type::CaptionMedium, ink}, words);
 }
 
 void draw_plan(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section) {
   for (const PlanTrace& trace : section.plan) {
-    const std::array ends{plane.at(trace.from_mm), plane.at(trace.to_mm)};
-    dashed(ui.canvas(), ends, ui.theme().reference, plan_on, plan_off);
+    dashed(ui.canvas(), plane.at(trace.from_mm), plane.at(trace.to_mm), ui.theme().reference);
     if (trace.kind != PlanTraceKind::Hinge) continue;
-    const Point middle{0.5F * (ends[0].x + ends[1].x), 0.5F * (ends[0].y + ends[1].y)};
-    ui.canvas().ring(middle, 4.0F, ui.theme().reference, 2.0F);
+    ui.canvas().ring(plane.at(0.5 * (trace.from_mm + trace.to_mm)), 4.0F, ui.theme().reference,
+                     2.0F);
   }
 }
 
 void draw_zones(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section) {
   for (const ZoneInSection& zone : section.zones) {
     if (zone.outline_mm.empty()) continue;
-    const std::vector<Point> points = plane.points_of(zone.outline_mm);
     if (!zone.is_near) {
-      dashed_loop(ui.canvas(), points, ui.theme().bad, zone_on, zone_off);
+      draw_pieces(ui.canvas(), plane, zone.outline_mm, ui.theme().bad, 1.5F,
+                  [](const Vec2&, double along_mm) {
+                    return std::fmod(along_mm, zone_on_off_mm) < zone_on_mm;
+                  });
       continue;
     }
+    const std::vector<Point> points = plane.points_of(zone.outline_mm);
     Color fill = ui.theme().bad;
     fill.alpha = 90;
     ui.canvas().polygon(std::span(points).first(points.size() - 1), fill);
@@ -228,7 +261,8 @@ void draw_blade_section(Ui& ui, const Rect& rect, const BladeSection& section) {
     return;
   }
   const ShownPart bounds = shown_part(section);
-  const PlaneOnWindow plane(inset(rect, 4.0F), bounds.low_mm, bounds.high_mm);
+  const PlaneOnWindow plane({rect.x, rect.y, rect.w, rect.h - way_height}, bounds.low_mm,
+                            bounds.high_mm);
   const ClipScope clip(ui.canvas(), rect);
   draw_bone(ui, rect, plane, section.section);
   draw_zones(ui, plane, section);
