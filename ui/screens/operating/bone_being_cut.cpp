@@ -4,7 +4,7 @@
 // anew. Where that fails for want of memory, the attempt goes on without a new picture.
 #include "ui/screens/operating/bone_being_cut.h"
 
-#include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "ui/screens/pictures/bone_viewport.h"
@@ -18,6 +18,9 @@ using namespace simulator;
 
 /// A patch for each frame that a display may show.
 constexpr std::chrono::milliseconds between_patches{15};
+constexpr std::chrono::milliseconds between_sections{50};
+/// A plane that moved less, out of itself, has the same section.
+constexpr double same_section_mm = 0.1, same_section_rad = 0.0035;
 
 }  // namespace
 
@@ -29,6 +32,7 @@ BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_direc
   const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
   picture.mesh =
       std::make_shared<const BoneMesh>(mesh_of(id, uncut_solid(solid_of(bone)), picture.look));
+  picture.tree = std::make_shared<const Bvh>(picture.mesh->solid.mesh);
   return picture;
 }
 
@@ -39,7 +43,8 @@ BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
       watch_(attempt.watch()),
       cut_(attempt.prepared_case().bone, attempt.prepared_case().scenario.saw.blade,
            scenarios::planned_bridge(attempt.prepared_case().plan)) {
-  newest_.bodies = {{picture_.mesh, world_from_bone_}};
+  base_ = {picture_.mesh, picture_.tree, world_from_bone_};
+  newest_.bodies = {base_};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -49,6 +54,7 @@ void BoneBeingCut::add_to(Scene& scene) {
   {
     const std::scoped_lock turn(turn_);
     drawn_.bodies = newest_.bodies;
+    drawn_.free_pieces = newest_.free_pieces;
     if (drawn_.patch_revision != newest_.patch_revision) {
       std::swap(drawn_.patch, newest_.patch);
       drawn_.patch_revision = newest_.patch_revision;
@@ -65,6 +71,17 @@ void BoneBeingCut::add_to(Scene& scene) {
     }
     scene.bones.push_back(bone);
   }
+}
+
+void BoneBeingCut::add_free_pieces(Scene& scene) const {
+  for (const std::shared_ptr<const BoneMesh>& piece : drawn_.free_pieces) {
+    scene.free_pieces.push_back({piece.get(), world_from_bone_});
+  }
+}
+
+std::shared_ptr<const KerfSection> BoneBeingCut::section() {
+  const std::scoped_lock turn(turn_);
+  return section_;
 }
 
 std::vector<CutEvent> BoneBeingCut::take_events() {
@@ -91,6 +108,7 @@ void BoneBeingCut::show_feed(const std::stop_token& stop) {
     const bool is_closed = watch_.closed.load(std::memory_order_acquire);
     if (take_feed()) is_up_to_date_.store(false, std::memory_order_release);
     bring_up_to_date();
+    renew_section();
     if (!cut_.is_due()) is_up_to_date_.store(true, std::memory_order_release);
     if (is_closed && watch_.feed.size() == 0) return;
     std::this_thread::sleep_for(between_patches);
@@ -104,6 +122,9 @@ bool BoneBeingCut::take_feed() {
   for (std::size_t i = 0; i < waiting && watch_.feed.pop(feed); ++i) {
     std::visit([this](const auto& value) { cut_.apply(value); }, feed);
     if (const auto* event = std::get_if<CutEvent>(&feed)) note(*event);
+    if (const auto* sample = std::get_if<ToolSample>(&feed)) {
+      bone_from_tool_ = inverse(world_from_bone_) * transform_from(sample->world_from_tool);
+    }
   }
   return cut_.is_due();
 }
@@ -118,30 +139,79 @@ void BoneBeingCut::note(const CutEvent& event) {
 
 void BoneBeingCut::bring_up_to_date() {
   if (const std::optional<PatchBase> base = cut_.take_base()) {
-    base_ = base->is_uncut ? picture_.mesh : lit_mesh(base->solid);
+    base_ = base->is_uncut ? Body{picture_.mesh, picture_.tree, world_from_bone_}
+                           : lit_body(base->solid, world_from_bone_);
   }
   // A frame whose outline is not simple shows the patch before it.
   if (cut_.build_patch(patch_)) show_patch();
   if (const std::optional<CutSolid> whole = cut_.take_whole()) {
-    publish({{lit_mesh(*whole), world_from_bone_}});
+    base_ = lit_body(*whole, world_from_bone_);
+    publish({base_});
   }
+  if (const auto pieces = cut_.take_free_pieces()) show_free_pieces(*pieces);
+}
+
+void BoneBeingCut::show_free_pieces(const std::vector<CutSolid>& solids) {
+  std::vector<std::shared_ptr<const BoneMesh>> meshes;
+  for (const CutSolid& solid : solids) {
+    meshes.push_back(
+        std::make_shared<const BoneMesh>(mesh_of(next_mesh_id(), solid, picture_.look)));
+  }
+  const std::scoped_lock turn(turn_);
+  newest_.free_pieces = std::move(meshes);
+}
+
+/// In the kerf's plane while the blade lies in it, else in the blade's own, where nothing is open.
+void BoneBeingCut::renew_section() {
+  if (!bone_from_tool_ || cut_.closed_hinge() != nullptr) return;
+  std::optional<KerfPlane> kerf = cut_.plane_at_hand();
+  const bool is_in_kerf = kerf && is_in_plane(kerf->bone_from_kerf, *bone_from_tool_);
+  const RigidTransform plane = is_in_kerf ? kerf->bone_from_kerf : *bone_from_tool_;
+  const std::uint64_t opened = is_in_kerf ? next_revision_ : 0;
+  if (!section_clock_.is_due(plane, opened, std::chrono::steady_clock::now())) return;
+  const KerfOpening opening = is_in_kerf ? *cut_.kerf_at_hand() : KerfOpening{{plane}, {}};
+  auto section =
+      std::make_shared<const KerfSection>(kerf_section(base_.mesh->solid, *base_.tree, opening));
+  const std::scoped_lock turn(turn_);
+  section_ = std::move(section);
+}
+
+bool SectionClock::is_due(const RigidTransform& bone_from_plane, std::uint64_t opened, Time now) {
+  if (bone_from_plane_ && now - last_ < between_sections) return false;
+  if (bone_from_plane_ && opened == opened_) {
+    const RigidTransform moved = inverse(*bone_from_plane_) * bone_from_plane;
+    const Vec3 normal = moved.rotation * Vec3(0.0, 0.0, 1.0);
+    if (std::abs(moved.translation_mm.z) < same_section_mm &&
+        glm::length(Vec2(normal.x, normal.y)) < same_section_rad)
+      return false;
+  }
+  bone_from_plane_ = bone_from_plane;
+  opened_ = opened;
+  last_ = now;
+  return true;
 }
 
 void BoneBeingCut::show_patch() {
   const std::scoped_lock turn(turn_);
-  newest_.bodies = {{base_, world_from_bone_}};
+  newest_.bodies = {base_};
   std::swap(newest_.patch, patch_);
   newest_.patch_revision = next_revision_++;
 }
 
 void BoneBeingCut::show_hinge(const ClosedHinge& hinge, const RigidTransform& bone_from_moved) {
-  publish({{lit_mesh(hinge.fixed), world_from_bone_},
-           {lit_mesh(hinge.moved), world_from_bone_ * bone_from_moved}});
+  publish({lit_body(hinge.fixed, world_from_bone_),
+           lit_body(hinge.moved, world_from_bone_ * bone_from_moved)});
 }
 
-std::shared_ptr<const BoneMesh> BoneBeingCut::lit_mesh(const CutSolid& solid) {
-  return std::make_shared<const BoneMesh>(
-      lit_mesh_of(picture_id(name_ + std::to_string(meshes_++)), solid, picture_.look));
+std::uint64_t BoneBeingCut::next_mesh_id() { return picture_id(name_ + std::to_string(meshes_++)); }
+
+BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid,
+                                          const RigidTransform& world_from_body) {
+  auto tree = std::make_shared<const Bvh>(solid.mesh);
+  BoneMesh mesh = mesh_of(next_mesh_id(), solid, picture_.look);
+  const Occluder own{tree.get(), {}};
+  light_cut_faces(mesh, std::span(&own, 1));
+  return {std::make_shared<const BoneMesh>(std::move(mesh)), std::move(tree), world_from_body};
 }
 
 void BoneBeingCut::publish(std::vector<Body> bodies) {

@@ -194,7 +194,9 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
                   .world_from_target = session_.saw().world_from_target(),
                   .cut = shown_cut(),
                   .is_paused = is_paused,
-                  .is_irrigated = session_.saw().is_irrigated()});
+                  .is_irrigated = session_.saw().is_irrigated(),
+                  .site = prepared_.value().site.get(),
+                  .is_guided = session_.is_practice()});
   if (session_.is_led() || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
   } else if (session_.phase() != Phase::Ready &&

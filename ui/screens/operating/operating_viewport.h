@@ -9,6 +9,7 @@
 #include "ui/render/scene/swarf.h"
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/bone_being_cut.h"
+#include "ui/screens/operating/site_picture.h"
 #include "ui/screens/operating/steering.h"
 
 namespace hallux::ui {
@@ -25,6 +26,15 @@ struct OperationInSight {
   /// The face to saw along, where people may see it.
   const scenarios::PlannedCut* cut = nullptr;
   bool is_paused = false, is_irrigated = false;
+  /// What stands around the bone; null: nothing.
+  const SitePicture* site = nullptr;
+  bool is_neighbour_shown = true;
+  /// In practice: danger zones, outlines of free pieces, bone that still holds.
+  bool is_guided = false;
+  /// Drawn only where it is guided; null: nothing holds, or nobody knows.
+  const HeldBone* held = nullptr;
+  /// Where of the bone that holds to go on; nothing where nobody knows.
+  std::optional<Vec3> held_deepest_in_world_mm = std::nullopt;
 };
 
 class OperatingViewport {
@@ -55,6 +65,7 @@ class OperatingViewport {
   double frame_ms() const noexcept { return frame_ms_; }
 
  private:
+  Camera sight_along_blade() const;
   void hear_views(Ui& ui, const PreparedCase& prepared_case);
   void let_chips_fly(double step_s, const OperationInSight& shown);
   Scene scene(const Ui& ui, const OperationInSight& shown) const;
@@ -62,6 +73,9 @@ class OperatingViewport {
   Sight sight_;
   Steering steering_;
   StereoSetting stereo_;
+  /// As it was drawn last, and what was hidden of its teeth then.
+  SawInScene drawn_saw_;
+  std::array<double, blade_sight_count> hidden_along_blade_{};
   Swarf swarf_{1};
   double last_s_ = 0.0, frame_ms_ = 0.0;
   long pictures_ = 0;

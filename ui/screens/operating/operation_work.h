@@ -6,6 +6,7 @@
 
 #include "ui/jobs/live_attempt.h"
 #include "ui/screens/operating/bone_being_cut.h"
+#include "ui/screens/operating/site_picture.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/window/shell/background.h"
 
@@ -15,6 +16,7 @@ namespace hallux::ui {
 struct PreparedOperation {
   std::shared_ptr<const PreparedCase> prepared_case;
   BonePicture picture;
+  std::shared_ptr<const SitePicture> site;
 };
 
 /// Reads the version, makes the patient, its plan and its picture.

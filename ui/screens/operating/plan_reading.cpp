@@ -19,12 +19,4 @@ PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::Blad
   return reading;
 }
 
-RigidTransform bone_from_face(const scenarios::PlannedCut& cut) noexcept {
-  const Vec3& normal = cut.face.normal;
-  const Vec3 middle_mm = 0.5 * (cut.entry_point_in_bone_mm + cut.exit_point_in_bone_mm);
-  const double off_mm = cut.face.offset_mm - glm::dot(normal, middle_mm);
-  const Vec3 axis = cut.axis - glm::dot(cut.axis, normal) * normal;
-  return {rotation_from_axes(axis, glm::cross(normal, axis)), middle_mm + off_mm * normal};
-}
-
 }  // namespace hallux::ui

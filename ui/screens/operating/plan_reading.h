@@ -18,7 +18,4 @@ struct PlanReading {
 PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::Blade& blade,
                          const RigidTransform& bone_from_tool) noexcept;
 
-/// The planned face as a plane in the bone: its middle, z towards the waste, x the way of the saw.
-RigidTransform bone_from_face(const scenarios::PlannedCut& cut) noexcept;
-
 }  // namespace hallux::ui

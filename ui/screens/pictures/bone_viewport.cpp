@@ -59,6 +59,15 @@ void BoneViewport::look_at(const Vec3& middle_in_world_mm, double radius_mm, Sta
   look_at(middle_in_world_mm, radius_mm, standard_view(Camera{}, view).world_from_view);
 }
 
+void BoneViewport::turn_to(StandardView view) noexcept {
+  if (view != StandardView::AlongBlade) {
+    camera_ = standard_view(camera_, view);
+    return;
+  }
+  CHECK(has_blade());
+  camera_ = seen_along_blade(camera_, *world_from_blade_);
+}
+
 EyeView BoneViewport::eye_view() const noexcept {
   return view_of(camera_, Viewer{}, Eye::Middle,
                  static_cast<double>(rect_.w) / static_cast<double>(rect_.h));
@@ -85,7 +94,8 @@ bool BoneViewport::hear_pointer(const AreaResponse& area) {
 
 bool BoneViewport::hear_keys(Ui& ui) {
   bool was_turned = false;
-  for (int view = 0; view < standard_view_count; ++view) {
+  const int views = has_blade() ? standard_view_count : standard_view_count - 1;
+  for (int view = 0; view < views; ++view) {
     const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
     if (!ui.shortcut({key}, ui.text(standard_view_texts[static_cast<std::size_t>(view)]))) continue;
     turn_to(static_cast<StandardView>(view));

@@ -131,6 +131,9 @@ std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
     material->bone =
         picture_of(std::move(history), std::move(look), name, part_of(reached, history_share, 1.0));
   });
+  const simulator::CutSolid& whole = material->bone->stretches.front().solid;
+  const simulator::Bvh tree(whole.mesh);
+  material->faces = planned_faces(whole, tree, material->plan);
   material->events = events_of(attempt.recording);
   material->duration_s = duration_s_of(attempt.recording);
   material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);

@@ -11,6 +11,7 @@
 #include "ui/screens/parts/attempt_desks.h"
 #include "ui/screens/parts/attempt_timeline.h"
 #include "ui/screens/parts/signed_in_session.h"
+#include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/replay/history_picture.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/window/shell/background.h"
@@ -34,6 +35,8 @@ struct ReplayMaterial {
   std::optional<database::ScoreCard> card;
   scenarios::Scenario scenario;
   scenarios::Plan plan;
+  /// By cut of the plan.
+  std::vector<PlannedFace> faces;
   RigidTransform world_from_bone;
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;

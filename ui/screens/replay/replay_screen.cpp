@@ -24,6 +24,8 @@ namespace {
 
 constexpr float head_height = 64.0F, panel_width = 352.0F, edge = 20.0F, time_edge = 12.0F;
 constexpr float row_height = 36.0F;
+/// Of the section beside the view along the blade.
+constexpr float inset_width = 240.0F, inset_height = 220.0F;
 constexpr CellStyle moment_cell{Type::SmallMedium, &Theme::accent};
 constexpr float two_tracks_from = 720.0F, one_track_from = 560.0F;
 constexpr double swings_per_second = 9.0;  ///< as it is drawn: the true rate is a blur
@@ -140,9 +142,8 @@ Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   scene.saw =
       SawInScene{hand.world_from_tool, material().scenario.saw.blade, hand.is_saw_on, swing};
   if (shows_plan_) {
-    for (const scenarios::PlannedCut& cut : material().plan.cuts) {
-      scene.planes.push_back({material().world_from_bone * bone_from_planned(cut),
-                              Vec2(0.55 * material().radius_mm), Ink::Accent, true});
+    for (const PlannedFace& face : material().faces) {
+      scene.planes.push_back({material().world_from_bone * face.bone_from_face, face.half_mm});
     }
   }
   if (picked_in_bone_mm_) {
@@ -162,6 +163,7 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
                             (picked_in_bone_mm_ ? fixed_text(picked_in_bone_mm_->x, 6) +
                                                       fixed_text(picked_in_bone_mm_->y, 6)
                                                 : std::string());
+  stage_.set_blade(hand.world_from_tool);
   const StageResponse response =
       stage_.draw(ui, shell, rect, scene_of(ui, hand),
                   {"replay.view", ui.text("replay.view"), picture_id(state), 0.0F});
@@ -169,6 +171,11 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
   draw_pins(ui);
   draw_view_choices(ui, rect);
   draw_hand(ui, rect, hand);
+  const Rect corner{rect.right() - edge - inset_width, rect.y + 2.0F * edge + segmented_height,
+                    inset_width, inset_height};
+  const bool has_room = corner.x > rect.mid_x() && corner.bottom() + 60.0F < rect.bottom();
+  if (views[static_cast<std::size_t>(view_)] == StandardView::AlongBlade && has_room)
+    inset_.draw(ui, shell, corner, material_.value(), *bone_, hand, shows_plan_);
 }
 
 void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {

@@ -10,6 +10,7 @@
 #include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/bone_viewport.h"
+#include "ui/screens/replay/blade_inset.h"
 #include "ui/screens/replay/notes_panel.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
@@ -57,6 +58,7 @@ class ReplayScreen : public Screen {
   /// Of the material.
   std::unique_ptr<simulator::BoneMoment> bone_;
   BoneViewport stage_;
+  BladeInset inset_;
   Player player_;
   NotesPanel notes_;
   MessageForm ask_, pin_;

@@ -116,6 +116,19 @@ TEST(ReplayScreen, APlaceOnTheBoneIsOnItsSkin) {
   EXPECT_NEAR(skin.signed_distance_mm(Vec3(place[0], place[1], place[2])), 0.0, 1.0e-5);
 }
 
+TEST(ReplayScreen, TheBladeViewShowsWhatLiesInItsPlane) {
+  OperatedCourse akin;
+  // In the middle of the first cut.
+  Watcher watcher(akin.course, "ada", akin.attempt, 0.1);
+  EXPECT_FALSE(watcher.driver().sees("to the far side"));
+  watcher.driver().click("replay.views.4");
+  watcher.finish();
+  EXPECT_TRUE(watcher.driver().sees("to the far side"));
+  EXPECT_THAT(watcher.driver().faults(), IsEmpty());
+  watcher.driver().click("replay.views.1");
+  EXPECT_FALSE(watcher.driver().sees("to the far side"));
+}
+
 TEST(ReplayScreen, APrivateNoteIsNeverSeenByTheTrainee) {
   OperatedCourse akin;
   Watcher instructor(akin.course, "kim", akin.attempt);
