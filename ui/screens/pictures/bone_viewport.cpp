@@ -143,7 +143,7 @@ StageResponse BoneViewport::draw(Ui& ui, Shell& shell, const Rect& rect, const S
   if (texture == 0) texture = shell.scenes().draw(picture.id, scene, camera_, size);
   drawn_ = wanted;
   if (texture != 0) ui.canvas().picture({texture}, rect_, picture.radius);
-  if (area.was_clicked) {
+  if (area.clicked[0]) {
     response.pointed = ray_through(Vec2(static_cast<double>((area.pointer.x - rect_.x) / rect_.w),
                                         static_cast<double>((area.pointer.y - rect_.y) / rect_.h)));
   }

@@ -64,7 +64,8 @@ const Widget* primary_of(const FrameContent& content) {
 
 void Interaction::forget_frame() {
   pressed.clear();
-  clicked_area.clear();
+  clicked_areas = {};
+  captured_way = {};
   wheel_target.clear();
   pressed_by = PressedBy::Nothing;
   is_double = is_focus_extended = has_focus_moved = false;
@@ -93,7 +94,8 @@ void Interaction::take_events(EventQueue& queue, const FrameContent& shown, doub
     if (key) take_repeats(queue);
   }
   has_waiting_events = !queue.is_empty();
-  const Widget* under = is_pointer_inside ? widget_at(*shown_, pointer) : nullptr;
+  const bool is_somewhere = is_pointer_inside && capture.empty();
+  const Widget* under = is_somewhere ? widget_at(*shown_, pointer) : nullptr;
   const std::string id = under == nullptr ? std::string() : under->id;
   if (id != hovered) {
     hovered = id;
@@ -118,6 +120,9 @@ bool Interaction::apply(const InputEvent& event) {
   switch (event.kind) {
     case EventKind::PointerMoved:
       move_pointer(event.position);
+      return false;
+    case EventKind::CapturedMoved:
+      move_captured(event.position);
       return false;
     case EventKind::PointerLeft:
       is_pointer_inside = false;
@@ -146,6 +151,7 @@ bool Interaction::apply(const InputEvent& event) {
       return false;
     }
     case EventKind::FocusLost:
+      capture.clear();
       held = {};
       modifiers = {};
       has_lost_keys = true;
@@ -169,12 +175,42 @@ void Interaction::move_pointer(Point position) {
   is_pointer_inside = true;
 }
 
+// The pointer itself stays where it was caught: there it is again once it is free.
+void Interaction::move_captured(Point way) {
+  const Point device{way.x / scale_, way.y / scale_};
+  captured_way.x += device.x;
+  captured_way.y += device.y;
+  for (std::size_t button = 0; button < held.size(); ++button) {
+    HeldButton& own = held[button];
+    if (!own.is_down) continue;
+    dragged[button].x += device.x;
+    dragged[button].y += device.y;
+    own.way.x += device.x;
+    own.way.y += device.y;
+    own.has_moved = own.has_moved || std::hypot(own.way.x, own.way.y) > drag_threshold;
+  }
+}
+
+bool Interaction::press_captured(const InputEvent& event) {
+  held[static_cast<std::size_t>(event.button)] = {capture, true, false, pointer, {}};
+  is_ring_shown = false;
+  return false;
+}
+
+bool Interaction::release_captured(const InputEvent& event) {
+  const auto button = static_cast<std::size_t>(event.button);
+  const HeldButton was = std::exchange(held[button], {});
+  if (was.is_down && was.id == capture && !was.has_moved) clicked_areas[button] = capture;
+  return false;
+}
+
 bool Interaction::press_button(const InputEvent& event) {
+  if (!capture.empty()) return press_captured(event);
   move_pointer(event.position);
   is_ring_shown = false;
   HeldButton& own = held[static_cast<std::size_t>(event.button)];
   const Widget* under = widget_at(*shown_, pointer);
-  own = {under == nullptr ? std::string() : under->id, true, false, pointer};
+  own = {under == nullptr ? std::string() : under->id, true, false, pointer, {}};
   if (under == nullptr || event.button != MouseButton::Left) return false;
   if (under->role == Role::Area) focus.clear();
   if (can_have_focus(*shown_, *under)) focus = under->id;
@@ -188,16 +224,18 @@ bool Interaction::press_button(const InputEvent& event) {
 }
 
 bool Interaction::release_button(const InputEvent& event) {
+  if (!capture.empty()) return release_captured(event);
   move_pointer(event.position);
-  HeldButton& own = held[static_cast<std::size_t>(event.button)];
-  const HeldButton was = std::exchange(own, {});
-  if (!was.is_down || was.id.empty() || event.button != MouseButton::Left) return false;
+  const auto button = static_cast<std::size_t>(event.button);
+  const HeldButton was = std::exchange(held[button], {});
+  if (!was.is_down || was.id.empty()) return false;
   const Widget* under = widget_at(*shown_, pointer);
   if (under == nullptr || under->id != was.id || !under->is_enabled) return false;
   if (under->role == Role::Area) {
-    if (!was.has_moved) clicked_area = was.id;
-    return !was.has_moved;
+    if (!was.has_moved) clicked_areas[button] = was.id;
+    return !was.has_moved && event.button == MouseButton::Left;
   }
+  if (event.button != MouseButton::Left) return false;
   if (!is_pressable(*under)) return false;
   pressed = was.id;
   pressed_by = PressedBy::Mouse;
@@ -208,8 +246,9 @@ bool Interaction::release_button(const InputEvent& event) {
 }
 
 void Interaction::turn_wheel(const InputEvent& event) {
-  move_pointer(event.position);
-  const Widget* target = scrolled_at(*shown_, pointer);
+  if (capture.empty()) move_pointer(event.position);
+  const Widget* target =
+      capture.empty() ? scrolled_at(*shown_, pointer) : find_widget(*shown_, capture);
   if (target == nullptr) return;
   if (wheel_target != target->id) wheel = 0.0F;
   wheel_target = target->id;
