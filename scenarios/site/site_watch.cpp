@@ -1,6 +1,7 @@
 #include "scenarios/site/site_watch.h"
 
 #include <optional>
+#include <utility>
 
 #include "scenarios/site/bone_words.h"
 #include "scenarios/site/kerf_of_cut.h"
@@ -10,6 +11,7 @@ namespace hallux::scenarios {
 
 namespace {
 
+using simulator::Contour;
 using simulator::CutEventKind;
 using simulator::HeldSection;
 using simulator::KerfPlane;
@@ -26,10 +28,50 @@ PlaneLimit limit_in(const KerfPlane& plane, const PlannedWindow& window) {
           window.limit_mm - glm::dot(window.outward, bone_from_kerf.translation_mm)};
 }
 
-std::string side_of(const HeldSection& held, const RigidTransform& bone_from_kerf) {
-  const Vec2 lean_mm = held.middle_mm - held.section_middle_mm;
-  const Vec2 size_mm = held.grid.spacing_mm * Vec2(held.grid.u_count, held.grid.v_count);
-  if (length_of(lean_mm) < least_lean * length_of(size_mm)) return {};
+/// A contour as far as it lies within the limit (Sutherland and Hodgman 1974).
+Contour within(const Contour& contour, const PlaneLimit& limit) {
+  Contour kept;
+  const auto beyond = [&](const Vec2& corner) {
+    return glm::dot(limit.outward, corner) - limit.limit_mm;
+  };
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const Vec2 &from = contour[i], &to = contour[(i + 1) % contour.size()];
+    const double from_mm = beyond(from), to_mm = beyond(to);
+    if (from_mm <= 0.0) kept.push_back(from);
+    if ((from_mm <= 0.0) != (to_mm <= 0.0))
+      kept.push_back(from + from_mm / (from_mm - to_mm) * (to - from));
+  }
+  return kept;
+}
+
+std::vector<Contour> contours_of(const simulator::Section& section,
+                                 const std::vector<std::size_t>& regions,
+                                 const std::optional<PlaneLimit>& limit) {
+  std::vector<Contour> contours;
+  for (const std::size_t region : regions) {
+    for (const Contour& contour : section.regions[region].contours) {
+      Contour kept = limit ? within(contour, *limit) : contour;
+      if (kept.size() > 2) contours.push_back(std::move(kept));
+    }
+  }
+  return contours;
+}
+
+double size_mm_of(const std::vector<Contour>& contours) {
+  Vec2 low = contours.front().front(), high = low;
+  for (const Contour& contour : contours) {
+    for (const Vec2& corner : contour) {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+  }
+  return length_of(high - low);
+}
+
+std::string side_of(const HeldSection& section, const HeldCut& held) {
+  const Vec2 lean_mm = section.middle_mm - section.section_middle_mm;
+  if (held.bone_mm.empty() || length_of(lean_mm) < least_lean * size_mm_of(held.bone_mm)) return {};
+  const RigidTransform& bone_from_kerf = held.bone_from_kerf;
   return direction_text(transform_direction(bone_from_kerf, Vec3(lean_mm, 0.0)));
 }
 
@@ -62,14 +104,14 @@ HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
   std::optional<PlaneLimit> limit;
   if (const PlannedHinge* hinge = find_hinge(plan_, plan_.cuts[known.cut].hinge))
     limit = limit_in(plane, window_before(*hinge, plane.thickness_mm));
-  HeldSection section = held_section(known.section, kerfs, kerf, limit);
+  const HeldSection section = held_section(known.section, kerfs, kerf, limit);
   HeldCut held;
   held.kerf = kerf;
   held.share = section.share < held_share_min ? 0.0 : section.share;
   held.bone_from_kerf = plane.bone_from_kerf;
-  held.side = side_of(section, plane.bone_from_kerf);
+  held.bone_mm = contours_of(known.section, section.regions, limit);
+  held.side = side_of(section, held);
   held.deepest_in_bone_mm = transform_point(plane.bone_from_kerf, Vec3(section.deepest_mm, 0.0));
-  held.grid = std::move(section.grid);
   return held;
 }
 

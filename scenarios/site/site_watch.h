@@ -26,8 +26,8 @@ struct HeldCut {
   /// The side of the section on which it holds, "plantar-distal"; empty where it holds all over.
   std::string side = {};
   Vec3 deepest_in_bone_mm{0.0, 0.0, 0.0};
-  /// Where it stands, in the kerf's plane.
-  simulator::StandingGrid grid = {};
+  /// Outlines of the bone that is to be sawn, in the kerf's plane; holes likewise.
+  std::vector<simulator::Contour> bone_mm = {};
   RigidTransform bone_from_kerf = {};
 
   bool is_begun() const noexcept { return kerf >= 0; }

@@ -135,6 +135,13 @@ const Bvh* NumberedPieces::take_out(std::int32_t id) {
   return taken_out_.back().get();
 }
 
+std::vector<const Bvh*> NumberedPieces::taken_out() const {
+  std::vector<const Bvh*> bodies;
+  bodies.reserve(taken_out_.size());
+  for (const auto& body : taken_out_) bodies.push_back(body.get());
+  return bodies;
+}
+
 CutSolid NumberedPieces::gathered() const {
   CutSolid all;
   for (const PieceBody& piece : pieces_) append_solid(all, piece.solid);

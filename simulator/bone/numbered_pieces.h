@@ -64,6 +64,8 @@ class NumberedPieces {
   const std::vector<PieceBody>& pieces() const noexcept { return pieces_; }
   double debris_mm3() const noexcept { return debris_mm3_; }
   bool has_taken_out() const noexcept { return !taken_out_.empty(); }
+  /// They live as long as this.
+  std::vector<const Bvh*> taken_out() const;
   /// Pieces and debris as one solid.
   CutSolid gathered() const;
   /// What is left of a solid of the same bone. Nothing where a piece that was taken out would hang

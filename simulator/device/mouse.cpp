@@ -20,7 +20,8 @@ RigidTransform steered(const RigidTransform& world_from_target, const Quat& worl
   const auto in_world = [&](const Vec3& in_view) { return world_from_view * in_view; };
   RigidTransform moved = world_from_target;
   moved.translation_mm +=
-      in_world(share * Vec3(motion.across_mm.x, motion.across_mm.y, -motion.deeper_mm));
+      in_world(share * Vec3(motion.across_mm.x, motion.across_mm.y, -motion.deeper_mm)) +
+      share * motion.pushed_mm * axis_x(world_from_target);
   const Quat turn = rotation_about(in_world(Vec3(0.0, 1.0, 0.0)), share * motion.turned_rad.x) *
                     rotation_about(in_world(Vec3(1.0, 0.0, 0.0)), -share * motion.turned_rad.y) *
                     rotation_about(in_world(Vec3(0.0, 0.0, 1.0)), share * motion.rolled_rad);

@@ -34,7 +34,9 @@ struct PointerMotion {
   Vec2 across_mm{0.0, 0.0};
   /// Away from the person.
   double deeper_mm = 0.0;
-  /// Of a right drag: to the right about the view's y, up about its x.
+  /// Along the blade, from handle to teeth.
+  double pushed_mm = 0.0;
+  /// Of a drag: to the right about the view's y, up about its x.
   Vec2 turned_rad{0.0, 0.0};
   /// About the view's z, counter-clockwise as it is seen.
   double rolled_rad = 0.0;

@@ -67,6 +67,11 @@ std::optional<KerfOpening> LiveCut::kerf_at_hand() const {
                      loops_of(is_shown ? growing_->region() : outline_of(kerfs.field(kerf_)))};
 }
 
+KerfOpening LiveCut::opening_of(std::int32_t kerf) const {
+  const KerfSet& kerfs = geometry_.kerfs();
+  return {kerfs.plane(kerf), loops_of(outline_of(kerfs.field(kerf)))};
+}
+
 std::optional<PatchBase> LiveCut::take_base() {
   if (!has_grown_ || (growing_ != nullptr && kerf_at_hand_ == kerf_)) return std::nullopt;
   growing_.reset();

@@ -9,7 +9,8 @@ namespace hallux::simulator {
 
 namespace {
 
-constexpr int teeth_asked = 7;
+/// Half a millimetre apart on a usual blade: what an earlier pass has left is as narrow.
+constexpr int teeth_asked = 25;
 /// The outer teeth are asked this far inside the blade's sides, which slide along those of a slot.
 constexpr double side_mm = 0.1;
 constexpr double step_mm = 0.1;

@@ -36,7 +36,7 @@ struct BladeAhead {
 /// How far ahead bone is looked for.
 inline constexpr double looked_ahead_mm = 80.0;
 
-/// thread  any; some tenths of a millisecond
+/// thread  any; about a millisecond
 BladeAhead look_ahead(const RigidTransform& bone_from_tool, const Blade& blade,
                       const StandingBone& bone);
 

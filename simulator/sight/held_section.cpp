@@ -16,30 +16,35 @@ constexpr double spacing_mm = 0.2;
 /// As many nodes in a direction as a section of 120 mm has.
 constexpr std::int32_t nodes_at_most = 600;
 
+/// Nodes of a kerf's plane, line by line along u.
+struct Grid {
+  Vec2 origin_mm{0.0, 0.0};
+  std::int32_t u_count = 0, v_count = 0;
+};
+
 /// Regions of a section in a grid around them.
 struct Filled {
-  StandingGrid grid;
+  Grid grid;
   /// Per node the number of its region, from 1; 0 outside the bone.
   std::vector<std::uint8_t> region;
 };
 
-std::size_t node_of(const StandingGrid& grid, std::int32_t u, std::int32_t v) {
+std::size_t node_of(const Grid& grid, std::int32_t u, std::int32_t v) {
   return static_cast<std::size_t>(u) * static_cast<std::size_t>(grid.v_count) +
          static_cast<std::size_t>(v);
 }
 
-Vec2 place_of(const StandingGrid& grid, std::int32_t u, std::int32_t v) {
-  return grid.origin_mm + grid.spacing_mm * Vec2(u, v);
+Vec2 place_of(const Grid& grid, std::int32_t u, std::int32_t v) {
+  return grid.origin_mm + spacing_mm * Vec2(u, v);
 }
 
-StandingGrid grid_around(const Section& section) {
+Grid grid_around(const Section& section) {
   Vec2 low = section.regions.front().min_mm, high = section.regions.front().max_mm;
   for (const SectionRegion& region : section.regions) {
     low = glm::min(low, region.min_mm);
     high = glm::max(high, region.max_mm);
   }
-  StandingGrid grid;
-  grid.spacing_mm = spacing_mm;
+  Grid grid;
   // Middles of cells: no node lies on an edge.
   grid.origin_mm = low + Vec2(0.5 * spacing_mm, 0.5 * spacing_mm);
   const auto count = [](double length_mm) {
@@ -65,12 +70,12 @@ void crossings_at(double x_mm, const SectionRegion& region, std::vector<double>&
 
 void fill_region(Filled& filled, const SectionRegion& region, std::uint8_t number) {
   std::vector<double> crossings;
-  const StandingGrid& grid = filled.grid;
+  const Grid& grid = filled.grid;
   for (std::int32_t u = 0; u < grid.u_count; ++u) {
     crossings_at(place_of(grid, u, 0).x, region, crossings);
     for (std::size_t pair = 0; pair + 1 < crossings.size(); pair += 2) {
-      const double first = (crossings[pair] - grid.origin_mm.y) / grid.spacing_mm;
-      const double last = (crossings[pair + 1] - grid.origin_mm.y) / grid.spacing_mm;
+      const double first = (crossings[pair] - grid.origin_mm.y) / spacing_mm;
+      const double last = (crossings[pair + 1] - grid.origin_mm.y) / spacing_mm;
       const auto from = std::max<std::int32_t>(0, static_cast<std::int32_t>(std::ceil(first)));
       for (std::int32_t v = from; v < grid.v_count && v <= last; ++v)
         filled.region[node_of(grid, u, v)] = number;
@@ -149,15 +154,15 @@ std::vector<bool> touched_regions(const Filled& filled, std::size_t count, const
 }
 
 /// The distance of each node to the nearest that does not stand, in nodes.
-std::vector<float> depths(const StandingGrid& grid) {
+std::vector<float> depths(const Grid& grid, const std::vector<std::uint8_t>& stands) {
   constexpr float far_away = 1.0e6F, straight = 1.0F, aslant = 1.4142135F;
-  std::vector<float> depth(grid.stands.size());
+  std::vector<float> depth(stands.size());
   const auto at = [&](std::int32_t u, std::int32_t v) {
     const bool is_inside = u >= 0 && v >= 0 && u < grid.u_count && v < grid.v_count;
     return is_inside ? depth[node_of(grid, u, v)] : 0.0F;
   };
   for (std::size_t node = 0; node < depth.size(); ++node)
-    depth[node] = grid.stands[node] != 0 ? far_away : 0.0F;
+    depth[node] = stands[node] != 0 ? far_away : 0.0F;
   const auto relax = [&](std::int32_t u, std::int32_t v, std::int32_t step) {
     float& here = depth[node_of(grid, u, v)];
     here = std::min({here, at(u - step, v) + straight, at(u, v - step) + straight,
@@ -170,14 +175,13 @@ std::vector<float> depths(const StandingGrid& grid) {
   return depth;
 }
 
-void find_deepest(HeldSection& held) {
-  const StandingGrid& grid = held.grid;
-  const std::vector<float> depth = depths(grid);
+void find_deepest(HeldSection& held, const Grid& grid, const std::vector<std::uint8_t>& stands) {
+  const std::vector<float> depth = depths(grid, stands);
   const auto deepest = std::max_element(depth.begin(), depth.end());
   if (deepest == depth.end() || *deepest == 0.0F) return;
   const auto node = static_cast<std::int32_t>(deepest - depth.begin());
   held.deepest_mm = place_of(grid, node / grid.v_count, node % grid.v_count);
-  held.depth_mm = grid.spacing_mm * static_cast<double>(*deepest);
+  held.depth_mm = spacing_mm * static_cast<double>(*deepest);
 }
 
 }  // namespace
@@ -186,24 +190,25 @@ HeldSection held_section(const Section& section, const KerfSet& kerfs, std::int3
                          const std::optional<PlaneLimit>& limit) {
   HeldSection held;
   if (section.regions.empty()) return held;
-  Filled filled = fill(section);
+  const Filled filled = fill(section);
   const std::vector<bool> is_asked =
       touched_regions(filled, section.regions.size(), kerfs.field(kerf));
   const OpenedNodes opened(kerfs, kerf);
-  filled.grid.stands.assign(filled.region.size(), 0);
+  std::vector<std::uint8_t> stands(filled.region.size(), 0);
   Sum asked, standing;
   visit_asked(filled, is_asked, limit,
               [&](std::size_t node, const Vec2& place_mm, std::uint8_t /*region*/) {
                 asked.add(place_mm);
                 if (opened.is_open(place_mm)) return;
-                filled.grid.stands[node] = 1;
+                stands[node] = 1;
                 standing.add(place_mm);
               });
   held.share = asked.count > 0.0 ? standing.count / asked.count : 0.0;
   held.section_middle_mm = asked.middle_mm();
   held.middle_mm = standing.middle_mm();
-  held.grid = std::move(filled.grid);
-  find_deepest(held);
+  for (std::size_t region = 0; region < section.regions.size(); ++region)
+    if (is_asked[region + 1]) held.regions.push_back(region);
+  find_deepest(held, filled.grid, stands);
   return held;
 }
 

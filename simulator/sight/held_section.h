@@ -18,15 +18,6 @@
 
 namespace hallux::simulator {
 
-/// Nodes of a kerf's plane, line by line along u: where bone stands.
-struct StandingGrid {
-  Vec2 origin_mm{0.0, 0.0};
-  double spacing_mm = 0.2;
-  std::int32_t u_count = 0, v_count = 0;
-  /// 1 where bone stands.
-  std::vector<std::uint8_t> stands;
-};
-
 struct HeldSection {
   /// Of the section's area that was asked about [0, 1]; 0: nothing holds.
   double share = 0.0;
@@ -35,7 +26,8 @@ struct HeldSection {
   /// The place that stands furthest from air and kerf, and how far that is.
   Vec2 deepest_mm{0.0, 0.0};
   double depth_mm = 0.0;
-  StandingGrid grid;
+  /// Of the section: those that were asked about.
+  std::vector<std::size_t> regions;
 };
 
 /// Points of a kerf's plane with outward . p <= limit: a cut that is to stop at a hinge holds

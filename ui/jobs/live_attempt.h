@@ -80,6 +80,7 @@ class LiveAttempt final : public AttemptControls {
   void declare_done(std::int32_t step) override {
     say({simulator::CommandKind::StepDone, step, 0});
   }
+  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
   void pick_up_freed() override {
     say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
   }

@@ -81,6 +81,7 @@ void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s
   ImGui::NewFrame();
   building_ = {};
   building_shortcuts_.clear();
+  building_gestures_.clear();
   canvas_ = std::make_unique<Canvas>(*ImGui::GetBackgroundDrawList(), *fonts_, building_, display_);
 }
 
@@ -104,6 +105,7 @@ void Ui::end_frame() {
   shown_capture_ = std::exchange(building_capture_, {});
   input_.capture = shown_capture_;
   shown_shortcuts_ = std::move(building_shortcuts_);
+  shown_gestures_ = std::move(building_gestures_);
   forget_untouched(motions_);
   forget_untouched(scrolls_);
   std::erase_if(edits_of_,

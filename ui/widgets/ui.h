@@ -68,6 +68,11 @@ struct Shortcut {
   std::string label = {};
 };
 
+/// What the mouse does on a screen besides pressing controls, in words.
+struct MouseGesture {
+  std::string input = {}, label = {};
+};
+
 enum class PointerShape : std::uint8_t {
   Arrow,
   Text,
@@ -162,6 +167,11 @@ class Ui {
   /// that.
   bool is_key_held_on() const noexcept { return input_.is_key_held_on; }
   const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
+  /// The same for the mouse: both ids of texts; listed under F1.
+  void note_gesture(std::string_view input_id, std::string_view label_id) {
+    building_gestures_.push_back({std::string(text(input_id)), std::string(text(label_id))});
+  }
+  const std::vector<MouseGesture>& gestures() const noexcept { return shown_gestures_; }
 
   void focus(std::string_view id);
   const std::string& focused() const noexcept { return input_.focus; }
@@ -219,6 +229,7 @@ class Ui {
   double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0;
   FrameContent shown_, building_;
   std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;
+  std::vector<MouseGesture> shown_gestures_, building_gestures_;
 
   Interaction input_;
   bool is_pointer_hidden_ = false, is_pointer_carried_ = false, can_capture_ = true;

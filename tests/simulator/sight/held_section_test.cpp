@@ -81,7 +81,7 @@ TEST(HeldSection, OfAPlaneThatMissesTheBoneIsNothing) {
   SawnBlock block;
   const std::int32_t kerf = block.freeze(30.0);
   EXPECT_EQ(held(block, kerf).share, 0.0);
-  EXPECT_TRUE(held(block, kerf).grid.stands.empty());
+  EXPECT_TRUE(held(block, kerf).regions.empty());
 }
 
 }  // namespace

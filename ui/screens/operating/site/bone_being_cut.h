@@ -21,6 +21,7 @@
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene/scene.h"
 #include "ui/screens/pictures/blade_section.h"
+#include "ui/screens/operating/site/site_survey.h"
 #include "ui/screens/pictures/contact_halo.h"
 
 namespace hallux::ui {
@@ -71,6 +72,9 @@ class BoneBeingCut {
   /// before the loop's first step.
   /// thread  window
   std::shared_ptr<const KerfSection> section();
+  /// What is known of the site; null before the loop's first step.
+  /// thread  window
+  std::shared_ptr<const SiteFacts> site();
   /// The bone as rays find it, without what the kerf at hand takes; borrowed likewise.
   /// needs   add_to was called in this frame
   /// thread  window
@@ -111,6 +115,7 @@ class BoneBeingCut {
   std::uint64_t next_mesh_id();
   void show_free_pieces(const std::vector<simulator::CutSolid>& solids);
   void renew_section();
+  void renew_site();
   void publish(std::vector<Body> bodies);
 
   /// Of the attempt, for the names of its pictures.
@@ -128,11 +133,13 @@ class BoneBeingCut {
   /// Of the newest sample; nothing before the first.
   std::optional<RigidTransform> bone_from_tool_;
   SectionClock section_clock_;
+  SiteSurvey survey_;
   // between the two
   std::mutex turn_;
   Shown newest_;
   std::vector<simulator::CutEvent> events_;
   std::shared_ptr<const KerfSection> section_;
+  std::shared_ptr<const SiteFacts> site_;
   std::atomic<bool> is_up_to_date_{true}, has_failed_{false};
   // the window's
   Shown drawn_;

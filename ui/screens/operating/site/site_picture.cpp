@@ -1,4 +1,4 @@
-#include "ui/screens/operating/site_picture.h"
+#include "ui/screens/operating/site/site_picture.h"
 
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"

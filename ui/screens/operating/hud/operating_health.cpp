@@ -1,4 +1,4 @@
-#include "ui/screens/operating/operating_health.h"
+#include "ui/screens/operating/hud/operating_health.h"
 
 #include <array>
 #include <utility>

@@ -2,7 +2,7 @@
 // the loop's feed, runs the same jobs at the same places, and hands the window the newest picture.
 // A growing kerf is a patch on a mesh that stands still; whatever changes the mesh itself is made
 // anew. Where that fails for want of memory, the attempt goes on without a new picture.
-#include "ui/screens/operating/bone_being_cut.h"
+#include "ui/screens/operating/site/bone_being_cut.h"
 
 #include <cmath>
 #include <utility>
@@ -42,7 +42,8 @@ BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
       picture_(std::move(picture)),
       watch_(attempt.watch()),
       cut_(attempt.prepared_case().bone, attempt.prepared_case().scenario.saw.blade,
-           scenarios::planned_bridge(attempt.prepared_case().plan)) {
+           scenarios::planned_bridge(attempt.prepared_case().plan)),
+      survey_(attempt.prepared_case()) {
   base_ = {picture_.mesh, picture_.tree, world_from_bone_};
   newest_.bodies = {base_};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -84,6 +85,11 @@ std::shared_ptr<const KerfSection> BoneBeingCut::section() {
   return section_;
 }
 
+std::shared_ptr<const SiteFacts> BoneBeingCut::site() {
+  const std::scoped_lock turn(turn_);
+  return site_;
+}
+
 std::vector<CutEvent> BoneBeingCut::take_events() {
   const std::scoped_lock turn(turn_);
   return std::exchange(events_, {});
@@ -109,6 +115,7 @@ void BoneBeingCut::show_feed(const std::stop_token& stop) {
     if (take_feed()) is_up_to_date_.store(false, std::memory_order_release);
     bring_up_to_date();
     renew_section();
+    renew_site();
     if (!cut_.is_due()) is_up_to_date_.store(true, std::memory_order_release);
     if (is_closed && watch_.feed.size() == 0) return;
     std::this_thread::sleep_for(between_patches);
@@ -122,14 +129,17 @@ bool BoneBeingCut::take_feed() {
   for (std::size_t i = 0; i < waiting && watch_.feed.pop(feed); ++i) {
     std::visit([this](const auto& value) { cut_.apply(value); }, feed);
     if (const auto* event = std::get_if<CutEvent>(&feed)) note(*event);
+    if (const auto* request = std::get_if<simulator::JobRequest>(&feed)) survey_.apply(*request);
     if (const auto* sample = std::get_if<ToolSample>(&feed)) {
       bone_from_tool_ = inverse(world_from_bone_) * transform_from(sample->world_from_tool);
+      survey_.apply(*sample);
     }
   }
   return cut_.is_due();
 }
 
 void BoneBeingCut::note(const CutEvent& event) {
+  survey_.apply(event, cut_);
   if (event.kind == CutEventKind::HingeClosed && cut_.closed_hinge() != nullptr) {
     show_hinge(*cut_.closed_hinge(), transform_from(event.pose));
   }
@@ -176,6 +186,16 @@ void BoneBeingCut::renew_section() {
   section_ = std::move(section);
 }
 
+/// After the hinge has closed the bone is no longer where its kerfs were opened.
+void BoneBeingCut::renew_site() {
+  if (!bone_from_tool_ || cut_.closed_hinge() != nullptr) return;
+  std::optional<SiteFacts> facts = survey_.renew(cut_, std::chrono::steady_clock::now());
+  if (!facts) return;
+  auto site = std::make_shared<const SiteFacts>(std::move(*facts));
+  const std::scoped_lock turn(turn_);
+  site_ = std::move(site);
+}
+
 bool SectionClock::is_due(const RigidTransform& bone_from_plane, std::uint64_t opened, Time now) {
   if (bone_from_plane_ && now - last_ < between_sections) return false;
   if (bone_from_plane_ && opened == opened_) {
@@ -201,6 +221,9 @@ void BoneBeingCut::show_patch() {
 void BoneBeingCut::show_hinge(const ClosedHinge& hinge, const RigidTransform& bone_from_moved) {
   publish({lit_body(hinge.fixed, world_from_bone_),
            lit_body(hinge.moved, world_from_bone_ * bone_from_moved)});
+  const std::scoped_lock turn(turn_);
+  site_.reset();
+  section_.reset();
 }
 
 std::uint64_t BoneBeingCut::next_mesh_id() { return picture_id(name_ + std::to_string(meshes_++)); }
