@@ -51,8 +51,8 @@ class AttemptDesk {
   ///         Refused; of the other methods as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id);
-  /// What was on the screen, by tick (simulator::is_view says whether it is a view); none of an older
-  /// attempt, and of one without a window.
+  /// What was on the screen, by tick (simulator::is_view says whether it is a view); none of an
+  /// older attempt, and of one without a window.
   std::vector<simulator::DisplayFact> display_facts(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
   /// What instructors decided about it, newest first.

@@ -7,6 +7,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+
+#include "simulator/base/transform.h"
 
 namespace hallux::simulator {
 
@@ -40,6 +43,25 @@ struct DisplayFact {
 
   friend bool operator==(const DisplayFact&, const DisplayFact&) = default;
 };
+
+/// A view as it is drawn.
+struct ShownView {
+  Vec3 target_in_world_mm{0.0, 0.0, 0.0};
+  /// Of unit length; view: x right, y up, z to the viewer.
+  Quat world_from_view{1.0, 0.0, 0.0, 0.0};
+  /// Millimetres on the screen for one in the world.
+  double magnification = 8.0;
+  double target_depth_mm = 6.0;
+  double width_over_height = 1.6;
+  ShownStereo stereo = ShownStereo::Mono;
+  ShownLayout layout = ShownLayout::Whole;
+};
+
+/// The nearest fact; nothing where it is no view: a number that is none, nothing magnified.
+std::optional<DisplayFact> fact_of(const ShownView& view, std::int64_t tick) noexcept;
+/// The view that is meant; its quaternion is normalised again.
+/// needs   is_view(fact)
+ShownView shown_view_of(const DisplayFact& fact) noexcept;
 
 /// Whether a picture can be drawn from its numbers: a rotation, a magnification above zero, all of
 /// it within a room. Stereo and layout may be those of another program.

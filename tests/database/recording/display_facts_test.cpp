@@ -1,6 +1,7 @@
 /// What was on the screen, beside the recording: kept with it, gone with it, and wherever it goes.
 #include "database/recording/display_facts.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
 #include <fstream>

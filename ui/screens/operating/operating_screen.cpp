@@ -195,6 +195,7 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
                   .cut = shown_cut(),
                   .is_paused = is_paused,
                   .is_irrigated = session_.saw().is_irrigated()});
+  if (has_stepped) running_->live->note_view(viewport_.shown_view(), running_->loop.sample.tick);
   if (session_.is_led() || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
   } else if (session_.phase() != Phase::Ready &&

@@ -10,6 +10,7 @@
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/bone_being_cut.h"
 #include "ui/screens/operating/steering.h"
+#include "ui/screens/pictures/shown_camera.h"
 
 namespace hallux::ui {
 
@@ -51,6 +52,8 @@ class OperatingViewport {
     return place_on(sight_, point_in_world_mm);
   }
   StereoMode stereo_mode() const noexcept { return stereo_.mode; }
+  /// What is on the screen, as it is kept beside the recording.
+  simulator::ShownView shown_view() const noexcept;
   /// Between two pictures, the slower of the last.
   double frame_ms() const noexcept { return frame_ms_; }
 
