@@ -200,12 +200,14 @@ Response Ui::control(Widget widget) {
   return response;
 }
 
-AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect) {
+AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect,
+                      bool takes_wheel) {
   Widget widget{.id = std::string(id),
                 .label = std::string(label),
                 .rect = rect,
                 .role = Role::Area,
-                .is_focusable = false};
+                .is_focusable = false,
+                .takes_wheel = takes_wheel};
   const std::string name = widget.id;
   AreaResponse response;
   response.is_hovered = control(std::move(widget)).is_hovered;
@@ -217,6 +219,7 @@ AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& r
     response.dragged[button] = input_.dragged[button];
   }
   response.was_clicked = input_.clicked_area == name;
+  response.is_double = response.was_clicked && input_.is_double;
   if (input_.wheel_target == name) response.wheel = input_.wheel;
   return response;
 }

@@ -53,8 +53,8 @@ struct AreaResponse {
   std::array<bool, mouse_button_count> is_down{};
   /// Since the last frame, while the button was held from inside.
   std::array<Point, mouse_button_count> dragged{};
-  /// Left, without having been dragged away.
-  bool was_clicked = false;
+  /// Left, without having been dragged away; the second of two quick clicks.
+  bool was_clicked = false, is_double = false;
   Point pointer;
   /// Notches.
   float wheel = 0.0F;
@@ -131,7 +131,9 @@ class Ui {
   /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
   /// the flags.
   Response control(Widget widget);
-  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect);
+  /// `takes_wheel`: a wheel over it is not the page's.
+  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect,
+                    bool takes_wheel = true);
   /// Events for the field `id` in this frame, and what it remembers of its editing.
   std::vector<FieldEvent> field_events(const std::string& id) const;
   TextEdit& text_edit(const std::string& id);
