@@ -163,6 +163,22 @@ std::vector<MarkCluster> clusters_from(std::span<const PlacedMark> marks, std::s
   return clusters;
 }
 
+TimelineShape shape_of(Meaning meaning) noexcept {
+  switch (meaning) {
+    case Meaning::Good:
+      return TimelineShape::Good;
+    case Meaning::Warn:
+      return TimelineShape::Warn;
+    case Meaning::Bad:
+      return TimelineShape::Bad;
+    case Meaning::Info:
+      return TimelineShape::Info;
+    case Meaning::Neutral:
+      break;
+  }
+  return TimelineShape::Neutral;
+}
+
 /// The gravest of a cluster stands at its corner; what is good or neutral needs no sign there.
 TimelineShape gravest(const Timeline& timeline, const MarkCluster& cluster) noexcept {
   TimelineShape shape = TimelineShape::Neutral;

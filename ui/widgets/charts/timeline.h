@@ -122,7 +122,6 @@ std::vector<MarkCluster> note_marks(const TimelineLayout& layout, const Timeline
 /// `label` is a note's number, or that of a cluster.
 void draw_timeline_shape(Canvas& canvas, const Theme& theme, TimelineShape shape, Point centre,
                          std::string_view label = {});
-TimelineShape shape_of(Meaning meaning) noexcept;
 
 /// 02:31 for 151 s; 1:02:31 above an hour. With tenths: 02:31.4.
 std::string clock_text(double time_s);

@@ -77,22 +77,6 @@ void draw_cluster(Canvas& canvas, const Theme& theme, Point at, std::string_view
 
 }  // namespace
 
-TimelineShape shape_of(Meaning meaning) noexcept {
-  switch (meaning) {
-    case Meaning::Good:
-      return TimelineShape::Good;
-    case Meaning::Warn:
-      return TimelineShape::Warn;
-    case Meaning::Bad:
-      return TimelineShape::Bad;
-    case Meaning::Info:
-      return TimelineShape::Info;
-    case Meaning::Neutral:
-      break;
-  }
-  return TimelineShape::Neutral;
-}
-
 void draw_timeline_shape(Canvas& canvas, const Theme& theme, TimelineShape shape, Point at,
                          std::string_view label) {
   switch (shape) {
