@@ -204,12 +204,14 @@ Response Ui::control(Widget widget) {
   return response;
 }
 
-AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect) {
+AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect,
+                      bool takes_wheel) {
   Widget widget{.id = std::string(id),
                 .label = std::string(label),
                 .rect = rect,
                 .role = Role::Area,
-                .is_focusable = false};
+                .is_focusable = false,
+                .takes_wheel = takes_wheel};
   const std::string name = widget.id;
   AreaResponse response;
   response.is_hovered = control(std::move(widget)).is_hovered;
@@ -224,6 +226,7 @@ AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& r
   }
   response.is_captured = shown_capture_ == name;
   if (response.is_captured) response.way = input_.captured_way;
+  response.is_double = response.clicked[0] && input_.is_double;
   if (input_.wheel_target == name) response.wheel = input_.wheel;
   return response;
 }

@@ -55,6 +55,8 @@ struct AreaResponse {
   std::array<Point, mouse_button_count> dragged{};
   /// Pressed and let go, without having been dragged away.
   std::array<bool, mouse_button_count> clicked{};
+  /// The second of two quick clicks, left.
+  bool is_double = false;
   /// It has the pointer, which moves nothing else: its way since the last frame.
   bool is_captured = false;
   Point way;
@@ -148,7 +150,9 @@ class Ui {
   /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
   /// the flags.
   Response control(Widget widget);
-  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect);
+  /// `takes_wheel`: a wheel over it is not the page's.
+  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect,
+                    bool takes_wheel = true);
   /// Tells accessibility tools and tests what stands there to be read; the caller draws it.
   void tell(std::string_view id, std::string_view text, const Rect& rect);
   /// Events for the field `id` in this frame, and what it remembers of its editing.

@@ -238,11 +238,12 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
                   .world_from_target = session_.saw().world_from_target(),
                   .cut = shown_cut(),
                   .is_paused = is_paused,
-                  .is_irrigated = session_.saw().is_irrigated(),
-                  .site = prepared_.value().site.get(),
-                  .is_neighbour_shown = panels_.is_neighbour_shown,
-                  .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
-                  .is_guided = session_.is_practice()});
+                   .is_irrigated = session_.saw().is_irrigated(),
+                   .site = prepared_.value().site.get(),
+                   .is_neighbour_shown = panels_.is_neighbour_shown,
+                   .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
+                   .is_guided = session_.is_practice()});
+  if (has_stepped) running_->live->note_view(viewport_.shown_view(), running_->loop.sample.tick);
   if (session_.is_led() || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
   } else if (session_.phase() != Phase::Ready &&

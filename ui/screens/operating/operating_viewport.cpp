@@ -24,6 +24,19 @@ using simulator::ToolStatus;
 /// The blade's line on the bone: a little wider than the teeth, and faintly on.
 constexpr double beside_teeth_mm = 1.0, faint_line_mm = 8.0;
 
+/// As it is kept.
+constexpr simulator::ShownStereo shown_stereo(StereoMode mode) noexcept {
+  switch (mode) {
+    case StereoMode::SideBySide:
+      return simulator::ShownStereo::SideBySide;
+    case StereoMode::Anaglyph:
+      return simulator::ShownStereo::Anaglyph;
+    case StereoMode::Mono:
+      break;
+  }
+  return simulator::ShownStereo::Mono;
+}
+
 constexpr std::array<const char*, standard_view_count> view_names{
     "operate.key.view.1", "operate.key.view.2", "operate.key.view.3", "operate.key.view.4",
     "operate.key.view.5", "operate.key.view.6", "operate.key.view.7", "operate.key.view.8"};
@@ -192,6 +205,13 @@ void OperatingViewport::draw(Ui& ui, ScenePainter& painter, const OperationInSig
   painter.draw_behind(scene, sight_.camera, stereo_);
   if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
   ++pictures_;
+}
+
+simulator::ShownView OperatingViewport::shown_view() const noexcept {
+  simulator::ShownView view =
+      ui::shown_view(sight_.camera, static_cast<double>(sight_.display.w / sight_.display.h));
+  view.stereo = shown_stereo(stereo_.mode);
+  return view;
 }
 
 void OperatingViewport::let_chips_fly(double step_s, const OperationInSight& shown) {

@@ -9,11 +9,12 @@
 #include "simulator/loop/attempt_watch.h"
 #include "ui/render/scene/swarf.h"
 #include "ui/render/scene_painter.h"
-#include "ui/screens/operating/site/bone_being_cut.h"
-#include "ui/screens/operating/site/site_picture.h"
 #include "ui/screens/operating/hand/start_place.h"
 #include "ui/screens/operating/hand/steering.h"
 #include "ui/screens/operating/hud/operating_hud.h"
+#include "ui/screens/operating/site/bone_being_cut.h"
+#include "ui/screens/operating/site/site_picture.h"
+#include "ui/screens/pictures/shown_camera.h"
 
 namespace hallux::ui {
 
@@ -65,6 +66,8 @@ class OperatingViewport {
   /// The saw as it was drawn last, as places on the window.
   std::vector<ToolPlace> tool_places() const;
   StereoMode stereo_mode() const noexcept { return stereo_.mode; }
+  /// What is on the screen, as it is kept beside the recording.
+  simulator::ShownView shown_view() const noexcept;
   /// Between two pictures, the slower of the last.
   double frame_ms() const noexcept { return frame_ms_; }
 

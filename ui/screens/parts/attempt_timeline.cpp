@@ -48,6 +48,19 @@ constexpr EventText event_texts[] = {
     {CutEventKind::DangerLeft, Meaning::Neutral, "replay.event.danger_left"},
 };
 
+constexpr std::pair<TimelineShape, std::string_view> shape_texts[] = {
+    {TimelineShape::Neutral, "timeline.legend.neutral"},
+    {TimelineShape::Info, "timeline.legend.info"},
+    {TimelineShape::Good, "timeline.legend.good"},
+    {TimelineShape::Warn, "timeline.legend.warn"},
+    {TimelineShape::Bad, "timeline.legend.bad"},
+    {TimelineShape::Note, "timeline.legend.note"},
+    {TimelineShape::Question, "timeline.legend.question"},
+    {TimelineShape::Answered, "timeline.legend.answered"},
+    {TimelineShape::Cluster, "timeline.legend.cluster"},
+    {TimelineShape::Aim, "timeline.legend.aim"},
+};
+
 }  // namespace
 
 std::vector<AttemptEvent> events_of(const Recording& recording) {
@@ -83,6 +96,30 @@ std::vector<TimelineStep> steps_of(const Recording& recording, const scenarios::
   }
   add(next, duration_s);
   return steps;
+}
+
+std::vector<TimelineEvent> event_marks_of(const Texts& texts,
+                                          const std::vector<AttemptEvent>& events) {
+  std::vector<TimelineEvent> marks;
+  marks.reserve(events.size());
+  for (const AttemptEvent& event : events)
+    marks.push_back({event.time_s, event.meaning, std::string(texts.text(event.words))});
+  return marks;
+}
+
+std::vector<TimelineKey> legend_of(const Texts& texts, std::initializer_list<TimelineShape> more) {
+  std::vector<TimelineKey> legend;
+  const auto add = [&](TimelineShape shape) {
+    const auto* const words = std::find_if(std::begin(shape_texts), std::end(shape_texts),
+                                           [&](const auto& each) { return each.first == shape; });
+    legend.push_back({shape, std::string(texts.text(words->second))});
+  };
+  for (const TimelineShape shape : {TimelineShape::Neutral, TimelineShape::Info,
+                                    TimelineShape::Good, TimelineShape::Warn, TimelineShape::Bad})
+    add(shape);
+  for (const TimelineShape shape : more) add(shape);
+  add(TimelineShape::Cluster);
+  return legend;
 }
 
 double highest_of(const std::vector<ChartPoint>& points, double step) noexcept {

@@ -232,17 +232,24 @@ bool Interaction::release_button(const InputEvent& event) {
   const Widget* under = widget_at(*shown_, pointer);
   if (under == nullptr || under->id != was.id || !under->is_enabled) return false;
   if (under->role == Role::Area) {
-    if (!was.has_moved) clicked_areas[button] = was.id;
+    if (!was.has_moved) {
+      clicked_areas[button] = was.id;
+      if (event.button == MouseButton::Left) note_click(was.id);
+    }
     return !was.has_moved && event.button == MouseButton::Left;
   }
   if (event.button != MouseButton::Left) return false;
   if (!is_pressable(*under)) return false;
   pressed = was.id;
   pressed_by = PressedBy::Mouse;
-  is_double = last_pressed_ == was.id && time_s_ - last_press_s_ < double_click_s;
-  last_pressed_ = is_double ? std::string() : was.id;
-  last_press_s_ = time_s_;
+  note_click(was.id);
   return true;
+}
+
+void Interaction::note_click(const std::string& id) {
+  is_double = last_pressed_ == id && time_s_ - last_press_s_ < double_click_s;
+  last_pressed_ = is_double ? std::string() : id;
+  last_press_s_ = time_s_;
 }
 
 void Interaction::turn_wheel(const InputEvent& event) {

@@ -96,6 +96,8 @@ struct Interaction {
   bool edit_key(const Widget& field, Chord chord);
   bool press_by_key(const Widget* focused, Chord chord);
   bool move_focus(const Widget* focused, Chord chord);
+  /// The second of two quick ones is a double click.
+  void note_click(const std::string& id);
   void turn_wheel(const InputEvent& event);
 
   // While events are taken.

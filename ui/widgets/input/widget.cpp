@@ -38,7 +38,7 @@ const Widget* widget_at(const FrameContent& content, Point point) noexcept {
 
 const Widget* scrolled_at(const FrameContent& content, Point point) noexcept {
   return topmost(content, point, [](const Widget& widget) {
-    return widget.role == Role::Scroll || widget.role == Role::Area;
+    return widget.role == Role::Scroll || (widget.role == Role::Area && widget.takes_wheel);
   });
 }
 

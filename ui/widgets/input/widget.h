@@ -34,6 +34,8 @@ struct Widget {
   bool is_focusable = true;
   /// What Enter does on this screen.
   bool is_primary = false;
+  /// An area over which the wheel is its own; else it turns the page.
+  bool takes_wheel = true;
   /// A field in which Enter makes a new line.
   bool takes_new_line = false;
   /// The place one is at; in a group the option that Tab goes to.
