@@ -2,7 +2,8 @@
 /// of its section that stands.
 ///
 /// A kerf belongs to the cut of the step at hand when its plane was frozen; in a step of another
-/// kind to the cut whose plan it lies nearest to. Of several kerfs the one that leaves least counts.
+/// kind to the cut whose plan it lies nearest to. Of several kerfs the one that leaves least
+/// counts.
 /// For displays: it follows the events and asks the fields, and feeds nothing back.
 #pragma once
 

@@ -11,8 +11,8 @@
 #include "scenarios/planned_guide.h"
 #include "simulator/base/elementary.h"
 #include "simulator/base/units.h"
-#include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/hand/steering.h"
+#include "ui/screens/operating/hud/operating_hud.h"
 
 namespace hallux::ui {
 
@@ -109,10 +109,9 @@ GoalPlane goal_of(const CoachView& view, const PlannedCut& cut, const HeldCut* h
 }
 
 double nearest_middle_mm(const PlannedPasses& passes, double wanted_mm) {
-  return *std::min_element(passes.middles_mm.begin(), passes.middles_mm.end(),
-                           [&](double a, double b) {
-                             return std::abs(a - wanted_mm) < std::abs(b - wanted_mm);
-                           });
+  return *std::min_element(
+      passes.middles_mm.begin(), passes.middles_mm.end(),
+      [&](double a, double b) { return std::abs(a - wanted_mm) < std::abs(b - wanted_mm); });
 }
 
 /// Before the first pass the nearest; then the one over the place that holds deepest, moved on
@@ -132,9 +131,8 @@ double middle_of_pass(const CoachView& view, const PlannedCut& cut, const Planne
 
 Aim aim_at(const CoachView& view, const PlannedCut& cut) {
   const std::size_t index = index_of_cut(view.plan, cut.name);
-  const HeldCut* held = view.site != nullptr && index < view.site->cuts.size()
-                            ? &view.site->cuts[index]
-                            : nullptr;
+  const HeldCut* held =
+      view.site != nullptr && index < view.site->cuts.size() ? &view.site->cuts[index] : nullptr;
   const PlannedPasses& passes = view.passes[index];
   return {cut,
           passes,
@@ -301,8 +299,7 @@ Hint press_hint(std::string_view text_id) {
 
 /// Outside a kerf: first out of the bone's way, then tilt, place, saw, and on to the bone.
 Hint aiming_hint(const CoachView& view, const Aim& aim) {
-  const PlanReading reading =
-      read_against(aim.cut, view.scenario.saw.blade, view.bone_from_tool);
+  const PlanReading reading = read_against(aim.cut, view.scenario.saw.blade, view.bone_from_tool);
   const std::optional<Hint> tilt = tilt_hint(view, aim, reading);
   const std::optional<Hint> place = place_hint(view, aim, reading);
   const simulator::BladeAhead& ahead = view.site->ahead;
@@ -404,8 +401,9 @@ std::string hint_text(const Texts& texts, const Hint& hint) {
   const auto* move = std::find_if(move_texts.begin(), move_texts.end(),
                                   [&](const MoveTexts& each) { return each.move == hint.move; });
   if (move == move_texts.end() || hint.move == HandMove::Wait) return what;
-  return what + " " + texts.say("operate.hint.by", {{"keys", keys_text(texts, hint, *move)},
-                                                    {"mouse", std::string(texts.text(move->mouse_id))}});
+  return what + " " +
+         texts.say("operate.hint.by", {{"keys", keys_text(texts, hint, *move)},
+                                       {"mouse", std::string(texts.text(move->mouse_id))}});
 }
 
 }  // namespace hallux::ui

@@ -44,19 +44,17 @@ std::string why_nothing_free(const HudSources& from) {
   const Texts& texts = from.texts;
   if (!from.session.is_practice()) return std::string(texts.text("operate.why.holds_plain"));
   if (from.site == nullptr) return std::string(texts.text("operate.hint.wait"));
-  const bool is_any_begun =
-      std::any_of(from.site->cuts.begin(), from.site->cuts.end(),
-                  [](const HeldCut& cut) { return cut.is_begun(); });
+  const bool is_any_begun = std::any_of(from.site->cuts.begin(), from.site->cuts.end(),
+                                        [](const HeldCut& cut) { return cut.is_begun(); });
   if (!is_any_begun) return std::string(texts.text("operate.why.not_sawn"));
   if (const HeldCut* held = most_held(*from.site)) return held_text(texts, *held);
-  return std::string(texts.text(from.site->are_pieces_due ? "operate.why.draw_out"
-                                                          : "operate.why.not_met"));
+  return std::string(
+      texts.text(from.site->are_pieces_due ? "operate.why.draw_out" : "operate.why.not_met"));
 }
 
 std::string why_step_off(const HudSources& from) {
   const StepProgress& steps = from.session.steps();
-  if (from.session.pausing().is_paused())
-    return std::string(from.texts.text("operate.why.paused"));
+  if (from.session.pausing().is_paused()) return std::string(from.texts.text("operate.why.paused"));
   if (steps.is_waiting() || steps.is_ready()) return {};
   return why_nothing_free(from);
 }

@@ -238,11 +238,11 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
                   .world_from_target = session_.saw().world_from_target(),
                   .cut = shown_cut(),
                   .is_paused = is_paused,
-                   .is_irrigated = session_.saw().is_irrigated(),
-                   .site = prepared_.value().site.get(),
-                   .is_neighbour_shown = panels_.is_neighbour_shown,
-                   .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
-                   .is_guided = session_.is_practice()});
+                  .is_irrigated = session_.saw().is_irrigated(),
+                  .site = prepared_.value().site.get(),
+                  .is_neighbour_shown = panels_.is_neighbour_shown,
+                  .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
+                  .is_guided = session_.is_practice()});
   if (has_stepped) running_->live->note_view(viewport_.shown_view(), running_->loop.sample.tick);
   if (session_.is_led() || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
@@ -381,8 +381,8 @@ OperatingHealth OperatingScreen::health(const Ui& ui, Shell& shell) {
 void OperatingScreen::ask(Ui& ui) {
   const scenarios::HeldCut* const held = held_at_step();
   const bool is_told = session_.is_practice() && held != nullptr && held->is_begun();
-  const Answer answer = draw_end_question(
-      ui, session_.asked(), is_told ? held_text(ui.texts(), *held) : std::string());
+  const Answer answer = draw_end_question(ui, session_.asked(),
+                                          is_told ? held_text(ui.texts(), *held) : std::string());
   if (answer == Answer::Waiting) return;
   session_.answer(answer == Answer::Act     ? Decided::Act
                   : answer == Answer::Other ? Decided::Finish

@@ -135,7 +135,8 @@ class OperatingSession {
   /// Pauses and asks; nothing but while operating without a question.
   void ask(Asked what);
   /// Acts on what was asked: finishes, abandons, ends the step. To leave may be decided either
-  /// way, finished or (Act) abandoned. Else it goes on as it was, unless a disk filled up meanwhile.
+  /// way, finished or (Act) abandoned. Else it goes on as it was, unless a disk filled up
+  /// meanwhile.
   void answer(Decided decided, double now_s);
   /// Waits for a disk that is full. True where that changed.
   bool update_storage();

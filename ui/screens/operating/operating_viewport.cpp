@@ -135,16 +135,15 @@ void add_held(Scene& scene, const OperationInSight& shown) {
   scene.held = shown.facts->held;
   for (const scenarios::HeldCut& cut : shown.facts->cuts) {
     if (!cut.is_begun() || cut.is_through()) continue;
-    scene.marks.push_back(
-        {transform_point(world_from_bone, cut.deepest_in_bone_mm), 7.0, Ink::Warn, MarkShape::Diamond});
+    scene.marks.push_back({transform_point(world_from_bone, cut.deepest_in_bone_mm), 7.0, Ink::Warn,
+                           MarkShape::Diamond});
   }
 }
 
 }  // namespace
 
-Steered OperatingViewport::hear(Ui& ui, const AreaResponse& area,
-                                const PreparedCase& prepared_case, bool may_lead,
-                                const Vec3& tip_in_world_mm) {
+Steered OperatingViewport::hear(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case,
+                                bool may_lead, const Vec3& tip_in_world_mm) {
   const Steered steered = steering_.hear(ui, area, sight_, may_lead, tip_in_world_mm);
   sight_.camera = steered.camera;
   hear_views(ui, prepared_case);
@@ -187,7 +186,8 @@ std::vector<ToolPlace> OperatingViewport::tool_places() const {
   const Vec3 right = sight_.camera.world_from_view * Vec3(1.0, 0.0, 0.0);
   for (const BulkOfSaw& bulk : bulks_of_saw(drawn_saw_.blade)) {
     const Vec3 middle_mm = transform_point(drawn_saw_.world_from_tool, Vec3(bulk.x_mm, 0.0, 0.0));
-    const std::optional<Point> at = place_of(middle_mm), edge = place_of(middle_mm + bulk.radius_mm * right);
+    const std::optional<Point> at = place_of(middle_mm),
+                               edge = place_of(middle_mm + bulk.radius_mm * right);
     if (!at || !edge) continue;
     places.push_back({*at, std::hypot(edge->x - at->x, edge->y - at->y)});
   }

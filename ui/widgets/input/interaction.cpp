@@ -254,6 +254,8 @@ void Interaction::note_click(const std::string& id) {
 
 void Interaction::turn_wheel(const InputEvent& event) {
   if (capture.empty()) move_pointer(event.position);
+  // A button under which the wheel is turned holds for it: letting it go is no click.
+  for (HeldButton& own : held) own.has_moved = own.has_moved || own.is_down;
   const Widget* target =
       capture.empty() ? scrolled_at(*shown_, pointer) : find_widget(*shown_, capture);
   if (target == nullptr) return;

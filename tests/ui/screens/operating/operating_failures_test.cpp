@@ -182,9 +182,7 @@ class WithTheSawRunning : public testing::Test {
     EXPECT_TRUE(person_.until([&] { return person_.scenes.saw->is_running; }));
   }
 
-  void move_to(Point place) {
-    person_.move_to(place);
-  }
+  void move_to(Point place) { person_.move_to(place); }
 
   /// The saw is off by the record, the loop is paused by the operator, and the screen says why.
   void expect_interrupted(const char* words) {

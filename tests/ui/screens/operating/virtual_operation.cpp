@@ -65,8 +65,8 @@ HudSources VirtualOperation::sources() const {
 void VirtualOperation::press_step() {
   const CoachView view = coach_view(sources());
   const scenarios::PlannedCut* const cut = cut_of_step(view);
-  const bool is_through = cut != nullptr && site_ &&
-                          site_->cuts[index_of_cut(prepared_.plan, cut->name)].is_through();
+  const bool is_through =
+      cut != nullptr && site_ && site_->cuts[index_of_cut(prepared_.plan, cut->name)].is_through();
   session_.press_step(is_through, time_s());
 }
 

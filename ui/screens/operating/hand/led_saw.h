@@ -1,5 +1,5 @@
 /// The saw as a person leads it: its target and its switches, told to the device that is steered.
-/// Inside this corner only.
+/// Inside this room only.
 ///
 ///     pointer, keys --> hand --placing--> target --rail, reach--> device
 ///
@@ -48,7 +48,8 @@ class LedSaw {
   void set_down() noexcept { placing_.set_down(hand_, world_from_target_); }
   /// The plane in which the saw is kept from now on; nothing: none.
   void set_rail(const std::optional<simulator::Rail>& rail) noexcept { rail_ = rail; }
-  /// Moves the hand, the target after it, and tells the device; once a frame, also without motion, while anybody leads.
+  /// Moves the hand, the target after it, and tells the device; once a frame, also without motion,
+  /// while anybody leads.
   /// world_from_view  axes of the person's view: x right, y up, z to the person
   /// needs   a device was taken
   void lead(std::span<const simulator::PointerMotion> motions, const Quat& world_from_view,

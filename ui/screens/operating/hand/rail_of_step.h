@@ -1,4 +1,4 @@
-/// The plane in which a hand that is led like in a slot is kept. Inside this corner only.
+/// The plane in which a hand that is led like in a slot is kept. Inside this room only.
 #pragma once
 
 #include <cstdint>

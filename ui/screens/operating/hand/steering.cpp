@@ -57,8 +57,8 @@ void move_camera(Camera& camera, Gesture gesture, const GestureAmount& amount, c
       camera = zoomed(camera, std::pow(zoom_per_notch, amount.notches));
       break;
     case Gesture::Orbit:
-      camera = orbited(camera, orbit_rad_per_pixel * amount.way.x,
-                       orbit_rad_per_pixel * amount.way.y);
+      camera =
+          orbited(camera, orbit_rad_per_pixel * amount.way.x, orbit_rad_per_pixel * amount.way.y);
       break;
     case Gesture::Pan:
       camera = panned(camera, sight.viewer,
@@ -96,12 +96,12 @@ PointerMotion motion_by_keys(Ui& ui) {
   PointerMotion motion;
   HeardKeys keys(ui, motion);
   const Modifiers none, control{.control = true}, alt{.alt = true};
-  motion.across_mm = key_step_mm *
-                     Vec2(keys.difference(Key::Right, Key::Left, none, "operate.key.move"),
-                          keys.difference(Key::Up, Key::Down, none, "operate.key.move"));
-  motion.turned_rad = key_turn_rad *
-                      Vec2(keys.difference(Key::Right, Key::Left, control, "operate.key.turn"),
-                           keys.difference(Key::Up, Key::Down, control, "operate.key.turn"));
+  motion.across_mm =
+      key_step_mm * Vec2(keys.difference(Key::Right, Key::Left, none, "operate.key.move"),
+                         keys.difference(Key::Up, Key::Down, none, "operate.key.move"));
+  motion.turned_rad =
+      key_turn_rad * Vec2(keys.difference(Key::Right, Key::Left, control, "operate.key.turn"),
+                          keys.difference(Key::Up, Key::Down, control, "operate.key.turn"));
   motion.pushed_mm =
       key_step_mm * keys.difference(Key::PageUp, Key::PageDown, none, "operate.key.push");
   motion.rolled_rad =

@@ -66,8 +66,8 @@ void draw_done(Hud& in, Point centre, std::size_t step) {
   if (in.hud.steps[step].can_reopen) {
     const std::string id = "operate.step." + std::to_string(step + 1);
     const std::string label = in.ui.texts().say(
-        "operate.take_up", {{"number", std::to_string(step + 1)},
-                            {"step", in.hud.steps[step].title}});
+        "operate.take_up",
+        {{"number", std::to_string(step + 1)}, {"step", in.hud.steps[step].title}});
     const Rect place{centre.x - 15.0F, centre.y - 15.0F, 30.0F, 30.0F};
     if (icon_button(in.ui, id, place, {label})) in.answer.reopen = step;
   }
@@ -119,8 +119,8 @@ StepsPlace place_steps(const Hud& in, float left_used, float right_used, float b
   const bool has_title = width <= in.room.w;
   if (!has_title) width = discs;
   const float y = is_below ? in.room.y + hud_bar_height + 8.0F : in.room.y;
-  const float middle = is_below ? in.ui.display().mid_x()
-                                : in.room.x + left_used + hud_gap + 0.5F * between;
+  const float middle =
+      is_below ? in.ui.display().mid_x() : in.room.x + left_used + hud_gap + 0.5F * between;
   const float wished = in.ui.display().mid_x() - 0.5F * width;
   const bool may_be_middle = !is_below && wished >= in.room.x + left_used + hud_gap &&
                              wished + width <= in.room.right() - right_used - hud_gap;
@@ -141,9 +141,8 @@ float draw_steps(Hud& in, float left_used, float right_used) {
   const Rect& bar = place.bar;
   const HudPanel panel(in, "operate.panel.steps", bar, hud_bar_height / 2.0F);
   if (in.hud.step < in.hud.steps.size()) {
-    in.ui.tell("operate.step", std::to_string(in.hud.step + 1) + " " +
-                                   in.hud.steps[in.hud.step].title,
-               bar);
+    in.ui.tell("operate.step",
+               std::to_string(in.hud.step + 1) + " " + in.hud.steps[in.hud.step].title, bar);
   }
   float at = bar.x + 8.0F;
   for (std::size_t step = 0; step < in.hud.steps.size(); ++step)

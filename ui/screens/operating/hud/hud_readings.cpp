@@ -64,10 +64,9 @@ void draw_tool(Hud& in, const Rect& rect) {
   const HudPanel panel(in, "operate.panel.tool", rect);
   Canvas& canvas = in.canvas();
   const Rect inner = inset(rect, hud_pad, 0.0F);
-  const float saw_w =
-      draw_switch(in, "operate.saw", {inner.right(), rect.y + 23.0F},
-                  in.hud.is_saw_on ? "operate.saw.stop" : "operate.saw.start", "key.space",
-                  in.answer.saw);
+  const float saw_w = draw_switch(in, "operate.saw", {inner.right(), rect.y + 23.0F},
+                                  in.hud.is_saw_on ? "operate.saw.stop" : "operate.saw.start",
+                                  "key.space", in.answer.saw);
   canvas.text_in({inner.x, rect.y + 12.0F, inner.w - saw_w, 22.0F},
                  {Type::BodyStrong, in.theme().text}, in.ui.text("operate.saw"), true);
   const std::string blade = in.ui.texts().say(
@@ -84,10 +83,10 @@ void draw_tool(Hud& in, const Rect& rect) {
           ? in.ui.texts().say("operate.saw.runs",
                               {{"rate", grouped(std::lround(in.hud.saw.cycles_per_minute))}})
           : in.text("operate.saw.still");
-  const float water_w = draw_switch(
-      in, "operate.irrigation", {inner.right(), y},
-      in.hud.is_irrigated ? "operate.irrigation.on" : "operate.irrigation.off", "key.i",
-      in.answer.irrigation);
+  const float water_w =
+      draw_switch(in, "operate.irrigation", {inner.right(), y},
+                  in.hud.is_irrigated ? "operate.irrigation.on" : "operate.irrigation.off", "key.i",
+                  in.answer.irrigation);
   canvas.text_in({inner.x + 18.0F, y - 10.0F, inner.w - 18.0F - water_w, 20.0F},
                  {Type::Small, in.theme().text}, runs, true);
   in.ui.tell("operate.saw.state", runs, rect);
@@ -138,8 +137,8 @@ void draw_level(Hud& in, const Rect& rect, const Level& level) {
   canvas.text_in({rect.right() - value_w, rect.y, value_w + 1.0F, 22.0F},
                  {Type::BodyStrong, in.theme().text}, level.value);
   draw_track(in, {rect.x, rect.y + 30.0F, rect.w, 8.0F}, level);
-  canvas.text_in({rect.x, rect.y + 44.0F, rect.w, 18.0F},
-                 {Type::Caption, in.theme().text_caption}, level.caption, true);
+  canvas.text_in({rect.x, rect.y + 44.0F, rect.w, 18.0F}, {Type::Caption, in.theme().text_caption},
+                 level.caption, true);
   std::string told = std::string(level.name) + " " + level.value;
   if (!level.caption.empty()) told += " (" + level.caption + ")";
   in.ui.tell(std::string("operate.") + level.id, told, rect);
@@ -155,7 +154,8 @@ std::string band_text(const Hud& in, const std::optional<LiveBand>& band, const 
 Level angle_level(const Hud& in, const char* id, const char* name, double rad) {
   const HudPlan& plan = *in.hud.plan;
   const double degree = degree_from_radian(rad), all = degree_from_radian(plan.blade.angle_rad);
-  Level level{id, in.ui.text(name), signed_text(degree) + "°", degree / angle_scale_deg, 0.0, {}, {}};
+  Level level{id, in.ui.text(name), signed_text(degree) + "°", degree / angle_scale_deg, 0.0, {},
+              {}};
   if (const auto& band = plan.bands.angle_deg) {
     level.share = degree / band->zero;
     level.full_share = band->full / band->zero;
@@ -170,12 +170,15 @@ std::vector<Level> levels_of(const Hud& in) {
       angle_level(in, "plan.pitch", "operate.plan.pitch", plan.blade.pitch_rad),
       angle_level(in, "plan.roll", "operate.plan.roll", plan.blade.roll_rad)};
   levels[0].caption = band_text(in, plan.bands.angle_deg, "°");
-  levels[1].caption = in.ui.texts().say(
-      "operate.plan.angle",
-      {{"angle", decimal_text(degree_from_radian(plan.blade.angle_rad)) + "°"}});
-  Level distance{"plan.distance", in.ui.text("operate.plan.distance"),
+  levels[1].caption =
+      in.ui.texts().say("operate.plan.angle",
+                        {{"angle", decimal_text(degree_from_radian(plan.blade.angle_rad)) + "°"}});
+  Level distance{"plan.distance",
+                 in.ui.text("operate.plan.distance"),
                  signed_text(plan.blade.distance_mm) + " mm",
-                 plan.blade.distance_mm / distance_scale_mm, 0.0, {},
+                 plan.blade.distance_mm / distance_scale_mm,
+                 0.0,
+                 {},
                  band_text(in, plan.bands.location_mm, " mm")};
   if (const auto& band = plan.bands.location_mm) {
     distance.share = plan.blade.distance_mm / band->zero;
@@ -184,8 +187,12 @@ std::vector<Level> levels_of(const Hud& in) {
   }
   levels.push_back(distance);
   levels.push_back(
-      {"plan.along", in.ui.text("operate.plan.along"), signed_text(plan.pass.along_mm) + " mm",
-       plan.pass.along_mm / along_scale_mm, 0.0, {},
+      {"plan.along",
+       in.ui.text("operate.plan.along"),
+       signed_text(plan.pass.along_mm) + " mm",
+       plan.pass.along_mm / along_scale_mm,
+       0.0,
+       {},
        in.ui.texts().say("operate.plan.pass", {{"pass", std::to_string(plan.pass.pass + 1)},
                                                {"count", std::to_string(plan.pass.count)}})});
   return levels;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-
 namespace hallux::ui {
 
 namespace {
@@ -58,8 +57,7 @@ void draw_label(Hud& in) {
   for (const std::string& line : in.hud.tip_lines)
     width = std::max(width, in.ui.width_of(Type::SmallMedium, line));
   width += 2.0F * label_pad;
-  const float height =
-      line_height * static_cast<float>(in.hud.tip_lines.size()) + label_pad;
+  const float height = line_height * static_cast<float>(in.hud.tip_lines.size()) + label_pad;
   const Rect label = place_label(in, width, height);
   const float edge = label.x > in.hud.tip->x ? label.x : label.right();
   in.canvas().line(*in.hud.tip, {edge, label.mid_y()}, faded(in.theme().text, 0.5F), 1.5F);

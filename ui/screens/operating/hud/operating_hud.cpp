@@ -112,8 +112,7 @@ void draw_inset(Hud& in, float y) {
   const float height =
       std::min(inset_height, in.room.bottom() - hud_panel_height - 2.0F * hud_gap - y);
   if (height < 0.5F * inset_height) return;
-  const Rect rect =
-      in.sided({in.room.right() - inset_width, y, inset_width, height});
+  const Rect rect = in.sided({in.room.right() - inset_width, y, inset_width, height});
   const HudPanel panel(in, "operate.panel.inset", rect);
   const Rect title{rect.x + hud_pad, rect.y + 8.0F, rect.w - 2.0F * hud_pad, 20.0F};
   in.canvas().text_in(title, {Type::Small, in.theme().text_secondary},

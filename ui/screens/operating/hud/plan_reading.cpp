@@ -24,8 +24,8 @@ PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::Blad
   PlanReading reading;
   reading.pitch_rad = elementary::asin(glm::dot(waste, in_bone(Vec3(1.0, 0.0, 0.0))));
   reading.roll_rad = elementary::asin(side * glm::dot(waste, in_bone(Vec3(0.0, 1.0, 0.0))));
-  reading.angle_rad = elementary::atan2(length_of(glm::cross(normal, waste)),
-                                        std::abs(glm::dot(normal, waste)));
+  reading.angle_rad =
+      elementary::atan2(length_of(glm::cross(normal, waste)), std::abs(glm::dot(normal, waste)));
   reading.distance_mm =
       glm::dot(waste, bone_from_tool.translation_mm) - cut.face.offset_mm - 0.5 * blade.kerf_mm;
   return reading;

@@ -1,5 +1,5 @@
 /// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
-/// feeds anything back. Inside this corner only.
+/// feeds anything back. Inside this room only.
 ///
 ///     feed of the loop --> LiveCut --> patch of the kerf at hand --> newest picture
 ///                             |        on a mesh that stands still
@@ -20,8 +20,8 @@
 #include "simulator/jobs/live_cut.h"
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene/scene.h"
-#include "ui/screens/pictures/blade_section.h"
 #include "ui/screens/operating/site/site_survey.h"
+#include "ui/screens/pictures/blade_section.h"
 #include "ui/screens/pictures/contact_halo.h"
 
 namespace hallux::ui {

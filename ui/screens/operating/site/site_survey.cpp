@@ -23,8 +23,8 @@ SiteSurvey::SiteSurvey(const PreparedCase& prepared_case)
     : prepared_case_(prepared_case), watch_(prepared_case.scenario, prepared_case.plan) {}
 
 void SiteSurvey::apply(const simulator::ToolSample& sample) noexcept {
-  bone_from_tool_ = inverse(prepared_case_.bone.world_from_bone) *
-                    transform_from(sample.world_from_tool);
+  bone_from_tool_ =
+      inverse(prepared_case_.bone.world_from_bone) * transform_from(sample.world_from_tool);
   has_moved_ = true;
   if (sample.kerf < 0 || !has(sample.status, ToolStatus::SawOn)) return;
   has_grown_ = has_opened_since_pieces_ = true;
