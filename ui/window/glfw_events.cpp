@@ -126,8 +126,17 @@ void hear_pointer(GLFWwindow* window, double x, double y) {
   events.queue.push(pointer_event(window, EventKind::PointerMoved));
 }
 
+/// Sees the pointer that went, untold, to where it once was let go.
+void look_where_freed(GLFWwindow* window) {
+  WindowEvents& events = events_of(window);
+  double x = 0.0, y = 0.0;
+  glfwGetCursorPos(window, &x, &y);
+  if (!events.is_captured && x == events.freed_x && y == events.freed_y) hear_pointer(window, x, y);
+}
+
 void hear_button(GLFWwindow* window, int button, int action, int bits) {
   if (button < 0 || button >= mouse_button_count) return;
+  look_where_freed(window);
   InputEvent event = pointer_event(
       window, action == GLFW_PRESS ? EventKind::ButtonPressed : EventKind::ButtonReleased);
   event.button = static_cast<MouseButton>(button);
@@ -136,6 +145,7 @@ void hear_button(GLFWwindow* window, int button, int action, int bits) {
 }
 
 void hear_wheel(GLFWwindow* window, double, double notches) {
+  look_where_freed(window);
   InputEvent event = pointer_event(window, EventKind::Wheel);
   event.wheel = static_cast<float>(notches);
   events_of(window).queue.push(event);
@@ -162,7 +172,9 @@ bool set_captured(GLFWwindow* window, WindowEvents& events, bool is_captured) {
   const bool is_done = glfwGetError(nullptr) == GLFW_NO_ERROR;
   events.is_captured = is_captured && is_done;
   glfwGetCursorPos(window, &events.pointer_x, &events.pointer_y);
-  if (!events.is_captured) events.queue.push(pointer_event(window, EventKind::PointerMoved));
+  if (events.is_captured) return is_done;
+  events.freed_x = events.pointer_x, events.freed_y = events.pointer_y;
+  events.queue.push(pointer_event(window, EventKind::PointerMoved));
   return is_done;
 }
 

@@ -19,6 +19,8 @@ struct WindowEvents {
   /// Where the last event put the pointer, in GLFW's units. What the display says now may be ahead
   /// of the events: a press that waited while a frame was made must meet what it was aimed at.
   double pointer_x = 0.0, pointer_y = 0.0;
+  /// Where it was put when it was let go: of a move to that very place GLFW tells nothing.
+  double freed_x = 0.0, freed_y = 0.0;
   /// The pointer is seen nowhere and only its way is told.
   bool is_captured = false;
 };

@@ -41,6 +41,18 @@ class Screen:
     def text(self, name):
         return self.read_outs.get(name, "")
 
+    def says_lifted(self):
+        return "A right click sets it down" in self.text("operate.foot")
+
+    def is_asked(self):
+        return any(name.endswith(".keep") for name in self.widgets)
+
+    def look_until(self, is_so):
+        """What was done is soon seen, or was not heard."""
+        end = time.monotonic() + SEEN_S
+        while time.monotonic() < end and not (self.look() and is_so()):
+            time.sleep(0.05)
+
 
 class WrongTurns:
     """Counts inputs that led nowhere."""
@@ -92,6 +104,8 @@ class MouseHand:
         words = hint.mouse
         if "lift the hand" in words:
             return self.press_button(words, screen)
+        if screen.says_lifted():
+            return self.set_down(screen)
         if words.startswith("click"):
             return self.person.xdotool("click", "1")
         amount = self.amount(hint)
@@ -142,14 +156,22 @@ class MouseHand:
         """The step's button, or the number of a step that can be taken up again; then the hand is put on the saw again."""
         numbers = sorted(name for name in screen.widgets if re.fullmatch(r"operate\.step\.\d+", name))
         name = numbers[-1] if "number" in words and numbers else "operate.step"
-        view = screen.widgets["operate.view"]
-        self.person.xdotool("click", "3")
-        time.sleep(LOOK_S)
+        if not screen.says_lifted():
+            self.person.xdotool("click", "3")
+            screen.look_until(screen.says_lifted)
+        told = screen.text("operate.hint")
         self.person.click(name)
+        screen.look_until(lambda: screen.text("operate.hint") != told)
+        if not screen.is_asked():
+            self.set_down(screen)
+
+    def set_down(self, screen):
+        """A right click over the picture, as the line at the foot says."""
+        view = screen.widgets["operate.view"]
+        self.person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
         time.sleep(LOOK_S)
-        if any(each.endswith(".keep") for each in screen.look().widgets):
-            return
-        self.person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2), "click", "3")
+        self.person.xdotool("click", "3")
+        screen.look_until(lambda: not screen.says_lifted())
 
     def slip(self, chance):
         self.move(chance.choice(list(self.WAYS.values())), chance.randint(5, 20), is_dragged=False)
@@ -177,7 +199,7 @@ class Novice:
 
     def answer_question(self):
         """A question that nobody meant to raise is answered by its safe side, which has the focus."""
-        if not any(name.endswith(".keep") for name in self.screen.widgets):
+        if not self.screen.is_asked():
             return False
         self.person.press("Escape")
         time.sleep(LOOK_S)
@@ -185,9 +207,7 @@ class Novice:
 
     def watch(self, text):
         """Until what was done is seen and has come to rest; nobody does the next thing before."""
-        end = time.monotonic() + SEEN_S
-        while time.monotonic() < end and self.screen.look().text("operate.hint") == text:
-            time.sleep(0.05)
+        self.screen.look_until(lambda: self.screen.text("operate.hint") != text)
         end, still_since = time.monotonic() + REST_S, time.monotonic()
         while time.monotonic() < min(end, still_since + LOOK_S):
             text = self.screen.text("operate.hint")

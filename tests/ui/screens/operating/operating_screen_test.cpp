@@ -299,6 +299,21 @@ TEST_F(PointerOfAnOperation, CaughtItIsFreeWhileTheHandIsLiftedAndInAPause) {
   }
 }
 
+TEST_F(PointerOfAnOperation, ARightClickLiftsTheHandAndAnotherSetsItDown) {
+  person_.begin();
+  person_.press(Key::C);
+  person_.make_frames(3);
+  const auto click_right = [&] {
+    person_.driver().send(click_events(over_the_bone, MouseButton::Right));
+    person_.make_frames(4);
+  };
+  click_right();
+  EXPECT_TRUE(person_.driver().sees("The hand is lifted"));
+  shape_at(over_the_bone);
+  click_right();
+  EXPECT_FALSE(person_.driver().sees("The hand is lifted"));
+}
+
 TEST_F(PointerOfAnOperation, OverAPanelItDoesNotLeadTheSaw) {
   person_.begin();
   const Rect panel = person_.driver().widget("operate.panel.force").visible;
