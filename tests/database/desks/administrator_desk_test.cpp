@@ -122,6 +122,43 @@ TEST_F(Administrator, RefusesTheCodeOfADisabledPerson) {
             DatabaseErrorKind::Refused);
 }
 
+TEST_F(Administrator, CorrectsANameOfWhichThePersonIsToldAndTheAuditKeepsTheOneBefore) {
+  AdministratorDesk desk = administrator();
+  desk.correct_name("ada", "Ada Ünal");
+  EXPECT_EQ(person("ada").display_name, "Ada Ünal");
+  const AuditEntry act = last_audit();
+  EXPECT_EQ(act.action, "name_corrected");
+  EXPECT_EQ(act.actor, id_of("root"));
+  EXPECT_EQ(act.subject_id, std::to_string(id_of("ada").number));
+  EXPECT_EQ(act.text, "ada");
+  Session ada = sign_in_as("ada");
+  ASSERT_EQ(ada.notices().size(), 1U);
+  EXPECT_EQ(ada.notices()[0].kind, NoticeKind::NameCorrected);
+  EXPECT_EQ(ada.notices()[0].login, "root");
+  EXPECT_EQ(ada.person().display_name, "Ada Ünal");
+}
+
+TEST_F(Administrator, CorrectsTheOwnNameWithoutANoticeAndMayTakeANameAway) {
+  administrator().correct_name("root", "Root Verwalter");
+  EXPECT_TRUE(sign_in_as("root").notices().empty());
+  administrator().correct_name("root", "");
+  EXPECT_EQ(person("root").display_name, "root") << "the login stands in its place";
+}
+
+TEST_F(Administrator, RefusesANameThatHidesSomethingOrChangesNothing) {
+  AdministratorDesk desk = administrator();
+  const AuditEntry before = last_audit();
+  for (const std::string& name : {std::string{"ada"}, std::string{"two\nlines"},
+                                  std::string{"\xE2\x80\xAE"
+                                              "ada"},
+                                  std::string(201, 'a'), std::string{"\xFF"}}) {
+    EXPECT_EQ(kind_thrown([&] { desk.correct_name("ada", name); }), DatabaseErrorKind::BadInput);
+  }
+  EXPECT_EQ(kind_thrown([&] { desk.correct_name("nobody", "N"); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(person("ada").display_name, "ada");
+  EXPECT_EQ(last_audit().action, before.action);
+}
+
 TEST_F(Administrator, GivesAndTakesTheRole) {
   AdministratorDesk desk = administrator();
   desk.set_administrator("ada", true);

@@ -28,6 +28,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"password_set", "audit.password_set"},
     {"person_disabled", "audit.person_disabled"},
     {"person_enabled", "audit.person_enabled"},
+    {"name_corrected", "audit.name_corrected"},
     {"administrator_made", "audit.administrator_made"},
     {"administrator_unmade", "audit.administrator_unmade"},
     {"cohort_added", "audit.cohort_added"},
@@ -39,6 +40,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"scenario_retired", "audit.scenario_retired"},
     {"attempt_begun", "audit.attempt_begun"},
     {"attempt_sealed", "audit.attempt_sealed"},
+    {"attempt_abandoned", "audit.attempt_abandoned"},
     {"attempt_viewed", "audit.attempt_viewed"},
     {"score_stored", "audit.score_stored"},
     {"note_written", "audit.note_written"},
@@ -93,6 +95,7 @@ constexpr auto tries = std::to_array<Deed>({
     {"add_person", "audit.add_person"},
     {"list_people", "audit.list_people"},
     {"disable_person", "audit.disable_person"},
+    {"correct_name", "audit.correct_name"},
     {"change_role", "audit.change_role"},
     {"add_cohort", "audit.add_cohort"},
     {"list_cohorts", "audit.list_cohorts"},
@@ -164,6 +167,8 @@ std::string subject_text(const Texts& texts, const database::AuditLine& line) {
   const std::string named = named_subject(texts, line);
   if (line.text.empty()) return named;
   if (named.empty()) return line.text;
+  if (line.action == "name_corrected" && !line.was_refused)
+    return texts.say("audit.name_before", {{"subject", named}, {"name", line.text}});
   return texts.say("audit.subject_and_text", {{"subject", named}, {"text", line.text}});
 }
 

@@ -83,6 +83,7 @@ std::string notice_text(const Texts& texts, const database::Notice& notice) {
       {NoticeKind::BackupSkipped, "notice.backup_skipped"},
       {NoticeKind::CodeIssued, "notice.code_issued"},
       {NoticeKind::PasswordSet, "notice.password_set"},
+      {NoticeKind::NameCorrected, "notice.name_corrected"},
       {NoticeKind::ResultOverridden, "notice.result_overridden"},
       {NoticeKind::ResultVoided, "notice.result_voided"}};
   const auto* const found =

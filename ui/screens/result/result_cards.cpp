@@ -199,9 +199,7 @@ MessageRow decision_row(const Texts& texts, const Decision& decision, const std:
 }
 
 std::string decided_text(const Texts& texts, const Decision& decision) {
-  const std::string name = decision.decided_by.empty()
-                               ? std::string(texts.text("result.decision.nobody"))
-                               : decision.decided_by;
+  const std::string name = decider_text(texts, decision);
   const std::string when = moment_text(decision.decided_utc);
   if (!decision.score_milli)
     return texts.say("result.decision.by", {{"person", name}, {"moment", when}});

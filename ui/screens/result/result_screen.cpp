@@ -174,15 +174,17 @@ float ResultScreen::draw_marks(Ui& ui, const Rect& place) const {
 std::vector<std::pair<Meaning, std::string>> ResultScreen::notices(const Texts& texts) const {
   std::vector<std::pair<Meaning, std::string>> found;
   const database::Decision* decision = facts().decision();
+  const std::string who = decision != nullptr ? decider_text(texts, *decision) : std::string();
   if (decision != nullptr && decision->kind == database::DecisionKind::Voided) {
-    found.emplace_back(Meaning::Bad,
-                       texts.say("result.notice.void", {{"reason", decision->reason}}));
+    found.emplace_back(Meaning::Bad, texts.say("result.notice.void",
+                                               {{"person", who}, {"reason", decision->reason}}));
   }
   if (decision != nullptr && decision->kind == database::DecisionKind::Overridden &&
       facts().score) {
     found.emplace_back(Meaning::Info,
                        texts.say("result.notice.overridden",
-                                 {{"points", points_text(facts().score->card.score_milli)},
+                                 {{"person", who},
+                                  {"points", points_text(facts().score->card.score_milli)},
                                   {"reason", decision->reason}}));
   }
   if (!examined_.has_value()) return found;
