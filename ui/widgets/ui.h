@@ -131,10 +131,15 @@ class Ui {
   /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
   /// the flags.
   Response control(Widget widget);
-  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect);
+  /// `takes_wheel`: it is turned by the wheel; else what it lies in scrolls.
+  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect,
+                    bool takes_wheel = true);
   /// Events for the field `id` in this frame, and what it remembers of its editing.
   std::vector<FieldEvent> field_events(const std::string& id) const;
   TextEdit& text_edit(const std::string& id);
+  /// The path of what was dropped on the window in this frame, for the first field that asks; nothing
+  /// from below a menu or a question.
+  std::optional<std::string> take_dropped();
   Clipboard& clipboard() noexcept { return *clipboard_; }
 
   /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that
@@ -189,6 +194,7 @@ class Ui {
   void scroll_to_focus(const std::string& id, ScrollState& state);
   void draw_scroll_bar(const std::string& id, ScrollState& state);
   void settle_pointer();
+  void tell_what_was_cut();
 
   const Texts* texts_;
   Clipboard* clipboard_;

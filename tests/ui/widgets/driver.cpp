@@ -167,6 +167,9 @@ bool Driver::sees(std::string_view words) const {
   for (const SeenText& seen : ui_.shown().texts)
     if (seen.text.find(words) != std::string::npos || seen.whole.find(words) != std::string::npos)
       return true;
+  // A toast breaks its words into lines; its control says them whole.
+  for (const Widget& widget : ui_.shown().widgets)
+    if (widget.layer == Layer::Toast && widget.label.find(words) != std::string::npos) return true;
   return false;
 }
 
@@ -188,6 +191,31 @@ std::vector<std::string> Driver::faults() const {
     if (widget.label.empty()) faults.push_back("without a label: " + widget.id);
   }
   return faults;
+}
+
+std::vector<std::string> Driver::covered_by_messages() const {
+  constexpr float view_share = 0.4F;
+  const FrameContent& shown = ui_.shown();
+  const Rect display = ui_.display();
+  const Layer lowest = reachable_layer(shown);
+  std::vector<std::string> covered;
+  for (const Widget& told : shown.widgets) {
+    if (told.layer != Layer::Toast || told.role != Role::Area) continue;
+    const auto note = [&](const std::string& what, Layer layer, const Rect& visible) {
+      const bool counts = layer >= lowest && layer < Layer::Toast;
+      if (counts && !intersection(told.visible, visible).is_empty())
+        covered.push_back(told.id + " over " + what);
+    };
+    for (const Widget& widget : shown.widgets) {
+      const bool is_view = widget.role == Role::Area &&
+                           widget.visible.w * widget.visible.h > view_share * display.w * display.h;
+      const bool is_beside = widget.visible.w >= display.w && widget.visible.h >= display.h;
+      if (widget.role != Role::Scroll && !is_view && !is_beside)
+        note(widget.id, widget.layer, widget.visible);
+    }
+    for (const SeenText& seen : shown.texts) note(seen.text, seen.layer, seen.visible);
+  }
+  return covered;
 }
 
 std::vector<InputEvent> key_events(Key key, Modifiers modifiers) {

@@ -73,7 +73,7 @@ class Driver {
   const FrameContent& content() const { return ui_.shown(); }
   const Widget& widget(std::string_view id) const;
   bool has(std::string_view id) const { return find_widget(ui_.shown(), id) != nullptr; }
-  /// True where a text with these words in it is visible.
+  /// True where a text with these words in it is visible; of a message in whichever lines.
   bool sees(std::string_view words) const;
   std::vector<std::string> texts() const;
   const std::string& focused() const { return ui_.focused(); }
@@ -81,6 +81,9 @@ class Driver {
   /// braces without a value, missing texts, an id twice, an enabled control that cannot be seen
   /// though nothing scrolls it. One line each.
   std::vector<std::string> faults() const;
+  /// Controls by id and texts that lie under a message, on the layers that can be reached; but for a
+  /// view that fills most of the window.
+  std::vector<std::string> covered_by_messages() const;
   Ui& ui() { return ui_; }
   MemoryClipboard& clipboard() { return clipboard_; }
   double time_s() const { return time_s_; }

@@ -6,6 +6,7 @@
 #include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/menu.h"
+#include "ui/widgets/controls/toast.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

@@ -98,7 +98,8 @@ bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButton
   const Response response = ui.control({.id = std::string(id),
                                         .label = std::string(spec.label),
                                         .rect = rect,
-                                        .is_enabled = spec.is_enabled});
+                                        .is_enabled = spec.is_enabled,
+                                        .comes_late = spec.comes_late});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   if (spec.is_on)

@@ -42,6 +42,8 @@ struct IconButtonSpec {
   std::string_view label = {};
   Icon icon = Icon::None;
   bool is_on = false, is_enabled = true;
+  /// Tab comes to it last.
+  bool comes_late = false;
 };
 /// 36 x 36.
 bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButtonSpec& spec);

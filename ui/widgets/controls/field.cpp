@@ -223,13 +223,21 @@ void draw_content(Ui& ui, const Rect& room, std::string_view shown, const Layout
   canvas.set_noting(true);
   const Rect seen = intersection(room, canvas.clip());
   if (!spec.is_secret && !shown.empty() && !seen.is_empty())
-    canvas.note_text({std::string(shown), seen, room, canvas.layer(), false, true, {}});
+    canvas.note_text({.text = std::string(shown),
+                      .rect = seen,
+                      .room = room,
+                      .visible = seen,
+                      .layer = canvas.layer(),
+                      .may_be_shortened = true});
 }
 
+// Tab goes on from the letters to what comes next, not to the eye: whoever types a phrase there by
+// mistake would show it.
 bool draw_eye(Ui& ui, const std::string& id, const Rect& rect, bool is_open) {
   const std::string eye = id + ".eye";
   IconButtonSpec spec{.label = ui.text(is_open ? "field.hide" : "field.show"),
-                      .icon = is_open ? Icon::EyeOff : Icon::Eye};
+                      .icon = is_open ? Icon::EyeOff : Icon::Eye,
+                      .comes_late = true};
   return icon_button(ui, eye, {rect.right() - eye_room, rect.mid_y() - 18.0F, 36.0F, 36.0F}, spec);
 }
 
@@ -243,7 +251,8 @@ bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
                                         .rect = rect,
                                         .role = Role::Field,
                                         .is_enabled = spec.is_enabled,
-                                        .takes_new_line = spec.lines > 1});
+                                        .takes_new_line = spec.lines > 1,
+                                        .takes_tab = spec.takes_tab});
   draw_box(ui, rect, spec, {response.hover, false, response.shows_ring}, response.has_focus);
   TextEdit& edit = ui.text_edit(name);
   keep_cursor_inside(edit, text);

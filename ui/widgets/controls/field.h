@@ -23,6 +23,8 @@ struct FieldSpec {
   bool is_label_shown = true;
   /// Dots stand for letters; an eye shows them while it is on.
   bool is_secret = false;
+  /// Tab completes what is typed, by whoever reads `Ui::field_events`; else it goes on.
+  bool takes_tab = false;
   bool is_enabled = true;
   /// More: Enter makes a new line, Ctrl+Enter is the primary action.
   int lines = 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "ui/widgets/look/geometry.h"
 
@@ -113,6 +114,8 @@ enum class EventKind : std::uint8_t {
   Character,
   /// The window no longer gets keys: every held key counts as released.
   FocusLost,
+  /// Files or folders of the desktop, let go over the window.
+  FilesDropped,
 };
 
 struct InputEvent {
@@ -126,6 +129,8 @@ struct InputEvent {
   char32_t character = 0;
   /// Notches, positive away from the person.
   float wheel = 0.0F;
+  /// The path of the first one that was dropped.
+  std::string text = {};
 };
 
 }  // namespace hallux::ui

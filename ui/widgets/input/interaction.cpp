@@ -73,6 +73,7 @@ void Interaction::forget_frame() {
   edits.clear();
   dragged = {};
   has_pointer_left = has_lost_keys = false;
+  dropped.reset();
 }
 
 // Stops behind the event that may change the screen, and leaves the next frame without events: it
@@ -145,6 +146,9 @@ bool Interaction::apply(const InputEvent& event) {
         edits.push_back({focus, {event.character, {}}});
       return false;
     }
+    case EventKind::FilesDropped:
+      dropped = event.text;
+      return true;
     case EventKind::FocusLost:
       held = {};
       modifiers = {};
@@ -157,6 +161,7 @@ bool Interaction::apply(const InputEvent& event) {
 
 void Interaction::move_pointer(Point position) {
   const Point device{position.x / scale_, position.y / scale_};
+  if (device != pointer) pointer_still_since_s = time_s_;
   for (std::size_t button = 0; button < held.size(); ++button) {
     HeldButton& own = held[button];
     if (!own.is_down) continue;
@@ -209,7 +214,7 @@ bool Interaction::release_button(const InputEvent& event) {
 
 void Interaction::turn_wheel(const InputEvent& event) {
   move_pointer(event.position);
-  const Widget* target = scrolled_at(*shown_, pointer);
+  const Widget* target = turned_at(*shown_, pointer, event.wheel);
   if (target == nullptr) return;
   if (wheel_target != target->id) wheel = 0.0F;
   wheel_target = target->id;
@@ -239,7 +244,12 @@ bool Interaction::edit_key(const Widget& field, Chord chord) {
 
 bool Interaction::move_focus(const Widget* focused, Chord chord) {
   std::string next = focus;
-  if (chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt) {
+  const bool is_tab = chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt;
+  if (is_tab && !chord.modifiers.shift && focused != nullptr && focused->takes_tab) {
+    edits.push_back({focus, {0, chord}});
+    return true;
+  }
+  if (is_tab) {
     next = next_in_tab_order(*shown_, focus, chord.modifiers.shift);
   } else if (is_arrow(chord.key) && focused != nullptr && !focused->group.empty() &&
              !chord.modifiers.control) {
