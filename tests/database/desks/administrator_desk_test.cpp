@@ -52,6 +52,19 @@ TEST_F(Administrator, IssuesCodesThatAreReadAsPeopleTypeThem) {
   EXPECT_NO_THROW(redeem("new", typed, good_password));
 }
 
+TEST_F(Administrator, IssuesCodesThatAreToldFromPasswords) {
+  for (int i = 0; i < 50; ++i) {
+    const SecretText code = random_code();
+    const bool has_digit = code.view().find_first_of("0123456789") != std::string_view::npos;
+    EXPECT_EQ(looks_like_code(code.view()), has_digit) << "one in ninety has none";
+  }
+  EXPECT_TRUE(looks_like_code("7qk2m9xd3vta"));
+  EXPECT_TRUE(looks_like_code("7QK2 M9XD 3VTA"));
+  for (const char* password : {"sawbonehinge", "saw bone hinge wire", "7QK2-M9XD-3VT",
+                               "7QK2-M9XD-3VTAA", "7QU2-M9XD-3VTA", "", "7QK2-M9XD-3VT\xC3\xA4"})
+    EXPECT_FALSE(looks_like_code(password)) << password;
+}
+
 TEST_F(Administrator, KeepsOfACodeItsHashOnly) {
   const AddedPerson added = administrator().add_person_with_code({"new", "", false}, cheap);
   std::string plain;

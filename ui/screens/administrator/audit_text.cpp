@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "database/text/csv_text.h"
+
 namespace hallux::ui {
 
 namespace {
@@ -170,6 +172,19 @@ std::string subject_text(const Texts& texts, const database::AuditLine& line) {
   if (line.action == "name_corrected" && !line.was_refused)
     return texts.say("audit.name_before", {{"subject", named}, {"name", line.text}});
   return texts.say("audit.subject_and_text", {{"subject", named}, {"text", line.text}});
+}
+
+std::string audit_csv(const Texts& texts, const std::vector<database::AuditLine>& lines) {
+  std::string csv = "entry,at_utc,by,code,did,outcome,to\n";
+  for (const database::AuditLine& line : lines) {
+    csv += std::to_string(line.number) + "," + line.at_utc;
+    for (const std::string& cell :
+         {line.actor, line.action, deed_text(texts, line),
+          std::string(line.was_refused ? "refused" : "done"), subject_text(texts, line)})
+      csv += "," + database::csv_cell(cell);
+    csv += "\n";
+  }
+  return csv;
 }
 
 std::vector<std::string_view> known_deeds() {

@@ -155,7 +155,10 @@ void CohortsScreen::draw_member_table(Ui& ui, const Rect& content, const Listed&
        {{ui.text("people.role"), 96.0F},
         [&ui](Member member) { return std::string(ui.text(role_id(member.role))); }},
        {{ui.text("cohorts.since"), 140.0F, 1.0F, Align::Left, since_from},
-        [](Member member) { return moment_text(member.enrolled_utc); }}}};
+        [](Ui& own, Member member, const Rect& cell) {
+          draw_moment_cell(own, cell, member.enrolled_utc,
+                           {Type::Body, own.theme().text_secondary});
+        }}}};
   member_table_.chosen.clear();
   if (!member_.empty()) member_table_.chosen.insert(member_);
   const TableResponse response =

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/screens/administrator/audit_screen.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
 
@@ -47,7 +48,7 @@ std::string line_of(const Texts& texts, const RetentionPiece& piece) {
   const std::string whose = piece.login.empty() ? piece.name.substr(0, 12) : piece.login;
   return texts.say("records.retention.piece", {{"kind", std::string(kind)},
                                                {"whose", whose},
-                                               {"since", piece.since_utc.substr(0, 10)},
+                                               {"since", date_text(piece.since_utc)},
                                                {"size", bytes_text(piece.bytes)}});
 }
 

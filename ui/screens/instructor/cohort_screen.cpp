@@ -16,6 +16,7 @@
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/person_cell.h"
 #include "ui/screens/parts/standing.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/menu.h"
@@ -461,6 +462,7 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
     const std::string what =
         ui.texts().say("cohort.attempt",
                        {{"operation", operation_text(last.header.scenario_name)},
+                        {"number", grouped(static_cast<long>(last.header.number))},
                         {"when", ago_text(ui.texts(), last.header.started_utc, glance.now_utc)}});
     if (row_control(ui, "cohort.attempt." + std::to_string(last.header.order), what,
                     "cohort.attempts", row))

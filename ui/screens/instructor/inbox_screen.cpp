@@ -63,8 +63,10 @@ const InboxRequest* InboxScreen::chosen() const {
 
 void InboxScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (inbox_.is_new()) read(ui, shell);
-  if (inbox_.is_ready() && !std::exchange(is_counted_, true) && counted_)
+  if (inbox_.is_ready() && !std::exchange(is_counted_, true) && counted_) {
     counted_(count_open(inbox_.value()));
+    ui.want_frame_in_s(0.0);  // the navigation was drawn before
+  }
   const ListPage page(
       ui, "inbox", course_head(ui, *signed_in_, ui.text("inbox.title"), ui.text("inbox.sentence")),
       content, page_spec);

@@ -1,6 +1,7 @@
 #include "ui/screens/parts/person_dialogs.h"
 
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
@@ -21,10 +22,12 @@ constexpr float erase_height =
     3.0F * (field_label_height + field_height + field_gap) + field_message_height + checkbox_height;
 
 void draw_add_fields(Ui& ui, Rect rest, NewPersonForm& form) {
-  labelled_field(
-      ui, "people.add.login", rest, form.login,
-      {.label = ui.text("people.login"), .hint = ui.text("people.login.rule"), .max_bytes = 64},
-      field_message_height + field_gap);
+  FieldSpec login{
+      .label = ui.text("people.login"), .hint = ui.text("people.login.rule"), .max_bytes = 64};
+  if (!database::may_become_login(form.login)) login.error = ui.text("people.login.fault");
+  if (labelled_field(ui, "people.add.login", rest, form.login, login,
+                     field_message_height + field_gap))
+    ui.want_frame_in_s(0.0);  // what was said below it was about the frame before
   labelled_field(ui, "people.add.name", rest, form.display_name,
                  {.label = ui.text("people.name.field")}, field_gap);
   checkbox(ui, "people.add.administrator", take_top(rest, checkbox_height),
@@ -93,7 +96,21 @@ Answer draw_add_dialog(Ui& ui, NewPersonForm& form, const std::string& fault, bo
                                    {fault, is_busy}, add_height);
   return dialog(ui, "people.add", shown, [&](const Rect& rect) {
     draw_add_fields(ui, rect, form);
-    return !form.login.empty();
+    return database::is_login(form.login);
+  });
+}
+
+Answer draw_name_dialog(Ui& ui, NameForm& form, const std::string& fault, bool is_busy) {
+  const std::string title = ui.texts().say("people.rename.title", {{"login", form.login}});
+  Dialog shown = form_dialog(ui, title, ui.text("people.rename.act"), {fault, is_busy},
+                             field_label_height + field_height);
+  shown.sentence = ui.text("people.rename.sentence");
+  return dialog(ui, "people.rename", shown, [&](const Rect& rect) {
+    Rect rest = rect;
+    labelled_field(ui, "people.rename.name", rest, form.name,
+                   {.label = ui.text("people.name.field")});
+    ui.focus_first("people.rename.name");
+    return form.name != form.before && form.name.find_first_not_of(' ') != std::string::npos;
   });
 }
 
@@ -124,8 +141,8 @@ Answer draw_erase_dialog(Ui& ui, EraseForm& form, const std::string& fault, bool
 
 CodeAnswer draw_code_dialog(Ui& ui, const ShownCode& code) {
   const std::string title = ui.texts().say("people.code.title", {{"login", code.whose}});
-  const std::string words =
-      ui.texts().say("people.code.sentence", {{"moment", moment_text(code.issued.expires_utc)}});
+  const std::string words = ui.texts().say("people.code.sentence",
+                                           {{"moment", full_moment_text(code.issued.expires_utc)}});
   Dialog shown;
   shown.title = title;
   shown.sentence = words;

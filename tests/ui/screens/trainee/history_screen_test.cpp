@@ -73,8 +73,10 @@ TEST(History, VoidAttemptsDoNotCountAndUnscoredOnesAreGaps) {
   ASSERT_EQ(histories.size(), 1U);
   const OperationHistory& history = histories.front();
   EXPECT_EQ(history.attempts.size(), 4U);
-  EXPECT_THAT(history.numbers, ElementsAre(1, 0, 2, 3));
+  EXPECT_THAT(history.counted, ElementsAre(0U, 2U, 3U));
   ASSERT_EQ(history.scores.size(), 3U);
+  EXPECT_EQ(history.scores[0].x, 1.0);
+  EXPECT_EQ(history.scores[1].x, 3.0) << "the number that everybody calls it by";
   EXPECT_EQ(history.scores[0].y, 40.0);
   EXPECT_TRUE(std::isnan(history.scores[1].y));
   EXPECT_EQ(history.scores[2].y, 50.0);
