@@ -91,6 +91,8 @@ class Ui {
   double next_frame_in_s() const noexcept;
   /// What the last finished frame showed.
   const FrameContent& shown() const noexcept { return shown_; }
+  /// What this frame has drawn so far.
+  const FrameContent& drawn() const noexcept { return building_; }
   /// Counts the font pictures made; the painter takes a new one where it changed.
   int fonts_version() const noexcept { return fonts_version_; }
   PointerShape pointer_shape() const noexcept { return pointer_shape_; }

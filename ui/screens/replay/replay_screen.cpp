@@ -86,7 +86,7 @@ void ReplayScreen::draw_replay(Ui& ui, const Rect& content, Shell& shell) {
   draw_head(ui, take_top(rest, head_height));
   const Timeline shown = timeline_of(ui, content.h);
   const float time_height = Player::height + timeline_height(shown) + 2.0F * time_edge;
-  draw_time(ui, take_bottom(rest, time_height));
+  draw_time(ui, take_bottom(rest, time_height), content.h);
   const float width = std::clamp(0.3F * content.w, 216.0F, panel_width);
   draw_panel(ui, take_right(rest, width), shell);
   draw_view(ui, rest, shell);
@@ -340,12 +340,12 @@ Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {
   return shown;
 }
 
-void ReplayScreen::draw_time(Ui& ui, const Rect& rect) {
+void ReplayScreen::draw_time(Ui& ui, const Rect& rect, float page_height) {
   ui.canvas().fill(rect, ui.theme().side);
   ui.canvas().hairline_across(rect.x, rect.y, rect.w, ui.theme().line);
   Rect rest = inset(rect, edge, time_edge);
   player_.draw(ui, take_top(rest, Player::height));
-  const Timeline shown = timeline_of(ui, ui.display().h);
+  const Timeline shown = timeline_of(ui, page_height);
   const auto asked_s = timeline(ui, "replay.timeline", rest, shown);
   if (!asked_s) return;
   player_.look_at(*asked_s);

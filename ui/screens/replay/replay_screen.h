@@ -44,7 +44,8 @@ class ReplayScreen : public Screen {
   void draw_panel(Ui& ui, const Rect& rect, Shell& shell);
   void draw_ledger(Ui& ui, const Rect& rect);
   void draw_events(Ui& ui, const Rect& rect);
-  void draw_time(Ui& ui, const Rect& rect);
+  /// As high as the page decides, which leaves room for messages.
+  void draw_time(Ui& ui, const Rect& rect, float page_height);
   Timeline timeline_of(const Ui& ui, float height) const;
   void hear_keys(Ui& ui);
   void draw_forms(Ui& ui, Shell& shell);

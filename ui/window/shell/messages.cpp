@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ranges>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double message_s = 6.0, work_shown_after_s = 0.3, work_frame_s = 0.1;
 constexpr double time_left_from_s = 10.0, least_share = 0.05;
+constexpr float narrower = 300.0F, narrowest = 208.0F;
 constexpr float margin = 24.0F, gap = 12.0F, strip_edge = 16.0F, strip_share = 0.4F;
 constexpr std::size_t messages_most = 4;
 
@@ -83,6 +85,8 @@ float Messages::plan(Ui& ui, const Background& background, const MessageRoom& ro
   float strip = 0.0F;
   if (!room.page.is_empty()) strip = plan_on_page(ui, room);
   if (room.page.is_empty() || covers_what_lies_above(ui)) plan_freely(ui);
+  const Obstacles seen = obstacles_in(ui.shown(), ui.display());
+  for (Told& told : told_) told.covered = covered_by(told.rect, seen);
   return strip;
 }
 
@@ -117,16 +121,29 @@ bool Messages::covers_what_lies_above(const Ui& ui) const {
                              [&](const Told& told) { return covered_by(told.rect, above) > 0.0F; });
 }
 
-void Messages::plan_freely(const Ui& ui) {
+Rect Messages::free_place_of(const Ui& ui, const Told& told, const Obstacles& obstacles) {
   const Rect display = ui.display();
-  Obstacles obstacles = obstacles_in(ui.shown(), display);
-  const float width = std::min(toast_width, display.w - 2.0F * margin);
+  Rect best;
+  float least = std::numeric_limits<float>::infinity();
+  for (const float width : {toast_width, narrower, narrowest}) {
+    const float fitting = std::min(width, display.w - 2.0F * margin);
+    const float height = height_of(ui, told, fitting);
+    const bool is_as_large = told.rect.w == fitting && told.rect.h == height;
+    if (is_as_large && display.encloses(told.rect) && covered_by(told.rect, obstacles) <= 0.0F)
+      return told.rect;
+    const Rect found = free_place(display, fitting, height, margin, obstacles);
+    const float covered = covered_by(found, obstacles);
+    if (covered < least) least = covered, best = found;
+    if (least <= 0.0F) break;
+  }
+  return best;
+}
+
+// As wide as it may be where nothing else is; narrow where only that finds room.
+void Messages::plan_freely(const Ui& ui) {
+  Obstacles obstacles = obstacles_in(ui.shown(), ui.display());
   for (Told& told : told_) {
-    const float height = height_of(ui, told, width);
-    const bool is_as_large = told.rect.w == width && told.rect.h == height;
-    const bool stays_there =
-        is_as_large && display.encloses(told.rect) && covered_by(told.rect, obstacles) <= 0.0F;
-    if (!stays_there) told.rect = free_place(display, width, height, margin, obstacles);
+    told.rect = free_place_of(ui, told, obstacles);
     obstacles.controls.push_back(inset(told.rect, -gap / 2.0F));
   }
 }
@@ -143,9 +160,18 @@ bool Messages::draw_message(Ui& ui, const Rect& rect, Shown& shown, std::functio
   return answer != ToastAnswer::Waiting || (!stays(shown.message) && left_s <= 0.0);
 }
 
+// What was planned by the frame before may cover what is new in this one: then another follows.
+void Messages::watch_what_is_covered(Ui& ui) const {
+  if (told_.empty()) return;
+  const Obstacles now = obstacles_in(ui.drawn(), ui.display());
+  for (const Told& told : told_)
+    if (covered_by(told.rect, now) > told.covered) return ui.want_frame_in_s(0.0);
+}
+
 // The screen may have said something since it was planned: what is gone is not drawn, what is new
 // comes with the next frame.
 void Messages::draw(Ui& ui, Background& background) {
+  watch_what_is_covered(ui);
   const LayerScope layer(ui.canvas(), Layer::Toast);
   std::vector<std::string> over;
   std::function<void()> act;

@@ -34,6 +34,8 @@ struct MessageRoom {
   Rect page = {};
 };
 
+struct Obstacles;
+
 class Messages {
  public:
   /// What is said again takes the place of what it repeats.
@@ -61,14 +63,18 @@ class Messages {
     std::string time_left = {};
     /// Empty: it waits for room.
     Rect rect = {};
+    /// Of the frame that was seen when it was planned.
+    float covered = 0.0F;
   };
 
   Shown* find(const std::string& id) noexcept;
   void gather(Ui& ui, const Background& background);
   float height_of(const Ui& ui, const Told& told, float width);
   float plan_on_page(const Ui& ui, const MessageRoom& room);
+  Rect free_place_of(const Ui& ui, const Told& told, const Obstacles& obstacles);
   void plan_freely(const Ui& ui);
   bool covers_what_lies_above(const Ui& ui) const;
+  void watch_what_is_covered(Ui& ui) const;
   /// What it wants done; true where it is over.
   bool draw_message(Ui& ui, const Rect& rect, Shown& shown, std::function<void()>& act);
 
