@@ -9,8 +9,8 @@ namespace {
 /// Everybody sees their newest ones first; who was away for years is not buried.
 constexpr const char* newest_first = " ORDER BY n.notice_id DESC LIMIT 50";
 
-/// `about_id` is a person's number, an attempt's row, or a count: the kind says which. A decision is
-/// told of just before it is made.
+/// `about_id` is a person's number, an attempt's row, or a count: the kind says which. A decision
+/// is told of just before it is made.
 constexpr const char* notice_columns =
     "SELECT n.notice_id, n.kind, n.at_utc, n.person_id IS NULL, coalesce(d.login, "
     "(SELECT p.login FROM decision r JOIN person_detail p ON p.person_id = r.decided_by_person_id "

@@ -6,30 +6,19 @@
 #include <array>
 
 #include "database/people/people.h"
+#include "database/records/code_form.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
 
 namespace {
 
-/// Crockford's base 32: no I, L, O, U.
-constexpr std::string_view code_letters = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
-constexpr std::size_t code_length = 12;
-
-/// A letter of a code as it is hashed; 0 for what stands between.
-constexpr char plain_letter(char typed) noexcept {
-  if (typed == '-' || typed == ' ') return 0;
-  const char upper = typed >= 'a' && typed <= 'z' ? static_cast<char>(typed - 32) : typed;
-  if (upper == 'I' || upper == 'L') return '1';
-  return upper == 'O' ? '0' : upper;
-}
-
 /// What a person typed, as it is hashed.
 SecretText plain_code(const SecretText& typed) {
   std::string text;
   text.reserve(typed.view().size());
   for (const char letter : typed.view()) {
-    if (const char plain = plain_letter(letter); plain != 0) text.push_back(plain);
+    if (const char plain = plain_code_letter(letter); plain != 0) text.push_back(plain);
   }
   return SecretText::take(text);
 }
@@ -57,19 +46,6 @@ SecretText random_code() {
   }
   sodium_memzero(bytes.data(), bytes.size());
   return SecretText::take(text);
-}
-
-bool looks_like_code(std::string_view typed) noexcept {
-  std::size_t letters = 0;
-  bool has_digit = false;
-  for (const char each : typed) {
-    const char plain = plain_letter(each);
-    if (plain == 0) continue;
-    if (code_letters.find(plain) == std::string_view::npos) return false;
-    ++letters;
-    has_digit = has_digit || (each >= '0' && each <= '9');
-  }
-  return letters == code_length && has_digit;
 }
 
 IssuedCode issue_code(Database& database, PersonId person, PersonId issued_by,

@@ -27,10 +27,6 @@ struct IssuedCode {
 /// A new one, as it is shown.
 SecretText random_code();
 
-/// Whether what somebody typed has the form of a code, as it is shown or without its dashes. A phrase
-/// of twelve letters has not: there is a digit in it.
-bool looks_like_code(std::string_view typed) noexcept;
-
 /// Takes the place of an earlier code of that person.
 /// errors  DatabaseError NotFound
 IssuedCode issue_code(Database& database, PersonId person, PersonId issued_by,

@@ -11,7 +11,8 @@ namespace hallux {
 
 class TimeZone {
  public:
-  /// By a rule of its own ("CET-1CEST,M3.5.0,M10.5.0/3"), so that no table of zones need be installed.
+  /// By a rule of its own ("CET-1CEST,M3.5.0,M10.5.0/3"), so that no table of zones need be
+  /// installed.
   explicit TimeZone(const char* rule) {
     if (const char* before = std::getenv("TZ")) before_ = before;
     setenv("TZ", rule, 1);

@@ -1,5 +1,5 @@
-/// Moments as the clock of this machine's time zone says them. What is kept, exported and written as
-/// JSON or CSV stays UTC; people read local times.
+/// Moments as the clock of this machine's time zone says them. What is kept, exported and written
+/// as JSON or CSV stays UTC; people read local times.
 ///
 /// The zone is the C library's: /etc/localtime, or the variable TZ, which tests set
 /// (tests/support/time_zone.h).

@@ -67,8 +67,8 @@ class Canvas {
   /// Capitals centred on at.y.
   float text(Point at, const TextStyle& style, std::string_view text);
   /// Centred in height inside `box`, aligned across; what does not fit ends in an ellipsis and
-  /// counts as cut off unless `may_be_shortened` (a person's own words). What was cut is shown whole
-  /// while the pointer rests on it, or `hint` where there is one.
+  /// counts as cut off unless `may_be_shortened` (a person's own words). What was cut is shown
+  /// whole while the pointer rests on it, or `hint` where there is one.
   float text_in(const Rect& box, const TextStyle& style, std::string_view text,
                 bool may_be_shortened = false, std::string_view hint = {});
   /// Lines broken to the width of `box`, from its top; returns their height. What exceeds the box

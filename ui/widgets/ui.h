@@ -139,8 +139,8 @@ class Ui {
   /// Events for the field `id` in this frame, and what it remembers of its editing.
   std::vector<FieldEvent> field_events(const std::string& id) const;
   TextEdit& text_edit(const std::string& id);
-  /// The path of what was dropped on the window in this frame, for the first field that asks; nothing
-  /// from below a menu or a question.
+  /// The path of what was dropped on the window in this frame, for the first field that asks;
+  /// nothing from below a menu or a question.
   std::optional<std::string> take_dropped();
   Clipboard& clipboard() noexcept { return *clipboard_; }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "database/audit/audit.h"
+#include "database/records/code_form.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {

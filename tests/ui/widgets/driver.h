@@ -81,8 +81,8 @@ class Driver {
   /// braces without a value, missing texts, an id twice, an enabled control that cannot be seen
   /// though nothing scrolls it. One line each.
   std::vector<std::string> faults() const;
-  /// Controls by id and texts that lie under a message, on the layers that can be reached; but for a
-  /// view that fills most of the window.
+  /// Controls by id and texts that lie under a message, on the layers that can be reached; but for
+  /// a view that fills most of the window.
   std::vector<std::string> covered_by_messages() const;
   Ui& ui() { return ui_; }
   MemoryClipboard& clipboard() { return clipboard_; }

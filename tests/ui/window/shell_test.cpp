@@ -320,8 +320,7 @@ TEST_F(ShellJourney, NoMessageCoversAControlOrAReadOut) {
       driver_.resize(width, height);
       for (int count = 0; count < 4; ++count)
         shell_.say({Meaning::Warn, "Message " + std::to_string(count),
-                    "The backup was written to /home/somebody/courses/autumn/backups/hallux.db",
-                    "Seen"});
+                    "The backup was written to /srv/courses/autumn/backups/hallux.db", "Seen"});
       driver_.frame();
       driver_.settle();
       EXPECT_THAT(driver_.covered_by_messages(), IsEmpty())

@@ -1,7 +1,7 @@
-/// user add, list, passwd, rename, disable, erase, recover. Passwords come from the terminal or as lines of
-/// stdin, never from the command line, which others can see: first that of --as, then the new one.
-/// In a directory without people the first to be added must be an administrator. A recovery needs
-/// the owner of the files instead of a password.
+/// user add, list, passwd, rename, disable, erase, recover. Passwords come from the terminal or as
+/// lines of stdin, never from the command line, which others can see: first that of --as, then the
+/// new one. In a directory without people the first to be added must be an administrator. A
+/// recovery needs the owner of the files instead of a password.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>

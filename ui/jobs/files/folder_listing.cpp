@@ -1,5 +1,5 @@
-// A folder is read once and sorted; what cannot be asked about an entry (a link to nowhere) leaves it
-// out or without its date, because one bad entry must not hide the others.
+// A folder is read once and sorted; what cannot be asked about an entry (a link to nowhere) leaves
+// it out or without its date, because one bad entry must not hide the others.
 #include "ui/jobs/files/folder_listing.h"
 
 #include <algorithm>

@@ -47,7 +47,8 @@ std::filesystem::path home_folder();
 
 /// The entries whose name begins with `start`, whatever the case.
 std::vector<const FolderEntry*> entries_from(const FolderListing& listing, std::string_view start);
-/// How far those entries go on alike from `start`, with a slash behind a folder that is the only one;
+/// How far those entries go on alike from `start`, with a slash behind a folder that is the only
+/// one;
 /// `start` itself where there is nothing to go on with.
 std::string completed(const FolderListing& listing, std::string_view start);
 

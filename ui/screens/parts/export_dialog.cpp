@@ -1,5 +1,5 @@
-// The whole path is asked for, because this machine may be a laboratory's. What was typed stays where
-// it is refused.
+// The whole path is asked for, because this machine may be a laboratory's. What was typed stays
+// where it is refused.
 #include "ui/screens/parts/export_dialog.h"
 
 #include "ui/widgets/controls/dialog.h"

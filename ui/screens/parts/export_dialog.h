@@ -1,5 +1,5 @@
-/// Asks into which folder all that is kept of a person goes, and writes it there: for who exports what is
-/// kept of themselves, and for an administrator who was asked to.
+/// Asks into which folder all that is kept of a person goes, and writes it there: for who exports
+/// what is kept of themselves, and for an administrator who was asked to.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "database/maintenance/person_export.h"
+#include "database/desks/trainee_desk.h"
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/path_dialog.h"
 

@@ -1,6 +1,6 @@
-// The path is the only state that counts: the folder that is listed is the one it names, and what is
-// typed behind its last slash narrows the list. A press on a folder goes into it; on a file it writes
-// its path, and a second press takes it. Folders are listed beside the window.
+// The path is the only state that counts: the folder that is listed is the one it names, and what
+// is typed behind its last slash narrows the list. A press on a folder goes into it; on a file it
+// writes its path, and a second press takes it. Folders are listed beside the window.
 #include "ui/screens/parts/path_dialog.h"
 
 #include <array>

@@ -1,5 +1,5 @@
-/// A dialog in which somebody looks for a file, or for the place of a new folder: a path to type, which
-/// completes, above what is in its folder.
+/// A dialog in which somebody looks for a file, or for the place of a new folder: a path to type,
+/// which completes, above what is in its folder.
 ///
 ///     if (chooser_.is_open()) {
 ///       if (const auto chosen = chooser_.draw(ui, shell, question)) file_ = *chosen;

@@ -1,5 +1,5 @@
-/// The dialogs about people: adding a person, correcting a name, the one-time code that is shown once, one's own new
-/// password, and the last question before a person is erased.
+/// The dialogs about people: adding a person, correcting a name, the one-time code that is shown
+/// once, one's own new password, and the last question before a person is erased.
 #pragma once
 
 #include <optional>

@@ -12,8 +12,8 @@ namespace hallux::ui {
 
 namespace {
 
-/// Beyond ASCII: punctuation, arrows, pictures, letters for private use. A name may hold them, but no
-/// word of it begins with one.
+/// Beyond ASCII: punctuation, arrows, pictures, letters for private use. A name may hold them, but
+/// no word of it begins with one.
 constexpr bool is_sign(char32_t letter) noexcept {
   return letter < 0xC0 || letter == 0xD7 || letter == 0xF7 ||
          (letter >= 0x2000 && letter < 0x2C00) || (letter >= 0x3000 && letter < 0x3040) ||

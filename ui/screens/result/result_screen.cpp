@@ -82,8 +82,8 @@ void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   draw_forms(ui, shell);
 }
 
-// Who reads on keeps the way to the replay and to a question: the head stays, but where the window is
-// too low for it.
+// Who reads on keeps the way to the replay and to a question: the head stays, but where the window
+// is too low for it.
 void ResultScreen::draw_page(Ui& ui, Rect page, bool has_fixed_head, Shell& shell) {
   const float top = page.y, view = page.h;
   page.h = 100000.0F;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "database/people/one_time_codes.h"
+#include "database/records/code_form.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/button.h"
@@ -269,8 +269,8 @@ database::SecretText secret_of(const std::string& typed) {
 
 }  // namespace
 
-/// The words are kept by the screen until the work ends, and a screen stays until its work ended. Of
-/// a new password nothing is wiped before somebody came in with it; a wrong one is.
+/// The words are kept by the screen until the work ends, and a screen stays until its work ended.
+/// Of a new password nothing is wiped before somebody came in with it; a wrong one is.
 void SignInScreen::come_in(Ui& ui, Shell& shell, Work work) {
   words_.login = login_;
   words_.display_name = name_;

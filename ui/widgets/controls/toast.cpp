@@ -1,5 +1,5 @@
-// A toast is a control itself: nothing below it hears a press, and accessibility tools find its words.
-// Where it is narrow, title, detail and action stand under each other.
+// A toast is a control itself: nothing below it hears a press, and accessibility tools find its
+// words. Where it is narrow, title, detail and action stand under each other.
 #include "ui/widgets/controls/toast.h"
 
 #include <algorithm>
@@ -136,7 +136,7 @@ bool progress(Ui& ui, std::string_view id, const Rect& rect, const RunningWork& 
       shown.time_left.empty() ? 0.0F : ui.width_of(Type::Small, shown.time_left) + 16.0F;
   canvas.text_in(
       {rect.x + progress_edge, y - 10.0F, rect.w - 56.0F - cancel_width - time_width, 20.0F}, label,
-      shown.label);
+      shown.label, true);
   canvas.text({rect.right() - 36.0F - cancel_width, y}, {left.type, left.color, Align::Right},
               shown.time_left);
   bar(ui, {rect.x + progress_edge, rect.mid_y() + 8.0F, rect.w - 2.0F * progress_edge, 6.0F},

@@ -1,5 +1,5 @@
-/// Messages of what happened, and work that runs with its Cancel. Both come in two widths: beside the
-/// words of a page, and narrow under the places of the navigation.
+/// Messages of what happened, and work that runs with its Cancel. Both come in two widths: beside
+/// the words of a page, and narrow under the places of the navigation.
 #pragma once
 
 #include <string_view>

@@ -86,9 +86,9 @@ const Widget* find_widget(const FrameContent& content, std::string_view id) noex
 /// that can be reached; null where there is none.
 const Widget* widget_at(const FrameContent& content, Point point) noexcept;
 
-/// The innermost scroll region or area under `point` that a wheel turns by so many notches (positive:
-/// upwards): a region that is at its end passes them on to the one around it. Null where there is
-/// none.
+/// The innermost scroll region or area under `point` that a wheel turns by so many notches
+/// (positive: upwards): a region that is at its end passes them on to the one around it. Null where
+/// there is none.
 const Widget* turned_at(const FrameContent& content, Point point, float notches) noexcept;
 
 /// The lowest layer that can be reached: Page, unless a menu or a question lies above it.

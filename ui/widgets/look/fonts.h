@@ -8,10 +8,10 @@
 ///   - Inter's digits differ in width, so all ten take the widest advance and stand in its middle
 ///     (tabular figures).
 ///
-/// The letters that the product itself writes are there from the start. Others are drawn when a text
-/// asks for them, into a part of the atlas that is kept free, from Inter or the first other font
-/// that has them; a letter that none has is a box with its code. Nothing is shaped: each code point
-/// stands by itself, from left to right.
+/// The letters that the product itself writes are there from the start. Others are drawn when a
+/// text asks for them, into a part of the atlas that is kept free, from Inter or the first other
+/// font that has them; a letter that none has is a box with its code. Nothing is shaped: each code
+/// point stands by itself, from left to right.
 #pragma once
 
 #include <array>
@@ -84,8 +84,8 @@ class FontFace {
 /// by nothing.
 struct FontFiles {
   std::filesystem::path regular, medium, strong, display, icons;
-  /// For letters that those have not, in this order: Noto Sans of all scripts that are installed, and
-  /// DejaVu Sans.
+  /// For letters that those have not, in this order: Noto Sans of all scripts that are installed,
+  /// and DejaVu Sans.
   std::vector<std::filesystem::path> others = {};
 };
 /// errors  std::runtime_error with the package to install, where not even DejaVu Sans is there

@@ -1,6 +1,6 @@
 // FreeType faces, each opened when a letter is first looked for in it, and kept: a name in another
-// script comes with the letters of its neighbours. A font of pictures (colour emoji) has no outlines
-// and counts as one that has no letters.
+// script comes with the letters of its neighbours. A font of pictures (colour emoji) has no
+// outlines and counts as one that has no letters.
 #include "ui/widgets/look/letter_source.h"
 
 #include <ft2build.h>

@@ -1,5 +1,5 @@
 /// Letters drawn by FreeType, one at a time, from whichever font file has them.
-/// Inside this room only.
+/// Inside this corner only.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ class LetterSource {
   LetterSource& operator=(const LetterSource&) = delete;
   ~LetterSource();
 
-  /// The first of the files that has the letter; null where none has, and for a file that is no font
-  /// that can be drawn in any size.
+  /// The first of the files that has the letter; null where none has, and for a file that is no
+  /// font that can be drawn in any size.
   const std::filesystem::path* file_with(char32_t letter,
                                          std::span<const std::filesystem::path> files);
 

@@ -1,6 +1,6 @@
-// Everything told is gathered first, the newest first and work before messages, then given places in
-// that order. A place is found anew in each frame, so that it follows the window; only where it looks
-// freely among what is seen, a message stays where it was as long as it covers nothing there.
+// Everything told is gathered first, the newest first and work before messages, then given places
+// in that order. A place is found anew in each frame, so that it follows the window; only where it
+// looks freely among what is seen, a message stays where it was as long as it covers nothing there.
 #include "ui/window/shell/messages.h"
 
 #include <algorithm>

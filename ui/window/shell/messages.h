@@ -1,12 +1,15 @@
 /// What the window tells in passing, and the work that runs: where it stands and how long it stays.
+/// Inside this corner only.
 ///
-///     +-------+----------------------+     With a navigation it stands in the gap under its places.
-///     | places| page                 |     What finds no room there has a strip at the foot, which the
-///     |  gap  |                      |     page leaves free for it. Without one, or below a menu or a
-///     | person| strip                |     question, it looks for a place where nothing else is.
+///     +-------+----------------------+
+///     | places| page                 |
+///     |  gap  |                      |
+///     | person| strip                |
 ///     +-------+----------------------+
 ///
-/// So nothing that is told covers a control or a read-out.
+/// With a navigation it stands in the gap under its places. What finds no room there has a strip at
+/// the foot, which the page leaves free for it. Without one, or below a menu or a question, it
+/// looks for a place where nothing else is. So nothing that is told covers a control or a read-out.
 #pragma once
 
 #include <functional>

@@ -254,7 +254,7 @@ class Walker {
   void say_something() {
     static const std::array<const char*, 3> details{
         "", "What was recorded is kept.",
-        "The backup was written to /home/somebody/courses/autumn/backups/hallux-20260303-140210"};
+        "The backup was written to /srv/courses/autumn/backups/hallux-20260303-140210"};
     window_.shell().say({one_in(2) ? Meaning::Good : Meaning::Warn, "Something was said",
                          details[static_cast<std::size_t>(below(details.size()))],
                          one_in(3) ? "Seen" : ""});

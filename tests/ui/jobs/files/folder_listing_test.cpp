@@ -74,10 +74,10 @@ TEST_F(Folder, CompletesWhatIsTypedAsFarAsItIsSure) {
 }
 
 TEST(TypedPath, BeginsAtTheHomeUnlessItBeginsWithASlash) {
-  EXPECT_EQ(typed_path("/a/b", "/home/ada"), "/a/b");
-  EXPECT_EQ(typed_path("b.json", "/home/ada"), "/home/ada/b.json");
-  EXPECT_EQ(typed_path("~", "/home/ada"), "/home/ada");
-  EXPECT_EQ(typed_path("~/b.json", "/home/ada"), "/home/ada/b.json");
+  EXPECT_EQ(typed_path("/a/b", "/srv/ada"), "/a/b");
+  EXPECT_EQ(typed_path("b.json", "/srv/ada"), "/srv/ada/b.json");
+  EXPECT_EQ(typed_path("~", "/srv/ada"), "/srv/ada");
+  EXPECT_EQ(typed_path("~/b.json", "/srv/ada"), "/srv/ada/b.json");
 }
 
 }  // namespace
