@@ -61,16 +61,18 @@ HelpRequestId add_help_request(Database& database, const NewHelpRequest& request
 
 std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter& filter) {
   return translating(database, "list the help requests", [&] {
-    auto rows =
-        prepared(database,
-                 std::string{help_columns} +
-                     "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
-                     "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
-                     "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
-                     "WHERE cohort_id = ?2 AND role = 'trainee')) "
-                     "AND (h.answered_utc IS NULL OR NOT ?3) " +
-                     listing_order + "LIMIT ?4) " + listing_order,
-                 filter.asker, filter.cohort, filter.open_only ? 1 : 0, listed_most);
+    auto rows = prepared(
+        database,
+        std::string{help_columns} +
+            "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
+            "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
+            "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
+            "WHERE cohort_id = ?2 AND role = 'trainee')) "
+            "AND (h.answered_utc IS NULL OR NOT ?3) "
+            "AND (?5 IS NULL OR h.attempt_id = (SELECT attempt_id FROM attempt WHERE "
+            "uuid = ?5)) " +
+            listing_order + "LIMIT ?4) " + listing_order,
+        filter.asker, filter.cohort, filter.open_only ? 1 : 0, listed_most, filter.attempt);
     AttemptNumbers numbers{database};
     return collected(rows, [&numbers](SQLite::Statement& row) { return request_in(numbers, row); });
   });

@@ -6,6 +6,7 @@
 #include "database/audit/audit.h"
 #include "database/course/begin_attempt.h"
 #include "database/exchange/export_attempt.h"
+#include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
 #include "database/store/sql.h"
 
@@ -176,6 +177,12 @@ simulator::Recording AttemptDesk::recording(const AttemptId& id) {
   return load_recording(*database_, header.id);
 }
 
+std::vector<simulator::DisplayFact> AttemptDesk::display_facts(const AttemptId& id) {
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
+  note_view(header);
+  return load_display_facts(*database_, header.id);
+}
+
 std::optional<StoredScore> AttemptDesk::score(const AttemptId& id) {
   const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
   note_view(header);
@@ -214,6 +221,12 @@ std::vector<Note> CourseDesk::notes(const AttemptId& id) {
   return list_notes(
       *database_, header.id,
       allows(holder_.role, Action::ReadPrivateNotes, relation_to(header.begun.person)));
+}
+
+std::vector<HelpRequest> CourseDesk::help_requests_about(const AttemptId& id) {
+  HelpFilter filter;
+  filter.attempt = allowed_header(Action::ReadHelp, id).id;
+  return list_help_requests(*database_, filter);
 }
 
 void CourseDesk::check_may_reply(NoteId note) {

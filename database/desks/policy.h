@@ -27,7 +27,7 @@ inline constexpr std::size_t role_count = 4;
 enum class Action : std::uint8_t {
   BeginAttempt,
   ListAttempts,
-  /// Header, recording, score and decisions of an attempt.
+  /// Header, recording, what was on the screen, score and decisions of an attempt.
   ViewAttempt,
   StoreScore,
   /// The published operations.

@@ -132,6 +132,22 @@ const SolidPatch* BoneMoment::patch() const noexcept {
   return patch_.hidden.empty() && patch_.triangles.empty() ? nullptr : &patch_;
 }
 
+std::optional<KerfOpening> BoneMoment::kerf_at_hand() {
+  std::int32_t newest = -1, newest_tick = -1;
+  for (std::size_t kerf = 0; kerf < history_.kerfs.size(); ++kerf) {
+    const KerfGrowth& growth = history_.kerfs[kerf];
+    const std::size_t grown = growth.grown_at(tick_);
+    if (grown == 0 || growth.ticks[grown - 1] < newest_tick) continue;
+    newest = static_cast<std::int32_t>(kerf);
+    newest_tick = growth.ticks[grown - 1];
+  }
+  if (newest < 0) return std::nullopt;
+  const OpenedField& opened = history_.kerfs[static_cast<std::size_t>(newest)].opened;
+  const bool grows = history_.stretches[stretch()].growing == newest;
+  return KerfOpening{opened.plane,
+                     loops_of(grows ? outline_of_growing(newest) : outline_at(opened, tick_))};
+}
+
 std::optional<Vec3> BoneMoment::first_hit(const Vec3& from_in_bone_mm,
                                           const Vec3& direction) const {
   NearestHit fixed{from_in_bone_mm, direction};

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "simulator/cutting/slice/section.h"
 #include "simulator/cutting/solid/solid_patch.h"
 #include "simulator/history/bone_history.h"
 
@@ -28,6 +29,9 @@ class BoneMoment {
   std::size_t stretch() const noexcept { return stretch_.value_or(0); }
   /// On that solid; null where nothing of it changed.
   const SolidPatch* patch() const noexcept;
+
+  /// The kerf that grew last, as far as it is open; nothing before the first.
+  std::optional<KerfOpening> kerf_at_hand();
 
   /// Where a ray first meets what stands, in the frame of the bone before anything moved; nothing
   /// where it misses.

@@ -70,6 +70,10 @@ class AttemptGeometry {
   /// What lies in the wound, as the last job of pieces left it.
   CutSolid solid() const { return bone_.pieces().gathered(); }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
+  /// The bone that was never cut, with its tree.
+  SolidWithTree whole() { return bone_.before(0); }
+  /// Bodies that were taken out; they live as long as this.
+  std::vector<const Bvh*> taken_out() const { return bone_.pieces().taken_out(); }
   /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
   bool is_only_kerf(std::int32_t kerf) const;
   /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none),

@@ -27,17 +27,49 @@ void LiveCut::apply(const CutEvent& event) {
   if (event.kind == CutEventKind::PieceRemoved) {
     growing_.reset();
     is_whole_due_ = true;
+    std::erase_if(free_pieces_, [&](const FreePiece& piece) { return piece.id == event.subject; });
+    are_free_pieces_due_ = true;
   }
   if (event.kind == CutEventKind::HingeClosed && closed_hinge() != nullptr) {
     growing_.reset();
     is_whole_due_ = has_grown_ = false;
+    free_pieces_.clear();
+    are_free_pieces_due_ = true;
   }
 }
 
 void LiveCut::apply(const JobRequest& request) {
   if (request.kind == JobKind::Section) return;
   std::unique_ptr<const JobResult> result = geometry_.run(request);
+  if (request.kind == JobKind::Pieces) {
+    free_pieces_.clear();
+    for (const PieceBody& piece : result->pieces) {
+      if (piece.id != 0) free_pieces_.push_back({piece.id, piece.solid});
+    }
+    are_free_pieces_due_ = true;
+  }
   if (request.kind == JobKind::Hinge) hinge_ = std::move(result);
+}
+
+std::optional<std::vector<CutSolid>> LiveCut::take_free_pieces() {
+  if (!std::exchange(are_free_pieces_due_, false)) return std::nullopt;
+  std::vector<CutSolid> solids;
+  solids.reserve(free_pieces_.size());
+  for (const FreePiece& piece : free_pieces_) solids.push_back(piece.solid);
+  return solids;
+}
+
+std::optional<KerfOpening> LiveCut::kerf_at_hand() const {
+  if (kerf_ < 0) return std::nullopt;
+  const KerfSet& kerfs = geometry_.kerfs();
+  const bool is_shown = growing_ != nullptr && kerf_at_hand_ == kerf_ && !has_grown_;
+  return KerfOpening{kerfs.plane(kerf_),
+                     loops_of(is_shown ? growing_->region() : outline_of(kerfs.field(kerf_)))};
+}
+
+KerfOpening LiveCut::opening_of(std::int32_t kerf) const {
+  const KerfSet& kerfs = geometry_.kerfs();
+  return {kerfs.plane(kerf), loops_of(outline_of(kerfs.field(kerf)))};
 }
 
 std::optional<PatchBase> LiveCut::take_base() {
@@ -67,6 +99,11 @@ std::optional<CutSolid> LiveCut::take_whole() {
   is_whole_due_ = has_grown_ = false;
   whole_tick_ = tick_;
   return geometry_.solid_without(-1);
+}
+
+std::optional<KerfPlane> LiveCut::plane_at_hand() const {
+  if (kerf_ < 0) return std::nullopt;
+  return geometry_.kerfs().plane(kerf_);
 }
 
 const ClosedHinge* LiveCut::closed_hinge() const noexcept {

@@ -12,8 +12,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "simulator/bone/growing_kerf.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/jobs/geometry_job.h"
 
 namespace hallux::simulator {
@@ -49,6 +51,20 @@ class LiveCut {
   /// What lies in the wound, as a mesh of its own.
   std::optional<CutSolid> take_whole();
 
+  /// The pieces that came free and were not taken out, where they changed since the last call.
+  std::optional<std::vector<CutSolid>> take_free_pieces();
+
+  /// The kerf in which the teeth were last, as far as it is open now; nothing before the first.
+  std::optional<KerfOpening> kerf_at_hand() const;
+  std::optional<KerfPlane> plane_at_hand() const;
+  /// Any kerf as far as it is open now.
+  KerfOpening opening_of(std::int32_t kerf) const;
+
+  // For questions about what stands.
+  const KerfSet& kerfs() const noexcept { return geometry_.kerfs(); }
+  SolidWithTree whole() { return geometry_.whole(); }
+  std::vector<const Bvh*> taken_out() const { return geometry_.taken_out(); }
+
   /// The halves of the hinge, once it has closed; null before. It lives as long as this.
   const ClosedHinge* closed_hinge() const noexcept;
 
@@ -58,6 +74,12 @@ class LiveCut {
   std::unique_ptr<GrowingKerf> growing_;
   std::int32_t kerf_at_hand_ = -1;
   std::unique_ptr<const JobResult> hinge_;
+  struct FreePiece {
+    std::int32_t id = 0;
+    CutSolid solid;
+  };
+  std::vector<FreePiece> free_pieces_;
+  bool are_free_pieces_due_ = false;
   /// In which the teeth were last.
   std::int32_t kerf_ = -1;
   bool has_grown_ = false;

@@ -19,16 +19,16 @@ const PieceBody* PieceBook::announce_next() noexcept {
   return nullptr;
 }
 
-std::int32_t PieceBook::take_out(std::int32_t piece) noexcept {
+const PieceBody* PieceBook::take_out(std::int32_t piece) noexcept {
   if (piece == piece_freed_last) piece = freed_last_;
-  if (piece <= 0 || removed_count_ == removed_piece_limit) return 0;
+  if (piece <= 0 || removed_count_ == removed_piece_limit) return nullptr;
   const auto body = std::find_if(pieces_.begin(), pieces_.end(),
                                  [&](const PieceBody& known) { return known.id == piece; });
-  if (body == pieces_.end()) return 0;
+  if (body == pieces_.end()) return nullptr;
   const std::span<const Bvh* const> out = removed();
-  if (std::find(out.begin(), out.end(), body->bvh.get()) != out.end()) return 0;
+  if (std::find(out.begin(), out.end(), body->bvh.get()) != out.end()) return nullptr;
   removed_[removed_count_++] = body->bvh.get();
-  return piece;
+  return &*body;
 }
 
 }  // namespace hallux::simulator

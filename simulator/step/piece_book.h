@@ -30,8 +30,8 @@ class PieceBook {
   std::int32_t take_wanted() noexcept { return std::exchange(wanted_, 0); }
   /// Takes a piece out of the wound.
   /// piece   its number, or piece_freed_last
-  /// ensures its number, or 0: no such piece, out already, or removed_piece_limit reached
-  std::int32_t take_out(std::int32_t piece) noexcept;
+  /// errors  null: no such piece, out already, or removed_piece_limit reached
+  const PieceBody* take_out(std::int32_t piece) noexcept;
   std::span<const Bvh* const> removed() const noexcept { return {removed_.data(), removed_count_}; }
 
   /// The kerf took its whole section; true the first time.

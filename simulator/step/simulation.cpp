@@ -34,6 +34,11 @@ std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
 }
 
+GuidePlane middle_of(const KerfPlane& kerf) noexcept {
+  const Vec3 normal = axis_z(kerf.bone_from_kerf);
+  return {normal, glm::dot(normal, kerf.bone_from_kerf.translation_mm)};
+}
+
 }  // namespace
 
 Simulation::Simulation(const TissueMap& tissue, const SimulationSetup& setup)
@@ -75,6 +80,12 @@ void Simulation::note(StepOutput& output, CutEventKind kind, std::int32_t subjec
   output.events.push(event);
 }
 
+void Simulation::note_piece(StepOutput& output, CutEventKind kind,
+                            const PieceBody& piece) const noexcept {
+  output.events.push({tick_, kind, piece.id, thousandths(piece.volume_mm3),
+                      quantise({Quat{1.0, 0.0, 0.0, 0.0}, piece.inside_mm})});
+}
+
 void Simulation::ask(JobKind kind, std::int32_t kerf, StepOutput& output) noexcept {
   output.requests.push({next_job_++, kind, kerf, tick_});
 }
@@ -106,6 +117,9 @@ void Simulation::apply(const Command& command, StepOutput& output) noexcept {
     case CommandKind::StepDone:
       finish_step(command.argument, output);
       break;
+    case CommandKind::ReopenStep:
+      reopen_step(command.argument, output);
+      break;
     case CommandKind::PickUp:
       pick_up(command.argument, output);
       break;
@@ -132,6 +146,12 @@ void Simulation::note_clock(ClockChange change, std::int32_t holder,
 void Simulation::finish_step(std::int32_t step, StepOutput& output) noexcept {
   note(output, CutEventKind::StepDone, step);
   guide_.finish_step(step);
+  tool_.guided_s = 0.0;
+}
+
+void Simulation::reopen_step(std::int32_t step, StepOutput& output) noexcept {
+  note(output, CutEventKind::StepReopened, step);
+  guide_.reopen_step(step);
   tool_.guided_s = 0.0;
 }
 
@@ -188,7 +208,7 @@ void Simulation::announce_pieces(StepOutput& output) noexcept {
   for (std::size_t said = 0; said < pieces_per_step; ++said) {
     const PieceBody* const piece = pieces_.announce_next();
     if (piece == nullptr) return;
-    note(output, CutEventKind::PieceFreed, piece->id, thousandths(piece->volume_mm3));
+    note_piece(output, CutEventKind::PieceFreed, *piece);
   }
 }
 
@@ -206,8 +226,8 @@ void Simulation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
     pieces_.want(piece);
     return;
   }
-  const std::int32_t taken = pieces_.take_out(piece);
-  if (taken != 0) note(output, CutEventKind::PieceRemoved, taken);
+  const PieceBody* const taken = pieces_.take_out(piece);
+  if (taken != nullptr) note_piece(output, CutEventKind::PieceRemoved, *taken);
 }
 
 /// Once started the tool is where the hand is; a fault in that tick does not say where that is, so
@@ -294,7 +314,7 @@ void Simulation::freeze(StepOutput& output) noexcept {
       return;
     }
     note(output, CutEventKind::PlaneFrozen, kerf);
-    guide_.note_own_kerf();
+    guide_.note_own_kerf(middle_of(kerfs_.plane(kerf)));
     ask(JobKind::Section, kerf, output);
   }
   enter_kerf(tool_, kerf);

@@ -84,6 +84,7 @@ class Simulation {
   void apply(const Command& command, StepOutput& output) noexcept;
   void note_clock(ClockChange change, std::int32_t holder, StepOutput& output) const noexcept;
   void finish_step(std::int32_t step, StepOutput& output) noexcept;
+  void reopen_step(std::int32_t step, StepOutput& output) noexcept;
   void end(CutEventKind how, StepOutput& output) noexcept;
   void apply_job(const JobResult& result, StepOutput& output) noexcept;
   void apply_pieces(const JobResult& result, StepOutput& output) noexcept;
@@ -102,6 +103,7 @@ class Simulation {
   void ask(JobKind kind, std::int32_t kerf, StepOutput& output) noexcept;
   void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
             std::int64_t value = 0) const noexcept;
+  void note_piece(StepOutput& output, CutEventKind kind, const PieceBody& piece) const noexcept;
   RigidTransform bone_from_handle(const TapeLine& line) const noexcept {
     return bone_from_world_ * transform_from(line.device.world_from_handle);
   }

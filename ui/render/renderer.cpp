@@ -18,7 +18,9 @@
 #include "ui/render/painters/frame.h"
 #include "ui/render/painters/overlay_painter.h"
 #include "ui/render/painters/saw_painter.h"
+#include "ui/render/painters/site_painter.h"
 #include "ui/render/painters/still_scene.h"
+#include "ui/render/painters/surface_painter.h"
 #include "ui/render/painters/tool_shadow.h"
 
 namespace hallux::ui {
@@ -102,6 +104,8 @@ struct Renderer::Parts {
   NoiseTextures noise;
   BonePainter bones{noise};
   SawPainter saw{noise};
+  SurfacePainter surface;
+  SitePainter site;
   KeptPicture passing;  ///< for pictures of which nothing is kept
   std::uint64_t picture = 0;
   DrawCounts counts;
@@ -193,11 +197,15 @@ void Renderer::Parts::draw_still(const Frame& frame, const PictureBuffers& buffe
 void Renderer::Parts::draw_moving(const Frame& frame) {
   glEnable(GL_SCISSOR_TEST);
   set_scissor(all_of(frame.target.size));
-  bones.draw_lines(frame);
+  surface.draw_lines(frame);
+  surface.draw_halo(frame);
+  site.draw_held(frame);
   saw.draw(frame);
   overlays.draw_chips(frame);
   saw.draw_ghosts(frame);
+  site.draw_zones(frame);
   overlays.draw_planes(frame);
+  bones.draw_outlines(frame);
   saw.draw_seen_through(frame);
   overlays.draw_marks(frame);
 }

@@ -15,8 +15,6 @@
 namespace hallux::ui {
 namespace {
 
-ImU32 packed(Color color) { return IM_COL32(color.red, color.green, color.blue, color.alpha); }
-
 ImDrawFlags flags_of(Corners corners) {
   if (corners == Corners::Top) return ImDrawFlags_RoundCornersTop;
   if (corners == Corners::Bottom) return ImDrawFlags_RoundCornersBottom;
@@ -37,6 +35,11 @@ Canvas::Canvas(ImDrawList& list, const FontAtlas& fonts, FrameContent& content, 
       rooms_{display} {
   list_->ChannelsSplit(layer_count);
   list_->ChannelsSetCurrent(0);
+}
+
+unsigned Canvas::packed(Color color) const noexcept {
+  const auto alpha = static_cast<unsigned>(std::lround(presence_ * static_cast<float>(color.alpha)));
+  return IM_COL32(color.red, color.green, color.blue, alpha);
 }
 
 float Canvas::device(float logical) const noexcept { return std::round(logical * scale_); }

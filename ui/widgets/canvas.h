@@ -79,6 +79,9 @@ class Canvas {
   void icon(Point centre, Icon icon, IconSize size, Color color);
 
   // -- where drawing goes
+  /// What is drawn from now on shows through: 1 is as it is, towards 0 it goes. Texts stay noted.
+  void set_presence(float share) noexcept { presence_ = share; }
+
   void push_clip(const Rect& rect);
   void pop_clip();
   /// Texts drawn until pop_room must stay inside `rect`; a text that does not is found by the
@@ -103,6 +106,7 @@ class Canvas {
 
  private:
   float device(float logical) const noexcept;
+  unsigned packed(Color color) const noexcept;
   void draw_glyphs(const FontFace& face, float pen, float baseline, Color color,
                    std::string_view text);
   void draw_code_box(const FontFace& face, Point pen, Color color, char32_t letter);
@@ -120,6 +124,7 @@ class Canvas {
   float scale_;
   Layer layer_ = Layer::Page;
   bool is_noting_ = true;
+  float presence_ = 1.0F;
   std::vector<Rect> clips_, rooms_;
 };
 

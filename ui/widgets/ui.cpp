@@ -86,6 +86,7 @@ void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s
   ImGui::NewFrame();
   building_ = {};
   building_shortcuts_.clear();
+  building_gestures_.clear();
   canvas_ = std::make_unique<Canvas>(*ImGui::GetBackgroundDrawList(), *fonts_, building_, display_);
 }
 
@@ -108,7 +109,10 @@ void Ui::end_frame() {
   settle_focus();
   building_.focus = input_.focus;
   shown_ = std::move(building_);
+  shown_capture_ = std::exchange(building_capture_, {});
+  input_.capture = shown_capture_;
   shown_shortcuts_ = std::move(building_shortcuts_);
+  shown_gestures_ = std::move(building_gestures_);
   forget_untouched(motions_);
   forget_untouched(scrolls_);
   std::erase_if(edits_of_,
@@ -253,13 +257,27 @@ AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& r
   pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
   response.pointer = input_.pointer;
   for (std::size_t button = 0; button < input_.held.size(); ++button) {
-    if (input_.held[button].id != name) continue;
-    response.is_down[button] = input_.held[button].is_down;
-    response.dragged[button] = input_.dragged[button];
+    if (input_.held[button].id == name) {
+      response.is_down[button] = input_.held[button].is_down;
+      response.dragged[button] = input_.dragged[button];
+    }
+    response.clicked[button] = input_.clicked_areas[button] == name;
   }
-  response.was_clicked = input_.clicked_area == name;
+  response.is_captured = shown_capture_ == name;
+  if (response.is_captured) response.way = input_.captured_way;
+  response.is_double = response.clicked[0] && input_.is_double;
   if (input_.wheel_target == name) response.wheel = input_.wheel;
   return response;
+}
+
+void Ui::tell(std::string_view id, std::string_view text, const Rect& rect) {
+  building_.read_outs.push_back({std::string(id), std::string(text), rect, canvas_->layer()});
+}
+
+void Ui::capture_pointer(std::string_view area) {
+  if (!can_capture_) return;
+  building_capture_ = area;
+  hide_pointer();
 }
 
 std::vector<FieldEvent> Ui::field_events(const std::string& id) const {

@@ -110,8 +110,18 @@ InputEvent pointer_event(GLFWwindow* window, EventKind kind) {
   return event;
 }
 
+void hear_captured(WindowEvents& events, double x, double y, const Modifiers& held) {
+  const float scale = events.pixels_per_unit;
+  events.queue.push({.kind = EventKind::CapturedMoved,
+                     .position = {static_cast<float>(x - events.pointer_x) * scale,
+                                  static_cast<float>(y - events.pointer_y) * scale},
+                     .modifiers = held});
+  events.pointer_x = x, events.pointer_y = y;
+}
+
 void hear_pointer(GLFWwindow* window, double x, double y) {
   WindowEvents& events = events_of(window);
+  if (events.is_captured) return hear_captured(events, x, y, held_modifiers(window));
   events.pointer_x = x, events.pointer_y = y;
   events.queue.push(pointer_event(window, EventKind::PointerMoved));
 }
@@ -132,6 +142,8 @@ void hear_wheel(GLFWwindow* window, double, double notches) {
 }
 
 void hear_pointer_at_edge(GLFWwindow* window, int is_inside) {
+  // Catching it makes some displays say that it left.
+  if (events_of(window).is_captured) return;
   events_of(window).queue.push(
       pointer_event(window, is_inside != 0 ? EventKind::PointerMoved : EventKind::PointerLeft));
 }
@@ -149,6 +161,16 @@ void hear_focus(GLFWwindow* window, int has_focus) {
 }
 
 }  // namespace
+
+bool set_captured(GLFWwindow* window, WindowEvents& events, bool is_captured) {
+  glfwGetError(nullptr);
+  glfwSetInputMode(window, GLFW_CURSOR, is_captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+  const bool is_done = glfwGetError(nullptr) == GLFW_NO_ERROR;
+  events.is_captured = is_captured && is_done;
+  glfwGetCursorPos(window, &events.pointer_x, &events.pointer_y);
+  if (!events.is_captured) events.queue.push(pointer_event(window, EventKind::PointerMoved));
+  return is_done;
+}
 
 void listen(GLFWwindow* window, WindowEvents& events) {
   glfwSetWindowUserPointer(window, &events);

@@ -1,5 +1,7 @@
 #include "simulator/cutting/field/region_outline.h"
 
+#include <span>
+
 #include "simulator/base/check.h"
 #include "simulator/cutting/field/outline_path.h"
 
@@ -134,6 +136,17 @@ OutlineTracker::ChainRef OutlineTracker::next_of(const ChainRef& at) noexcept {
 void OutlineTracker::append_crossings(std::size_t tile, std::uint32_t first, std::uint32_t last) {
   const auto begin = drawn(tile).crossings().begin();
   loop_.insert(loop_.end(), begin + first, begin + last);
+}
+
+std::vector<std::vector<Vec2>> loops_of(const RegionOutline& outline) {
+  std::vector<std::vector<Vec2>> loops;
+  std::uint32_t first = 0;
+  for (const std::uint32_t end : outline.loop_ends) {
+    const auto corners = std::span(outline.corners_mm).subspan(first, end - first);
+    loops.emplace_back(corners.begin(), corners.end());
+    first = end;
+  }
+  return loops;
 }
 
 RegionOutline outline_of(const KerfField& field) {

@@ -29,6 +29,9 @@ struct RegionOutline {
   std::vector<std::uint32_t> loop_ends;
 };
 
+/// Its loops one by one.
+std::vector<std::vector<Vec2>> loops_of(const RegionOutline& outline);
+
 /// The outline of a field, from scratch.
 /// shape   at least three corners a loop; loops in the order of the grid's tiles, each begins at a
 ///         corner that depends on the loop alone

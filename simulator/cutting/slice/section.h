@@ -35,6 +35,13 @@ struct Section {
   std::vector<SectionRegion> regions;
 };
 
+/// A kerf as far as it is open at one moment.
+struct KerfOpening {
+  KerfPlane plane;
+  /// Around what the blade has covered, counter-clockwise; holes clockwise.
+  std::vector<Contour> opened_mm;
+};
+
 /// The contact slice.
 /// needs   solid is closed; bvh was built over solid.mesh
 /// errors  none: a plane that misses gives no regions

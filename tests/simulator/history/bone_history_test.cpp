@@ -88,6 +88,25 @@ TEST_P(TwinPieces, ARayFindsBoneWhereTheAttemptHasSome) {
   }
 }
 
+TEST_P(TwinPieces, TheKerfAtHandIsTheOneThatGrewLastAsFarAsItIsOpen) {
+  const TwinsAttempt attempt(GetParam());
+  const std::shared_ptr<const BoneHistory> history = attempt.history();
+  BoneMoment moment(*history);
+  moment.move_to(0);
+  EXPECT_FALSE(moment.kerf_at_hand());
+  const auto at_hand = [&](std::int64_t tick) {
+    moment.move_to(tick);
+    const std::optional<KerfOpening> kerf = moment.kerf_at_hand();
+    EXPECT_TRUE(kerf.has_value() && !kerf->opened_mm.empty()) << tick;
+    return kerf->plane.bone_from_kerf.translation_mm.x;
+  };
+  const std::int64_t second = history->kerfs.at(1).ticks.front();
+  EXPECT_NEAR(at_hand(history->kerfs.at(0).ticks.front()), -6.0, 1.0e-3);
+  EXPECT_NEAR(at_hand(second - 1), -6.0, 1.0e-3) << "away from it, it stays the last";
+  EXPECT_NEAR(at_hand(second), 6.0, 1.0e-3);
+  EXPECT_NEAR(at_hand(history->taken.at(0).tick + 1), 6.0, 1.0e-3);
+}
+
 INSTANTIATE_TEST_SUITE_P(BoneHistory, TwinPieces, testing::Values(1, 2));
 
 }  // namespace

@@ -97,6 +97,37 @@ TEST_F(LiveCutOfABlock, IsDueAsAWholeOnceAPieceWasTakenOut) {
   EXPECT_FALSE(cut_.is_due());
 }
 
+TEST_F(LiveCutOfABlock, TellsOfAPieceOnceItIsFreeAndOnceItIsGone) {
+  freeze(0, 3.0);
+  saw(0, 3.0, 0.0, 10);
+  cut_.apply(JobRequest{0, JobKind::Pieces, 0, 10});
+  std::optional<std::vector<CutSolid>> pieces = cut_.take_free_pieces();
+  ASSERT_TRUE(pieces);
+  EXPECT_TRUE(pieces->empty()) << "it still holds";
+  EXPECT_FALSE(cut_.take_free_pieces());
+  saw(0, 3.0, -4.0, 20);
+  cut_.apply(JobRequest{1, JobKind::Pieces, 0, 20});
+  pieces = cut_.take_free_pieces();
+  ASSERT_TRUE(pieces);
+  ASSERT_EQ(pieces->size(), 1U);
+  EXPECT_NEAR(signed_volume_mm3(pieces->front().mesh), 24.0 * (7.0 - 0.25), 1.0e-3);
+  take_out_freed(0);
+  pieces = cut_.take_free_pieces();
+  ASSERT_TRUE(pieces);
+  EXPECT_TRUE(pieces->empty());
+}
+
+TEST_F(LiveCutOfABlock, KnowsTheKerfInWhichTheTeethWereLast) {
+  EXPECT_FALSE(cut_.kerf_at_hand());
+  freeze(0, 3.0);
+  saw(0, 3.0, 0.0, 10);
+  freeze(1, -3.0);
+  EXPECT_NEAR(cut_.kerf_at_hand()->plane.bone_from_kerf.translation_mm.x, 3.0, 1.0e-3);
+  saw(1, -3.0, 1.0, 20);
+  EXPECT_NEAR(cut_.kerf_at_hand()->plane.bone_from_kerf.translation_mm.x, -3.0, 1.0e-3);
+  EXPECT_EQ(cut_.kerf_at_hand()->opened_mm.size(), 1U);
+}
+
 TEST_F(LiveCutOfABlock, ThatGoesOnWithoutABaseIsDueTwiceASecond) {
   freeze(0, 3.0);
   saw(0, 3.0, -4.0, 10);

@@ -42,6 +42,8 @@ HandMotion wavering_motion(const Bone& bone) {
   motion.commands = {{0, {CommandKind::Start, 0, 0}},
                      {4100, {CommandKind::PickUp, 1, 0}},
                      {4200, {CommandKind::StepDone, 0, 0}},
+                     {4220, {CommandKind::ReopenStep, 0, 0}},
+                     {4240, {CommandKind::StepDone, 0, 0}},
                      {4300, {CommandKind::Finish, 0, 0}}};
   return motion;
 }
@@ -58,7 +60,7 @@ TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
   for (const CutEventKind kind :
        {CutEventKind::PlaneFrozen, CutEventKind::SectionCovered, CutEventKind::Breakthrough,
         CutEventKind::PieceRemoved, CutEventKind::BoneHot, CutEventKind::BoneNecrosis,
-        CutEventKind::DangerContact, CutEventKind::DangerLeft}) {
+        CutEventKind::DangerContact, CutEventKind::DangerLeft, CutEventKind::StepReopened}) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << static_cast<int>(kind);
   }
   tests::expect_golden(bone, recording, tests::golden_tube);

@@ -43,9 +43,9 @@ TEST(PieceBook, TakesEachPieceOutOnce) {
   const std::vector<PieceBody> pieces = bone_and_pieces(2);
   PieceBook book;
   book.learn(pieces);
-  EXPECT_EQ(book.take_out(2), 2);
-  EXPECT_EQ(book.take_out(2), 0);
-  EXPECT_EQ(book.take_out(1), 1);
+  EXPECT_EQ(book.take_out(2), &pieces[2]);
+  EXPECT_EQ(book.take_out(2), nullptr);
+  EXPECT_EQ(book.take_out(1), &pieces[1]);
   ASSERT_EQ(book.removed().size(), 2U);
   EXPECT_EQ(book.removed()[0], pieces[2].bvh.get());
 }
@@ -53,12 +53,12 @@ TEST(PieceBook, TakesEachPieceOutOnce) {
 TEST(PieceBook, NeverTakesOutTheBoneNorWhatItDoesNotKnow) {
   const std::vector<PieceBody> pieces = bone_and_pieces(1);
   PieceBook book;
-  EXPECT_EQ(book.take_out(1), 0);
-  EXPECT_EQ(book.take_out(piece_freed_last), 0);
+  EXPECT_EQ(book.take_out(1), nullptr);
+  EXPECT_EQ(book.take_out(piece_freed_last), nullptr);
   book.learn(pieces);
-  EXPECT_EQ(book.take_out(0), 0);
-  EXPECT_EQ(book.take_out(7), 0);
-  EXPECT_EQ(book.take_out(-5), 0);
+  EXPECT_EQ(book.take_out(0), nullptr);
+  EXPECT_EQ(book.take_out(7), nullptr);
+  EXPECT_EQ(book.take_out(-5), nullptr);
   EXPECT_TRUE(book.removed().empty());
 }
 
@@ -67,7 +67,7 @@ TEST(PieceBook, ThePieceFreedLastIsTheOneAnnouncedLast) {
   PieceBook book;
   book.learn(pieces);
   while (book.announce_next() != nullptr) continue;
-  EXPECT_EQ(book.take_out(piece_freed_last), 2);
+  EXPECT_EQ(book.take_out(piece_freed_last), &pieces[2]);
 }
 
 TEST(PieceBook, TakesOutAsManyAsItHasRoomFor) {
@@ -75,8 +75,9 @@ TEST(PieceBook, TakesOutAsManyAsItHasRoomFor) {
   const std::vector<PieceBody> pieces = bone_and_pieces(limit + 1);
   PieceBook book;
   book.learn(pieces);
-  for (std::int32_t id = 1; id <= limit; ++id) EXPECT_EQ(book.take_out(id), id);
-  EXPECT_EQ(book.take_out(limit + 1), 0);
+  for (std::int32_t id = 1; id <= limit; ++id)
+    EXPECT_EQ(book.take_out(id), &pieces[static_cast<std::size_t>(id)]);
+  EXPECT_EQ(book.take_out(limit + 1), nullptr);
 }
 
 TEST(PieceBook, RemembersTheLastWishUntilItIsTaken) {

@@ -7,6 +7,7 @@
 #include "scenarios/scenario.h"
 #include "simulator/base/check.h"
 #include "simulator/cutting/pieces/cut_solid.h"
+#include "simulator/cutting/slice/section.h"
 #include "simulator/cutting/solid/commit_patch.h"
 #include "simulator/mesh/bvh.h"
 
@@ -159,9 +160,42 @@ ui::Scene OperatingWorld::scene() const {
   saw.world_from_tool = world_from_tool();
   saw.blade = blade;
   scene.saw = saw;
-  scene.planes = {{world_from_face(first_cut), Vec2(16.0, 13.0), ui::Ink::Accent, true}};
+  scene.planes = {{world_from_face(first_cut), Vec2(16.0, 13.0)}};
   scene.lines = {{world_from_face(first_cut)}, {world_from_face(second_cut)}};
   return scene;
+}
+
+ui::HeldBone OperatingWorld::held() const {
+  const Parts& parts = *parts_;
+  CHECK(parts.sawing != nullptr);
+  const Sawing& sawing = *parts.sawing;
+  ui::HeldBone held;
+  held.world_from_kerf = parts.phalanx.world_from_bone * sawing.plane.bone_from_kerf;
+  const Section section = slice_section(parts.phalanx_mesh.solid, *parts.bvh, sawing.plane);
+  for (const SectionRegion& region : section.regions) {
+    for (const Contour& contour : region.contours) held.bone_mm.push_back(contour);
+  }
+  const RegionOutline& opened = sawing.tracker.outline();
+  std::size_t first = 0;
+  for (const std::uint32_t end : opened.loop_ends) {
+    held.opened_mm.emplace_back(opened.corners_mm.begin() + static_cast<std::ptrdiff_t>(first),
+                                opened.corners_mm.begin() + static_cast<std::ptrdiff_t>(end));
+    first = end;
+  }
+  return held;
+}
+
+std::vector<ui::ZoneInScene> OperatingWorld::zones() const {
+  std::vector<ui::ZoneInScene> zones;
+  for (const scenarios::PlannedZone& zone : parts_->plan.danger_zones) {
+    const auto in_world = [&](const Vec3& point_mm) {
+      return transform_point(parts_->phalanx.world_from_bone, point_mm);
+    };
+    zones.push_back({.from_mm = in_world(zone.capsule.from_in_bone_mm),
+                     .to_mm = in_world(zone.capsule.to_in_bone_mm),
+                     .radius_mm = zone.capsule.radius_mm});
+  }
+  return zones;
 }
 
 ui::Camera OperatingWorld::camera() const {

@@ -32,6 +32,11 @@ class OperatingWorld {
   /// The tool's pose where the teeth stand.
   RigidTransform world_from_tool() const;
 
+  /// What still stands in the plane of the kerf that is being sawn.
+  ui::HeldBone held() const;
+  /// The scenario's danger zones, none near.
+  std::vector<ui::ZoneInScene> zones() const;
+
   const simulator::Bone& phalanx() const noexcept;
   const scenarios::PlannedCut& cut() const;
   /// The planned face of that name as a plane: z its normal, y along the tooth line, x where the

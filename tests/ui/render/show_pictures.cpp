@@ -6,6 +6,7 @@
 #include <iostream>
 #include <string>
 
+#include "simulator/base/units.h"
 #include "tests/ui/render/operating_world.h"
 #include "ui/render/gl/headless_context.h"
 #include "ui/render/picture.h"
@@ -48,6 +49,49 @@ Scene on_light(Scene scene) {
   return scene;
 }
 
+/// What is drawn around a cut: zones, what holds, where the teeth meet the bone.
+void add_site(Album& album, OperatingWorld& world) {
+  Scene scene = world.scene();
+  scene.zones = world.zones();
+  if (!scene.zones.empty()) scene.zones.front().is_near = true;
+  album.add("site_zones", scene, world.camera());
+  album.add("site_zones_light", on_light(scene), world.camera());
+  album.add("site_zones_plantar", scene, standard_view(world.camera(), StandardView::Plantar));
+  scene.zones.clear();
+  scene.held = {world.held()};
+  scene.marks = {{world.world_from_tool().translation_mm, 7.0, Ink::Warn, MarkShape::Diamond}};
+  album.add("site_held", scene, world.camera());
+  scene.held.clear();
+  scene.marks.clear();
+  scene.halo = ContactHalo{HaloKind::Behind, world.world_from_tool(), 6.0, 0.0};
+  album.add("site_behind", scene, world.camera());
+  for (const double away_mm : {9.0, 4.0, 0.0}) {
+    RigidTransform tool = world.world_from_tool();
+    tool.translation_mm -= tool.rotation * Vec3(away_mm + 4.4, 0.0, 0.0);
+    scene.saw->world_from_tool = tool;
+    scene.planes.clear();
+    scene.halo = ContactHalo{away_mm > 0.0 ? HaloKind::Before : HaloKind::On, tool, 6.0, away_mm};
+    album.add("site_before_" + std::to_string(static_cast<int>(away_mm)), scene, world.camera());
+  }
+}
+
+/// A plane that turns to its edge.
+void add_planes(Album& album, const OperatingWorld& world) {
+  Scene scene = world.scene();
+  scene.saw.reset();
+  scene.lines.clear();
+  const RigidTransform plane = world.world_from_face("proximal_face");
+  for (const double angle_deg : {30.0, 10.0, 2.0}) {
+    const Vec3 along = plane.rotation * Vec3(0.0, 1.0, 0.0);
+    const Vec3 from = rotation_about(along, radian_from_degree(angle_deg)) *
+                      (plane.rotation * Vec3(-1.0, 0.0, 0.0));
+    Camera camera = world.camera();
+    camera.target_mm = plane.translation_mm;
+    camera.world_from_view = rotation_from_axes(glm::normalize(glm::cross(along, from)), along);
+    album.add("plane_" + std::to_string(static_cast<int>(angle_deg)), scene, camera);
+  }
+}
+
 void add_wedge(Album& album, OperatingWorld& world) {
   world.take_wedge_out();
   Scene scene = world.scene();
@@ -55,7 +99,8 @@ void add_wedge(Album& album, OperatingWorld& world) {
   album.add("wedge", scene, camera);
   album.add("wedge_light", on_light(scene), camera);
   camera.magnification = 20.0;
-  album.add("wedge_near", scene, standard_view(camera, StandardView::AlongBlade));
+  album.add("wedge_near", scene,
+            along_blade(camera, world.world_from_tool(), BladeSight::AcrossFromMinus));
   // As if the plan had been a little oblique to what was cut.
   const Vec3 normal = glm::normalize(world.cut().face.normal + Vec3(0.0, 0.10, 0.14));
   const Vec3 middle_mm =
@@ -70,7 +115,8 @@ void add_wedge(Album& album, OperatingWorld& world) {
   camera.magnification = 14.0;
   camera = standard_view(camera, StandardView::Distal);
   camera = orbited(camera, -0.45, 0.30);
-  scene.planes = {{world.world_from_face("proximal_face"), Vec2(16.0, 13.0), Ink::Accent, false}};
+  scene.planes = {
+      {world.world_from_face("proximal_face"), Vec2(16.0, 13.0), Ink::Reference, false, false}};
   album.add("map", scene, camera);
 }
 
@@ -97,10 +143,20 @@ void show(const std::filesystem::path& folder, double edge_mm) {
   near.magnification = 22.0;
   near.target_mm = transform_point(world.world_from_tool(), Vec3(0.0));
   album.add("near", scene, near);
-  for (int view = 0; view < standard_view_count; ++view) {
+  for (int view = 0; view + 1 < standard_view_count; ++view) {
     album.add("view_" + std::to_string(view + 1), scene,
               standard_view(camera, static_cast<StandardView>(view)));
   }
+  for (std::size_t sight = 0; sight < blade_sight_count; ++sight) {
+    Scene along = scene;
+    if (static_cast<BladeSight>(sight) == BladeSight::OverHandle) {
+      along.saw->handpiece_presence = 0.1;
+    }
+    album.add("along_blade_" + std::to_string(sight), along,
+              along_blade(camera, scene.saw->world_from_tool, static_cast<BladeSight>(sight)));
+  }
+  add_site(album, world);
+  add_planes(album, world);
   add_wedge(album, world);
 }
 

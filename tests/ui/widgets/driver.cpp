@@ -124,8 +124,17 @@ void Driver::press(Key key, Modifiers modifiers) {
   settle();
 }
 
+/// Where an area has caught the pointer, it only goes the way.
+InputEvent Driver::moved_to(Point place) {
+  const Point way{place.x - pointer_.x, place.y - pointer_.y};
+  pointer_ = place;
+  const bool is_captured = !ui_.captured_by().empty();
+  return pointer_event(is_captured ? EventKind::CapturedMoved : EventKind::PointerMoved,
+                       is_captured ? way : place, ui_.scale());
+}
+
 void Driver::move_to(Point place) {
-  queue_.push(pointer_event(EventKind::PointerMoved, place, ui_.scale()));
+  queue_.push(moved_to(place));
   frame();
   settle();
 }
@@ -145,7 +154,8 @@ void Driver::drag(Point from, Point to, MouseButton button) {
   press.button = release.button = button;
   queue_.push(press);
   frame();
-  queue_.push(pointer_event(EventKind::PointerMoved, to, ui_.scale()));
+  pointer_ = from;
+  queue_.push(moved_to(to));
   frame();
   queue_.push(release);
   frame();

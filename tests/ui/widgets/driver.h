@@ -91,12 +91,14 @@ class Driver {
  private:
   Point middle_of(std::string_view id);
   static InputEvent pointer_event(EventKind kind, Point logical, float scale);
+  InputEvent moved_to(Point place);
 
   MemoryClipboard clipboard_;
   Ui ui_;
   Draw draw_;
   EventQueue queue_;
   float width_, height_;
+  Point pointer_;
   double time_s_ = 0.0;
 };
 

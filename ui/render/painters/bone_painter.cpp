@@ -10,24 +10,18 @@
 #include <cmath>
 
 #include "simulator/base/check.h"
+#include "ui/render/painters/bone_pass.h"
 #include "ui/render/painters/tool_shadow.h"
 
 namespace hallux::ui {
 
 namespace {
 
-/// Two values of the stencil each.
-constexpr std::size_t bones_at_most = 127;
-constexpr unsigned all_bits = 0xff;
+constexpr double outline_pixels = 2.5;
 
 void bind_volume(int unit, const GlTexture& texture) {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(GL_TEXTURE_3D, texture.name());
-}
-
-void bind_picture(int unit, unsigned texture) {
-  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
-  glBindTexture(GL_TEXTURE_2D, texture);
 }
 
 /// The bone frame in the depth volume's texture coordinates: nodes lie in the middle of texels.
@@ -62,30 +56,6 @@ void set_map(ShaderProgram& program, const BoneInScene& bone) {
   program.set("map_high", map_high);
 }
 
-struct LineUniforms {
-  std::array<Float4, lines_at_most> plane{}, window{}, style{}, half{};
-};
-
-void set_lines(ShaderProgram& program, const Frame& frame) {
-  const std::vector<CuttingLine>& lines = frame.scene.lines;
-  CHECK(lines.size() <= lines_at_most);
-  LineUniforms uniforms;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const RigidTransform& plane = lines[i].world_from_plane;
-    const Vec3 normal = plane.rotation * Vec3(0.0, 0.0, 1.0);
-    const Vec3 across = plane.rotation * Vec3(0.0, 1.0, 0.0);
-    uniforms.plane[i] = Float4(to_float(normal), glm::dot(normal, plane.translation_mm));
-    uniforms.window[i] = Float4(to_float(across), glm::dot(across, plane.translation_mm));
-    uniforms.style[i] = Float4(colour_of(frame.palette, lines[i].ink),
-                               0.5 * lines[i].width_pixels * frame.pixel_scale);
-    uniforms.half[i] = Float4(lines[i].half_width_mm, 0.0, 0.0, 0.0);
-  }
-  program.set("line_plane", uniforms.plane);
-  program.set("line_window", uniforms.window);
-  program.set("line_style", uniforms.style);
-  program.set("line_half", uniforms.half);
-}
-
 /// The pixels that the mesh can cover.
 PixelBox pixels_of(const Frame& frame, const BoneInScene& bone) {
   return pixels_of({bone.mesh->low_mm, bone.mesh->high_mm}, bone.world_from_bone, frame.view,
@@ -111,39 +81,18 @@ void set_shadow(ShaderProgram& program, const Frame& frame) {
     return;
   }
   const ToolShadow shadow = tool_shadow(*frame.scene.saw, frame.key_light);
-  const double strength = frame.scene.ground == Ground::Dark ? 0.80 : 0.62;
   program.set("key_in_tool", to_float(shadow.key_in_tool));
-  program.set("blade_shadow", Float4(shadow.blade_depth_mm, shadow.blade_half_width_mm, strength,
+  program.set("blade_shadow", Float4(shadow.blade_depth_mm, shadow.blade_half_width_mm, 1.0,
                                      shadow.handpiece_from_mm));
-}
-
-/// Half a line and its soft edge.
-constexpr int beside_lines_pixels = 4;
-
-/// Where lines can be on that bone.
-std::vector<PixelBox> lined_pixels(const Frame& frame, const BoneInScene& bone) {
-  PixelTiles tiles{frame.target.size};
-  const Vec3 eye_in_bone_mm =
-      transform_point(inverse(bone.world_from_bone), frame.view.eye_in_world_mm);
-  const int margin = static_cast<int>(std::ceil(beside_lines_pixels * frame.pixel_scale));
-  for (const CuttingLine& line : frame.scene.lines) {
-    const RigidTransform plane_from_bone = inverse(line.world_from_plane) * bone.world_from_bone;
-    const auto is_met = [&](const Vec3& middle_mm, double radius_mm) {
-      return std::abs(transform_point(plane_from_bone, middle_mm).z) <= radius_mm;
-    };
-    for (const TriangleCluster& cluster : bone.mesh->skin_clusters) {
-      if (!bone.cut_away && faces_away(cluster, eye_in_bone_mm)) continue;
-      const SeenBox seen{cluster.box, bone.world_from_bone, frame.view, frame.target.size, margin};
-      add_parts(tiles, seen, is_met);
-    }
-  }
-  return tiles.boxes();
 }
 
 }  // namespace
 
 BonePainter::BonePainter(const NoiseTextures& noise)
-    : noise_(noise), shape_("bone.vert", "bone.frag"), cut_("part.vert", "bone_cut.frag") {}
+    : noise_(noise),
+      shape_("bone.vert", "bone.frag"),
+      cut_("part.vert", "bone_cut.frag"),
+      outline_("outline.vert", "ghost.frag") {}
 
 void BonePainter::send_depth(const BoneLook& look, std::uint64_t picture) {
   const auto [at, is_new] = looks_.try_emplace(look.id);
@@ -162,13 +111,10 @@ void BonePainter::send_depth(const BoneLook& look, std::uint64_t picture) {
   }
 }
 
-BoneView& BonePainter::view_of(const BoneInScene& bone, std::uint64_t picture) {
-  auto at = bones_.find(bone.mesh->id);
-  if (at == bones_.end()) {
-    at = bones_.emplace(bone.mesh->id, SeenBone{BoneView(*bone.mesh), picture}).first;
-  }
+BoneView& BonePainter::view_of(const BoneMesh& mesh, std::uint64_t picture) {
+  auto at = bones_.find(mesh.id);
+  if (at == bones_.end()) at = bones_.emplace(mesh.id, SeenBone{BoneView(mesh), picture}).first;
   at->second.picture = picture;
-  at->second.view.show(*bone.mesh, bone.patch, bone.patch_revision);
   return at->second.view;
 }
 
@@ -180,10 +126,15 @@ void BonePainter::show(const Scene& scene, std::uint64_t picture) {
     CHECK(bone.mesh != nullptr && bone.look != nullptr);
     const auto seen = bones_.find(bone.mesh->id);
     const std::uint64_t before = seen == bones_.end() ? 0 : seen->second.view.uploaded_bytes();
-    const BoneView& view = view_of(bone, picture);
+    BoneView& view = view_of(*bone.mesh, picture);
+    view.show(*bone.mesh, bone.patch, bone.patch_revision);
     uploaded_bytes_ += view.uploaded_bytes() - before;
     triangle_count_ += view.triangle_count();
     send_depth(*bone.look, picture);
+  }
+  for (const FreePiece& piece : scene.free_pieces) {
+    CHECK(piece.mesh != nullptr);
+    view_of(*piece.mesh, picture);
   }
 }
 
@@ -208,8 +159,8 @@ std::optional<std::vector<Box>> BonePainter::changed_since(
   return changed;
 }
 
-void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const PixelBox& part,
-                             int stencil) {
+void BonePainter::draw_shape(const Frame& frame, std::size_t number, const PixelBox& part) {
+  const BoneInScene& bone = frame.scene.bones[number];
   const DoubleMatrix4 world_from_bone = matrix_of(bone.world_from_bone);
   const DoubleMatrix4 clip_from_bone = frame.clip_from_world * world_from_bone;
   shape_.set("world_from_bone", to_float(world_from_bone));
@@ -225,9 +176,9 @@ void BonePainter::draw_shape(const Frame& frame, const BoneInScene& bone, const 
   }
   const Frustum frustum = frustum_of(frame, bone, clip_from_bone, part);
   BoneView& view = bones_.at(bone.mesh->id).view;
-  glStencilFunc(GL_ALWAYS, stencil, all_bits);
+  glStencilFunc(GL_ALWAYS, skin_of(number), all_bits);
   view.draw_skin(frustum);
-  glStencilFunc(GL_ALWAYS, stencil + 1, all_bits);
+  glStencilFunc(GL_ALWAYS, cut_faces_of(number), all_bits);
   view.draw_cut_faces(frustum);
   glEnable(GL_CULL_FACE);
   glDisable(GL_CLIP_DISTANCE0);
@@ -238,11 +189,7 @@ void BonePainter::draw_shapes(const Frame& frame, const PixelBox& part) {
   set_scissor(part);
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  int stencil = 1;
-  for (const BoneInScene& bone : frame.scene.bones) {
-    draw_shape(frame, bone, part, stencil);
-    stencil += 2;
-  }
+  for (std::size_t i = 0; i < frame.scene.bones.size(); ++i) draw_shape(frame, i, part);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glDisable(GL_STENCIL_TEST);
   glBindVertexArray(0);
@@ -265,7 +212,7 @@ void BonePainter::light_skin(const Frame& frame, const BoneInScene& bone,
   begin_light(program, frame);
   program.set("relief", relief_unit);
   program.set("slope_scale", static_cast<float>(noise_.slope_scale()));
-  place(program, frame, bone);
+  place_bone(program, frame, bone);
   set_boxes(program, boxes, frame.target.size);
   draw_boxes(boxes);
 }
@@ -281,91 +228,51 @@ void BonePainter::begin_light(ShaderProgram& program, const Frame& frame) {
   program.set("pixel_scale", static_cast<float>(frame.pixel_scale));
 }
 
-void BonePainter::place(ShaderProgram& program, const Frame& frame, const BoneInScene& bone) {
-  program.use();
-  program.set("world_from_bone", to_float(matrix_of(bone.world_from_bone)));
-  program.set("presence", static_cast<float>(bone.presence));
-  if (!frame.scene.saw) return;
-  const RigidTransform tool_from_world = inverse(frame.scene.saw->world_from_tool);
-  program.set("tool_from_bone", to_float(matrix_of(tool_from_world * bone.world_from_bone)));
-}
-
 void BonePainter::light_cut_faces(const Frame& frame, const BoneInScene& bone,
                                   std::span<const PixelBox> boxes) {
   bind_volume(depth_unit, looks_.at(bone.look->id).depth);
-  place(cut_, frame, bone);
+  cut_.use();
+  place_bone(cut_, frame, bone);
   set_depth(cut_, bone.look->depth);
   set_cortex(cut_, *bone.look);
   set_map(cut_, bone);
   draw_boxes(boxes);
 }
 
-void BonePainter::begin_pass(const Frame& frame) {
-  bind_picture(place_unit, frame.place_texture);
-  bind_picture(normal_unit, frame.normal_texture);
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_STENCIL_TEST);
-  glBindVertexArray(no_attributes_.name());
-}
-
-void BonePainter::end_pass(const Frame& frame) {
-  glDisable(GL_STENCIL_TEST);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  set_scissor(all_of(frame.target.size));
-  glBindVertexArray(0);
-  glActiveTexture(GL_TEXTURE0);
-}
-
 void BonePainter::draw_light(const Frame& frame, std::span<const PixelBox> boxes) {
   begin_light(cut_, frame);
   set_boxes(cut_, boxes, frame.target.size);
   noise_.bind();
-  begin_pass(frame);
-  int stencil = 1;
-  for (const BoneInScene& bone : frame.scene.bones) {
+  const BonePass pass(frame, no_attributes_);
+  for (std::size_t i = 0; i < frame.scene.bones.size(); ++i) {
+    const BoneInScene& bone = frame.scene.bones[i];
     set_scissor(pixels_of(frame, bone));
-    glStencilFunc(GL_EQUAL, stencil, all_bits);
+    pass.take_only(skin_of(i));
     light_skin(frame, bone, boxes);
-    glStencilFunc(GL_EQUAL, stencil + 1, all_bits);
+    pass.take_only(cut_faces_of(i));
     light_cut_faces(frame, bone, boxes);
-    stencil += 2;
   }
-  end_pass(frame);
 }
 
-ShaderProgram& BonePainter::lines_program(std::size_t count) {
-  auto at = lines_.find(count);
-  if (at == lines_.end()) {
-    const std::string settings = "#define LINES " + std::to_string(count) + "\n";
-    at = lines_.emplace(count, ShaderProgram("part.vert", "bone_lines.frag", settings)).first;
+void BonePainter::draw_outlines(const Frame& frame) {
+  if (frame.scene.free_pieces.empty()) return;
+  outline_.use();
+  outline_.set("ink", Float4(colour_of(frame.palette, Ink::Accent), 1.0F));
+  const Vec2 size(frame.target.size.width, frame.target.size.height);
+  const Vec2 width = outline_pixels * frame.pixel_scale * 2.0 / size;
+  outline_.set("width", Float4(width.x, width.y, size.x, size.y));
+  glCullFace(GL_FRONT);
+  for (const FreePiece& piece : frame.scene.free_pieces) {
+    const DoubleMatrix4 clip_from_bone = frame.clip_from_world * matrix_of(piece.world_from_bone);
+    outline_.set("clip_from_bone", to_float(clip_from_bone));
+    // Backs are what is drawn: nothing is left out for looking away.
+    const Frustum all = frustum_through(clip_from_bone, Vec2(0.0), Vec2(1.0));
+    BoneView& view = bones_.at(piece.mesh->id).view;
+    view.draw_skin(all);
+    view.draw_cut_faces(all);
   }
-  return at->second;
-}
-
-void BonePainter::draw_lines(const Frame& frame) {
-  if (frame.scene.lines.empty()) return;
-  ShaderProgram& program = lines_program(frame.scene.lines.size());
-  program.use();
-  program.set("eye_mm", to_float(frame.view.eye_in_world_mm));
-  set_seen_bone(program, frame);
-  set_lines(program, frame);
-  begin_pass(frame);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  int stencil = 1;
-  for (const BoneInScene& bone : frame.scene.bones) {
-    const std::vector<PixelBox> boxes = lined_pixels(frame, bone);
-    glStencilFunc(GL_EQUAL, stencil, all_bits);
-    place(program, frame, bone);
-    set_boxes(program, boxes, frame.target.size);
-    draw_boxes(boxes);
-    stencil += 2;
-  }
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDisable(GL_BLEND);
-  end_pass(frame);
+  glCullFace(GL_BACK);
+  glBindVertexArray(0);
 }
 
 void BonePainter::forget_before(std::uint64_t picture) {

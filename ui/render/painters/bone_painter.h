@@ -35,9 +35,9 @@ class BonePainter {
   /// Lays light on them in those boxes, once a pixel.
   /// needs   the shapes of all the picture are drawn; a framebuffer with their stencil is bound
   void draw_light(const Frame& frame, std::span<const PixelBox> boxes);
-  /// Draws the scene's lines over the lit skins.
-  /// needs   as for the light
-  void draw_lines(const Frame& frame);
+  /// Draws an outline around each piece that came free, before what is seen there.
+  /// needs   the scene was shown last
+  void draw_outlines(const Frame& frame);
   /// Lets go of what was not drawn since.
   void forget_before(std::uint64_t picture);
 
@@ -54,25 +54,19 @@ class BonePainter {
     std::uint64_t picture = 0;
   };
 
-  BoneView& view_of(const BoneInScene& bone, std::uint64_t picture);
+  BoneView& view_of(const BoneMesh& mesh, std::uint64_t picture);
   void send_depth(const BoneLook& look, std::uint64_t picture);
-  void draw_shape(const Frame& frame, const BoneInScene& bone, const PixelBox& part, int stencil);
+  void draw_shape(const Frame& frame, std::size_t number, const PixelBox& part);
   ShaderProgram& skin_program(const Frame& frame, const BoneInScene& bone);
-  ShaderProgram& lines_program(std::size_t count);
-  void begin_pass(const Frame& frame);
-  void end_pass(const Frame& frame);
   void begin_light(ShaderProgram& program, const Frame& frame);
   void light_skin(const Frame& frame, const BoneInScene& bone, std::span<const PixelBox> boxes);
-  void place(ShaderProgram& program, const Frame& frame, const BoneInScene& bone);
   void light_cut_faces(const Frame& frame, const BoneInScene& bone,
                        std::span<const PixelBox> boxes);
 
   const NoiseTextures& noise_;
-  ShaderProgram shape_, cut_;
+  ShaderProgram shape_, cut_, outline_;
   /// By settings, made when first needed.
   std::map<std::string, ShaderProgram> skins_;
-  /// By how many, likewise.
-  std::map<std::size_t, ShaderProgram> lines_;
   GlVertexArray no_attributes_;
   std::map<std::uint64_t, SeenBone> bones_;
   std::map<std::uint64_t, SeenLook> looks_;

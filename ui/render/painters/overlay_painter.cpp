@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "ui/render/scene/plane_fade.h"
+
 namespace hallux::ui {
 
 OverlayPainter::OverlayPainter()
@@ -68,11 +70,13 @@ void OverlayPainter::draw_planes(const Frame& frame) {
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   for (const PlaneGhost& plane : frame.scene.planes) {
+    const double share = face_on_share(plane.world_from_plane, frame.view.eye_in_world_mm);
+    if (share <= 0.0) continue;
     const DoubleMatrix4 world_from_plane = matrix_of(plane.world_from_plane);
     plane_.set("clip_from_plane", to_float(frame.clip_from_world * world_from_plane));
     plane_.set("half_mm", to_float(plane.half_mm));
     plane_.set("ink", colour_of(frame.palette, plane.ink));
-    plane_.set("fill_and_line", Float2(plane.is_filled ? 0.13F : 0.0F, 0.62F));
+    plane_.set("fill_and_line", Float2(share * Vec2(plane.is_filled ? 0.13 : 0.0, 0.62)));
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
   glEnable(GL_CULL_FACE);
@@ -93,6 +97,7 @@ void OverlayPainter::draw_marks(const Frame& frame) {
     points_.assign(std::span(&place, 1));
     fill_points();
     mark_.set("size_pixels", static_cast<float>(2.0 * mark.radius_pixels * frame.pixel_scale));
+    mark_.set("shape", static_cast<int>(mark.shape));
     mark_.set("ink", colour_of(frame.palette, mark.ink));
     glDrawArrays(GL_POINTS, 0, 1);
   }

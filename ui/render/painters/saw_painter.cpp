@@ -49,6 +49,20 @@ void draw_nearest_only(const ToolView& part) {
   glDisable(GL_BLEND);
 }
 
+/// Around the part of the handpiece of which something is seen through; empty where it is whole.
+Box seen_through_part(const SawInScene& saw, const EyeView& view) {
+  if (saw.handpiece_presence >= 1.0) return before_the_teeth(saw, view.eye_in_world_mm);
+  const double pivot_mm = pivot_x_mm(saw.blade), side_mm = widest_handle_mm + 1.0;
+  Box box;
+  box.add(Vec3(pivot_mm - cable_end_mm - 1.0, -side_mm, -side_mm));
+  box.add(Vec3(pivot_mm + side_mm, side_mm, side_mm));
+  return box;
+}
+
+bool is_whole(const SawInScene& saw, const EyeView& view) {
+  return seen_through_part(saw, view).is_empty();
+}
+
 }  // namespace
 
 Box before_the_teeth(const SawInScene& saw, const Vec3& eye_mm) noexcept {
@@ -136,6 +150,7 @@ void SawPainter::draw_handpiece(const Frame& frame, const ToolView& part,
   seen_through_.use();
   seen_through_.set("teeth_mm", to_float(saw.world_from_tool.translation_mm));
   seen_through_.set("reach_mm", to_float(Vec2(clear_within_mm, whole_beyond_mm)));
+  seen_through_.set("handpiece_presence", static_cast<float>(saw.handpiece_presence));
   seen_through_.set("is_translucent_part", is_translucent_part ? 1.0F : 0.0F);
   set_part(seen_through_, frame, saw.world_from_tool);
   if (is_translucent_part) {
@@ -150,7 +165,7 @@ void SawPainter::draw(const Frame& frame) {
   const SawInScene& saw = *frame.scene.saw;
   const Model& model = model_of(model_, saw.blade);
   noise_.bind();
-  if (before_the_teeth(saw, frame.view.eye_in_world_mm).is_empty()) {
+  if (is_whole(saw, frame.view)) {
     draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
   } else {
     draw_handpiece(frame, model.handpiece, false);
@@ -179,10 +194,10 @@ void SawPainter::draw_ghosts(const Frame& frame) {
 void SawPainter::draw_seen_through(const Frame& frame) {
   if (!frame.scene.saw) return;
   const SawInScene& saw = *frame.scene.saw;
-  const Box part = before_the_teeth(saw, frame.view.eye_in_world_mm);
-  if (part.is_empty()) return;
+  if (is_whole(saw, frame.view)) return;
   noise_.bind();
-  set_scissor(pixels_of(part, saw.world_from_tool, frame.view, frame.target.size));
+  set_scissor(pixels_of(seen_through_part(saw, frame.view), saw.world_from_tool, frame.view,
+                        frame.target.size));
   draw_handpiece(frame, model_of(model_, saw.blade).handpiece, true);
   set_scissor(all_of(frame.target.size));
 }

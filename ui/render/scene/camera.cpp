@@ -1,8 +1,10 @@
 #include "ui/render/scene/camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/matrix.hpp>
 
+#include "simulator/base/check.h"
 #include "simulator/base/units.h"
 
 namespace hallux::ui {
@@ -12,6 +14,10 @@ namespace {
 constexpr Vec3 dorsal(0.0, 1.0, 0.0);
 constexpr double near_share = 0.08;  ///< of the way from the eye to the screen plane
 constexpr double far_shares = 12.0;
+/// Ways on which so little more of the teeth is hidden are as good.
+constexpr double hidden_alike = 0.2;
+/// Cosine, about two degrees.
+constexpr double already_looked_along = 0.9994;
 
 struct Looking {
   Vec3 from{0.0, 0.0, 1.0};  ///< direction from the target to the viewer
@@ -23,7 +29,7 @@ Looking looking(StandardView view) {
   const Looking views[] = {{Vec3(0.52, 0.62, -0.58), dorsal}, {dorsal, Vec3(1.0, 0.0, 0.0)},
                            {Vec3(0.0, 0.0, -1.0), dorsal},    {Vec3(0.0, 0.0, 1.0), dorsal},
                            {-dorsal, Vec3(1.0, 0.0, 0.0)},    {Vec3(1.0, 0.0, 0.0), dorsal},
-                           {Vec3(-1.0, 0.0, 0.0), dorsal},    {Vec3(0.12, 0.34, -0.93), dorsal}};
+                           {Vec3(-1.0, 0.0, 0.0), dorsal}};
   return views[static_cast<std::size_t>(view)];
 }
 
@@ -74,12 +80,49 @@ Camera zoomed(const Camera& camera, double factor) noexcept {
 }
 
 Camera standard_view(const Camera& camera, StandardView view) noexcept {
+  CHECK(view != StandardView::AlongBlade);
   Camera seen = camera;
   const Looking side = looking(view);
   const Vec3 z = glm::normalize(side.from);
   const Vec3 x = glm::normalize(glm::cross(side.up, z));
   seen.world_from_view = rotation_from_axes(x, glm::cross(z, x));
   return seen;
+}
+
+Camera along_blade(const Camera& camera, const RigidTransform& world_from_blade,
+                   BladeSight sight) noexcept {
+  const Vec3 from_in_blade = sight == BladeSight::OverHandle       ? Vec3(-1.0, 0.0, 0.0)
+                             : sight == BladeSight::AcrossFromPlus ? Vec3(0.0, 1.0, 0.0)
+                                                                   : Vec3(0.0, -1.0, 0.0);
+  const Vec3 z = glm::normalize(transform_direction(world_from_blade, from_in_blade));
+  // Over a blade that comes from dorsal one stands as for a view from dorsal: distal is up.
+  const Vec3 up = std::abs(z.y) < 0.8 ? dorsal : Vec3(1.0, 0.0, 0.0);
+  const Vec3 x = glm::normalize(glm::cross(up, z));
+  Camera seen = camera;
+  seen.world_from_view = rotation_from_axes(x, glm::cross(z, x));
+  seen.target_mm = world_from_blade.translation_mm;
+  return seen;
+}
+
+Camera seen_along_blade(const Camera& camera, const RigidTransform& world_from_blade,
+                        const std::array<double, blade_sight_count>& hidden_shares) noexcept {
+  const double least = *std::min_element(hidden_shares.begin(), hidden_shares.end());
+  const Vec3 from = camera.world_from_view * Vec3(0.0, 0.0, 1.0);
+  std::array<Camera, blade_sight_count> open{};
+  std::size_t count = 0, nearest = 0, looked = blade_sight_count;
+  double most = -2.0;
+  for (std::size_t i = 0; i < blade_sight_count; ++i) {
+    if (hidden_shares[i] > least + hidden_alike) continue;
+    open[count] = along_blade(camera, world_from_blade, static_cast<BladeSight>(i));
+    const double along = glm::dot(from, open[count].world_from_view * Vec3(0.0, 0.0, 1.0));
+    if (along > most) {
+      most = along;
+      nearest = count;
+    }
+    if (along > already_looked_along) looked = count;
+    ++count;
+  }
+  return looked < blade_sight_count ? open[(looked + 1) % count] : open[nearest];
 }
 
 Camera fitted(const Camera& camera, const Viewer& viewer, double radius_mm,

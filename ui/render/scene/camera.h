@@ -14,6 +14,8 @@
 /// source  reference/platform 1 (stereo, measured); frustum never toed in
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "ui/render/scene/float_vector.h"
@@ -54,10 +56,16 @@ enum class StandardView : std::uint8_t {
   Plantar,
   Distal,
   Proximal,
-  /// The operator's height, from medial: the blade is seen edge on.
+  /// In the plane of a blade, which is seen edge on: follows from where the blade is, see
+  /// seen_along_blade.
   AlongBlade
 };
 inline constexpr int standard_view_count = 8;
+
+/// The three ways to look along a blade: across it to both sides, and over the handle to where the
+/// saw goes.
+enum class BladeSight : std::uint8_t { AcrossFromPlus, AcrossFromMinus, OverHandle };
+inline constexpr std::size_t blade_sight_count = 3;
 
 /// Turned about the target: to the right around the world's dorsal axis, then up around the view's
 /// own x.
@@ -68,7 +76,17 @@ Camera panned(const Camera& camera, const Viewer& viewer, const Vec2& shares) no
 Camera zoomed(const Camera& camera, double factor) noexcept;
 /// The same target and magnification, seen from a side; world = foot frame (x distal, y dorsal, z
 /// lateral, right foot).
+/// needs   view is not AlongBlade
 Camera standard_view(const Camera& camera, StandardView view) noexcept;
+/// Looks at the middle of a blade's teeth, exactly in its plane, as upright as that lets it.
+/// frame   blade: x where the saw goes, y along the teeth, z the normal
+Camera along_blade(const Camera& camera, const RigidTransform& world_from_blade,
+                   BladeSight sight) noexcept;
+/// The best of those: of the ways on which least of the teeth is hidden the one with the smallest
+/// turn. Who looks along the blade already gets the next of them.
+/// hidden_shares  of the teeth, by BladeSight
+Camera seen_along_blade(const Camera& camera, const RigidTransform& world_from_blade,
+                        const std::array<double, blade_sight_count>& hidden_shares = {}) noexcept;
 /// As near as shows a ball around the target wholly.
 Camera fitted(const Camera& camera, const Viewer& viewer, double radius_mm, double aspect) noexcept;
 

@@ -10,16 +10,16 @@ namespace hallux::ui {
 struct Palette {
   Float3 ground_middle, ground_rim;
   /// By Ink.
-  Float3 accent, reference, harm, plain;
+  Float3 accent, reference, warn, harm, plain;
 };
 
 inline Palette palette_of(Ground ground) noexcept {
   if (ground == Ground::Dark) {
-    return {colour_of(0x2B3A44), colour_of(0x0D1318), colour_of(0x2C9BEA),
-            colour_of(0xFFB3DA), colour_of(0xEC6F33), colour_of(0xE9EFF3)};
+    return {colour_of(0x2B3A44), colour_of(0x0D1318), colour_of(0x2C9BEA), colour_of(0xE763AE),
+            colour_of(0xE9A820), colour_of(0xEC6F33), colour_of(0xE9EFF3)};
   }
-  return {colour_of(0xF2F6F8), colour_of(0xC3CFD8), colour_of(0x0067A8),
-          colour_of(0xB03C86), colour_of(0xD55E00), colour_of(0x14202A)};
+  return {colour_of(0xF2F6F8), colour_of(0xC3CFD8), colour_of(0x0067A8), colour_of(0xB03C86),
+          colour_of(0xC88400), colour_of(0xD55E00), colour_of(0x14202A)};
 }
 
 inline Float3 colour_of(const Palette& palette, Ink ink) noexcept {
@@ -28,6 +28,8 @@ inline Float3 colour_of(const Palette& palette, Ink ink) noexcept {
       return palette.accent;
     case Ink::Reference:
       return palette.reference;
+    case Ink::Warn:
+      return palette.warn;
     case Ink::Harm:
       return palette.harm;
     case Ink::Plain:

@@ -12,13 +12,15 @@
 
 #include "simulator/cutting/field/kerf.h"
 #include "ui/render/scene/bone_mesh.h"
+#include "ui/render/scene/site.h"
 
 namespace hallux::ui {
 
 enum class Ground : std::uint8_t { Dark, Light };
 
-/// The roles that colours have; each has one for dark and one for light grounds.
-enum class Ink : std::uint8_t { Accent, Reference, Harm, Plain };
+/// The roles that colours have; each has one for dark and one for light grounds. What is planned is
+/// Reference everywhere, what the blade does is Accent.
+enum class Ink : std::uint8_t { Accent, Reference, Warn, Harm, Plain };
 
 /// Signed distance of cut faces to a planned plane, in colours: too much taken, as planned, left
 /// standing.
@@ -67,6 +69,8 @@ struct SawInScene {
   bool is_running = false;
   /// Where in its swing the blade stands, [-1, 1]; counts only while it runs.
   double swing = 0.0;
+  /// Of hub, neck and grip; towards 0 they are seen through wherever they are. The blade stays.
+  double handpiece_presence = 1.0;
 };
 
 /// The blade alone, translucent: the expert's.
@@ -76,25 +80,37 @@ struct BladeGhost {
   Ink ink = Ink::Reference;
 };
 
-/// A rectangle of a plane: its middle, z its normal.
+/// A rectangle of a plane: its middle, z its normal. Seen edge on it would be a spike: there it
+/// fades to what it cuts, its line on the bone with a tick along the normal (plane_fade.h).
 struct PlaneGhost {
   RigidTransform world_from_plane;
   Vec2 half_mm{15.0, 12.0};
-  Ink ink = Ink::Accent;
+  Ink ink = Ink::Reference;
   /// Otherwise only its outline.
   bool is_filled = true;
+  /// Its dashed line on the bone is drawn, too, within the rectangle.
+  bool has_line = true;
+  double line_pixels = 2.5;
 };
 
 /// Where a plane meets the skins of all bones that are wholly present.
 struct CuttingLine {
   /// z is the normal.
   RigidTransform world_from_plane;
-  /// The line ends this far from the plane's x axis; 0: it goes all around.
-  double half_width_mm = 0.0;
+  /// The line ends this far from the plane's origin, along its x and y; 0: it does not end there.
+  Vec2 half_mm{0.0, 0.0};
+  /// Beyond its ends it goes on faintly, so far.
+  double faint_mm = 0.0;
   double width_pixels = 2.5;
   Ink ink = Ink::Accent;
+  bool is_dashed = false;
+  /// Length of a tick along the normal, where the line crosses the plane's x axis; 0: none.
+  double tick_mm = 0.0;
+  /// Towards 0 it is not seen.
+  double presence = 1.0;
 };
-inline constexpr std::size_t lines_at_most = 6;
+/// Those of the planes are counted, too.
+inline constexpr std::size_t lines_at_most = 8;
 
 /// One chip of bone.
 struct Chip {
@@ -104,11 +120,14 @@ struct Chip {
   float wetness = 0.0F;
 };
 
-/// A mark at a place: a note, a landmark; a ball of a few pixels, always before everything.
+enum class MarkShape : std::uint8_t { Disc, Ring, Diamond, Triangle };
+
+/// A mark at a place: a note, a landmark; some pixels large, always before everything.
 struct Mark {
   Vec3 place_mm{0.0, 0.0, 0.0};
   double radius_pixels = 6.0;
   Ink ink = Ink::Accent;
+  MarkShape shape = MarkShape::Disc;
 };
 
 struct Scene {
@@ -119,10 +138,14 @@ struct Scene {
   std::optional<SawInScene> saw;
   std::vector<BladeGhost> blade_ghosts;
   std::vector<PlaneGhost> planes;
-  /// At most lines_at_most.
+  /// At most lines_at_most, with those of the planes.
   std::vector<CuttingLine> lines;
   std::vector<Chip> chips;
   std::vector<Mark> marks;
+  std::vector<ZoneInScene> zones;
+  std::vector<HeldBone> held;
+  std::vector<FreePiece> free_pieces;
+  std::optional<ContactHalo> halo;
 };
 
 }  // namespace hallux::ui

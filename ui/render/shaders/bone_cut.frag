@@ -67,9 +67,10 @@ void main() {
   float open = mix(exp2(-1.6 * max(depth, 0.0)), 1.0, openness);
   if (face < canal + 1.5) open = 0.30;
   open *= 1.0 - 0.55 * hollow * inside;
-  float key_share = key_share_at(in_tool_mm) * mix(open, 1.0, openness);
-  vec3 light = lit(albedo, normal, to_eye, open, key_share);
-  light += key_colour * ((0.06 + 0.10 * hollow * inside) * gloss(normal, to_eye, 34.0) * open * key_share);
+  Reach reach = Reach(open, mix(open, 1.0, openness) * mix(0.45, 1.0, open), key_share_at(in_tool_mm));
+  vec3 light = lit(albedo, normal, reach);
+  light += key_colour * key_after(reach.past_saw) *
+           ((0.06 + 0.10 * hollow * inside) * gloss(normal, to_eye, 34.0) * open * reach.past_bone);
   vec3 here = shown(light);
   if (is_mapped()) here = mapped(1.0 - inside);
   colour = vec4(mix(ground_here(), here, presence), 1.0);

@@ -32,14 +32,14 @@ void main() {
 
   vec3 normal = raised(fine.rgb);
   float open = openness * openness;
+  Reach reach = Reach(open, mix(0.45, 1.0, open), 1.0);
 #ifdef SHADOW
-  float key_share = key_share_at(in_tool_mm);
-#else
-  float key_share = 1.0;
+  reach.past_saw = key_share_at(in_tool_mm);
 #endif
-  vec3 light = lit(albedo, normal, to_eye, open, key_share);
-  light += key_colour * (0.085 * gloss(normal, to_eye, 26.0) * (0.4 + 0.6 * open) * key_share * fine.a);
-  light += vec3(0.60, 0.70, 0.82) * (0.075 * fresnel(normal, to_eye) * open);
+  vec3 light = lit(albedo, normal, reach);
+  light += key_colour * key_after(reach.past_saw) *
+           (0.085 * gloss(normal, to_eye, 26.0) * (0.4 + 0.6 * open) * fine.a);
+  light += vec3(0.74, 0.73, 0.72) * (0.075 * fresnel(normal, to_eye) * open);
   vec3 here = shown(light);
 #ifdef FADED
   here = mix(ground_here(), here, presence);

@@ -10,18 +10,9 @@ uniform vec3 view_right, view_back;
 uniform sampler3D noise;
 
 #ifdef SEEN_THROUGH
-// The line from the eye to the teeth: what lies nearer than they and within its reach is seen through.
-uniform vec3 teeth_mm;            // in the world
-uniform vec2 reach_mm;            // least and full presence, distances from the line
-uniform float is_translucent_part;  // 1: draws what is seen through, 0: the rest
+#include "seen_through.glsl"
 
-float presence() {
-  vec3 to_teeth = normalize(teeth_mm - eye_mm), from_teeth = in_world_mm - teeth_mm;
-  float beside_mm = length(cross(from_teeth, to_teeth));
-  float nearer_mm = -dot(from_teeth, to_teeth);
-  float clear = (1.0 - smoothstep(reach_mm.x, reach_mm.y, beside_mm)) * smoothstep(2.0, 6.0, nearer_mm);
-  return 1.0 - 0.86 * clear;
-}
+uniform float is_translucent_part;  // 1: draws what is seen through, 0: the rest
 #endif
 
 vec3 studio(vec3 way, float blur) {
@@ -58,7 +49,7 @@ vec3 blade(vec3 normal, vec3 to_eye) {
 void main() {
   float share = 1.0;
 #ifdef SEEN_THROUGH
-  share = presence();
+  share = presence_at(in_world_mm, eye_mm);
   if ((share < 1.0) != (is_translucent_part > 0.5)) discard;
 #endif
   vec3 to_eye = normalize(eye_mm - in_world_mm), normal = normalize(normal_in_world);
@@ -70,7 +61,7 @@ void main() {
   float grazing = fresnel(normal, to_eye);
   vec3 own = is_steel ? vec3(0.035) : is_grip ? vec3(0.030, 0.034, 0.040) : vec3(0.21, 0.225, 0.245);
   vec3 mirror = is_steel ? vec3(0.60, 0.615, 0.64) : vec3(0.035 + 0.27 * grazing);
-  vec3 light = lit(own, normal, to_eye, 1.0, 1.0) + mirror * studio(mirrored, is_steel ? 0.12 : 0.42);
+  vec3 light = lit(own, normal, Reach(1.0, 1.0, 1.0)) + mirror * studio(mirrored, is_steel ? 0.12 : 0.42);
 #endif
   colour = vec4(shown(light), share);
 }

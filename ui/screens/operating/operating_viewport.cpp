@@ -9,7 +9,11 @@
 #include <utility>
 
 #include "simulator/record/sample_force.h"
-#include "ui/screens/operating/plan_reading.h"
+#include "ui/render/scene/tool_model.h"
+#include "ui/screens/pictures/contact_halo.h"
+#include "ui/screens/pictures/planned_frame.h"
+#include "ui/screens/pictures/sight_along_blade.h"
+#include "ui/screens/pictures/zones_in_scene.h"
 
 namespace hallux::ui {
 
@@ -17,11 +21,41 @@ namespace {
 
 using simulator::ToolStatus;
 
-constexpr Vec2 plane_half_mm{16.0, 13.0};
+/// The blade's line on the bone: a little wider than the teeth, and faintly on.
+constexpr double beside_teeth_mm = 1.0, faint_line_mm = 8.0;
+
+/// As it is kept.
+constexpr simulator::ShownStereo shown_stereo(StereoMode mode) noexcept {
+  switch (mode) {
+    case StereoMode::SideBySide:
+      return simulator::ShownStereo::SideBySide;
+    case StereoMode::Anaglyph:
+      return simulator::ShownStereo::Anaglyph;
+    case StereoMode::Mono:
+      break;
+  }
+  return simulator::ShownStereo::Mono;
+}
 
 constexpr std::array<const char*, standard_view_count> view_names{
     "operate.key.view.1", "operate.key.view.2", "operate.key.view.3", "operate.key.view.4",
     "operate.key.view.5", "operate.key.view.6", "operate.key.view.7", "operate.key.view.8"};
+
+/// A ball around a part of the saw, on its axis.
+struct BulkOfSaw {
+  double x_mm = 0.0, radius_mm = 0.0;
+};
+
+/// Blade, hub and grip; beyond, it is a cable.
+std::vector<BulkOfSaw> bulks_of_saw(const simulator::Blade& blade) {
+  constexpr double grip_length_mm = 118.0, grip_radius_mm = 9.0;
+  std::vector<BulkOfSaw> bulks;
+  for (double x_mm = 0.0; x_mm > -blade.depth_mm; x_mm -= 0.5 * blade.width_mm)
+    bulks.push_back({x_mm, 0.5 * blade.width_mm});
+  for (double along_mm = 0.0; along_mm < grip_length_mm; along_mm += grip_radius_mm)
+    bulks.push_back({pivot_x_mm(blade) - along_mm, grip_radius_mm});
+  return bulks;
+}
 
 /// The teeth at work; nothing where they cut nothing.
 std::optional<SwarfSource> swarf_of(const OperationInSight& shown) {
@@ -49,11 +83,81 @@ SawInScene saw_of(const OperationInSight& shown) {
   return saw;
 }
 
+void add_bones(Scene& scene, const OperationInSight& shown) {
+  if (shown.bone != nullptr) {
+    shown.bone->add_to(scene);
+  } else {
+    BoneInScene& whole = scene.bones.emplace_back();
+    whole.mesh = shown.whole.mesh.get();
+    whole.look = &shown.whole.look;
+    whole.world_from_bone = shown.prepared_case.bone.world_from_bone;
+  }
+  if (shown.site == nullptr || !shown.is_neighbour_shown) return;
+  BoneInScene& neighbour = scene.bones.emplace_back();
+  neighbour.mesh = &shown.site->neighbour.mesh;
+  neighbour.look = &shown.site->neighbour.look;
+  neighbour.world_from_bone = shown.site->neighbour.world_from_bone;
+  neighbour.presence = neighbour_presence;
+}
+
+/// needs   the bones are in the scene
+BoneSurface surface_of(const OperationInSight& shown) {
+  if (shown.bone != nullptr) return shown.bone->surface();
+  return {*shown.whole.tree, shown.prepared_case.bone.world_from_bone};
+}
+
+std::array<double, blade_sight_count> hidden_from(const OperationInSight& shown,
+                                                  const SawInScene& saw) {
+  const BoneSurface bone = surface_of(shown);
+  if (shown.site == nullptr || !shown.is_neighbour_shown)
+    return hidden_along_blade(std::span(&bone, 1), saw.world_from_tool, saw.blade);
+  const std::array bones{
+      bone, BoneSurface{*shown.site->neighbour_tree, shown.site->neighbour.world_from_bone}};
+  return hidden_along_blade(bones, saw.world_from_tool, saw.blade);
+}
+
+PlaneGhost plane_of(const OperationInSight& shown) {
+  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
+  const scenarios::Plan& plan = shown.prepared_case.plan;
+  if (shown.site == nullptr) return {world_from_bone * bone_from_planned(*shown.cut)};
+  const PlannedFace& face = shown.site->faces[index_of_cut(plan, shown.cut->name)];
+  return {world_from_bone * face.bone_from_face, face.half_mm};
+}
+
+void add_guidance(Scene& scene, const OperationInSight& shown) {
+  scene.zones = zones_in_scene(shown.prepared_case.plan, shown.prepared_case.bone.world_from_bone,
+                               scene.saw->world_from_tool, scene.saw->blade);
+  if (shown.bone != nullptr) shown.bone->add_free_pieces(scene);
+}
+
+void add_held(Scene& scene, const OperationInSight& shown) {
+  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
+  scene.held = shown.facts->held;
+  for (const scenarios::HeldCut& cut : shown.facts->cuts) {
+    if (!cut.is_begun() || cut.is_through()) continue;
+    scene.marks.push_back(
+        {transform_point(world_from_bone, cut.deepest_in_bone_mm), 7.0, Ink::Warn, MarkShape::Diamond});
+  }
+}
+
 }  // namespace
 
-void OperatingViewport::look(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case) {
-  sight_.camera = steering_.looked(area, ui.modifiers(), sight_);
+Steered OperatingViewport::hear(Ui& ui, const AreaResponse& area,
+                                const PreparedCase& prepared_case, bool may_lead,
+                                const Vec3& tip_in_world_mm) {
+  const Steered steered = steering_.hear(ui, area, sight_, may_lead, tip_in_world_mm);
+  sight_.camera = steered.camera;
   hear_views(ui, prepared_case);
+  hear_eyes(ui);
+  return steered;
+}
+
+void OperatingViewport::release_pointer() noexcept {
+  steering_.release_pointer();
+  steering_.set_down();
+}
+
+void OperatingViewport::hear_eyes(Ui& ui) {
   if (ui.shortcut({Key::F9}, ui.text("operate.key.stereo"))) {
     stereo_.mode = static_cast<StereoMode>((static_cast<int>(stereo_.mode) + 1) % 3);
   }
@@ -65,17 +169,29 @@ void OperatingViewport::look(Ui& ui, const AreaResponse& area, const PreparedCas
 void OperatingViewport::hear_views(Ui& ui, const PreparedCase& prepared_case) {
   for (int view = 0; view < standard_view_count; ++view) {
     const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + view);
-    if (ui.shortcut({key}, ui.text(view_names[static_cast<std::size_t>(view)]))) {
-      sight_.camera = standard_view(sight_.camera, static_cast<StandardView>(view));
-    }
+    if (!ui.shortcut({key}, ui.text(view_names[static_cast<std::size_t>(view)]))) continue;
+    const auto asked = static_cast<StandardView>(view);
+    sight_.camera = asked == StandardView::AlongBlade ? sight_along_blade()
+                                                      : standard_view(sight_.camera, asked);
   }
   if (ui.shortcut({Key::R}, ui.text("operate.key.reset"))) face(prepared_case);
 }
 
-std::array<simulator::PointerMotion, 2> OperatingViewport::motions(Ui& ui, const AreaResponse& area,
-                                                                   const Vec3& tip_in_world_mm) {
-  return {steering_.motion(area, ui.modifiers(), sight_, tip_in_world_mm),
-          steering_.motion_by_keys(ui)};
+/// From where the saw was drawn last.
+Camera OperatingViewport::sight_along_blade() const {
+  return seen_along_blade(sight_.camera, drawn_saw_.world_from_tool, hidden_along_blade_);
+}
+
+std::vector<ToolPlace> OperatingViewport::tool_places() const {
+  std::vector<ToolPlace> places;
+  const Vec3 right = sight_.camera.world_from_view * Vec3(1.0, 0.0, 0.0);
+  for (const BulkOfSaw& bulk : bulks_of_saw(drawn_saw_.blade)) {
+    const Vec3 middle_mm = transform_point(drawn_saw_.world_from_tool, Vec3(bulk.x_mm, 0.0, 0.0));
+    const std::optional<Point> at = place_of(middle_mm), edge = place_of(middle_mm + bulk.radius_mm * right);
+    if (!at || !edge) continue;
+    places.push_back({*at, std::hypot(edge->x - at->x, edge->y - at->y)});
+  }
+  return places;
 }
 
 void OperatingViewport::draw(Ui& ui, ScenePainter& painter, const OperationInSight& shown) {
@@ -83,9 +199,19 @@ void OperatingViewport::draw(Ui& ui, ScenePainter& painter, const OperationInSig
   const double step_s = now_s - std::exchange(last_s_, now_s);
   frame_ms_ = std::max(1000.0 * step_s, 0.9 * frame_ms_);
   if (shown.bone != nullptr && !shown.is_paused) let_chips_fly(step_s, shown);
-  painter.draw_behind(scene(ui, shown), sight_.camera, stereo_);
+  const Scene scene = this->scene(ui, shown);
+  drawn_saw_ = *scene.saw;
+  hidden_along_blade_ = hidden_from(shown, drawn_saw_);
+  painter.draw_behind(scene, sight_.camera, stereo_);
   if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
   ++pictures_;
+}
+
+simulator::ShownView OperatingViewport::shown_view() const noexcept {
+  simulator::ShownView view =
+      ui::shown_view(sight_.camera, static_cast<double>(sight_.display.w / sight_.display.h));
+  view.stereo = shown_stereo(stereo_.mode);
+  return view;
 }
 
 void OperatingViewport::let_chips_fly(double step_s, const OperationInSight& shown) {
@@ -93,28 +219,23 @@ void OperatingViewport::let_chips_fly(double step_s, const OperationInSight& sho
 }
 
 Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) const {
-  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
-  if (shown.bone != nullptr) {
-    shown.bone->add_to(scene);
-  } else {
-    BoneInScene whole;
-    whole.mesh = shown.whole.mesh.get();
-    whole.look = &shown.whole.look;
-    whole.world_from_bone = world_from_bone;
-    scene.bones.push_back(whole);
-  }
+  add_bones(scene, shown);
   SawInScene saw = saw_of(shown);
   // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
-  saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
+  if (saw.is_running) saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
+  saw.handpiece_presence =
+      handpiece_presence_from(saw.world_from_tool, sight_.eye().eye_in_world_mm);
   scene.saw = saw;
-  scene.lines.push_back({saw.world_from_tool, 0.5 * saw.blade.width_mm + 1.0});
+  scene.lines.push_back({.world_from_plane = saw.world_from_tool,
+                         .half_mm = Vec2(0.0, 0.5 * saw.blade.width_mm + beside_teeth_mm),
+                         .faint_mm = faint_line_mm});
   scene.chips = swarf_.chips();
-  if (shown.cut != nullptr) {
-    scene.planes.push_back(
-        {world_from_bone * bone_from_face(*shown.cut), plane_half_mm, Ink::Reference});
-  }
+  scene.halo = contact_halo(surface_of(shown), saw, sight_.eye().eye_in_world_mm);
+  if (shown.cut != nullptr) scene.planes.push_back(plane_of(shown));
+  if (shown.is_guided) add_guidance(scene, shown);
+  if (shown.facts != nullptr) add_held(scene, shown);
   return scene;
 }
 

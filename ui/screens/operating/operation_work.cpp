@@ -1,5 +1,7 @@
 #include "ui/screens/operating/operation_work.h"
 
+#include <atomic>
+#include <future>
 #include <utility>
 
 #include "database/content/assets.h"
@@ -17,6 +19,36 @@ StageProgress stages_of(WorkReport& report, double share) {
   return [&report, share](const std::string&) {
     return [&report, share](double fraction) { return report.reached(share * fraction); };
   };
+}
+
+/// The neighbour's picture, made beside that of the bone; where that one stops, so does this.
+class NeighbourWork {
+ public:
+  /// Borrows the scenario.
+  NeighbourWork(const scenarios::Scenario& scenario, const std::filesystem::path& directory)
+      : made_(std::async(std::launch::async, [this, &scenario, directory] {
+          return neighbour_picture(scenario, directory, [this](double) { return !is_stopped_; });
+        })) {}
+  ~NeighbourWork() { is_stopped_ = true; }
+  NeighbourWork(const NeighbourWork&) = delete;
+  NeighbourWork& operator=(const NeighbourWork&) = delete;
+
+  BoneInView take() { return made_.get(); }
+
+ private:
+  std::atomic<bool> is_stopped_{false};
+  /// Last: waited for before the rest goes.
+  std::future<BoneInView> made_;
+};
+
+std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
+                                                const BonePicture& picture) {
+  std::vector<scenarios::PlannedPasses> passes;
+  for (std::size_t cut = 0; cut < prepared_case.plan.cuts.size(); ++cut) {
+    passes.push_back(planned_passes(prepared_case.scenario, prepared_case.plan, cut,
+                                    picture.mesh->solid, *picture.tree));
+  }
+  return passes;
 }
 
 database::TraineeDesk desk_of(database::Session& session) {
@@ -41,12 +73,19 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
   PreparedOperation prepared;
   prepared.prepared_case = std::make_shared<const PreparedCase>(prepare_case(
       scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
-  prepared.picture =
-      cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
-        return picture_of(prepared.prepared_case->bone, directory, [&](double fraction) {
-          return report.reached(patient_share + (1.0 - patient_share) * fraction);
-        });
-      });
+  cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
+    NeighbourWork neighbour(prepared.prepared_case->scenario, directory);
+    prepared.picture = picture_of(prepared.prepared_case->bone, directory, [&](double fraction) {
+      return report.reached(patient_share + (1.0 - patient_share) * fraction);
+    });
+    SitePicture site;
+    site.faces = planned_faces(prepared.picture.mesh->solid, *prepared.picture.tree,
+                               prepared.prepared_case->plan);
+    site.neighbour = neighbour.take();
+    site.neighbour_tree = std::make_shared<const simulator::Bvh>(site.neighbour.mesh.solid.mesh);
+    prepared.site = std::make_shared<const SitePicture>(std::move(site));
+    prepared.passes = passes_of(*prepared.prepared_case, prepared.picture);
+  });
   return prepared;
 }
 

@@ -1,7 +1,8 @@
 /// A view of bones inside a screen that a person turns: by dragging, by the wheel, and by keys.
 ///
 ///     left or middle drag, Alt+arrows   turn          wheel, plus and minus   nearer and farther
-///     right drag                        move          1 to 8                  standard views
+///     right drag                        move          1 to 7                  standard views
+///                                                     8                       along the blade
 ///                                                     R                       as it was first
 #pragma once
 
@@ -36,8 +37,10 @@ struct StageResponse {
   Rect rect;
   /// Clicked without having turned it.
   std::optional<SightRay> pointed;
-  /// By hand or key, in this frame.
+  /// By hand or key, in this frame: turned, moved, nearer or farther.
   bool was_turned = false;
+  /// By key, in this frame, to the view that it was first.
+  bool was_turned_back = false;
 };
 
 /// Which picture is shown: a screen passes another revision where the scene has changed.
@@ -54,8 +57,20 @@ class BoneViewport {
   /// drawing.
   void look_at(const Vec3& middle_in_world_mm, double radius_mm, const Quat& world_from_view);
   void look_at(const Vec3& middle_in_world_mm, double radius_mm, StandardView view);
-  void turn_to(StandardView view) noexcept { camera_ = standard_view(camera_, view); }
+  /// Where the blade is whose plane key 8 looks along; without one there is no such view.
+  /// frame   x where the saw goes, y along the teeth, z the normal
+  void set_blade(const RigidTransform& world_from_blade) { world_from_blade_ = world_from_blade; }
+  bool has_blade() const noexcept { return world_from_blade_.has_value(); }
+  /// needs   has_blade for AlongBlade
+  void turn_to(StandardView view) noexcept;
   void turn_back() noexcept { is_fitted_ = false; }
+  /// That camera from now on.
+  void show(const Camera& camera) noexcept {
+    camera_ = camera;
+    is_fitted_ = true;
+  }
+  /// Plus and minus are the screen's: the view hears them with Alt.
+  void leave_plus_and_minus() noexcept { zooms_with_alt_ = true; }
   bool has_view() const noexcept { return radius_mm_ > 0.0; }
 
   /// Draws the scene where it changed and shows it; hears the pointer and, where `hears_keys`, the
@@ -76,8 +91,9 @@ class BoneViewport {
   EyeView eye_view() const noexcept;
 
   Camera camera_, first_;
+  std::optional<RigidTransform> world_from_blade_;
   double radius_mm_ = 0.0;
-  bool is_fitted_ = false;
+  bool is_fitted_ = false, zooms_with_alt_ = false;
   Rect rect_{0.0F, 0.0F, 1.0F, 1.0F};
   /// What the picture was drawn from.
   std::uint64_t drawn_ = 0;

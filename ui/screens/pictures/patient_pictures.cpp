@@ -24,6 +24,7 @@ PixelSize pixels_of(const Ui& ui, const Rect& rect, float factor) {
 Scene with_lines(const Scene& scene, float factor) {
   Scene scaled = scene;
   for (CuttingLine& line : scaled.lines) line.width_pixels *= static_cast<double>(factor);
+  for (PlaneGhost& plane : scaled.planes) plane.line_pixels *= static_cast<double>(factor);
   return scaled;
 }
 

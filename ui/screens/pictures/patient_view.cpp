@@ -1,19 +1,17 @@
 // A patient before the operation, for cards, briefing and sign-in: the same bones and planned
-// faces, framed differently. A planned face is shown as far as it lies in the bone, the part of the
-// section where the cut is made: a plane along a shaft meets the bone twice.
+// faces, framed differently.
 #include "ui/screens/pictures/patient_view.h"
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/foot/first_proximal_phalanx.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"
 #include "simulator/cutting/pieces/cut_solid.h"
-#include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bvh.h"
+#include "ui/screens/pictures/planned_frame.h"
 
 namespace hallux::ui {
 
@@ -21,9 +19,6 @@ namespace {
 
 using scenarios::PlannedCut;
 
-constexpr double neighbour_edge_mm = 0.9;
-constexpr double rim_mm = 4.0;  // how far a shown face reaches beyond the bone
-constexpr double section_thickness_mm = 0.2;
 constexpr double pair_share = 0.97;  // two bones in a row leave most of their ball empty
 constexpr double saw_gap_mm = 5.0;   // the blade waits before the bone
 
@@ -47,13 +42,6 @@ BoneInView bone_in_view(std::uint64_t id, const simulator::Bone& bone) {
   return shown;
 }
 
-simulator::Bone make_neighbour(const scenarios::Scenario& scenario, double edge_mm) {
-  const scenarios::BoneRequest request{.edge_mm = edge_mm};
-  return scenario.patient.bone == "first_metatarsal"
-             ? make_first_proximal_phalanx(scenarios::first_proximal_phalanx_table(), request)
-             : make_first_metatarsal(scenarios::first_metatarsal_table(), request);
-}
-
 Vec3 side_in_bone(std::string_view side) {
   if (side == "dorsal") return {0.0, 1.0, 0.0};
   if (side == "plantar") return {0.0, -1.0, 0.0};
@@ -67,37 +55,11 @@ RigidTransform bone_from_face(const PlannedCut& cut, const scenarios::ReferenceC
   return {rotation_from_axes(feed, glm::cross(normal, feed)), cut.face.offset_mm * normal};
 }
 
-/// The part of the section in which the cut is made: a face along a shaft meets the bone's other
-/// end as well.
-const simulator::SectionRegion* region_at(const simulator::Section& section, const Vec2& place) {
-  const simulator::SectionRegion* nearest = nullptr;
-  double nearest_mm = std::numeric_limits<double>::infinity();
-  for (const simulator::SectionRegion& region : section.regions) {
-    const double distance_mm =
-        glm::distance(place, glm::clamp(place, region.min_mm, region.max_mm));
-    if (distance_mm >= nearest_mm) continue;
-    nearest_mm = distance_mm;
-    nearest = &region;
-  }
-  return nearest;
-}
-
-FaceInView face_in_view(const BoneInView& bone, const simulator::Bvh& bvh, const PlannedCut& cut,
+FaceInView face_in_view(const BoneInView& bone, const simulator::Bvh& tree, const PlannedCut& cut,
                         const scenarios::ReferenceCut& reference) {
-  const RigidTransform plane = bone_from_face(cut, reference);
-  const simulator::Section section =
-      slice_section(bone.mesh.solid, bvh, simulator::KerfPlane{plane, section_thickness_mm});
-  const Vec3 place = transform_point(inverse(plane), cut.depth_point_in_bone_mm);
-  FaceInView shown;
-  Vec2 middle(place.x, place.y);
-  if (const simulator::SectionRegion* region = region_at(section, middle)) {
-    middle = 0.5 * (region->min_mm + region->max_mm);
-    shown.entry_mm = Vec2(region->min_mm.x - middle.x, 0.0);
-    shown.half_mm = 0.5 * (region->max_mm - region->min_mm) + Vec2(rim_mm);
-  }
-  shown.world_from_plane = bone.world_from_bone * plane *
-                           RigidTransform{Quat(1.0, 0.0, 0.0, 0.0), Vec3(middle.x, middle.y, 0.0)};
-  return shown;
+  const PlannedFace face = planned_face(bone.mesh.solid, tree, bone_from_face(cut, reference),
+                                        cut.depth_point_in_bone_mm);
+  return {bone.world_from_bone * face.bone_from_face, face.half_mm, Vec2(face.entry_x_mm, 0.0)};
 }
 
 SawInScene saw_of(const PatientView& view) {
@@ -112,6 +74,13 @@ SawInScene saw_of(const PatientView& view) {
 
 }  // namespace
 
+simulator::Bone neighbour_of(const scenarios::Scenario& scenario, double edge_mm) {
+  const scenarios::BoneRequest request{.edge_mm = edge_mm};
+  return scenario.patient.bone == "first_metatarsal"
+             ? make_first_proximal_phalanx(scenarios::first_proximal_phalanx_table(), request)
+             : make_first_metatarsal(scenarios::first_metatarsal_table(), request);
+}
+
 PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress,
                               double edge_mm) {
   scenarios::Scenario coarse = scenario;
@@ -123,7 +92,7 @@ PatientView make_patient_view(const scenarios::Scenario& scenario, const Progres
   view.bone = bone_in_view(id_of(scenario, "bone", coarse.patient.edge_mm), bone);
   const double neighbour_mm = std::max(neighbour_edge_mm, edge_mm);
   view.neighbour = bone_in_view(id_of(scenario, "neighbour", neighbour_mm),
-                                make_neighbour(scenario, neighbour_mm));
+                                neighbour_of(scenario, neighbour_mm));
   const simulator::Bvh bvh(view.bone.mesh.solid.mesh);
   for (const scenarios::ReferenceCut& reference : scenario.cuts) {
     const PlannedCut* cut = find_cut(plan, reference.name);
@@ -177,11 +146,10 @@ Scene scene_of(const PatientView& view, PatientPicture picture, Ground ground) {
     shown.presence = presence;
   };
   add(view.bone, 1.0);
-  add(view.neighbour, picture == PatientPicture::Pair ? 1.0 : 0.45);
+  add(view.neighbour, picture == PatientPicture::Pair ? 1.0 : neighbour_presence);
   for (const FaceInView& face : view.faces) {
-    if (scene.lines.size() == lines_at_most) break;
-    scene.planes.push_back({face.world_from_plane, face.half_mm, Ink::Accent, true});
-    scene.lines.push_back({face.world_from_plane, face.half_mm.y});
+    if (scene.planes.size() == lines_at_most) break;
+    scene.planes.push_back({face.world_from_plane, face.half_mm});
   }
   if (picture == PatientPicture::Card && !view.faces.empty()) scene.saw = saw_of(view);
   return scene;

@@ -68,6 +68,7 @@ void PlanCard::aim(const ExaminedAttempt& examined) {
   }
   const CutAgainstPlan& cut = examined.cuts[static_cast<std::size_t>(chosen_)];
   const RigidTransform world_from_face = examined.world_from_bone * cut.bone_from_face;
+  stage_.set_blade(world_from_face);
   stage_.look_at(transform_point(examined.world_from_bone, cut.middle_in_bone_mm),
                  room_around * cut.radius_mm, view_of_face(world_from_face));
 }
@@ -94,7 +95,7 @@ Scene PlanCard::scene_of(const Theme& theme, const ExaminedAttempt& examined) co
     if (!shows_whole && static_cast<int>(i) != chosen_) continue;
     const CutAgainstPlan& cut = examined.cuts[i];
     scene.planes.push_back({examined.world_from_bone * cut.bone_from_face,
-                            Vec2(1.15 * cut.radius_mm), Ink::Accent, false});
+                            Vec2(1.15 * cut.radius_mm), Ink::Reference, false, false});
   }
   if (place_in_bone_mm_) {
     scene.marks.push_back(
@@ -167,7 +168,8 @@ void PlanCard::draw_views(Ui& ui, const Rect& rect) {
     shows_views_ = true;
   if (!shows_views_) return;
   std::vector<std::string> keys;
-  for (int view = 1; view <= standard_view_count; ++view) keys.push_back(std::to_string(view));
+  const int views = stage_.has_blade() ? standard_view_count : standard_view_count - 1;
+  for (int view = 1; view <= views; ++view) keys.push_back(std::to_string(view));
   std::vector<MenuItem> items;
   for (std::size_t view = 0; view < keys.size(); ++view)
     items.push_back({ui.text(standard_view_texts[view]), Icon::None, keys[view]});

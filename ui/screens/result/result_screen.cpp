@@ -381,7 +381,7 @@ float ResultScreen::effects_card_height(const Ui& ui, float width) const {
       ui.width_of(Type::CardTitle, ui.text("result.effects")) + 20.0F + effects_marks_width(ui) <=
       inside;
   const float content = examined_.has_value()
-                            ? effects_height(ui, examined_.value()->effects, inside)
+                            ? effects_height(ui, examined_.value()->effects, inside, effects_time_)
                             : unseen_effects_height;
   return title_height + (has_room_for_marks ? 0.0F : pill_step) + content + space::card;
 }
@@ -396,7 +396,8 @@ void ResultScreen::draw_effects_card(Ui& ui, const Rect& rect) {
     draw_effects_marks(ui, {line.x, line.y, effects_marks_width(ui), 22.0F});
   }
   if (!examined_.draw_until_ready(ui, "result.effects.unseen", inside, 6)) return;
-  const auto asked_s = draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s());
+  const auto asked_s =
+      draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s(), effects_time_);
   if (asked_s) navigator_.show_replay(facts().header.id, *asked_s);
 }
 

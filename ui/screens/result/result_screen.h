@@ -14,6 +14,7 @@
 #include "ui/screens/result/plan_card.h"
 #include "ui/screens/result/result_material.h"
 #include "ui/widgets/controls/row_table.h"
+#include "ui/widgets/controls/timeline_view.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -68,6 +69,7 @@ class ResultScreen : public Screen {
   DecideForm decide_;
   MessageForm ask_;
   TableState ledger_;
+  TimelineState effects_time_;
   std::optional<std::size_t> chosen_line_;
   float page_height_ = 0.0F;
 };

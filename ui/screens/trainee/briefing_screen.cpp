@@ -120,6 +120,7 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
       const Camera camera = camera_of(*view, PatientPicture::Whole, 1.0);
       stage_.look_at(camera.target_mm, radius_of(*view, PatientPicture::Whole),
                      camera.world_from_view);
+      if (!view->faces.empty()) stage_.set_blade(view->faces.front().world_from_plane);
     }
     stage_.draw(
         ui, shell, rect, scene_of(*view, PatientPicture::Whole, ground_of(theme)),

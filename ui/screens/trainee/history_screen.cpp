@@ -16,6 +16,7 @@
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/times/local_time.h"
+#include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/marks.h"

@@ -37,7 +37,7 @@ ButtonColors colors_of(const Theme& theme, const ButtonSpec& spec, const Control
   ButtonColors colors = resting(theme, spec.look);
   const bool is_primary = spec.look == ButtonLook::Primary,
              is_ghost = spec.look == ButtonLook::Ghost;
-  if (!spec.is_enabled)
+  if (!spec.is_enabled || !spec.why_off.empty())
     return {is_ghost ? rgb(0, 0) : theme.raise, is_ghost ? rgb(0, 0) : theme.line,
             faded(theme.text_caption, 0.62F)};
   const Color towards = theme.is_dark() ? rgb(0xFFFFFF) : rgb(0x14202A);
@@ -52,6 +52,14 @@ ButtonColors colors_of(const Theme& theme, const ButtonSpec& spec, const Control
     if (is_ghost) colors.ink = mixed(colors.ink, theme.text, state.hover);
   }
   return colors;
+}
+
+bool is_on(const ButtonSpec& spec) {
+  return spec.is_enabled && !spec.is_busy && spec.why_off.empty();
+}
+
+std::string why_off(const Ui& ui, const ButtonSpec& spec) {
+  return std::string(spec.is_busy ? ui.text("button.busy") : spec.why_off);
 }
 
 }  // namespace
@@ -83,9 +91,11 @@ bool button(Ui& ui, std::string_view id, const Rect& rect, const ButtonSpec& spe
   const Response response = ui.control({.id = std::string(id),
                                         .label = std::string(spec.label),
                                         .rect = rect,
-                                        .is_enabled = spec.is_enabled && !spec.is_busy,
+                                        .is_enabled = is_on(spec),
+                                        .why_off = why_off(ui, spec),
                                         .is_primary = spec.look == ButtonLook::Primary});
   draw_button(ui, rect, spec, {response.hover, response.is_held, response.shows_ring});
+  if (!spec.why_off.empty()) tooltip_when_resting(ui, id, rect, spec.why_off);
   return response.is_pressed();
 }
 

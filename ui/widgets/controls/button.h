@@ -16,6 +16,8 @@ struct ButtonSpec {
   bool is_enabled = true;
   /// What it started still runs: a spinner stands for the icon, pressing does nothing.
   bool is_busy = false;
+  /// Why it is off, if it is: not empty turns it off, is shown on hover and told.
+  std::string_view why_off = {};
 };
 
 /// Heights by place.

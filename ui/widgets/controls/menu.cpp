@@ -130,6 +130,10 @@ Answer question(Ui& ui, std::string_view id, const Question& asked) {
   Answer answer = Answer::Waiting;
   if (button(ui, keep_id, take_right(line, button_width(ui, keep), 12.0F), keep))
     answer = Answer::Keep;
+  const ButtonSpec other{asked.other, ButtonLook::Secondary};
+  if (!other.label.empty() && button(ui, std::string(id) + ".other",
+                                     take_right(line, button_width(ui, other), 12.0F), other))
+    answer = Answer::Other;
   if (button(ui, act_id, take_right(line, button_width(ui, act)), act)) answer = Answer::Act;
   ui.focus_first(keep_id);
   if (ui.shortcut({Key::Escape}, asked.keep)) answer = Answer::Keep;

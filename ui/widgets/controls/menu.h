@@ -40,9 +40,11 @@ struct Question {
   /// The safe one: "Keep them".
   std::string_view keep = {};
   bool is_dangerous = true;
+  /// A third way, between the two; empty: none.
+  std::string_view other = {};
 };
-enum class Answer : std::uint8_t { Waiting, Keep, Act };
-/// Buttons are named `id.act` and `id.keep`.
+enum class Answer : std::uint8_t { Waiting, Keep, Act, Other };
+/// Buttons are named `id.act`, `id.keep` and `id.other`.
 Answer question(Ui& ui, std::string_view id, const Question& question);
 
 }  // namespace hallux::ui

@@ -102,6 +102,8 @@ inline constexpr int mouse_button_count = 3;
 
 enum class EventKind : std::uint8_t {
   PointerMoved,
+  /// A captured pointer's way: `position` says how far, not where.
+  CapturedMoved,
   /// The pointer is no longer over the window.
   PointerLeft,
   ButtonPressed,
@@ -120,7 +122,7 @@ enum class EventKind : std::uint8_t {
 
 struct InputEvent {
   EventKind kind = EventKind::PointerMoved;
-  /// Of the pointer, for all its events.
+  /// Of the pointer, for all its events; of a captured one it means nothing but its way.
   Point position = {};
   MouseButton button = MouseButton::Left;
   Key key = Key::None;

@@ -64,7 +64,8 @@ const Widget* primary_of(const FrameContent& content) {
 
 void Interaction::forget_frame() {
   pressed.clear();
-  clicked_area.clear();
+  clicked_areas = {};
+  captured_way = {};
   wheel_target.clear();
   pressed_by = PressedBy::Nothing;
   is_double = is_focus_extended = has_focus_moved = false;
@@ -94,7 +95,8 @@ void Interaction::take_events(EventQueue& queue, const FrameContent& shown, doub
     if (key) take_repeats(queue);
   }
   has_waiting_events = !queue.is_empty();
-  const Widget* under = is_pointer_inside ? widget_at(*shown_, pointer) : nullptr;
+  const bool is_somewhere = is_pointer_inside && capture.empty();
+  const Widget* under = is_somewhere ? widget_at(*shown_, pointer) : nullptr;
   const std::string id = under == nullptr ? std::string() : under->id;
   if (id != hovered) {
     hovered = id;
@@ -119,6 +121,9 @@ bool Interaction::apply(const InputEvent& event) {
   switch (event.kind) {
     case EventKind::PointerMoved:
       move_pointer(event.position);
+      return false;
+    case EventKind::CapturedMoved:
+      move_captured(event.position);
       return false;
     case EventKind::PointerLeft:
       is_pointer_inside = false;
@@ -150,6 +155,7 @@ bool Interaction::apply(const InputEvent& event) {
       dropped = event.text;
       return true;
     case EventKind::FocusLost:
+      capture.clear();
       held = {};
       modifiers = {};
       has_lost_keys = true;
@@ -174,12 +180,42 @@ void Interaction::move_pointer(Point position) {
   is_pointer_inside = true;
 }
 
+// The pointer itself stays where it was caught: there it is again once it is free.
+void Interaction::move_captured(Point way) {
+  const Point device{way.x / scale_, way.y / scale_};
+  captured_way.x += device.x;
+  captured_way.y += device.y;
+  for (std::size_t button = 0; button < held.size(); ++button) {
+    HeldButton& own = held[button];
+    if (!own.is_down) continue;
+    dragged[button].x += device.x;
+    dragged[button].y += device.y;
+    own.way.x += device.x;
+    own.way.y += device.y;
+    own.has_moved = own.has_moved || std::hypot(own.way.x, own.way.y) > drag_threshold;
+  }
+}
+
+bool Interaction::press_captured(const InputEvent& event) {
+  held[static_cast<std::size_t>(event.button)] = {capture, true, false, pointer, {}};
+  is_ring_shown = false;
+  return false;
+}
+
+bool Interaction::release_captured(const InputEvent& event) {
+  const auto button = static_cast<std::size_t>(event.button);
+  const HeldButton was = std::exchange(held[button], {});
+  if (was.is_down && was.id == capture && !was.has_moved) clicked_areas[button] = capture;
+  return false;
+}
+
 bool Interaction::press_button(const InputEvent& event) {
+  if (!capture.empty()) return press_captured(event);
   move_pointer(event.position);
   is_ring_shown = false;
   HeldButton& own = held[static_cast<std::size_t>(event.button)];
   const Widget* under = widget_at(*shown_, pointer);
-  own = {under == nullptr ? std::string() : under->id, true, false, pointer};
+  own = {under == nullptr ? std::string() : under->id, true, false, pointer, {}};
   if (under == nullptr || event.button != MouseButton::Left) return false;
   if (under->role == Role::Area) focus.clear();
   if (can_have_focus(*shown_, *under)) focus = under->id;
@@ -193,28 +229,38 @@ bool Interaction::press_button(const InputEvent& event) {
 }
 
 bool Interaction::release_button(const InputEvent& event) {
+  if (!capture.empty()) return release_captured(event);
   move_pointer(event.position);
-  HeldButton& own = held[static_cast<std::size_t>(event.button)];
-  const HeldButton was = std::exchange(own, {});
-  if (!was.is_down || was.id.empty() || event.button != MouseButton::Left) return false;
+  const auto button = static_cast<std::size_t>(event.button);
+  const HeldButton was = std::exchange(held[button], {});
+  if (!was.is_down || was.id.empty()) return false;
   const Widget* under = widget_at(*shown_, pointer);
   if (under == nullptr || under->id != was.id || !under->is_enabled) return false;
   if (under->role == Role::Area) {
-    if (!was.has_moved) clicked_area = was.id;
-    return !was.has_moved;
+    if (!was.has_moved) {
+      clicked_areas[button] = was.id;
+      if (event.button == MouseButton::Left) note_click(was.id);
+    }
+    return !was.has_moved && event.button == MouseButton::Left;
   }
+  if (event.button != MouseButton::Left) return false;
   if (!is_pressable(*under)) return false;
   pressed = was.id;
   pressed_by = PressedBy::Mouse;
-  is_double = last_pressed_ == was.id && time_s_ - last_press_s_ < double_click_s;
-  last_pressed_ = is_double ? std::string() : was.id;
-  last_press_s_ = time_s_;
+  note_click(was.id);
   return true;
 }
 
+void Interaction::note_click(const std::string& id) {
+  is_double = last_pressed_ == id && time_s_ - last_press_s_ < double_click_s;
+  last_pressed_ = is_double ? std::string() : id;
+  last_press_s_ = time_s_;
+}
+
 void Interaction::turn_wheel(const InputEvent& event) {
-  move_pointer(event.position);
-  const Widget* target = turned_at(*shown_, pointer, event.wheel);
+  if (capture.empty()) move_pointer(event.position);
+  const Widget* target = capture.empty() ? turned_at(*shown_, pointer, event.wheel)
+                                         : find_widget(*shown_, capture);
   if (target == nullptr) return;
   if (wheel_target != target->id) wheel = 0.0F;
   wheel_target = target->id;

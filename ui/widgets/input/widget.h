@@ -29,6 +29,8 @@ struct Widget {
   Role role = Role::Button;
   Layer layer = Layer::Page;
   bool is_enabled = true;
+  /// Of what is not enabled: why, as people are told it.
+  std::string why_off = {};
   bool is_focusable = true;
   /// What Enter does on this screen.
   bool is_primary = false;
@@ -71,9 +73,19 @@ struct SeenText {
   std::string hint = {};
 };
 
+/// What a person reads off the screen, or is told to do: a measured value, a reason, a hint.
+struct ReadOut {
+  /// "operate.force"; unique in its frame.
+  std::string id = {};
+  std::string text = {};
+  Rect rect = {};
+  Layer layer = Layer::Page;
+};
+
 struct FrameContent {
   /// In the order of drawing, which is the order of Tab.
   std::vector<Widget> widgets = {};
+  std::vector<ReadOut> read_outs = {};
   std::vector<SeenText> texts = {};
   /// The widget that keys go to; "" for none.
   std::string focus = {};

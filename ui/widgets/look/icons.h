@@ -60,6 +60,7 @@ enum class Icon : unsigned {
   Folder = 0xF07B,
   File = 0xF15B,
   Up = 0xF062,
+  Less = 0xF068,
 };
 
 /// Every icon but None: what the atlas must hold.
@@ -74,7 +75,7 @@ inline constexpr std::array all_icons{
     Icon::Lock,      Icon::Dark,       Icon::Light,      Icon::Language, Icon::Close,
     Icon::Delete,    Icon::SortUp,     Icon::SortDown,   Icon::Left,     Icon::Right,
     Icon::SignOut,   Icon::Settings,   Icon::Stop,       Icon::Note,     Icon::Check,
-    Icon::Folder,    Icon::File,       Icon::Up};
+    Icon::Folder,    Icon::File,       Icon::Up,         Icon::Less};
 
 /// Icon heights by use, in logical pixels of the font: 13, 16, 20, 30.
 enum class IconSize { Inline, Control, Tile, Empty };

@@ -46,6 +46,7 @@ void Shell::set_badge(std::string_view place, int badge) {
 
 bool Shell::may_leave(Ui& ui) {
   if (top() == nullptr || top()->why_not_leave().empty()) return true;
+  if (top()->ask_before_leaving(ui)) return false;
   say({Meaning::Info, std::string(ui.text("leave.refused")), std::string(top()->why_not_leave())});
   ui.want_frame_in_s(0.0);
   return false;

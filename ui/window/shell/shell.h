@@ -37,6 +37,10 @@ struct Preferences {
   bool is_full_screen = false;
   bool is_motion_reduced = false;
   bool is_saw_heard = true;
+  /// While somebody operates the mouse is the saw's alone.
+  bool captures_pointer = true;
+  /// Panels that a right hand would cover change sides.
+  bool is_left_handed = false;
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulator/base/random.h"
+#include "simulator/base/units.h"
 #include "ui/render/stereo.h"
 
 namespace hallux::tests {
@@ -177,6 +178,61 @@ TEST(Camera, StandardViewsLookFromTheirSides) {
     EXPECT_NEAR((world_from_view * Vec3(1.0, 0.0, 0.0)).y, 0.0, 1e-12);
     EXPECT_GT((world_from_view * Vec3(0.0, 1.0, 0.0)).y, 0.5);
   }
+}
+
+RigidTransform some_blade() {
+  return {rotation_about(glm::normalize(Vec3(0.3, -0.8, 0.5)), 1.1), Vec3(12.0, -4.0, 7.0)};
+}
+
+/// Between the way from the eye to the teeth and the blade's plane.
+double off_plane_deg(const Camera& camera, const RigidTransform& world_from_blade) {
+  const EyeView view = view_of(camera, Viewer{}, Eye::Middle, aspect);
+  const Vec3 sight = glm::normalize(world_from_blade.translation_mm - view.eye_in_world_mm);
+  const Vec3 normal = world_from_blade.rotation * Vec3(0.0, 0.0, 1.0);
+  return degree_from_radian(std::asin(std::abs(glm::dot(sight, normal))));
+}
+
+TEST(Camera, LooksAlongABladeExactlyInItsPlaneWhereverTheBladeIs) {
+  RigidTransform blade = some_blade();
+  for (int i = 0; i < 20; ++i) {
+    for (std::size_t sight = 0; sight < blade_sight_count; ++sight) {
+      const Camera camera = along_blade(Camera{}, blade, static_cast<BladeSight>(sight));
+      EXPECT_LT(off_plane_deg(camera, blade), 1.0e-6);
+      const Vec3 middle =
+          place_in_picture(view_of(camera, Viewer{}, Eye::Middle, aspect), blade.translation_mm);
+      EXPECT_NEAR(middle.x, 0.5, 1.0e-9);
+      EXPECT_NEAR(middle.y, 0.5, 1.0e-9);
+    }
+    blade = blade * RigidTransform{rotation_about(Vec3(0.0, 1.0, 0.0), 0.7), Vec3(3.0, 0.0, 1.0)};
+  }
+}
+
+TEST(Camera, SeesABladeAlongTheWayThatHidesLeastAndTurnsLeast) {
+  const RigidTransform blade = some_blade();
+  Camera now = along_blade(Camera{}, blade, BladeSight::AcrossFromMinus);
+  now = orbited(now, 0.2, 0.1);
+  const auto from_in_blade = [&](const std::array<double, blade_sight_count>& hidden) {
+    const Camera seen = seen_along_blade(now, blade, hidden);
+    return transform_direction(inverse(blade), seen.world_from_view * Vec3(0.0, 0.0, 1.0));
+  };
+  EXPECT_NEAR(from_in_blade({}).y, -1.0, 1.0e-9) << "the smallest turn";
+  EXPECT_GT(from_in_blade({0.0, 1.0, 0.0}).y, -0.001) << "another where that one is hidden";
+  EXPECT_NEAR(from_in_blade({0.0, 1.0, 0.9}).y, 1.0, 1.0e-9);
+  EXPECT_NEAR(from_in_blade({1.0, 0.8, 0.1}).x, -1.0, 1.0e-9);
+}
+
+TEST(Camera, GoesRoundTheWaysAlongABladeOfWhoLooksAlongItAlready) {
+  const RigidTransform blade = some_blade();
+  Camera camera = seen_along_blade(Camera{}, blade);
+  std::vector<Vec3> seen;
+  for (int i = 0; i < 4; ++i) {
+    seen.push_back(camera.world_from_view * Vec3(0.0, 0.0, 1.0));
+    EXPECT_LT(off_plane_deg(camera, blade), 1.0e-6);
+    camera = seen_along_blade(camera, blade);
+  }
+  EXPECT_GT(glm::distance(seen[0], seen[1]), 0.5);
+  EXPECT_GT(glm::distance(seen[1], seen[2]), 0.5);
+  EXPECT_LT(glm::distance(seen[0], seen[3]), 1.0e-9);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "database/recording/recordings.h"
 #include "simulator/base/progress.h"
 #include "tests/ui/screens/operating/some_operation.h"
+#include "ui/screens/pictures/shown_camera.h"
 
 namespace hallux::ui {
 namespace {
@@ -182,12 +183,19 @@ TEST(Operating, AWindowClosedInTheMiddleLosesNothing) {
   Operator person(course, AttemptKind::Practice);
   person.begin();
   saw_into_the_bone(person);
+  const Camera seen_last = person.scenes.camera;
   person.close();
   const database::AttemptHeader header = course.attempt();
   EXPECT_EQ(header.state, AttemptState::Interrupted);
   const simulator::Recording recording = course.course().trainee("ada").recording(header.id);
   EXPECT_GT(recording.samples.size(), 200U);
   EXPECT_EQ(recording.samples.size(), recording.tape.size());
+  // What was on the screen is kept, too: at last the view from medial.
+  const auto facts = course.course().trainee("ada").display_facts(header.id);
+  ASSERT_FALSE(facts.empty());
+  const Camera kept = camera_of(shown_view_of(facts.back()), 1440.0 / 900.0);
+  EXPECT_NEAR(std::abs(glm::dot(kept.world_from_view, seen_last.world_from_view)), 1.0, 1.0e-4);
+  EXPECT_NEAR(kept.magnification, seen_last.magnification, 0.02 * seen_last.magnification);
 }
 
 TEST(Operating, APauseHoldsTheClockOfTheSawAndThePicture) {

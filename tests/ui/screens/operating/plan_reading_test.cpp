@@ -1,4 +1,4 @@
-#include "ui/screens/operating/plan_reading.h"
+#include "ui/screens/operating/hud/plan_reading.h"
 
 #include <gtest/gtest.h>
 
@@ -51,12 +51,6 @@ TEST(PlanReading, TellsTheTwoTiltsAndTheDistanceApart) {
   EXPECT_NEAR(reading.pitch_rad, 0.0, 1.0e-9);
   EXPECT_NEAR(std::abs(reading.roll_rad), 0.2, 1.0e-9);
   EXPECT_NEAR(reading.distance_mm, 1.5, 1.0e-9);
-}
-
-TEST(PlanReading, ThePlaneLiesInTheFaceWithItsNormalToTheWaste) {
-  const RigidTransform plane = bone_from_face(flat_cut());
-  EXPECT_NEAR(plane.translation_mm.z, 2.0, 1.0e-12);
-  EXPECT_NEAR(transform_direction(plane, Vec3(0.0, 0.0, 1.0)).z, 1.0, 1.0e-12);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "simulator/device/mouse.h"
-#include "ui/screens/operating/steering.h"
+#include "ui/screens/operating/hand/steering.h"
 
 namespace hallux::ui {
 

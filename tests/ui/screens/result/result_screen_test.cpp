@@ -427,23 +427,6 @@ TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
   }
 }
 
-TEST(EffectsCard, SaysWhereNothingWasRecordedAndWhereNoZoneWasWatched) {
-  const Texts texts = english_texts();
-  EffectFacts effects;
-  Driver driver(texts, [&](Ui& ui) {
-    draw_effects(ui, {0.0F, 0.0F, 700.0F, effects_height(ui, effects, 700.0F)}, effects,
-                 std::nullopt);
-  });
-  EXPECT_TRUE(driver.sees("Nothing was recorded"));
-  EXPECT_THAT(driver.faults(), IsEmpty());
-  effects.traces.points = {{}};
-  driver.frame();
-  EXPECT_TRUE(driver.sees("none watched"));
-  EXPECT_TRUE(driver.sees("37 °C"));
-  EXPECT_FALSE(driver.has("result.effects.hottest")) << "body heat has no moment";
-  EXPECT_THAT(driver.faults(), IsEmpty());
-}
-
 TEST(ResultScreen, NothingIsCutOffAtAnyScaleOrSize) {
   SawnCourse akin;
   akin.course.instructor("kim", akin.course.autumn())
