@@ -87,11 +87,12 @@ class Driver {
   Ui& ui() { return ui_; }
   MemoryClipboard& clipboard() { return clipboard_; }
   double time_s() const { return time_s_; }
+  /// The event of a pointer that goes there, in logical pixels.
+  InputEvent moved_to(Point place);
 
  private:
   Point middle_of(std::string_view id);
   static InputEvent pointer_event(EventKind kind, Point logical, float scale);
-  InputEvent moved_to(Point place);
 
   MemoryClipboard clipboard_;
   Ui ui_;

@@ -35,6 +35,8 @@ constexpr double out_mm = -2.0;
 constexpr double push_least_newton = 6.0, push_most_newton = 14.0;
 constexpr double gentle_least_newton = 2.5, gentle_most_newton = 5.0;
 constexpr double gentle_from_mm = 3.0, before_hinge_mm = 0.5, done_mm = 0.15;
+/// A strip before the hinge's stop that is not worth a push where the cut holds elsewhere.
+constexpr double strip_mm = 0.6;
 /// Of a key's step: below, Shift is held.
 constexpr double fine_below = 0.6;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
@@ -237,14 +239,26 @@ Hint push_hint(const CoachView& view, double least_newton, double most_newton,
   return hint;
 }
 
+bool is_through(const Aim& aim) { return aim.held != nullptr && aim.held->is_through(); }
+
+/// What still holds most is before these teeth.
+bool is_deepest_ahead(const CoachView& view, const Aim& aim) {
+  if (aim.held == nullptr) return true;
+  const Vec3 away_mm = aim.held->deepest_in_bone_mm - view.bone_from_tool.translation_mm;
+  return std::abs(glm::dot(aim.passes.along_in_bone, away_mm)) <
+         0.5 * view.scenario.saw.blade.width_mm;
+}
+
 /// Of the bone ahead, what is to be sawn: on to the far side, or to just before the hinge. Nothing
 /// where the teeth have opened all of it, also where they were drawn back since.
 std::optional<double> left_to_saw_mm(const CoachView& view, const Aim& aim) {
   const simulator::BladeAhead& ahead = view.site->ahead;
   if (aim.hinge == nullptr || !ahead.to_bone_mm) return ahead.to_far_side_mm;
+  if (is_through(aim)) return std::nullopt;
   const std::optional<double> hinge_mm = way_to_hinge_mm(*aim.hinge, view.bone_from_tool);
   const double left_mm = hinge_mm.value_or(0.0) - before_hinge_mm;
-  if (*ahead.to_bone_mm > left_mm - done_mm) return std::nullopt;
+  const double least_mm = is_deepest_ahead(view, aim) ? done_mm : strip_mm;
+  if (*ahead.to_bone_mm > left_mm - least_mm) return std::nullopt;
   return left_mm;
 }
 
@@ -284,8 +298,6 @@ Hint press_hint(std::string_view text_id) {
   hint.read_outs = {"step"};
   return hint;
 }
-
-bool is_through(const Aim& aim) { return aim.held != nullptr && aim.held->is_through(); }
 
 /// Outside a kerf: first out of the bone's way, then tilt, place, saw, and on to the bone.
 Hint aiming_hint(const CoachView& view, const Aim& aim) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "tests/ui/screens/operating/virtual_operation.h"
 #include "ui/screens/operating/hand/steering.h"
@@ -62,18 +61,12 @@ TEST_P(Coach, LeadsOneWhoOnlyObeysToTheEnd) {
   VirtualOperation operation(scenario);
   operation.world_from_view = operation.world_from_view *
                               glm::angleAxis(0.7 * turn, unit(Vec3(0.2, 1.0, 0.1)));
-  const Texts texts = english_texts();
-  std::string last;
   while (operation.session().asked() == Asked::Nothing && operation.time_s() < 240.0) {
     const std::optional<Hint> hint = next_hint(coach_view(operation.sources()));
     if (!hint) {
       operation.advance(ticks_per_look);
       continue;
     }
-    std::printf("%6.1f s  %s\n", operation.time_s(), hint_text(texts, *hint).c_str());
-    if (getenv("DBG") && operation.site()) for (auto& c : operation.site()->cuts) std::printf("   held %.3f side %s deepest %.1f %.1f %.1f begun %d\n", c.share, c.side.c_str(), c.deepest_in_bone_mm.x,c.deepest_in_bone_mm.y,c.deepest_in_bone_mm.z,c.is_begun());
-    if (getenv("DBG") && operation.site()) for (size_t k=0;k<operation.site()->cuts.size();++k){auto src=operation.sources(); auto& c=operation.site()->cuts[k]; auto&pc=src.prepared_case.plan.cuts[k]; Vec3 d=c.deepest_in_bone_mm-pc.entry_point_in_bone_mm; auto bt=coach_view(src).bone_from_tool; Vec3 tt=bt.translation_mm-pc.entry_point_in_bone_mm; std::printf("   low cut%zu deepest along %.2f feed %.2f; tip along %.2f feed %.2f inkerf %d\n",k,glm::dot(src.passes[k].along_in_bone,d),glm::dot(src.passes[k].feed_in_bone,d),glm::dot(src.passes[k].along_in_bone,tt),glm::dot(src.passes[k].feed_in_bone,tt), coach_view(src).is_in_kerf);}
-    if (getenv("DBG")) for (auto& q : operation.sources().passes) {std::printf("   low %.1f high %.1f:", q.low_mm,q.high_mm); for (double m: q.middles_mm) std::printf(" %.1f",m); std::printf(" ahead %f beside %f\n", operation.site()?operation.site()->ahead.to_bone_mm.value_or(-1):-2, operation.site()?operation.site()->ahead.beside_mm:-1);}
     obey(operation, *hint);
   }
   EXPECT_EQ(operation.session().asked(), Asked::Finish) << "within four minutes";

@@ -17,6 +17,7 @@ class NotedAttempt final : public AttemptControls {
   void pause() override { told.emplace_back("pause"); }
   void resume() override { told.emplace_back("resume"); }
   void declare_done(std::int32_t step) override { told.push_back("done " + std::to_string(step)); }
+  void reopen(std::int32_t step) override { told.push_back("reopen " + std::to_string(step)); }
   void pick_up_freed() override { told.emplace_back("pick up"); }
   void close_hinge() override { told.emplace_back("close hinge"); }
   void finish() override { told.emplace_back("finish"); }

@@ -24,7 +24,7 @@ struct Panels {
   explicit Panels(float scale = 1.0F, Point size = {1440.0F, 900.0F})
       : driver(texts, [this](Ui& ui) { draw_operating_hud(ui, hud); }, {size.x, size.y, scale}) {
     hud.is_health_open = true;
-    hud.steps = {"Verify the case"};
+    hud.steps = {{.title = "Verify the case"}};
   }
 
   void show(const OperatingHealth& health) {

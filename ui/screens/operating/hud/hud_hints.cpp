@@ -11,7 +11,7 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float line_gap = 8.0F, sign_room = 36.0F, widest_share = 0.62F;
+constexpr float line_gap = 8.0F, sign_room = 36.0F, widest_share = 0.62F, foot_line = 18.0F;
 
 /// A sentence on a panel in the middle, broken where it is long; returns where it ends.
 float draw_sentence(Hud& in, const char* id, Meaning meaning, const std::string& words, float y) {
@@ -59,16 +59,18 @@ void draw_hud_foot(Hud& in) {
                    : in.hud.is_reviewed ? nullptr
                                         : "operate.not_reviewed";
   const TextStyle style{Type::Caption, in.theme().text_caption, Align::Centre};
-  const float y = in.room.bottom() + 4.0F;
+  const float margin = in.ui.display().bottom() - in.room.bottom();
+  const float height = std::min(foot_line, 0.5F * margin);
+  const float y = in.room.bottom() + std::min(4.0F, margin - 2.0F * height);
   const std::string foot = foot_of(in);
   if (!foot.empty()) {
-    const Rect line{in.room.x, y, in.room.w, 18.0F};
+    const Rect line{in.room.x, y, in.room.w, height};
     in.canvas().text_in(line, {Type::Caption, in.theme().text_secondary, Align::Centre}, foot,
                         true);
     in.ui.tell("operate.foot", foot, line);
   }
   if (id == nullptr) return;
-  in.canvas().text_in({in.room.x, y + 18.0F, in.room.w, 18.0F}, style, in.ui.text(id));
+  in.canvas().text_in({in.room.x, y + height, in.room.w, height}, style, in.ui.text(id));
 }
 
 }  // namespace hallux::ui
