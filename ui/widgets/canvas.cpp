@@ -38,7 +38,8 @@ Canvas::Canvas(ImDrawList& list, const FontAtlas& fonts, FrameContent& content, 
 }
 
 unsigned Canvas::packed(Color color) const noexcept {
-  const auto alpha = static_cast<unsigned>(std::lround(presence_ * static_cast<float>(color.alpha)));
+  const auto alpha =
+      static_cast<unsigned>(std::lround(presence_ * static_cast<float>(color.alpha)));
   return IM_COL32(color.red, color.green, color.blue, alpha);
 }
 

@@ -10,6 +10,9 @@
 namespace hallux::ui {
 namespace {
 
+/// What stands for a text that the catalogue has not.
+constexpr std::string_view missing_text = "[missing text]";
+
 [[noreturn]] void refuse(const std::string& fault) {
   ADD_FAILURE() << fault;
   throw std::runtime_error(fault);
@@ -31,7 +34,7 @@ void check_text(const SeenText& seen, std::vector<std::string>& faults) {
   if (leaves_across || leaves_down) faults.push_back("outside its room: \"" + seen.text + "\"");
   if (seen.text.find('{') != std::string::npos)
     faults.push_back("a place without a value: \"" + seen.text + "\"");
-  if (seen.text == "[missing text]") faults.push_back("a text that the catalogue has not");
+  if (seen.text == missing_text) faults.push_back("a text that the catalogue has not");
 }
 
 }  // namespace
@@ -193,6 +196,8 @@ std::vector<std::string> Driver::texts() const {
 std::vector<std::string> Driver::faults() const {
   std::vector<std::string> faults;
   for (const SeenText& seen : ui_.shown().texts) check_text(seen, faults);
+  for (const std::string& id : off_without_reason())
+    faults.push_back("off without a reason: " + id);
   std::set<std::string> ids;
   for (const Widget& widget : ui_.shown().widgets) {
     if (!ids.insert(widget.id).second) faults.push_back("an id twice: " + widget.id);
@@ -201,6 +206,14 @@ std::vector<std::string> Driver::faults() const {
     if (widget.label.empty()) faults.push_back("without a label: " + widget.id);
   }
   return faults;
+}
+
+std::vector<std::string> Driver::off_without_reason() const {
+  std::vector<std::string> ids;
+  for (const Widget& widget : ui_.shown().widgets)
+    if (!widget.is_enabled && (widget.why_off.empty() || widget.why_off == missing_text))
+      ids.push_back(widget.id);
+  return ids;
 }
 
 std::vector<std::string> Driver::covered_by_messages() const {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/ui/widgets/driver.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/choice.h"
@@ -48,7 +50,7 @@ struct TwoPages {
     field(ui, "form.password", {20, 150, 300, 42}, password, secret);
     ui.focus_first("form.login");
     ButtonSpec submit{"Sign in", ButtonLook::Primary};
-    submit.is_enabled = !login.empty() && !password.empty();
+    if (login.empty() || password.empty()) submit.why_off = "Login and password first";
     if (button(ui, "form.submit", {20, 220, 300, 44}, submit)) is_in = true, ++sign_ins;
   }
 };
@@ -103,7 +105,7 @@ TEST(Events, DisabledAndBusyControlsAreNotPressed) {
   int presses = 0;
   Driver driver(no_texts(), [&](Ui& ui) {
     ButtonSpec off{"Off", ButtonLook::Primary}, busy{"Busy", ButtonLook::Primary};
-    off.is_enabled = false;
+    off.why_off = "Nothing to do";
     busy.is_busy = true;
     if (button(ui, "off", {10, 10, 100, 38}, off)) ++presses;
     if (button(ui, "busy", {10, 60, 100, 38}, busy)) ++presses;
@@ -324,115 +326,6 @@ TEST(Areas, TellDragsClicksAndWheel) {
   EXPECT_EQ(clicks, 1);
   driver.wheel({50, 50}, -2.0F);
   EXPECT_EQ(wheel, -2.0F);
-}
-
-/// An area that has the pointer, under a button, for as long as it is told to.
-struct Captor {
-  explicit Captor(bool may_capture = true) : driver(no_texts(), [this](Ui& ui) { draw(ui); }) {
-    driver.ui().set_can_capture(may_capture);
-  }
-
-  void draw(Ui& ui) {
-    seen = ui.area("view", "View", {0, 0, 400, 300});
-    way.x += seen.way.x, way.y += seen.way.y;
-    dragged.x += seen.dragged[0].x, dragged.y += seen.dragged[0].y;
-    for (std::size_t each = 0; each < clicks.size(); ++each) clicks[each] += seen.clicked[each];
-    wheel += seen.wheel;
-    presses += button(ui, "over", {100, 100, 200, 100}, {"Over it"});
-    if (wants) ui.capture_pointer("view");
-  }
-
-  AreaResponse seen;
-  Point way, dragged;
-  std::array<int, mouse_button_count> clicks{};
-  float wheel = 0.0F;
-  int presses = 0;
-  bool wants = false;
-  Driver driver;
-};
-
-TEST(CapturedPointer, GoesBeyondEveryEdgeAndLeavesWhatItLiesOverAlone) {
-  Captor captor;
-  captor.driver.move_to({200, 150});
-  captor.wants = true;
-  captor.driver.frame();
-  EXPECT_EQ(captor.driver.ui().captured_by(), "view");
-  EXPECT_EQ(captor.driver.ui().pointer_shape(), PointerShape::Hidden);
-  captor.driver.move_to({-900, 150});
-  EXPECT_TRUE(captor.seen.is_captured);
-  EXPECT_EQ(captor.way, (Point{-1100, 0}));
-  captor.driver.send(click_events({200, 150}));
-  captor.driver.send(click_events({200, 150}, MouseButton::Right));
-  captor.driver.settle();
-  EXPECT_EQ(captor.presses, 0);
-  EXPECT_EQ(captor.clicks, (std::array<int, 3>{1, 1, 0}));
-  captor.driver.wheel({200, 150}, 2.0F);
-  EXPECT_EQ(captor.wheel, 2.0F) << "over the button, too";
-}
-
-TEST(CapturedPointer, DragsWhileAButtonIsHeldAndIsNoClickThen) {
-  Captor captor;
-  captor.wants = true;
-  captor.driver.frame();
-  captor.driver.drag({0, 0}, {30, -20});
-  EXPECT_EQ(captor.dragged, (Point{30, -20}));
-  EXPECT_EQ(captor.clicks[0], 0);
-}
-
-TEST(CapturedPointer, IsFreeAgainWhereItWasCaught) {
-  Captor captor;
-  captor.driver.move_to({200, 150});
-  captor.wants = true;
-  captor.driver.frame();
-  captor.driver.move_to({900, 900});
-  captor.wants = false;
-  captor.driver.frame();
-  captor.driver.frame();
-  EXPECT_EQ(captor.driver.ui().captured_by(), "");
-  EXPECT_EQ(captor.driver.ui().pointer(), (Point{200, 150}));
-  captor.driver.click("over");
-  EXPECT_EQ(captor.presses, 1);
-}
-
-TEST(CapturedPointer, IsLostWithTheWindowsKeys) {
-  Captor captor;
-  captor.wants = true;
-  captor.driver.frame();
-  captor.wants = false;
-  captor.driver.send({{.kind = EventKind::FocusLost}});
-  captor.driver.frame();
-  EXPECT_TRUE(captor.driver.ui().has_lost_keys() || captor.driver.ui().captured_by().empty());
-  EXPECT_FALSE(captor.seen.is_captured && captor.seen.is_down[0]);
-}
-
-TEST(CapturedPointer, StaysFreeWhereTheWindowCannotCatchIt) {
-  Captor captor(false);
-  captor.wants = true;
-  captor.driver.frame();
-  captor.driver.frame();
-  EXPECT_EQ(captor.driver.ui().captured_by(), "");
-  captor.driver.move_to({20, 20});
-  EXPECT_TRUE(captor.seen.is_hovered);
-  EXPECT_FALSE(captor.seen.is_captured);
-}
-
-TEST(Buttons, ThatAreOffSayWhy) {
-  int presses = 0;
-  std::string_view why = "Saw the cut first.";
-  Driver driver(no_texts(), [&](Ui& ui) {
-    ButtonSpec take{"Take it out"};
-    take.why_off = why;
-    presses += button(ui, "take", {10, 10, 120, 38}, take);
-  });
-  EXPECT_FALSE(driver.widget("take").is_enabled);
-  EXPECT_EQ(driver.widget("take").why_off, "Saw the cut first.");
-  driver.move_to({30, 30});
-  driver.wait(1.5);
-  EXPECT_TRUE(driver.sees("Saw the cut first."));
-  why = {};
-  driver.frame();
-  driver.click("take");
-  EXPECT_EQ(presses, 1);
 }
 
 TEST(Frames, AnIdleScreenAsksForNone) {

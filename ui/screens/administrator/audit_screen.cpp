@@ -230,8 +230,9 @@ void AuditScreen::draw_pager(Ui& ui, const Rect& line, Shell& shell) {
   Rect rest = line;
   ButtonSpec older{ui.text("records.older"), ButtonLook::Secondary},
       newer{ui.text("records.newer"), ButtonLook::Secondary};
-  older.is_enabled = page.older.has_value() && !page_.is_new();
-  newer.is_enabled = before_.size() > 1 && !page_.is_new();
+  if (!page.older) older.why_off = ui.text("records.older.none");
+  if (before_.size() <= 1) newer.why_off = ui.text("records.newer.none");
+  if (page_.is_new()) older.why_off = newer.why_off = ui.text("records.reading");
   const auto place = [&](const ButtonSpec& spec) {
     const Rect strip = take_right(rest, button_width(ui, spec), 8.0F);
     return Rect{strip.x, strip.y + 4.0F, strip.w, header_button_height};

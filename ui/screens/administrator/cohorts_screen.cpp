@@ -204,7 +204,8 @@ void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
                     .placeholder = ui.text("cohorts.new.example"),
                     .max_bytes = 80});
     ui.focus_first("cohorts.new.name");
-    return new_name_->find_first_not_of(' ') != std::string::npos;
+    const bool has_name = new_name_->find_first_not_of(' ') != std::string::npos;
+    return has_name ? std::string_view() : ui.text("people.missing.name");
   });
   if (answer == Answer::Act) add(ui, shell);
   if (answer == Answer::Keep) new_name_.reset();
@@ -236,7 +237,7 @@ void CohortsScreen::draw_enrol_dialog(Ui& ui, Shell& shell) {
                                    field_height + list_height + segmented_height + 2.0F * gap);
   const Answer answer = dialog(ui, "cohorts.enrolment", shown, [&](const Rect& form) {
     draw_enrol_form(ui, form, *listed);
-    return !enrolment_->table.chosen.empty();
+    return enrolment_->table.chosen.empty() ? ui.text("cohorts.enrol.missing") : std::string_view();
   });
   if (answer == Answer::Act) enrol(ui, shell, listed->cohort);
   if (answer == Answer::Keep) enrolment_.reset();

@@ -246,7 +246,7 @@ namespace {
 /// A button over the width of the card, and why it cannot be pressed where that is so.
 bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
                  std::string_view why_not) {
-  spec.is_enabled = why_not.empty();
+  spec.why_off = why_not;
   const bool is_pressed = button(ui, id, take_top(rest, button_height, 8.0F), spec);
   if (!why_not.empty()) text_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
   return is_pressed;

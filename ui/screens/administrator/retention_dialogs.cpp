@@ -107,7 +107,7 @@ void RetentionDialogs::draw_days(Ui& ui, Shell& shell) {
       are_days = are_days && is_days((*days_)[i]);
     }
     ui.focus_first(field_ids[0]);
-    return are_days;
+    return are_days ? std::string_view() : ui.text("records.retention.missing");
   });
   if (answer == Answer::Keep) days_.reset();
   if (answer == Answer::Act) save(ui, shell);
@@ -153,7 +153,7 @@ void RetentionDialogs::draw_plan(Ui& ui, Shell& shell) {
       line.y += row_height;
     }
     ui.end_scroll();
-    return true;
+    return std::string_view();
   });
   if (answer == Answer::Keep) plan_.reset();
   if (answer == Answer::Act) clean_up(ui, shell);

@@ -261,11 +261,11 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
     path_field(ui, "scenarios.file.path", form, *file_,
                {.label = ui.text("scenarios.file"),
                 .placeholder = ui.text("scenarios.file.example"),
-                .is_enabled = !importing_.is_running(),
+                .why_off = importing_.is_running() ? ui.text("button.busy") : std::string_view(),
                 .max_bytes = 1000},
                chooser_);
     ui.focus_first("scenarios.file.path");
-    return !file_->empty();
+    return file_->empty() ? ui.text("path.missing.file") : std::string_view();
   });
   if (answer == Answer::Act) import(ui, shell);
   if (answer == Answer::Keep) file_.reset();

@@ -200,7 +200,8 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
       course_head(ui, *signed_in_,
                   is_ready ? glance_.value().cohort.name : taught_[cohort_].cohort_name, sentence);
   const ButtonSpec other{ui.text("cohort.other"), ButtonLook::Secondary, Icon::SortDown};
-  const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary, Icon::None, is_ready};
+  const ButtonSpec limit{.label = ui.text("limits.open"),
+                         .why_off = is_ready ? std::string_view() : ui.text("cohort.reading")};
   const float limit_width = button_width(ui, limit);
   head.buttons_width = limit_width;
   if (taught_.size() > 1) head.buttons_width += button_width(ui, other) + button_gap;

@@ -43,7 +43,7 @@ void ExportDialog::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSess
                 .max_bytes = 4096},
                chooser_);
     ui.focus_first(field);
-    return names_a_folder(*folder_);
+    return names_a_folder(*folder_) ? std::string_view() : ui.text("path.missing.folder");
   });
   if (answer == Answer::Keep) folder_.reset();
   if (answer == Answer::Act && !work_.is_running()) start(ui, shell, signed_in, write);

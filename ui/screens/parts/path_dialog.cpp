@@ -100,9 +100,12 @@ const FolderEntry* PathDialog::named() const {
 }
 
 // A folder may be new; a file has to be there, which whoever reads it finds out.
-bool PathDialog::is_ready(const PathQuestion& asked) const {
-  return asked.ending.empty() ? std::filesystem::path(path_).is_absolute() && !start().empty()
-                              : !start().empty();
+std::string_view PathDialog::missing(const Ui& ui, const PathQuestion& asked) const {
+  const bool is_folder = asked.ending.empty();
+  if (start().empty()) return ui.text(is_folder ? "path.missing.folder" : "path.missing.file");
+  if (is_folder && !std::filesystem::path(path_).is_absolute())
+    return ui.text("path.missing.slash");
+  return {};
 }
 
 void PathDialog::complete() {
@@ -122,7 +125,9 @@ void PathDialog::press(const FolderEntry& entry) {
 void PathDialog::draw_line(Ui& ui, Rect line) {
   const std::filesystem::path here = std::filesystem::path(with_slash(folder())).parent_path();
   const IconButtonSpec up{
-      .label = ui.text("path.up"), .icon = Icon::Up, .is_enabled = here.has_relative_path()};
+      .label = ui.text("path.up"),
+      .icon = Icon::Up,
+      .why_off = here.has_relative_path() ? std::string_view() : ui.text("path.up.off")};
   if (icon_button(ui, "path.up", take_left(line, line_height_px, 4.0F), up))
     show(here.parent_path());
   if (icon_button(ui, "path.home", take_left(line, line_height_px, 12.0F),
@@ -191,7 +196,7 @@ std::optional<std::string> PathDialog::draw(Ui& ui, Shell& shell, const PathQues
     draw_path(ui, rest, asked);
     draw_line(ui, take_top(rest, line_height_px, gap));
     draw_entries(ui, inset(rest, 12.0F, 0.0F));
-    return is_ready(asked);
+    return missing(ui, asked);
   });
   if (answer == Answer::Keep) is_open_ = false;
   const FolderEntry* entry = named();
@@ -212,7 +217,7 @@ void path_field(Ui& ui, std::string_view id, Rect& rest, std::string& path, cons
   take_top(rest, field_label_height);
   Rect line = take_top(rest, field_height, has_message ? field_message_height : 0.0F);
   ButtonSpec choose{ui.text("path.choose"), ButtonLook::Secondary, Icon::Folder};
-  choose.is_enabled = spec.is_enabled;
+  choose.why_off = spec.why_off;
   const Rect place = take_right(line, button_width(ui, choose), gap);
   field(ui, id, line, path, spec);
   if (button(ui, std::string(id) + ".choose", centred(place, place.w, button_height), choose))

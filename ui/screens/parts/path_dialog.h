@@ -49,7 +49,7 @@ class PathDialog {
   void press(const FolderEntry& entry);
   /// Of the folder that is seen, by name; null where there is none.
   const FolderEntry* named() const;
-  bool is_ready(const PathQuestion& asked) const;
+  std::string_view missing(const Ui& ui, const PathQuestion& asked) const;
   void complete();
 
   bool is_open_ = false, is_accepted_ = false;

@@ -156,7 +156,7 @@ void SignInScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
 
 bool SignInScreen::draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
                               FieldSpec spec) const {
-  spec.is_enabled = !is_busy_;
+  if (is_busy_) spec.why_off = ui.text("button.busy");
   return labelled_field(ui, id, column, text, spec,
                         entry_field_gap + (spec.hint.empty() ? 0.0F : field_message_height));
 }
@@ -170,12 +170,20 @@ void SignInScreen::draw_fault(Ui& ui, Rect& column) {
 }
 
 bool SignInScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                               bool is_ready) {
+                               std::string_view missing) {
   take_top(column, 6.0F);
   ButtonSpec spec{label, ButtonLook::Primary};
-  spec.is_enabled = is_ready && wait_.left_s(ui) == 0;
+  spec.why_off = wait_.left_s(ui) > 0 ? ui.text("entry.missing.wait") : missing;
   spec.is_busy = is_busy_;
   return button(ui, id, take_top(column, large_button_height, 20.0F), spec);
+}
+
+std::string_view SignInScreen::missing(const Ui& ui) const {
+  if (login_.empty()) return ui.text("entry.missing.login");
+  if (form_ == Form::FirstAdministrator && !database::is_login(login_))
+    return ui.text("entry.login.fault");
+  if (form_ == Form::Code && code_.empty()) return ui.text("entry.missing.code");
+  return password_.empty() ? ui.text("entry.missing.password") : std::string_view();
 }
 
 void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
@@ -187,8 +195,7 @@ void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
     fault_.clear();
   ui.focus_first(is_login_known_ ? "entry.password" : "entry.login");
   draw_fault(ui, column);
-  if (draw_button(ui, column, "entry.sign_in", ui.text("entry.sign_in"),
-                  !login_.empty() && !password_.empty())) {
+  if (draw_button(ui, column, "entry.sign_in", ui.text("entry.sign_in"), missing(ui))) {
     sign_in_or_tell_of_code(ui, shell);
   }
   if (link(ui, "entry.to_code", {column.x, column.y + 10.0F}, ui.text("entry.to_code")) &&
@@ -222,8 +229,7 @@ void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
              {.label = ui.text("entry.password_again"), .is_secret = true});
   ui.focus_first(is_login_known_ ? "entry.code" : "entry.login");
   draw_fault(ui, column);
-  if (draw_button(ui, column, "entry.redeem", ui.text("entry.redeem"),
-                  !login_.empty() && !code_.empty() && !password_.empty())) {
+  if (draw_button(ui, column, "entry.redeem", ui.text("entry.redeem"), missing(ui))) {
     come_in_with_new_password(ui, shell, redeem);
   }
   if (link(ui, "entry.to_sign_in", {column.x, column.y + 10.0F}, ui.text("entry.to_sign_in")) &&
@@ -246,8 +252,7 @@ void SignInScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) 
              {.label = ui.text("entry.password_again"), .is_secret = true});
   ui.focus_first("entry.login");
   draw_fault(ui, column);
-  if (draw_button(ui, column, "entry.begin", ui.text("entry.begin"),
-                  database::is_login(login_) && !password_.empty())) {
+  if (draw_button(ui, column, "entry.begin", ui.text("entry.begin"), missing(ui))) {
     come_in_with_new_password(ui, shell, begin_course);
   }
 }

@@ -46,7 +46,9 @@ class SignInScreen : public Screen {
   void sign_in_or_tell_of_code(Ui& ui, Shell& shell);
   void draw_fault(Ui& ui, Rect& column);
   bool draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                   bool is_ready);
+                   std::string_view missing);
+  /// What the form that is shown still needs; empty: nothing.
+  std::string_view missing(const Ui& ui) const;
   void come_in(Ui& ui, Shell& shell, Work work);
   void come_in_with_new_password(Ui& ui, Shell& shell, Work work);
   void forget_secrets();

@@ -25,7 +25,8 @@ struct FieldSpec {
   bool is_secret = false;
   /// Tab completes what is typed, by whoever reads `Ui::field_events`; else it goes on.
   bool takes_tab = false;
-  bool is_enabled = true;
+  /// Why it is off, as of a button.
+  std::string_view why_off = {};
   /// More: Enter makes a new line, Ctrl+Enter is the primary action.
   int lines = 1;
   std::size_t max_bytes = 200;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/tooltip.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -29,10 +30,10 @@ void draw_row(Ui& ui, const Rect& place, const MenuItem& item, float raised) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   canvas.fill(inset(place, 0.0F, 1.0F), faded(theme.popup_raise, raised), radius::row);
-  const Color ink = !item.is_enabled    ? faded(theme.text_caption, 0.62F)
-                    : item.is_dangerous ? theme.bad_text
-                                        : theme.text;
-  const bool is_plain = item.is_enabled && !item.is_dangerous;
+  const Color ink = !item.why_off.empty() ? faded(theme.text_caption, 0.62F)
+                    : item.is_dangerous   ? theme.bad_text
+                                          : theme.text;
+  const bool is_plain = item.why_off.empty() && !item.is_dangerous;
   canvas.icon({place.x + 20.0F, place.mid_y()}, item.icon, IconSize::Control,
               is_plain ? theme.text_secondary : ink);
   const float key_room = item.key.empty() ? 8.0F : key_chip_width(ui, item.key) + 16.0F;
@@ -94,12 +95,15 @@ int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> it
                   .label = std::string(items[number].label),
                   .rect = rows[number],
                   .role = Role::Option,
-                  .is_enabled = items[number].is_enabled,
+                  .is_enabled = items[number].why_off.empty(),
+                  .why_off = std::string(items[number].why_off),
                   .group = std::string(id)};
     const std::string name = widget.id;
     const Response response = ui.control(std::move(widget));
     if (number == 0) ui.focus_first(name);
     draw_row(ui, rows[number], items[number], response.has_focus ? 1.0F : response.hover);
+    if (!items[number].why_off.empty())
+      tooltip_when_resting(ui, name, rows[number], items[number].why_off);
     if (response.is_pressed()) answer = static_cast<int>(number);
   }
   if (ui.shortcut({Key::Escape}, ui.text("menu.close"))) answer = menu_closed;

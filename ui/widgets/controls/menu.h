@@ -16,7 +16,8 @@ struct MenuItem {
   std::string_view key = {};
   /// Last, behind a hairline.
   bool is_dangerous = false;
-  bool is_enabled = true;
+  /// Why it is off, as of a button.
+  std::string_view why_off = {};
 };
 
 /// -1 while it is open, `menu_closed` where it was closed by Esc or a press beside it, else the

@@ -259,8 +259,8 @@ void Interaction::note_click(const std::string& id) {
 
 void Interaction::turn_wheel(const InputEvent& event) {
   if (capture.empty()) move_pointer(event.position);
-  const Widget* target = capture.empty() ? turned_at(*shown_, pointer, event.wheel)
-                                         : find_widget(*shown_, capture);
+  const Widget* target =
+      capture.empty() ? turned_at(*shown_, pointer, event.wheel) : find_widget(*shown_, capture);
   if (target == nullptr) return;
   if (wheel_target != target->id) wheel = 0.0F;
   wheel_target = target->id;

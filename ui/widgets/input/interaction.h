@@ -57,8 +57,8 @@ struct Interaction {
   std::array<HeldButton, mouse_button_count> held;
   /// Since the last frame.
   std::array<Point, mouse_button_count> dragged{};
-  /// The area that has captured the pointer: buttons and wheel are its own, wherever the pointer was.
-  /// Empty: none.
+  /// The area that has captured the pointer: buttons and wheel are its own, wherever the pointer
+  /// was. Empty: none.
   std::string capture;
   /// Of the captured pointer, since the last frame.
   Point captured_way;

@@ -271,6 +271,8 @@ class Walker {
 
   void read_frame() {
     look_under_messages();
+    for (const std::string& id : driver().off_without_reason())
+      throw Fault("off without a reason: " + id);
     for (const std::string& text : driver().texts()) {
       if (text == "[missing text]") throw Fault("a text is missing");
       for (const std::string& word : walk_.forbidden)
