@@ -111,6 +111,7 @@ class Recorder::Writer {
     });
     shorten_log(pen_.database());
   }
+  void abandon() { abandon_attempt(pen_.database(), lease_.attempt()); }
   const AttemptId& attempt() const noexcept { return lease_.attempt(); }
 
  private:
@@ -243,6 +244,12 @@ RecorderStatistics Recorder::drain() { return writer_->drain(); }
 RecorderStatistics Recorder::finish(const std::string& quality_json) {
   const RecorderStatistics statistics = writer_->drain();
   writer_->seal(quality_json);
+  return statistics;
+}
+
+RecorderStatistics Recorder::abandon() {
+  const RecorderStatistics statistics = writer_->drain();
+  writer_->abandon();
   return statistics;
 }
 

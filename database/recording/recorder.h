@@ -85,6 +85,11 @@ class Recorder {
   /// thread  the one that made the recorder
   RecorderStatistics finish(const std::string& quality_json);
 
+  /// Drains, then marks the attempt as interrupted, with an act: its person gave it up.
+  /// errors  DatabaseError; the next opening marks it then, without the act
+  /// thread  the one that made the recorder
+  RecorderStatistics abandon();
+
  private:
   class Writer;
   std::unique_ptr<Writer> writer_;

@@ -66,6 +66,9 @@ struct AttemptHeader {
   AttemptId id;
   /// In which attempts were begun in this directory.
   std::int64_t order = 0;
+  /// Of the attempts of its person (or of the robot) at this operation, over all its versions: 1 is
+  /// the first that was begun here. What everybody calls it by.
+  std::int64_t number = 0;
   NewAttempt begun;
   std::string scenario_name;
   std::int32_t scenario_version = 0;

@@ -6,10 +6,10 @@
 ///             <--newest view, feed--------            |
 ///                                                recorder's thread -> database
 ///
-/// What was recorded is kept, however it ends: finished it is sealed; abandoned, cut off with its
-/// window or stopped by a failure it stays as it is and is found interrupted. A full disk stops
-/// nothing: the operation pauses and goes on by itself when there is room (view().is_storage_full);
-/// also the sealing waits for it.
+/// What was recorded is kept, however it ends: finished it is sealed; abandoned it is marked as
+/// interrupted, with an act; cut off with its window or stopped by a failure it stays as it is and
+/// is found interrupted. A full disk stops nothing: the operation pauses and goes on by itself when
+/// there is room (view().is_storage_full); also the sealing waits for it.
 #pragma once
 
 #include <atomic>

@@ -101,6 +101,8 @@ class Ui {
   double next_frame_in_s() const noexcept;
   /// What the last finished frame showed.
   const FrameContent& shown() const noexcept { return shown_; }
+  /// What this frame has drawn so far.
+  const FrameContent& drawn() const noexcept { return building_; }
   /// Counts the font pictures made; the painter takes a new one where it changed.
   int fonts_version() const noexcept { return fonts_version_; }
   PointerShape pointer_shape() const noexcept { return pointer_shape_; }
@@ -150,7 +152,7 @@ class Ui {
   /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
   /// the flags.
   Response control(Widget widget);
-  /// `takes_wheel`: a wheel over it is not the page's.
+  /// `takes_wheel`: it is turned by the wheel; else what it lies in scrolls.
   AreaResponse area(std::string_view id, std::string_view label, const Rect& rect,
                     bool takes_wheel = true);
   /// Tells accessibility tools and tests what stands there to be read; the caller draws it.
@@ -158,6 +160,9 @@ class Ui {
   /// Events for the field `id` in this frame, and what it remembers of its editing.
   std::vector<FieldEvent> field_events(const std::string& id) const;
   TextEdit& text_edit(const std::string& id);
+  /// The path of what was dropped on the window in this frame, for the first field that asks;
+  /// nothing from below a menu or a question.
+  std::optional<std::string> take_dropped();
   Clipboard& clipboard() noexcept { return *clipboard_; }
 
   /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that
@@ -217,6 +222,7 @@ class Ui {
   void scroll_to_focus(const std::string& id, ScrollState& state);
   void draw_scroll_bar(const std::string& id, ScrollState& state);
   void settle_pointer();
+  void tell_what_was_cut();
 
   const Texts* texts_;
   Clipboard* clipboard_;

@@ -158,6 +158,12 @@ void hear_pointer_at_edge(GLFWwindow* window, int is_inside) {
       pointer_event(window, is_inside != 0 ? EventKind::PointerMoved : EventKind::PointerLeft));
 }
 
+void hear_drop(GLFWwindow* window, int count, const char** paths) {
+  if (count < 1) return;
+  InputEvent event{.kind = EventKind::FilesDropped, .text = paths[0]};
+  events_of(window).queue.push(event);
+}
+
 void hear_focus(GLFWwindow* window, int has_focus) {
   if (has_focus != 0) return;
   InputEvent event{.kind = EventKind::FocusLost};
@@ -188,6 +194,7 @@ void listen(GLFWwindow* window, WindowEvents& events) {
   glfwSetScrollCallback(window, hear_wheel);
   glfwSetCursorEnterCallback(window, hear_pointer_at_edge);
   glfwSetWindowFocusCallback(window, hear_focus);
+  glfwSetDropCallback(window, hear_drop);
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* on) { events_of(on).wants_frame = true; });
   glfwSetFramebufferSizeCallback(
       window, [](GLFWwindow* on, int, int) { events_of(on).wants_frame = true; });

@@ -44,6 +44,7 @@ class FullCourse : public SomeCourse {
     wait_a_moment();
     instructor("lee", spring()).decide({second, DecisionKind::Confirmed, 0, "seen"});
     administrator().add_person_with_code({"newer", "", false}, cheap);
+    administrator().correct_name("eve", "Eve of Spring");
     store_display_facts(database(), number_of(second), some_display_facts(300));
   }
 

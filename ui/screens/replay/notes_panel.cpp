@@ -214,7 +214,7 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
   take_top(rest, field_label_height);
   Rect line = take_top(rest, field_height);
   ButtonSpec button_spec{ui.text("notes.send"), ButtonLook::Primary, Icon::Send};
-  button_spec.is_enabled = has_reply();
+  if (!has_reply()) button_spec.why_off = ui.text("notes.reply.missing");
   button_spec.is_busy = work_.is_running();
   const Rect place = take_right(line, button_width(ui, button_spec), 8.0F);
   FieldSpec words;

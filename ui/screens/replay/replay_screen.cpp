@@ -117,7 +117,7 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
   const database::AttemptHeader& header = material().header;
   std::string where =
       ui.texts().say("replay.crumb", {{"operation", material().scenario.title},
-                                      {"number", grouped(static_cast<long>(header.order))}});
+                                      {"number", grouped(static_cast<long>(header.number))}});
   if (header.begun.person != signed_in_->person().id && !header.login.empty())
     where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
   canvas.text_in(take_top(rest, 20.0F), {Type::Small, ui.theme().text_caption}, where, true);

@@ -191,6 +191,10 @@ EffectFacts effects_of(const AttemptMaterial& material, const Examination& exami
 
 }  // namespace
 
+bool ResultFacts::is_unfinished() const noexcept {
+  return !score && !header.seal && header.state != AttemptState::Recording;
+}
+
 const database::Decision* ResultFacts::decision() const noexcept {
   const bool has_one = !decisions.empty() && decisions.front().is_in_force;
   return has_one ? &decisions.front() : nullptr;

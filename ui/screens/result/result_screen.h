@@ -33,7 +33,7 @@ class ResultScreen : public Screen {
 
  private:
   void read(Ui& ui, Shell& shell);
-  void draw_page(Ui& ui, Rect page, Shell& shell);
+  void draw_page(Ui& ui, Rect page, bool has_fixed_head, Shell& shell);
   float draw_head(Ui& ui, const Rect& place);
   /// From the right end of the line; the width that they take.
   float draw_actions(Ui& ui, Rect line);

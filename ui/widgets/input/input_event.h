@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "ui/widgets/look/geometry.h"
 
@@ -115,6 +116,8 @@ enum class EventKind : std::uint8_t {
   Character,
   /// The window no longer gets keys: every held key counts as released.
   FocusLost,
+  /// Files or folders of the desktop, let go over the window.
+  FilesDropped,
 };
 
 struct InputEvent {
@@ -128,6 +131,8 @@ struct InputEvent {
   char32_t character = 0;
   /// Notches, positive away from the person.
   float wheel = 0.0F;
+  /// The path of the first one that was dropped.
+  std::string text = {};
 };
 
 }  // namespace hallux::ui

@@ -74,6 +74,7 @@ void Interaction::forget_frame() {
   edits.clear();
   dragged = {};
   has_pointer_left = has_lost_keys = false;
+  dropped.reset();
 }
 
 // Stops behind the event that may change the screen, and leaves the next frame without events: it
@@ -150,6 +151,9 @@ bool Interaction::apply(const InputEvent& event) {
         edits.push_back({focus, {event.character, {}}});
       return false;
     }
+    case EventKind::FilesDropped:
+      dropped = event.text;
+      return true;
     case EventKind::FocusLost:
       capture.clear();
       held = {};
@@ -163,6 +167,7 @@ bool Interaction::apply(const InputEvent& event) {
 
 void Interaction::move_pointer(Point position) {
   const Point device{position.x / scale_, position.y / scale_};
+  if (device != pointer) pointer_still_since_s = time_s_;
   for (std::size_t button = 0; button < held.size(); ++button) {
     HeldButton& own = held[button];
     if (!own.is_down) continue;
@@ -257,7 +262,7 @@ void Interaction::turn_wheel(const InputEvent& event) {
   // A button under which the wheel is turned holds for it: letting it go is no click.
   for (HeldButton& own : held) own.has_moved = own.has_moved || own.is_down;
   const Widget* target =
-      capture.empty() ? scrolled_at(*shown_, pointer) : find_widget(*shown_, capture);
+      capture.empty() ? turned_at(*shown_, pointer, event.wheel) : find_widget(*shown_, capture);
   if (target == nullptr) return;
   if (wheel_target != target->id) wheel = 0.0F;
   wheel_target = target->id;
@@ -287,7 +292,12 @@ bool Interaction::edit_key(const Widget& field, Chord chord) {
 
 bool Interaction::move_focus(const Widget* focused, Chord chord) {
   std::string next = focus;
-  if (chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt) {
+  const bool is_tab = chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt;
+  if (is_tab && !chord.modifiers.shift && focused != nullptr && focused->takes_tab) {
+    edits.push_back({focus, {0, chord}});
+    return true;
+  }
+  if (is_tab) {
     next = next_in_tab_order(*shown_, focus, chord.modifiers.shift);
   } else if (is_arrow(chord.key) && focused != nullptr && !focused->group.empty() &&
              !chord.modifiers.control) {

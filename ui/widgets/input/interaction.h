@@ -49,6 +49,8 @@ struct Interaction {
 
   Point pointer;
   bool is_pointer_inside = false;
+  /// Since when it lies where it is.
+  double pointer_still_since_s = 0.0;
   /// In this frame.
   bool has_pointer_left = false, has_lost_keys = false;
   Modifiers modifiers;
@@ -79,6 +81,8 @@ struct Interaction {
   /// By a shortcut: the character that the key writes is no text.
   bool is_letter_taken = false;
   std::vector<Edit> edits;
+  /// A file or folder dropped on the window that no field took yet.
+  std::optional<std::string> dropped;
 
   std::string focus;
   bool is_ring_shown = false, is_focus_extended = false, has_focus_moved = false;

@@ -34,8 +34,6 @@ struct Widget {
   bool is_focusable = true;
   /// What Enter does on this screen.
   bool is_primary = false;
-  /// An area over which the wheel is its own; else it turns the page.
-  bool takes_wheel = true;
   /// A field in which Enter makes a new line.
   bool takes_new_line = false;
   /// The place one is at; in a group the option that Tab goes to.
@@ -46,6 +44,14 @@ struct Widget {
   bool is_in_sequence = false;
   /// The scroll region it lies in, as an index of the frame's widgets.
   int scroll = -1;
+  /// An area that a wheel turns; else the wheel is of the region it lies in.
+  bool takes_wheel = false;
+  /// Of a scroll region: how far it can still be scrolled up and down.
+  float room_above = 0.0F, room_below = 0.0F;
+  /// A field that has something to complete: Tab is for it, and not for the focus.
+  bool takes_tab = false;
+  /// Tab visits it after all that do not come late.
+  bool comes_late = false;
 };
 
 /// A text as it was drawn.
@@ -55,12 +61,16 @@ struct SeenText {
   Rect rect = {};
   /// What it had to stay inside.
   Rect room = {};
+  /// The part of it inside every clip around it.
+  Rect visible = {};
   Layer layer = Layer::Page;
   /// An ellipsis stands for the rest.
   bool is_shortened = false;
   bool may_be_shortened = false;
   /// The text before it was shortened; empty where it was not.
   std::string whole = {};
+  /// What is told of it while the pointer rests on it, in place of the whole; or "".
+  std::string hint = {};
 };
 
 /// What a person reads off the screen, or is told to do: a measured value, a reason, a hint.
@@ -88,9 +98,10 @@ const Widget* find_widget(const FrameContent& content, std::string_view id) noex
 /// that can be reached; null where there is none.
 const Widget* widget_at(const FrameContent& content, Point point) noexcept;
 
-/// The innermost scroll region or area under `point`, which a wheel turns; null where there is
-/// none.
-const Widget* scrolled_at(const FrameContent& content, Point point) noexcept;
+/// The innermost scroll region or area under `point` that a wheel turns by so many notches
+/// (positive: upwards): a region that is at its end passes them on to the one around it. Null where
+/// there is none.
+const Widget* turned_at(const FrameContent& content, Point point, float notches) noexcept;
 
 /// The lowest layer that can be reached: Page, unless a menu or a question lies above it.
 Layer reachable_layer(const FrameContent& content) noexcept;

@@ -57,6 +57,9 @@ enum class Icon : unsigned {
   Stop = 0xF04D,
   Note = 0xF24A,
   Check = 0xF00C,
+  Folder = 0xF07B,
+  File = 0xF15B,
+  Up = 0xF062,
   Less = 0xF068,
 };
 
@@ -72,7 +75,7 @@ inline constexpr std::array all_icons{
     Icon::Lock,      Icon::Dark,       Icon::Light,      Icon::Language, Icon::Close,
     Icon::Delete,    Icon::SortUp,     Icon::SortDown,   Icon::Left,     Icon::Right,
     Icon::SignOut,   Icon::Settings,   Icon::Stop,       Icon::Note,     Icon::Check,
-    Icon::Less};
+    Icon::Folder,    Icon::File,       Icon::Up,         Icon::Less};
 
 /// Icon heights by use, in logical pixels of the font: 13, 16, 20, 30.
 enum class IconSize { Inline, Control, Tile, Empty };

@@ -188,15 +188,15 @@ TEST(ReplayScreen, AnEventIsLookedAtByItsRow) {
 
 TEST(ReplayScreen, ALedgerEntryIsLookedAtByKeyboard) {
   OperatedCourse akin;
-  Watcher watcher(akin.course, "ada", akin.attempt, 0.7);
+  Watcher watcher(akin.course, "ada", akin.attempt, 0.4);
   Driver& driver = watcher.driver();
   watcher.tab_to("replay.tab");
   driver.press(Key::Right);
   driver.press(Key::Space);
   watcher.tab_to("replay.ledger");
-  EXPECT_EQ(moment_of(driver), "00:00.7");
+  EXPECT_EQ(moment_of(driver), "00:00.4");
   driver.press(Key::Enter);
-  EXPECT_NE(moment_of(driver), "00:00.7");
+  EXPECT_NE(moment_of(driver), "00:00.4");
 }
 
 TEST(ReplayScreen, ANoteIsPinnedToMomentAndBoneAndAnswered) {
