@@ -12,7 +12,7 @@ LOOK_S = 0.25
 WRONG_TURN_S = 5.0
 AT_ONCE = 8
 # Until an input is seen, and until it has come to rest.
-SEEN_S, REST_S = 1.5, 0.8
+SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
 # How often a hand slips.
 SLIPS_SHARE = 0.04
 
@@ -92,7 +92,7 @@ class MouseHand:
     """Moves, drags, clicks and turns the wheel as the hint says; how far a pixel goes it learns by looking."""
 
     # Where it begins to learn: pixels of a millimetre or a degree, notches of a millimetre or a newton.
-    PIXELS, NOTCHES = 5.0, 1.0
+    PIXELS, NOTCHES = 3.5, 1.0
     WAYS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
     AWAY, TOWARDS = "4", "5"
 
@@ -121,10 +121,10 @@ class MouseHand:
         gain = self.gain.get(hint.mouse, start)
         if self.last and self.last[0] == (hint.mouse, hint.kind):
             gone = self.last[1] - left
-            gain *= min(2.0, max(0.5, self.last[2] / gone)) if gone > 0.05 else 1.0
+            gain *= min(1.5, max(0.6, self.last[1] / gone)) if gone > 0.05 else 1.0
             gain = min(8.0 * start, max(start / 8.0, gain))
         self.gain[hint.mouse] = gain
-        self.last = ((hint.mouse, hint.kind), left, left)
+        self.last = ((hint.mouse, hint.kind), left)
         return left * gain
 
     def move(self, way, pixels, is_dragged):
@@ -184,6 +184,7 @@ class Novice:
         self.person, self.hand, self.retell, self.say = person, hand, retell, say
         self.screen = Screen(person)
         self.chance = random.Random(seed) if seed is not None else None
+        self.last_clock_s = 0
         self.wrong_turns = WrongTurns()
 
     def hint_words(self):
@@ -195,7 +196,9 @@ class Novice:
 
     def clock_s(self):
         match = re.match(r"(\d+):(\d+)", self.screen.text("operate.time"))
-        return 60 * int(match[1]) + int(match[2]) if match else 0
+        if match:
+            self.last_clock_s = 60 * int(match[1]) + int(match[2])
+        return self.last_clock_s
 
     def answer_question(self):
         """A question that nobody meant to raise is answered by its safe side, which has the focus."""
@@ -209,7 +212,7 @@ class Novice:
         """Until what was done is seen and has come to rest; nobody does the next thing before."""
         self.screen.look_until(lambda: self.screen.text("operate.hint") != text)
         end, still_since = time.monotonic() + REST_S, time.monotonic()
-        while time.monotonic() < min(end, still_since + LOOK_S):
+        while time.monotonic() < min(end, still_since + STILL_S):
             text = self.screen.text("operate.hint")
             time.sleep(0.05)
             if self.screen.look().text("operate.hint") != text:
