@@ -171,10 +171,10 @@ AttemptHeader AttemptDesk::header(const AttemptId& id) {
   return allowed_header(Action::ViewAttempt, id);
 }
 
-simulator::Recording AttemptDesk::recording(const AttemptId& id) {
+simulator::Recording AttemptDesk::recording(const AttemptId& id, RecordingPart part) {
   const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
   note_view(header);
-  return load_recording(*database_, header.id);
+  return load_recording(*database_, header.id, part);
 }
 
 std::vector<simulator::DisplayFact> AttemptDesk::display_facts(const AttemptId& id) {

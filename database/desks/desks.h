@@ -50,7 +50,7 @@ class AttemptDesk {
   /// errors  DatabaseError: NotFound where `id` begins none or more than one that may be viewed;
   ///         Refused; of the other methods as well
   AttemptHeader header(const AttemptId& id);
-  simulator::Recording recording(const AttemptId& id);
+  simulator::Recording recording(const AttemptId& id, RecordingPart part = RecordingPart::Whole);
   /// What was on the screen, by tick (simulator::is_view says whether it is a view); none of an
   /// older attempt, and of one without a window.
   std::vector<simulator::DisplayFact> display_facts(const AttemptId& id);

@@ -31,6 +31,14 @@ template <>
 inline constexpr std::array<std::string_view, 4> stored_names<AttemptState>{"recording", "closed",
                                                                             "interrupted", "void"};
 
+/// Of a recording, what is read.
+enum class RecordingPart {
+  Whole,
+  /// Samples and events: all that scores and reports need. The input tape, two thirds of a
+  /// recording's memory, is checked and not kept.
+  Outputs
+};
+
 /// What an attempt was for. In an assessment nothing helps: no ghost of the plan, no read-out.
 enum class AttemptKind { Practice, Assessment };
 

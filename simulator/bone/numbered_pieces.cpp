@@ -35,11 +35,6 @@ double doubled_area_mm2(const std::array<Vec3, 3>& corners_mm) {
 
 }  // namespace
 
-PieceBody copy_of(const PieceBody& piece) {
-  return {piece.id,        piece.is_new, piece.volume_mm3,
-          piece.inside_mm, piece.solid,  std::make_unique<const Bvh>(piece.solid.mesh)};
-}
-
 Vec3 point_inside(const CutSolid& solid, const Bvh& bvh) {
   std::vector<std::pair<double, std::uint32_t>> by_area;
   for (std::uint32_t i = 0; i < solid.mesh.triangles.size(); ++i)
@@ -114,11 +109,10 @@ void NumberedPieces::number(std::vector<CutSolid> solids) {
     CutSolid& solid = sorted.bodies[i];
     const std::int32_t inherited = inherited_id(solid, taken);
     const bool is_new = inherited < 0;
-    auto bvh = std::make_unique<const Bvh>(solid.mesh);
     const std::int32_t id = is_new ? next_id_++ : inherited;
-    const Vec3 inside_mm = id == 0 ? Vec3{0.0, 0.0, 0.0} : point_inside(solid, *bvh);
-    numbered.push_back(
-        {id, is_new, sorted.volumes_mm3[i], inside_mm, std::move(solid), std::move(bvh)});
+    numbered.push_back({id, is_new, sorted.volumes_mm3[i], {}, std::move(solid), nullptr});
+    PieceBody& piece = numbered.back();
+    if (id != 0) piece.inside_mm = point_inside(piece.solid, tree_of(piece));
   }
   pieces_ = std::move(numbered);
   crumbs_ = std::move(sorted.crumbs);

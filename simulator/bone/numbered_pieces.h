@@ -24,11 +24,9 @@ struct PieceBody {
   /// A point well inside it; of the bone, piece 0, none.
   Vec3 inside_mm{0.0, 0.0, 0.0};
   CutSolid solid;
-  /// None for the whole bone, before anything was numbered.
+  /// None before it is asked for: a tree is several times as large as its solid.
   std::unique_ptr<const Bvh> bvh;
 };
-
-PieceBody copy_of(const PieceBody& piece);
 
 /// A point inside a solid, half way through it behind the middle of one of its largest triangles.
 /// needs   the solid is closed and has triangles; bvh was built over its mesh

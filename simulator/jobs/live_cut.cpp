@@ -40,10 +40,10 @@ void LiveCut::apply(const CutEvent& event) {
 
 void LiveCut::apply(const JobRequest& request) {
   if (request.kind == JobKind::Section) return;
-  std::unique_ptr<const JobResult> result = geometry_.run(request);
+  std::unique_ptr<JobResult> result = geometry_.run(request);
   if (request.kind == JobKind::Pieces) {
     free_pieces_.clear();
-    for (const PieceBody& piece : result->pieces) {
+    for (const PieceBody& piece : geometry_.pieces()) {
       if (piece.id != 0) free_pieces_.push_back({piece.id, piece.solid});
     }
     are_free_pieces_due_ = true;

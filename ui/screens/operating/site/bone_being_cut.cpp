@@ -37,13 +37,18 @@ BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_direc
 }
 
 BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
-    : name_(attempt.attempt().text),
-      world_from_bone_(attempt.prepared_case().bone.world_from_bone),
+    : BoneBeingCut(attempt.attempt().text, attempt.prepared_case(), attempt.watch(),
+                   std::move(picture)) {}
+
+BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
+                           simulator::AttemptWatch& watch, BonePicture picture)
+    : name_(std::move(name)),
+      world_from_bone_(prepared_case.bone.world_from_bone),
       picture_(std::move(picture)),
-      watch_(attempt.watch()),
-      cut_(attempt.prepared_case().bone, attempt.prepared_case().scenario.saw.blade,
-           scenarios::planned_bridge(attempt.prepared_case().plan)),
-      survey_(attempt.prepared_case()) {
+      watch_(watch),
+      cut_(prepared_case.bone, prepared_case.scenario.saw.blade,
+           scenarios::planned_bridge(prepared_case.plan)),
+      survey_(prepared_case) {
   base_ = {picture_.mesh, picture_.tree, world_from_bone_};
   newest_.bodies = {base_};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -57,6 +58,10 @@ class BoneBeingCut {
  public:
   /// Borrows the attempt; nobody else may take its feed.
   BoneBeingCut(LiveAttempt& attempt, BonePicture picture);
+  /// The bone of any loop that is watched. Borrows the watch alone.
+  /// name    of the attempt, for the names of its pictures
+  BoneBeingCut(std::string name, const PreparedCase& prepared_case, simulator::AttemptWatch& watch,
+               BonePicture picture);
   ~BoneBeingCut();
   BoneBeingCut(const BoneBeingCut&) = delete;
   BoneBeingCut& operator=(const BoneBeingCut&) = delete;
@@ -118,7 +123,6 @@ class BoneBeingCut {
   void renew_site();
   void publish(std::vector<Body> bodies);
 
-  /// Of the attempt, for the names of its pictures.
   const std::string name_;
   const RigidTransform world_from_bone_;
   const BonePicture picture_;
