@@ -35,8 +35,9 @@ constexpr double out_mm = -2.0;
 constexpr double push_least_newton = 6.0, push_most_newton = 14.0;
 constexpr double gentle_least_newton = 2.5, gentle_most_newton = 5.0;
 constexpr double gentle_from_mm = 3.0, before_hinge_mm = 0.5, done_mm = 0.15;
-/// A strip before the hinge's stop that is not worth a push where the cut holds elsewhere.
-constexpr double strip_mm = 0.6;
+/// A strip before the hinge's stop that is not worth a push where the cut holds elsewhere, or
+/// nowhere.
+constexpr double strip_mm = 1.2;
 /// Of a key's step: below, Shift is held.
 constexpr double fine_below = 0.6;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
@@ -252,10 +253,12 @@ bool is_deepest_ahead(const CoachView& view, const Aim& aim) {
 std::optional<double> left_to_saw_mm(const CoachView& view, const Aim& aim) {
   const simulator::BladeAhead& ahead = view.site->ahead;
   if (aim.hinge == nullptr || !ahead.to_bone_mm) return ahead.to_far_side_mm;
-  if (is_through(aim)) return std::nullopt;
   const std::optional<double> hinge_mm = way_to_hinge_mm(*aim.hinge, view.bone_from_tool);
   const double left_mm = hinge_mm.value_or(0.0) - before_hinge_mm;
-  const double least_mm = is_deepest_ahead(view, aim) ? done_mm : strip_mm;
+  // Who is at it saws all of it; who was drawn back comes again only for what holds.
+  const bool is_at_it = *ahead.to_bone_mm < at_bone_mm;
+  const bool is_meant = is_at_it || (is_deepest_ahead(view, aim) && !is_through(aim));
+  const double least_mm = is_meant ? done_mm : strip_mm;
   if (*ahead.to_bone_mm > left_mm - least_mm) return std::nullopt;
   return left_mm;
 }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <tuple>
 
 #include "tests/ui/screens/operating/virtual_operation.h"
 #include "ui/screens/operating/hand/steering.h"
@@ -80,10 +82,10 @@ int count_of(const VirtualOperation& operation, CutEventKind kind) {
   return static_cast<int>(std::ranges::count(operation.events(), kind, &simulator::CutEvent::kind));
 }
 
-class Coach : public testing::TestWithParam<std::tuple<const char*, int>> {};
+class Coach : public testing::TestWithParam<std::tuple<std::string, int>> {};
 
 TEST_P(Coach, LeadsOneWhoOnlyObeysToTheEnd) {
-  const auto [scenario, turn] = GetParam();
+  const auto& [scenario, turn] = GetParam();
   VirtualOperation operation(scenario);
   operation.world_from_view =
       operation.world_from_view * glm::angleAxis(0.7 * turn, unit(Vec3(0.2, 1.0, 0.1)));
@@ -100,7 +102,8 @@ TEST_P(Coach, LeadsOneWhoOnlyObeysToTheEnd) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, Coach,
-                         testing::Combine(testing::Values("silver", "akin"),
+                         testing::Combine(testing::Values(std::string("silver"),
+                                                          std::string("akin")),
                                           testing::Values(0, 1, -1)));
 
 }  // namespace

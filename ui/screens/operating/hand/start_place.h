@@ -1,4 +1,4 @@
-/// Where somebody stands and holds the saw when an operation begins. Inside this room only.
+/// Where somebody stands and holds the saw when an operation begins.
 #pragma once
 
 #include "ui/jobs/live_attempt.h"
