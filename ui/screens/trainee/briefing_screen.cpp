@@ -73,13 +73,13 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   if (is_stacked) {
     draw_picture(ui, take_top(rest, stacked_picture, gap), shell);
     draw_start(ui, take_top(rest, start, gap));
-    return draw_text_card(ui, rest);
+    return draw_text_card(ui, rest, shell);
   }
   Rect left = take_left(rest, rest.w * picture_share, gap);
   const Rect below = take_bottom(left, start, gap);
   draw_picture(ui, left, shell);
   draw_start(ui, below);
-  draw_text_card(ui, rest);
+  draw_text_card(ui, rest, shell);
 }
 
 // -- the picture
@@ -194,14 +194,17 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
 
 // -- the words
 
-float BriefingScreen::draw_text(Ui& ui, const Rect& rect) const {
+float BriefingScreen::draw_text(Ui& ui, const Rect& rect, Shell& shell) {
   const scenarios::Scenario& scenario = *operation_.value().scenario;
-  if (tab_ == 1) return draw_steps(ui, rect, scenario);
   if (tab_ == 2) return draw_scoring(ui, rect, scenario);
-  return draw_about(ui, rect, scenario);
+  const PatientView* view = pictures_.find(shell, scenario);
+  const std::span<const PassesInView> passes =
+      view == nullptr ? std::span<const PassesInView>() : view->passes;
+  if (tab_ == 1) return draw_steps(ui, rect, scenario, passes);
+  return draw_about(ui, rect, scenario, passes);
 }
 
-void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect) {
+void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect, Shell& shell) {
   Rect inside = card(ui, rect, {});
   inside.y -= 8.0F;
   inside.h += 8.0F;
@@ -210,7 +213,7 @@ void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect) {
   const float scrolled = ui.begin_scroll(
       "brief.words", tab_labels(ui)[static_cast<std::size_t>(tab_)], view, words_height_ + 8.0F);
   const Rect words{inside.x, inside.y + 4.0F - scrolled, inside.w - 8.0F, inside.h};
-  const float height = draw_text(ui, words);
+  const float height = draw_text(ui, words, shell);
   ui.end_scroll();
   if (height != words_height_) ui.want_frame_in_s(0.0);
   words_height_ = height;

@@ -37,8 +37,8 @@ class BriefingScreen : public Screen {
   std::string choice_text(const Ui& ui) const;
   bool may_begin() const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
-  float draw_text(Ui& ui, const Rect& rect) const;
-  void draw_text_card(Ui& ui, const Rect& rect);
+  float draw_text(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_text_card(Ui& ui, const Rect& rect, Shell& shell);
 
   std::shared_ptr<SignedInSession> signed_in_;
   Navigator& navigator_;
