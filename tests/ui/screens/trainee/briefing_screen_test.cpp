@@ -184,6 +184,28 @@ TEST(BriefingScreen, IsSteeredByKeyboardAlone) {
   EXPECT_THAT(briefed.navigator.asked, ElementsAre(asked("assess", published.akin())));
 }
 
+TEST(BriefingScreen, LeadsToASimulatedHandAndSaysWhatItIsAndHowLongItTakes) {
+  SomePublished published;
+  Briefed briefed(published);
+  for (const char* words : {"simulated hand", "not surgeon-reviewed", "10 to 40 seconds"})
+    EXPECT_THAT(all_text(briefed.driver()), HasSubstr(words));
+  briefed.driver().click("brief.watch");
+  EXPECT_THAT(briefed.navigator.asked, ElementsAre("watch akin"));
+  Briefed by_keyboard(published);
+  press_by_keyboard(by_keyboard.visitor, "brief.watch");
+  EXPECT_THAT(by_keyboard.navigator.asked, ElementsAre("watch akin"));
+}
+
+TEST(BriefingScreen, ShowsNoHandWhileAnAssessmentIsRecordedAndSaysWhy) {
+  SomePublished published;
+  database::NewAttempt begun = published.course().attempt_of("ada");
+  begun.kind = database::AttemptKind::Assessment;
+  const auto lease = published.course().trainee("ada").begin_attempt(begun);
+  Briefed briefed(published);
+  EXPECT_FALSE(briefed.driver().widget("brief.watch").is_enabled);
+  EXPECT_THAT(briefed.driver().off_without_reason(), IsEmpty());
+}
+
 TEST(BriefingScreen, EnterBegins) {
   SomePublished published;
   Briefed briefed(published);
