@@ -7,6 +7,7 @@
 #include "assessment/measure_cut.h"
 #include "assessment/measure_deed.h"
 #include "assessment/measure_hinge.h"
+#include "assessment/sawn_after_done.h"
 #include "assessment/sentences.h"
 
 namespace hallux::assessment {
@@ -33,6 +34,7 @@ Examination assess_fully(const scenarios::Scenario& scenario, const simulator::B
     examination.faces.push_back(faces_of_cut(examination.rebuilt, examination.plan, cut));
     std::vector<Measurement> made = measure_cut(
         examination.plan.cuts[cut], examination.faces.back(), examination.rebuilt, bone, recording);
+    note_sawn_after_done(made, scenario, examination.faces.back(), recording);
     std::move(made.begin(), made.end(), std::back_inserter(examination.measurements));
   }
   const HingeEvidence evidence{examination.plan, examination.rebuilt, examination.faces, bone,

@@ -26,6 +26,8 @@ struct Measurement {
   std::string direction;
   /// A clause with more numbers, said where points were lost; may be empty.
   std::string detail;
+  /// A sentence that closes its line, whatever was lost; may be empty.
+  std::string note = {};
   std::int64_t start_us = 0, end_us = 0;
   Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
 };

@@ -94,7 +94,8 @@ std::string item_sentence(const Scenario& scenario, const RubricItem& item, cons
   const std::string unfinished =
       is_unfinished ? "Unfinished cut (" + done + " sawn, so " + done + " of the points). " : "";
   return prefix + unfinished + metric_clause(item, measurement, line.points_lost_milli > 0) + " " +
-         target_clause(item) + ": " + loss_clause(said) + ".";
+         target_clause(item) + ": " + loss_clause(said) + "." +
+         (measurement.note.empty() ? "" : " " + measurement.note);
 }
 
 std::string damping_sentence(const SaidLine& said) {

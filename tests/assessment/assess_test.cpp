@@ -116,5 +116,58 @@ TEST(Assess, TheSameRecordingGivesTheSameCard) {
   EXPECT_EQ(first.shown_losses_milli, second.shown_losses_milli);
 }
 
+/// The exact cut of 414 ticks from tick 10 on, with these events of its step.
+ScoreCard card_with(const std::vector<std::pair<std::int64_t, simulator::CutEventKind>>& said) {
+  const simulator::Bone bone = testing::block_bone();
+  Recording recording;
+  add_stroke(recording, bone, Stroke{.face_z_mm = -9.0});
+  for (const auto& [tick, kind] : said) {
+    simulator::CutEvent event;
+    event.tick = tick;
+    event.kind = kind;
+    event.subject = 0;
+    recording.events.push_back(event);
+  }
+  return assess_fully(testing::block_scenario(), bone, recording).card;
+}
+
+constexpr const char* after_done = "sawn after Done; it counts as well";
+
+// The rule of docs/metrics.md, Deeds: whenever Done was said, the bone is measured as it was left.
+TEST(Assess, WhatIsSawnAfterDoneCountsAsWhatWasSawnBefore) {
+  using simulator::CutEventKind;
+  const ScoreCard before = card_with({{900, CutEventKind::StepDone}});
+  const ScoreCard after = card_with({{200, CutEventKind::StepDone}});
+  const ScoreCard again =
+      card_with({{200, CutEventKind::StepDone}, {220, CutEventKind::StepReopened}});
+  for (const ScoreCard* card : {&after, &again}) {
+    EXPECT_EQ(card->score_milli, before.score_milli);
+    ASSERT_EQ(card->ledger.size(), before.ledger.size());
+    for (std::size_t line = 0; line < before.ledger.size(); ++line) {
+      EXPECT_EQ(card->ledger[line].value, before.ledger[line].value);
+      EXPECT_EQ(card->ledger[line].points_lost_milli, before.ledger[line].points_lost_milli);
+    }
+  }
+}
+
+TEST(Assess, TheLedgerTellsOnceThatSomeWasSawnAfterDone) {
+  using simulator::CutEventKind;
+  const auto told = [](const ScoreCard& card) {
+    std::size_t count = 0;
+    for (const database::LedgerLine& line : card.ledger)
+      count += line.text.find(after_done) == std::string::npos ? 0U : 1U;
+    return count;
+  };
+  EXPECT_EQ(told(card_with({{200, CutEventKind::StepDone}})), 1U);
+  EXPECT_EQ(told(card_with({{900, CutEventKind::StepDone}})), 0U);
+  EXPECT_EQ(told(card_with({})), 0U);
+  EXPECT_EQ(told(card_with({{5, CutEventKind::StepDone}, {8, CutEventKind::StepReopened}})), 0U)
+      << "a step that was taken up again is not done";
+  EXPECT_EQ(told(card_with({{5, CutEventKind::StepDone},
+                            {8, CutEventKind::StepReopened},
+                            {200, CutEventKind::StepDone}})),
+            1U);
+}
+
 }  // namespace
 }  // namespace hallux::assessment

@@ -48,8 +48,7 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   return begun;
 }
 
-/// The motion from the file, or the hand of that name and seed; `setup` is told how long it takes
-/// and who says commands.
+/// `setup` is told how long it takes and who says commands.
 std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt,
                                                   const simulator::Bone& bone,
                                                   const scenarios::Plan& plan,
@@ -74,6 +73,14 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
 
 }  // namespace
 
+SetUpHand set_up_hand(const ScriptedAttempt& attempt, const simulator::Bone& bone,
+                      const scenarios::Plan& plan) {
+  SetUpHand made{{simulation_setup(attempt.scenario, bone, plan, attempt.guidance)}, nullptr};
+  made.setup.pacing = attempt.pacing;
+  made.hand = hand_for(attempt, bone, plan, made.setup);
+  return made;
+}
+
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
                                     const StageProgress& progress) {
   CHECK(!attempt.arm_law || attempt.motion);
@@ -81,9 +88,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   // The plan is laid on the patient before anything is stored, also where a motion from a file does
   // not need it.
   const scenarios::Plan plan = plan_on(attempt.scenario, bone);
-  simulator::AttemptSetup setup{simulation_setup(attempt.scenario, bone, plan, attempt.guidance)};
-  setup.pacing = attempt.pacing;
-  const std::unique_ptr<simulator::HapticDevice> device = hand_for(attempt, bone, plan, setup);
+  const SetUpHand set_up = set_up_hand(attempt, bone, plan);
 
   AttemptOutcome outcome;
   simulator::AttemptChannels channels;
@@ -92,7 +97,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
                               channels);
   outcome.attempt = recorder.attempt();
   const auto operating = progress("Operating");
-  outcome.loop = run_attempt(setup, *device, channels, operating);
+  outcome.loop = run_attempt(set_up.setup, *set_up.hand, channels, operating);
   outcome.recorder = recorder.drain();
   if (outcome.loop.end == simulator::AttemptEnd::Cancelled) {
     throw Cancelled("stopped while operating; attempt " + outcome.attempt.text +

@@ -41,6 +41,17 @@ struct ScriptedAttempt {
 /// errors  ScenarioError, MeshError; Cancelled
 simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress);
 
+/// Who carries an attempt out, and how it is run.
+struct SetUpHand {
+  /// Borrows the hand.
+  simulator::AttemptSetup setup;
+  std::unique_ptr<simulator::HapticDevice> hand;
+};
+/// The motion of the attempt, or the hand of its name and seed.
+/// needs   the plan is the scenario's on this bone; all three outlive what is returned
+SetUpHand set_up_hand(const ScriptedAttempt& attempt, const simulator::Bone& bone,
+                      const scenarios::Plan& plan);
+
 /// Stores the bone operated on and names it in what begins.
 /// errors  DatabaseError
 void put_bone(database::Database& database, const simulator::Bone& bone,

@@ -26,6 +26,9 @@ class SomeNavigator : public Navigator {
   void show_replay(const database::AttemptId& attempt, double moment_s) override {
     asked.push_back("replay " + attempt.text + " at " + std::to_string(moment_s));
   }
+  void watch_expert(const scenarios::Scenario& scenario) override {
+    asked.push_back("watch " + scenario.name);
+  }
   void show_trainee(database::CohortId cohort, database::PersonId trainee) override {
     asked.push_back("trainee " + std::to_string(trainee.number) + " of " +
                     std::to_string(cohort.number));

@@ -67,6 +67,7 @@ void Course::welcome(std::shared_ptr<SignedInSession> signed_in) {
   signed_in_ = std::move(signed_in);
   shell_.set_visitor(visitor_of(*signed_in_));
   answer_drafts_ = std::make_shared<InboxScreen::Drafts>();
+  made_replays_ = std::make_shared<MadeReplays>();
   count_questions();
   show_place(shell_.visitor()->places.front().id);
   shell_.on_idle(signed_in_->idle_lock_s(), [this] { lock(); });
@@ -168,6 +169,9 @@ void Course::show_trainee(database::CohortId cohort, database::PersonId trainee)
 void Course::show_replay(const database::AttemptId& attempt, double moment_s) {
   shell_.push(std::make_unique<ReplayScreen>(signed_in_, attempt, moment_s));
 }
+void Course::watch_expert(const scenarios::Scenario& scenario) {
+  shell_.push(std::make_unique<ReplayScreen>(signed_in_, made_replays_, scenario));
+}
 
 void Course::show_account() {
   if (shell_.top()->navigation_id() == AccountScreen::account_place) return;
@@ -200,6 +204,7 @@ void Course::acknowledge(std::shared_ptr<SignedInSession> signed_in,
 
 // The session's end is written beside the window: other work may hold the session for a moment.
 void Course::sign_out() {
+  made_replays_.reset();
   shell_.background().start(
       std::string(texts_.text("course.signing_out")),
       [signed_in = std::exchange(signed_in_, nullptr)](WorkReport&) {

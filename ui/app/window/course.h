@@ -10,6 +10,7 @@
 #include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/patient_pictures.h"
+#include "ui/screens/replay/made_replays.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -27,6 +28,7 @@ class Course : public Navigator {
                simulator::Guidance guidance) override;
   void show_result(const database::AttemptId& attempt) override;
   void show_replay(const database::AttemptId& attempt, double moment_s) override;
+  void watch_expert(const scenarios::Scenario& scenario) override;
   void show_trainee(database::CohortId cohort, database::PersonId trainee) override;
 
  private:
@@ -66,6 +68,7 @@ class Course : public Navigator {
   database::PasswordCost cost_;
   std::shared_ptr<SignedInSession> signed_in_;
   std::shared_ptr<InboxScreen::Drafts> answer_drafts_;
+  std::shared_ptr<MadeReplays> made_replays_;
   PatientPictures pictures_;
 };
 

@@ -1,5 +1,7 @@
 #include "ui/screens/parts/attempt_desks.h"
 
+#include <algorithm>
+
 #include "ui/screens/parts/desk_work.h"
 
 namespace hallux::ui {
@@ -29,6 +31,23 @@ AttemptHeader header_for(Session& session, const database::AttemptId& id) {
   return desk_or_refused(session.desk_for(Action::ViewAttempt, id),
                          "this account may not see attempts any more; ask the administrator")
       .header(id);
+}
+
+bool is_in_assessment(Session& session) {
+  std::optional<database::TraineeDesk> desk = session.trainee();
+  if (!desk) return false;
+  return std::ranges::any_of(desk->attempts(), [&](const AttemptHeader& header) {
+    return header.begun.person == session.person().id &&
+           header.begun.kind == database::AttemptKind::Assessment &&
+           header.state == database::AttemptState::Recording;
+  });
+}
+
+void refuse_in_assessment(Session& session) {
+  if (!is_in_assessment(session)) return;
+  throw database::DatabaseError(
+      database::DatabaseErrorKind::Refused,
+      "nobody is shown how it is done while an assessment of theirs is being recorded");
 }
 
 AttemptRights rights_to(Session& session, const AttemptHeader& header) {

@@ -24,6 +24,12 @@ std::optional<database::TraineeDesk> trainee_desk_for(database::Session& session
 /// errors  DatabaseError: NotFound; Refused, which is written to the audit
 database::AttemptHeader header_for(database::Session& session, const database::AttemptId& id);
 
+/// Whether an assessment of theirs is being recorded, at this station or another: nobody is shown
+/// then how it is done.
+bool is_in_assessment(database::Session& session);
+/// errors  DatabaseError Refused where is_in_assessment
+void refuse_in_assessment(database::Session& session);
+
 /// What a person may do with an attempt, so that a screen offers it.
 struct AttemptRights {
   bool may_decide = false, may_write_notes = false, may_reply = false, may_read_notes = false,

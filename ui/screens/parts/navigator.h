@@ -9,6 +9,7 @@
 
 #include "database/records/attempt.h"
 #include "database/records/ids.h"
+#include "scenarios/scenario.h"
 
 namespace hallux::ui {
 
@@ -25,6 +26,8 @@ class Navigator {
   virtual void show_result(const database::AttemptId& attempt) = 0;
   /// The attempt again, from a moment on.
   virtual void show_replay(const database::AttemptId& attempt, double moment_s) = 0;
+  /// A simulated hand at this operation: made in memory, or as it was made before.
+  virtual void watch_expert(const scenarios::Scenario& scenario) = 0;
   /// A trainee as their instructor sees them.
   virtual void show_trainee(database::CohortId cohort, database::PersonId trainee) = 0;
 };

@@ -61,6 +61,8 @@ struct ShownPart {
   Vec2 low_mm, high_mm;
 };
 
+Rect rect_between(Point low, Point high) { return {low.x, low.y, high.x - low.x, high.y - low.y}; }
+
 ShownPart part_of(const PlaneLoop& loop) {
   ShownPart bounds{loop.front(), loop.front()};
   for (const Vec2& corner : loop) {
@@ -221,6 +223,45 @@ void draw_zones(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section)
   }
 }
 
+void draw_no_section(Ui& ui, const Rect& rect) {
+  ui.canvas().paragraph(inset(rect, 12.0F), {Type::Small, ui.theme().text_secondary},
+                        ui.text("section.none"));
+}
+
+/// One pass of several: its edges along the teeth, and its place among them.
+struct ShownPass {
+  Vec2 edges_mm;
+  std::size_t index = 0, count = 1;
+};
+
+/// Its way through the bone: what lies in two of them is darker.
+void draw_way_of_pass(Ui& ui, const PlaneOnWindow& plane, const ShownPart& part,
+                      const ShownPass& pass) {
+  const Rect way = rect_between(plane.at(Vec2(part.low_mm.x, pass.edges_mm.x)),
+                                plane.at(Vec2(part.high_mm.x, pass.edges_mm.y)));
+  Color tint = ui.theme().accent;
+  tint.alpha = 28;
+  ui.canvas().fill(way, tint);
+  for (const float x : {way.x, way.right()})
+    dashed(ui.canvas(), {x, way.y}, {x, way.bottom()}, ui.theme().text_secondary);
+}
+
+/// Its blade before the bone, below those before it, since they lie in each other.
+void draw_blade_of_pass(Ui& ui, const PlaneOnWindow& plane, const ShownPart& part,
+                        const ShownPass& pass) {
+  const double row_mm = (approach_mm - 1.0) / static_cast<double>(pass.count);
+  const double from_mm = part.low_mm.x + row_mm * static_cast<double>(pass.index);
+  const Rect blade = rect_between(plane.at(Vec2(from_mm, pass.edges_mm.x)),
+                                  plane.at(Vec2(from_mm + row_mm, pass.edges_mm.y)));
+  ui.canvas().fill(blade, ui.theme().chip);
+  ui.canvas().outline(blade, ui.theme().border);
+  ui.canvas().line({blade.x, blade.bottom()}, {blade.right(), blade.bottom()}, ui.theme().text,
+                   3.0F);
+  ui.canvas().text({blade.mid_x(), blade.mid_y()},
+                   {Type::CaptionMedium, ui.theme().text, Align::Centre},
+                   std::to_string(pass.index + 1));
+}
+
 }  // namespace
 
 std::vector<RowSpan> spans_at(std::span<const PlaneLoop> loops, double x_mm) {
@@ -255,11 +296,7 @@ std::vector<RowSpan> without(std::span<const RowSpan> from, std::span<const RowS
 }
 
 void draw_blade_section(Ui& ui, const Rect& rect, const BladeSection& section) {
-  if (section.section.bone_mm.empty()) {
-    ui.canvas().paragraph(inset(rect, 12.0F), {Type::Small, ui.theme().text_secondary},
-                          ui.text("section.none"));
-    return;
-  }
+  if (section.section.bone_mm.empty()) return draw_no_section(ui, rect);
   const ShownPart bounds = shown_part(section);
   const PlaneOnWindow plane({rect.x, rect.y, rect.w, rect.h - way_height}, bounds.low_mm,
                             bounds.high_mm);
@@ -269,6 +306,27 @@ void draw_blade_section(Ui& ui, const Rect& rect, const BladeSection& section) {
   draw_plan(ui, plane, section);
   draw_blade(ui, plane, section);
   draw_way(ui, rect, plane, section);
+}
+
+void draw_section_with_passes(Ui& ui, const Rect& rect, const BladeSection& section,
+                              std::span<const double> middles_mm, double blade_width_mm) {
+  if (section.section.bone_mm.empty()) return draw_no_section(ui, rect);
+  ShownPart part = shown_part(section);
+  const double half_mm = 0.5 * blade_width_mm;
+  part.low_mm.y = std::min(part.low_mm.y, middles_mm.front() - half_mm - 1.0);
+  part.high_mm.y = std::max(part.high_mm.y, middles_mm.back() + half_mm + 1.0);
+  const PlaneOnWindow plane(rect, part.low_mm, part.high_mm);
+  const ClipScope clip(ui.canvas(), rect);
+  draw_bone(ui, rect, plane, section.section);
+  draw_zones(ui, plane, section);
+  draw_plan(ui, plane, section);
+  std::vector<ShownPass> passes;
+  for (const double middle_mm : middles_mm) {
+    passes.push_back(
+        {Vec2(middle_mm - half_mm, middle_mm + half_mm), passes.size(), middles_mm.size()});
+  }
+  for (const ShownPass& pass : passes) draw_way_of_pass(ui, plane, part, pass);
+  for (const ShownPass& pass : passes) draw_blade_of_pass(ui, plane, part, pass);
 }
 
 }  // namespace hallux::ui

@@ -98,6 +98,8 @@ PatientView make_patient_view(const scenarios::Scenario& scenario, const Progres
     const PlannedCut* cut = find_cut(plan, reference.name);
     view.faces.push_back(face_in_view(view.bone, bvh, *cut, reference));
   }
+  for (std::size_t cut = 0; cut < plan.cuts.size(); ++cut)
+    view.passes.push_back(passes_in_view(coarse, plan, cut, view.bone.mesh.solid, bvh));
   view.blade = scenario.saw.blade;
   return view;
 }

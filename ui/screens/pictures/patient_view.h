@@ -10,6 +10,7 @@
 #include "simulator/base/progress.h"
 #include "ui/render/scene/camera.h"
 #include "ui/render/scene/scene.h"
+#include "ui/screens/pictures/planned_passes_picture.h"
 
 namespace hallux::ui {
 
@@ -35,6 +36,8 @@ struct PatientView {
   /// By cut, as the scenario lists them.
   std::vector<FaceInView> faces;
   simulator::Blade blade;
+  /// How each cut is sawn, in the same order.
+  std::vector<PassesInView> passes;
 };
 
 /// What such a picture leaves out: bones of pictures are coarser than those that are cut.

@@ -6,7 +6,9 @@
 #include "ui/screens/replay/replay_material.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "simulator/base/progress.h"
@@ -14,7 +16,9 @@
 #include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/cached_fields.h"
+#include "ui/jobs/made_attempt.h"
 #include "ui/report/traces.h"
+#include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 
 namespace hallux::ui {
@@ -29,6 +33,10 @@ constexpr const char* stopped = "stopped before the bone could be shown";
 /// Of what is left after loading.
 constexpr double follow_share = 0.3, look_share = 0.5, history_share = 0.75;
 constexpr double load_share = 0.1;
+/// Of a replay that is made: operating takes by far the longest.
+constexpr double made_share = 0.75;
+/// Of what it makes: the bone, the operation, its score.
+constexpr std::array stage_ends{0.1, 0.8, 1.0};
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
 /// Further from every planned face the hand is on its way; no distance is said.
@@ -86,45 +94,95 @@ LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id
   });
 }
 
+/// What is opened of the bone, from a cache or followed anew.
+using FollowKerfs =
+    std::function<assessment::OpenedFields(const AttemptMaterial& attempt, const Progress&)>;
+
+/// What a material is made from.
+struct ReplayOrder {
+  AttemptMaterial attempt;
+  std::filesystem::path directory;
+  /// Of its pictures: another recording has another.
+  std::string name;
+  FollowKerfs follow;
+};
+
+/// The rest of the material, whose header, rights, card and views are there.
+void complete(ReplayMaterial& material, ReplayOrder order, const Progress& reached) {
+  AttemptMaterial& attempt = order.attempt;
+  material.plan = plan_on(attempt.scenario, attempt.bone);
+  measure_bone(material, attempt.bone);
+  cancelled_as(stopped, [&] {
+    assessment::OpenedFields opened = order.follow(attempt, part_of(reached, 0.0, follow_share));
+    BoneLook look =
+        cached_look_of(order.directory, attempt.bone, part_of(reached, follow_share, look_share));
+    auto history = simulator::build_history(
+        {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material.plan)},
+        part_of(reached, look_share, history_share));
+    material.bone = picture_of(std::move(history), std::move(look), order.name,
+                               part_of(reached, history_share, 1.0));
+  });
+  const simulator::CutSolid& whole = material.bone->stretches.front().solid;
+  const simulator::Bvh tree(whole.mesh);
+  material.faces = planned_faces(whole, tree, material.plan);
+  material.events = events_of(attempt.recording);
+  material.duration_s = duration_s_of(attempt.recording);
+  material.steps = steps_of(attempt.recording, attempt.scenario, material.duration_s);
+  material.samples = std::move(attempt.recording.samples);
+  material.scenario = std::move(attempt.scenario);
+  material.curves = curves_of(material, {0.0, material.duration_s});
+}
+
+Progress progress_to(WorkReport& report) {
+  return [&report](double fraction) { return report.reached(fraction); };
+}
+
+/// Of making an attempt, by its stages: each begins where the one before ended.
+StageProgress stages_of(const Progress& whole) {
+  return [whole, stage = std::size_t{0}](const std::string&) mutable {
+    const std::size_t now = std::min(stage++, stage_ends.size() - 1);
+    return part_of(whole, now == 0 ? 0.0 : stage_ends[now - 1], stage_ends[now]);
+  };
+}
+
 }  // namespace
 
 std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
                                                   const database::AttemptId& id,
                                                   WorkReport& report) {
   LoadedAttempt loaded = load_for(signed_in, id);
-  AttemptMaterial& attempt = loaded.attempt;
   auto material = std::make_shared<ReplayMaterial>();
-  material->header = attempt.header;
+  material->header = loaded.attempt.header;
   material->rights = loaded.rights;
   if (loaded.score) material->card = loaded.score->card;
   material->seen = SeenViews(std::move(loaded.display_facts));
-  material->plan = plan_on(attempt.scenario, attempt.bone);
-  measure_bone(*material, attempt.bone);
-  const std::string name =
-      "replay " + attempt.header.id.text + " " + std::to_string(attempt.recording.samples.size());
-  const Progress reached = [&](double fraction) {
-    return report.reached(load_share + (1.0 - load_share) * fraction);
+  const std::string name = "replay " + loaded.attempt.header.id.text + " " +
+                           std::to_string(loaded.attempt.recording.samples.size());
+  const FollowKerfs follow = [&](const AttemptMaterial& attempt, const Progress& progress) {
+    return fields_of(attempt, loaded.directory, progress);
   };
-  cancelled_as(stopped, [&] {
-    assessment::OpenedFields opened =
-        fields_of(attempt, loaded.directory, part_of(reached, 0.0, follow_share));
-    BoneLook look =
-        cached_look_of(loaded.directory, attempt.bone, part_of(reached, follow_share, look_share));
-    auto history = simulator::build_history(
-        {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material->plan)},
-        part_of(reached, look_share, history_share));
-    material->bone =
-        picture_of(std::move(history), std::move(look), name, part_of(reached, history_share, 1.0));
-  });
-  const simulator::CutSolid& whole = material->bone->stretches.front().solid;
-  const simulator::Bvh tree(whole.mesh);
-  material->faces = planned_faces(whole, tree, material->plan);
-  material->events = events_of(attempt.recording);
-  material->duration_s = duration_s_of(attempt.recording);
-  material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);
-  material->samples = std::move(attempt.recording.samples);
-  material->scenario = std::move(attempt.scenario);
-  material->curves = curves_of(*material, {0.0, material->duration_s});
+  complete(*material, {std::move(loaded.attempt), loaded.directory, name, follow},
+           part_of(progress_to(report), load_share, 1.0));
+  return material;
+}
+
+std::shared_ptr<const ReplayMaterial> make_replay(const scenarios::Scenario& scenario,
+                                                  const std::filesystem::path& directory,
+                                                  WorkReport& report) {
+  const Progress whole = progress_to(report);
+  ScriptedAttempt expert;
+  expert.scenario = scenario;
+  MadeAttempt made = make_attempt(expert, stages_of(part_of(whole, 0.0, made_share)));
+  auto material = std::make_shared<ReplayMaterial>();
+  material->header = made.material.header;
+  material->card = std::move(made.card);
+  const FollowKerfs follow = [](const AttemptMaterial& attempt, const Progress& progress) {
+    return assessment::opened_fields(attempt.scenario.saw.blade, attempt.bone.world_from_bone,
+                                     attempt.recording, progress);
+  };
+  const std::string name = "replay made " + std::to_string(picture_id(scenario.text));
+  complete(*material, {std::move(made.material), directory, name, follow},
+           part_of(whole, made_share, 1.0));
   return material;
 }
 

@@ -1,6 +1,7 @@
 /// All that a replay shows of one attempt, loaded and computed once. Inside this corner only.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +61,15 @@ struct ReplayMaterial {
 /// thread  work's; seconds
 std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
                                                   const database::AttemptId& id,
+                                                  WorkReport& report);
+
+/// The same of the expert hand's attempt, which is made for it in memory and is nobody's: without
+/// rights, and with a header that has no id.
+/// directory  of the data, whose cache knows how the bone looks
+/// errors  ScenarioError, MeshError; Cancelled
+/// thread  work's; tens of seconds
+std::shared_ptr<const ReplayMaterial> make_replay(const scenarios::Scenario& scenario,
+                                                  const std::filesystem::path& directory,
                                                   WorkReport& report);
 
 /// Of the samples in that range, as fine as they are where it is short.

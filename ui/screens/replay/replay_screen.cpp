@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "simulator/base/units.h"
+#include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/pictures/shown_camera.h"
@@ -53,26 +55,57 @@ void draw_event(Ui& ui, const AttemptEvent& event, const Rect& cell) {
 
 std::array<double, 3> array_of(const Vec3& point) { return {point.x, point.y, point.z}; }
 
+std::vector<ScoreMark> marks_of(const Texts& texts, const ReplayMaterial& material, bool is_made) {
+  std::vector<ScoreMark> marks;
+  if (material.header.state == database::AttemptState::Void)
+    marks.push_back({std::string(texts.text("result.mark.void")), Meaning::Bad, true});
+  // Whoever reviewed the scenario has not reviewed the hand.
+  if (is_made || !material.scenario.is_reviewed)
+    marks.push_back({std::string(texts.text("result.mark.not_reviewed")), Meaning::Warn, true});
+  if (is_made || material.header.is_simulated)
+    marks.push_back({std::string(texts.text("result.mark.simulated")), Meaning::Info, true});
+  return marks;
+}
+
 }  // namespace
 
 void ReplayScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (material_.is_new()) {
-    material_.start(ui, shell, ui.text("replay.reading"),
-                    [signed_in = signed_in_, id = attempt_](WorkReport& report) {
-                      return load_replay(*signed_in, id, report);
-                    });
-  }
-  if (!material_.draw_until_ready(ui, "replay.failed", inset(content, space::page), 10)) return;
+  if (material_.is_new()) start(ui, shell);
+  if (!draw_until_ready(ui, content, shell)) return;
   if (!bone_) open(ui);
-  notes_.read(ui, shell);
+  if (notes_) notes_->read(ui, shell);
   hear_keys(ui);
   player_.advance(ui);
   draw_replay(ui, content, shell);
-  draw_forms(ui, shell);
+  if (!is_made()) draw_forms(ui, shell);
   // Who pressed something with the mouse means the arrows for the time again, not for what was
   // pressed.
   const bool is_writing = ui.focused() == "notes.reply" || ask_.is_open() || pin_.is_open();
   if (!ui.is_steered_by_keys() && !is_writing && !ui.focused().empty()) ui.focus({});
+}
+
+void ReplayScreen::start(Ui& ui, Shell& shell) {
+  if (is_made()) {
+    return material_.start(
+        ui, shell, ui.text("replay.making"),
+        [signed_in = signed_in_, made = made_, scenario = made_of_](WorkReport& report) {
+          return made->find_or_make(scenario, *signed_in, report);
+        });
+  }
+  material_.start(ui, shell, ui.text("replay.reading"),
+                  [signed_in = signed_in_, id = attempt_](WorkReport& report) {
+                    return load_replay(*signed_in, id, report);
+                  });
+}
+
+bool ReplayScreen::draw_until_ready(Ui& ui, const Rect& content, Shell& shell) {
+  Rect page = inset(content, space::page);
+  if (is_made() && !material_.has_value()) {
+    PageHead head{made_of_.title, ui.text("replay.made.wait")};
+    head.has_back = true;
+    if (page_head(ui, "replay", page, head).is_back_pressed) shell.pop();
+  }
+  return material_.draw_until_ready(ui, "replay.failed", page, 10);
 }
 
 void ReplayScreen::open(Ui& ui) {
@@ -88,23 +121,34 @@ void ReplayScreen::open(Ui& ui) {
 
 void ReplayScreen::draw_replay(Ui& ui, const Rect& content, Shell& shell) {
   Rect rest = content;
-  draw_head(ui, take_top(rest, head_height));
+  draw_head(ui, take_top(rest, head_height), shell);
   const Timeline shown =
-      timeline_.shown(ui.texts(), material(), notes_.remarks(), player_.now_s(), ui.display().h);
+      timeline_.shown(ui.texts(), material(), remarks(), player_.now_s(), ui.display().h);
   draw_time(ui, take_bottom(rest, time_height(ui, shown, rest.w)), shown);
   const float width = std::clamp(0.3F * content.w, 216.0F, panel_width);
   draw_panel(ui, take_right(rest, width), shell);
   draw_view(ui, rest, shell);
 }
 
-void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
+std::string ReplayScreen::crumb(const Ui& ui) const {
+  if (is_made())
+    return ui.texts().say("replay.made.crumb", {{"operation", material().scenario.title}});
+  const database::AttemptHeader& header = material().header;
+  std::string where =
+      ui.texts().say("replay.crumb", {{"operation", material().scenario.title},
+                                      {"number", grouped(static_cast<long>(header.number))}});
+  if (header.begun.person == signed_in_->person().id || header.login.empty()) return where;
+  return ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
+}
+
+void ReplayScreen::draw_head(Ui& ui, const Rect& bar, Shell& shell) {
   Canvas& canvas = ui.canvas();
   canvas.fill(bar, ui.theme().side);
   canvas.hairline_across(bar.x, bar.bottom() - 1.0F, bar.w, ui.theme().line);
   Rect rest = inset(bar, edge, 8.0F);
   const AttemptRights& rights = material().rights;
   const auto action = [&](const char* id, ButtonSpec spec) {
-    if (notes_.has_reply()) spec.look = ButtonLook::Secondary;
+    if (notes_ && notes_->has_reply()) spec.look = ButtonLook::Secondary;
     const Rect place = take_right(rest, std::min(button_width(ui, spec), rest.w), 8.0F);
     return button(ui, id, {place.x, place.mid_y() - 18.0F, place.w, header_button_height}, spec);
   };
@@ -114,24 +158,12 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
   if (rights.may_write_notes &&
       action("replay.pin", {ui.text("replay.pin"), ButtonLook::Primary, Icon::Note}))
     pin_.open();
-  const database::AttemptHeader& header = material().header;
-  std::string where =
-      ui.texts().say("replay.crumb", {{"operation", material().scenario.title},
-                                      {"number", grouped(static_cast<long>(header.number))}});
-  if (header.begun.person != signed_in_->person().id && !header.login.empty())
-    where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
-  canvas.text_in(take_top(rest, 20.0F), {Type::Small, ui.theme().text_caption}, where, true);
-  const std::string_view title = ui.text("replay.title");
+  if (is_made() && action("replay.back", {ui.text("replay.made.back")})) shell.pop();
+  canvas.text_in(take_top(rest, 20.0F), {Type::Small, ui.theme().text_caption}, crumb(ui), true);
+  const std::string_view title = ui.text(is_made() ? "replay.made.title" : "replay.title");
   canvas.text_in(rest, {Type::Section, ui.theme().text}, title);
-  std::vector<ScoreMark> marks;
-  if (header.state == database::AttemptState::Void)
-    marks.push_back({std::string(ui.text("result.mark.void")), Meaning::Bad, true});
-  if (header.is_simulated)
-    marks.push_back({std::string(ui.text("result.mark.simulated")), Meaning::Info, true});
-  if (!material().scenario.is_reviewed)
-    marks.push_back({std::string(ui.text("result.mark.not_reviewed")), Meaning::Warn, true});
   float x = rest.x + ui.width_of(Type::Section, title) + 16.0F;
-  for (const ScoreMark& mark : marks) {
+  for (const ScoreMark& mark : marks_of(ui.texts(), material(), is_made())) {
     if (x + pill_width(ui, mark.words, mark.has_shape) > rest.right()) break;
     x += pill(ui, {x, rest.mid_y()}, mark.words, mark.meaning, mark.has_shape) + 8.0F;
   }
@@ -207,8 +239,9 @@ void ReplayScreen::draw_seen(Ui& ui, const Rect& rect) const {
 
 void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
   const std::array<std::string_view, views.size()> labels{
-      ui.text("replay.view.operator"), ui.text("replay.view.dorsal"), ui.text("replay.view.medial"),
-      ui.text("replay.view.plantar"), ui.text("replay.view.blade")};
+      ui.text(is_made() ? "replay.made.view" : "replay.view.operator"),
+      ui.text("replay.view.dorsal"), ui.text("replay.view.medial"), ui.text("replay.view.plantar"),
+      ui.text("replay.view.blade")};
   const float width = segmented_width(ui, labels);
   const float room = rect.w - 2.0F * edge;
   if (width <= room &&
@@ -220,7 +253,7 @@ void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
       stage_.turn_to(views[static_cast<std::size_t>(view_)]);
     }
   }
-  if (view_ == as_seen) draw_seen(ui, rect);
+  if (view_ == as_seen && !is_made()) draw_seen(ui, rect);
   const std::string_view plan = ui.text("replay.plan");
   const float plan_width = 44.0F + ui.width_of(Type::Body, plan) + 24.0F;
   if (width + plan_width + 16.0F > room) return;
@@ -265,7 +298,7 @@ void ReplayScreen::draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand)
 }
 
 void ReplayScreen::draw_pins(Ui& ui) {
-  const Remarks& remarks = notes_.remarks();
+  const Remarks& remarks = this->remarks();
   for (std::size_t i = 0; i < remarks.order.size(); ++i) {
     const database::AttemptMoment& moment = remarks.moment(remarks.order[i]);
     if (!moment.place) continue;
@@ -273,7 +306,7 @@ void ReplayScreen::draw_pins(Ui& ui) {
     const Vec3 now = bone_->moved_place(Vec3(place[0], place[1], place[2]));
     const auto seen = stage_.seen_at(transform_point(material().world_from_bone, now));
     if (!seen) continue;
-    if (notes_.chosen() == i) ui.canvas().ring(*seen, 12.0F, ui.theme().text, 2.0F);
+    if (notes_->chosen() == i) ui.canvas().ring(*seen, 12.0F, ui.theme().text, 2.0F);
     draw_remark_badge(ui, *seen, remarks, remarks.order[i]);
   }
 }
@@ -290,11 +323,15 @@ void ReplayScreen::draw_panel(Ui& ui, const Rect& rect, Shell& shell) {
   Rect rest = inset(rect, 16.0F, 12.0F);
   const std::array<std::string_view, 3> labels{ui.text("notes.title"), ui.text("replay.ledger"),
                                                ui.text("replay.events")};
-  tabs(ui, "replay.tab", take_top(rest, tabs_height, 12.0F), labels, tab_);
-  if (tab_ == 0) {
-    if (const auto moment_s = notes_.draw(ui, shell, rest, material().header, material().rights))
+  const int first = notes_ ? notes_tab : ledger_tab;
+  int shown = tab_ - first;
+  tabs(ui, "replay.tab", take_top(rest, tabs_height, 12.0F),
+       std::span(labels).subspan(static_cast<std::size_t>(first)), shown);
+  tab_ = shown + first;
+  if (tab_ == notes_tab) {
+    if (const auto moment_s = notes_->draw(ui, shell, rest, material().header, material().rights))
       player_.look_at(*moment_s);
-  } else if (tab_ == 1) {
+  } else if (tab_ == ledger_tab) {
     draw_ledger(ui, rest);
   } else {
     draw_events(ui, rest);
@@ -384,9 +421,9 @@ void ReplayScreen::draw_time(Ui& ui, const Rect& rect, const Timeline& shown) {
 void ReplayScreen::hear_timeline(const TimelineAnswer& answer) {
   if (!answer.asked_s) return;
   player_.look_at(*answer.asked_s);
-  if (!answer.note) return;
-  notes_.choose(*answer.note);
-  tab_ = 0;
+  if (!answer.note || !notes_) return;
+  notes_->choose(*answer.note);
+  tab_ = notes_tab;
 }
 
 void ReplayScreen::hear_keys(Ui& ui) {
@@ -453,8 +490,8 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
                 });
   if (!was_pinned && !was_asked) return;
   picked_in_bone_mm_.reset();
-  tab_ = 0;
-  notes_.read_again();
+  tab_ = notes_tab;
+  notes_->read_again();
   ui.want_frame_in_s(0.0);
 }
 

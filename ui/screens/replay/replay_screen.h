@@ -11,6 +11,7 @@
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/replay/blade_inset.h"
+#include "ui/screens/replay/made_replays.h"
 #include "ui/screens/replay/notes_panel.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
@@ -24,19 +25,33 @@ class ReplayScreen : public Screen {
  public:
   ReplayScreen(std::shared_ptr<SignedInSession> signed_in, database::AttemptId attempt,
                double moment_s)
+      : signed_in_(std::move(signed_in)), attempt_(std::move(attempt)), first_moment_s_(moment_s) {
+    notes_.emplace(signed_in_, attempt_);
+  }
+  /// A simulated hand at that operation. It is nobody's attempt, so nothing is said about its
+  /// moments.
+  ReplayScreen(std::shared_ptr<SignedInSession> signed_in, std::shared_ptr<MadeReplays> made,
+               scenarios::Scenario scenario)
       : signed_in_(std::move(signed_in)),
-        attempt_(std::move(attempt)),
-        first_moment_s_(moment_s),
-        notes_(signed_in_, attempt_) {}
+        made_(std::move(made)),
+        made_of_(std::move(scenario)),
+        tab_(events_tab) {}
 
   WindowChrome surround() const override { return WindowChrome::Rail; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
+  static constexpr int notes_tab = 0, ledger_tab = 1, events_tab = 2;
+
+  bool is_made() const noexcept { return made_ != nullptr; }
+  void start(Ui& ui, Shell& shell);
+  /// What stands there until there is something to show.
+  bool draw_until_ready(Ui& ui, const Rect& content, Shell& shell);
+  std::string crumb(const Ui& ui) const;
   const ReplayMaterial& material() const { return *material_.value(); }
   void open(Ui& ui);
   void draw_replay(Ui& ui, const Rect& content, Shell& shell);
-  void draw_head(Ui& ui, const Rect& bar);
+  void draw_head(Ui& ui, const Rect& bar, Shell& shell);
   void draw_view(Ui& ui, const Rect& rect, Shell& shell);
   void draw_view_choices(Ui& ui, const Rect& rect);
   /// Shows what was on the screen at this moment, where that is chosen.
@@ -56,10 +71,14 @@ class ReplayScreen : public Screen {
   void hear_keys(Ui& ui);
   void draw_forms(Ui& ui, Shell& shell);
   database::AttemptMoment moment_now() const;
+  const Remarks& remarks() const noexcept { return notes_ ? notes_->remarks() : no_remarks_; }
 
   std::shared_ptr<SignedInSession> signed_in_;
   database::AttemptId attempt_;
-  double first_moment_s_;
+  double first_moment_s_ = 0.0;
+  /// Where a simulated hand is shown; attempt_ is none then.
+  std::shared_ptr<MadeReplays> made_;
+  scenarios::Scenario made_of_;
   Loaded<std::shared_ptr<const ReplayMaterial>> material_;
   /// Of the material.
   std::unique_ptr<simulator::BoneMoment> bone_;
@@ -67,11 +86,13 @@ class ReplayScreen : public Screen {
   BladeInset inset_;
   Player player_;
   ReplayTimeline timeline_;
-  NotesPanel notes_;
+  /// Of a stored attempt.
+  std::optional<NotesPanel> notes_;
+  const Remarks no_remarks_;
   MessageForm ask_, pin_;
   TableState ledger_, events_;
   std::optional<Vec3> picked_in_bone_mm_;
-  int tab_ = 0;
+  int tab_ = notes_tab;
   /// Of the views, 0 as it was seen; none once somebody has turned it.
   int view_ = 0;
   bool shows_plan_ = true;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/screens/parts/attempt_desks.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/trainee/briefing_text.h"
 #include "ui/widgets/controls/button.h"
@@ -18,7 +19,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float picture_share = 0.48F, stacked_picture = 300.0F, least_body = 420.0F;
-constexpr float head_room = 84.0F;
+constexpr float head_room = 84.0F, watch_gap = 14.0F;
 constexpr float words_frame = 2.0F * space::card + tabs_height + 20.0F;  // of the card around them
 
 std::array<std::string_view, 2> kind_labels(const Ui& ui) {
@@ -39,20 +40,20 @@ std::array<std::string_view, 3> tab_labels(const Ui& ui) {
 }  // namespace
 
 void BriefingScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
-  if (operation_.is_new()) {
-    operation_.start(
+  if (read_.is_new()) {
+    read_.start(
         ui, shell, ui.text("brief.reading"), [signed_in = signed_in_, id = scenario_](WorkReport&) {
           return signed_in->in_turn([&](database::Session& session, database::Database& database) {
-            return own_operation(session, database, id);
+            return Read{own_operation(session, database, id), is_in_assessment(session)};
           });
         });
   }
-  if (operation_.has_value()) return draw_briefing(ui, content, shell);
+  if (read_.has_value()) return draw_briefing(ui, content, shell);
   Rect page = inset(content, page_margin(content));
   PageHead head{ui.text("brief.title")};
   head.has_back = true;
   if (page_head(ui, "brief", page, head).is_back_pressed) shell.pop();
-  operation_.draw_until_ready(ui, "brief.failed", page, 8);
+  read_.draw_until_ready(ui, "brief.failed", page, 8);
 }
 
 void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
@@ -61,10 +62,10 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   const float start = start_height(ui, is_stacked ? width : width * picture_share);
   const float gap = space::between_cards;
   const float stacked = stacked_picture + gap + start + gap + words_frame + words_height_;
-  const OwnOperation& operation = operation_.value();
+  const OwnOperation& own = this->operation();
   const std::string sentence =
-      ui.texts().say("brief.sentence", {{"version", std::to_string(operation.published.version)}});
-  PageHead head = course_head(ui, *signed_in_, operation.title(), sentence);
+      ui.texts().say("brief.sentence", {{"version", std::to_string(own.published.version)}});
+  PageHead head = course_head(ui, *signed_in_, own.title(), sentence);
   head.has_back = true;
   const Page page(ui, "brief", head.title, content,
                   head_room + (is_stacked ? stacked : std::max(least_body, start + 200.0F)));
@@ -73,13 +74,13 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
   if (is_stacked) {
     draw_picture(ui, take_top(rest, stacked_picture, gap), shell);
     draw_start(ui, take_top(rest, start, gap));
-    return draw_text_card(ui, rest);
+    return draw_text_card(ui, rest, shell);
   }
   Rect left = take_left(rest, rest.w * picture_share, gap);
   const Rect below = take_bottom(left, start, gap);
   draw_picture(ui, left, shell);
   draw_start(ui, below);
-  draw_text_card(ui, rest);
+  draw_text_card(ui, rest, shell);
 }
 
 // -- the picture
@@ -113,7 +114,7 @@ void draw_hint(Ui& ui, const Rect& picture) {
 
 void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
   const Theme& theme = ui.theme();
-  const scenarios::Scenario& scenario = *operation_.value().scenario;
+  const scenarios::Scenario& scenario = *operation().scenario;
   draw_card(ui.canvas(), theme, rect, radius::picture);
   if (const PatientView* view = pictures_.find(shell, scenario)) {
     if (!stage_.has_view()) {
@@ -132,7 +133,7 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
                           pictures_.fault(scenario));
   }
   ui.canvas().outline(rect, theme.line, radius::picture);
-  if (!operation_.value().published.is_reviewed) {
+  if (!operation().published.is_reviewed) {
     draw_mark(ui, {rect.x + 12.0F, rect.y + 12.0F}, ui.text("course.not_reviewed"));
   }
 }
@@ -141,8 +142,8 @@ void BriefingScreen::draw_picture(Ui& ui, const Rect& rect, Shell& shell) {
 
 std::string BriefingScreen::choice_text(const Ui& ui) const {
   if (kind_ != 0) {
-    const std::string means(ui.text("brief.assessment.means"));
-    const auto& allowance = operation_.value().published.allowance;
+    std::string means(ui.text("brief.assessment.means"));
+    const auto& allowance = operation().published.allowance;
     if (!allowance) return means;
     const TextValues about{{"max", std::to_string(allowance->attempts_max)},
                            {"cohort", allowance->cohort_name}};
@@ -157,7 +158,7 @@ std::string BriefingScreen::choice_text(const Ui& ui) const {
 }
 
 bool BriefingScreen::may_begin() const {
-  const auto& allowance = operation_.value().published.allowance;
+  const auto& allowance = operation().published.allowance;
   return kind_ == 0 || !allowance || allowance->left() > 0;
 }
 
@@ -166,7 +167,7 @@ float BriefingScreen::start_height(const Ui& ui, float width) const {
       ui.paragraph_height(Type::Small, choice_text(ui), width - 2.0F * space::side_card);
   const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F);
   return space::side_card + choices + std::max(40.0F, words) + 14.0F + button_height +
-         space::side_card;
+         watch_height(ui, width - 2.0F * space::side_card) + space::side_card;
 }
 
 void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
@@ -176,6 +177,7 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
     segmented(ui, "brief.guide", take_top(inside, segmented_height, 14.0F), guidance_labels(ui),
               guidance_);
   }
+  const Rect watch = take_bottom(inside, watch_height(ui, inside.w));
   const Rect foot = take_bottom(inside, button_height, 14.0F);
   ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, choice_text(ui));
   const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
@@ -190,18 +192,38 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
         is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
         is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);
   }
+  draw_watch(ui, watch);
+}
+
+float BriefingScreen::watch_height(const Ui& ui, float width) const {
+  return watch_gap + 1.0F + watch_gap + button_height + 8.0F +
+         ui.paragraph_height(Type::Small, ui.text("brief.watch.means"), width);
+}
+
+void BriefingScreen::draw_watch(Ui& ui, const Rect& rect) {
+  Rect rest = rect;
+  ui.canvas().hairline_across(rest.x, rest.y + watch_gap, rest.w, ui.theme().line);
+  take_top(rest, watch_gap + 1.0F + watch_gap);
+  ButtonSpec watch{ui.text("brief.watch"), ButtonLook::Secondary, Icon::Eye};
+  if (read_.value().is_in_assessment) watch.why_off = ui.text("brief.watch.assessed");
+  if (button_in_line(ui, "brief.watch", take_top(rest, button_height, 8.0F), watch))
+    navigator_.watch_expert(*operation().scenario);
+  ui.canvas().paragraph(rest, {Type::Small, ui.theme().text_caption}, ui.text("brief.watch.means"));
 }
 
 // -- the words
 
-float BriefingScreen::draw_text(Ui& ui, const Rect& rect) const {
-  const scenarios::Scenario& scenario = *operation_.value().scenario;
-  if (tab_ == 1) return draw_steps(ui, rect, scenario);
+float BriefingScreen::draw_text(Ui& ui, const Rect& rect, Shell& shell) {
+  const scenarios::Scenario& scenario = *operation().scenario;
   if (tab_ == 2) return draw_scoring(ui, rect, scenario);
-  return draw_about(ui, rect, scenario);
+  const PatientView* view = pictures_.find(shell, scenario);
+  const std::span<const PassesInView> passes =
+      view == nullptr ? std::span<const PassesInView>() : view->passes;
+  if (tab_ == 1) return draw_steps(ui, rect, scenario, passes);
+  return draw_about(ui, rect, scenario, passes);
 }
 
-void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect) {
+void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect, Shell& shell) {
   Rect inside = card(ui, rect, {});
   inside.y -= 8.0F;
   inside.h += 8.0F;
@@ -210,7 +232,7 @@ void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect) {
   const float scrolled = ui.begin_scroll(
       "brief.words", tab_labels(ui)[static_cast<std::size_t>(tab_)], view, words_height_ + 8.0F);
   const Rect words{inside.x, inside.y + 4.0F - scrolled, inside.w - 8.0F, inside.h};
-  const float height = draw_text(ui, words);
+  const float height = draw_text(ui, words, shell);
   ui.end_scroll();
   if (height != words_height_) ui.want_frame_in_s(0.0);
   words_height_ = height;

@@ -25,26 +25,34 @@ class BriefingScreen : public Screen {
 
   std::string_view navigation_id() const override { return "nav.operations"; }
   /// An assessment may have been used up since.
-  void enter(Shell&) override { operation_.read_again(); }
+  void enter(Shell&) override { read_.read_again(); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
+  struct Read {
+    OwnOperation operation;
+    bool is_in_assessment = false;
+  };
+  const OwnOperation& operation() const { return read_.value().operation; }
   void draw_briefing(Ui& ui, const Rect& content, Shell& shell);
   void draw_picture(Ui& ui, const Rect& rect, Shell& shell);
   void draw_start(Ui& ui, const Rect& rect);
   float start_height(const Ui& ui, float width) const;
+  /// The way to a simulated hand, with what it is and how long it takes.
+  void draw_watch(Ui& ui, const Rect& rect);
+  float watch_height(const Ui& ui, float width) const;
   /// What it means to begin as it is chosen.
   std::string choice_text(const Ui& ui) const;
   bool may_begin() const;
   /// The words of the chosen tab from the top of `rect`; returns their height.
-  float draw_text(Ui& ui, const Rect& rect) const;
-  void draw_text_card(Ui& ui, const Rect& rect);
+  float draw_text(Ui& ui, const Rect& rect, Shell& shell);
+  void draw_text_card(Ui& ui, const Rect& rect, Shell& shell);
 
   std::shared_ptr<SignedInSession> signed_in_;
   Navigator& navigator_;
   PatientPictures& pictures_;
   database::ScenarioVersionId scenario_;
-  Loaded<OwnOperation> operation_;
+  Loaded<Read> read_;
   int tab_ = 0, kind_ = 0;
   /// Of practice: none, soft, slot.
   int guidance_ = 0;

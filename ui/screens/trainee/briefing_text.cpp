@@ -23,6 +23,8 @@ using scenarios::RubricItem;
 using scenarios::Scenario;
 
 constexpr float section_gap = 22.0F, number_room = 40.0F;
+/// Of the picture.
+constexpr float passes_height = 190.0F, passes_width = 320.0F;
 
 /// Words that the keyboard can walk to, so that they can be scrolled into sight without a mouse.
 void read_along(Ui& ui, std::string id, std::string_view label, const Rect& rect) {
@@ -57,12 +59,38 @@ std::string zones_text(const Texts& texts, const Scenario& scenario) {
   return is_checked ? zones : texts.say("brief.zones.unchecked", {{"zones", zones}});
 }
 
-std::string means_text(const Texts& texts, const Scenario& scenario) {
-  return texts.say("brief.means.sentence",
-                   {{"bone", file_name_text(scenario.patient.bone)},
-                    {"length", tick_text(scenario.patient.length_mm, 0.1)},
-                    {"blade", scenario.blade_name},
-                    {"rate", grouped(std::lround(scenario.saw.cycles_per_minute))}});
+std::string means_text(const Texts& texts, const Scenario& scenario,
+                       std::span<const PassesInView> passes) {
+  std::string means = texts.say("brief.means.sentence",
+                                {{"bone", file_name_text(scenario.patient.bone)},
+                                 {"length", tick_text(scenario.patient.length_mm, 0.1)},
+                                 {"blade", scenario.blade_name},
+                                 {"rate", grouped(std::lround(scenario.saw.cycles_per_minute))}});
+  const bool is_narrow = !std::ranges::all_of(passes, &PassesInView::is_one);
+  return is_narrow ? means + " " + std::string(texts.text("brief.means.passes")) : means;
+}
+
+/// Of the cut that a step makes; null where it makes none, needs one pass, or is not known yet.
+const PassesInView* passes_of(const Scenario& scenario, const scenarios::OperationStep& step,
+                              std::span<const PassesInView> passes) {
+  if (step.kind != scenarios::StepKind::Cut) return nullptr;
+  for (std::size_t cut = 0; cut < std::min(passes.size(), scenario.cuts.size()); ++cut) {
+    if (scenario.cuts[cut].name == step.cut && !passes[cut].is_one()) return &passes[cut];
+  }
+  return nullptr;
+}
+
+void draw_passes_of_step(Ui& ui, Rect& rest, const std::string& id, const PassesInView& passes) {
+  const std::string words = passes_text(ui.texts(), passes);
+  const float width = rest.w - number_room;
+  const float height = ui.paragraph_height(Type::Small, words, width);
+  Rect row = take_top(rest, height + 8.0F + passes_height, section_gap);
+  read_along(ui, id, words, row);
+  take_left(row, number_room);
+  ui.canvas().paragraph(take_top(row, height, 8.0F), {Type::Small, ui.theme().text}, words);
+  row.w = std::min(row.w, passes_width);
+  ui.canvas().fill(row, ui.theme().raise, radius::row);
+  draw_passes(ui, inset(row, 8.0F), passes);
 }
 
 /// A line with its points at the right.
@@ -131,18 +159,21 @@ Rect endless(const Rect& rect) { return {rect.x, rect.y, rect.w, 100000.0F}; }
 
 }  // namespace
 
-float draw_about(Ui& ui, const Rect& rect, const Scenario& scenario) {
+float draw_about(Ui& ui, const Rect& rect, const Scenario& scenario,
+                 std::span<const PassesInView> passes) {
   Rect rest = endless(rect);
   draw_section(ui, rest, "brief.indication", ui.text("brief.indication"), scenario.indication);
   draw_section(ui, rest, "brief.summary", ui.text("brief.summary"), scenario.summary);
   if (!scenario.danger_zones.empty()) {
     draw_section(ui, rest, "brief.zones", ui.text("brief.zones"), zones_text(ui.texts(), scenario));
   }
-  draw_section(ui, rest, "brief.means", ui.text("brief.means"), means_text(ui.texts(), scenario));
+  draw_section(ui, rest, "brief.means", ui.text("brief.means"),
+               means_text(ui.texts(), scenario, passes));
   return rest.y - rect.y;
 }
 
-float draw_steps(Ui& ui, const Rect& rect, const Scenario& scenario) {
+float draw_steps(Ui& ui, const Rect& rect, const Scenario& scenario,
+                 std::span<const PassesInView> passes) {
   Rect rest = endless(rect);
   const Theme& theme = ui.theme();
   int number = 0;
@@ -160,7 +191,10 @@ float draw_steps(Ui& ui, const Rect& rect, const Scenario& scenario) {
                         step.title, true);
     ui.canvas().paragraph({row.x + number_room, row.y + 26.0F, width, words},
                           {Type::Small, theme.text_secondary}, step.text);
+    if (const PassesInView* narrow = passes_of(scenario, step, passes))
+      draw_passes_of_step(ui, rest, "brief.passes." + std::to_string(number), *narrow);
   }
+  draw_section(ui, rest, "brief.done", ui.text("brief.done"), ui.text("brief.done.rule"));
   return rest.y - rect.y;
 }
 

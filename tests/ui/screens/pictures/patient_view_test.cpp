@@ -17,9 +17,23 @@ PatientView view_of_shipped(const char* name) {
   return make_patient_view(scenarios::load_shipped_scenario(name), {}, 1.0);
 }
 
-TEST(PatientView, EveryCutHasItsFaceAndTheSawWaitsBeforeTheFirst) {
+/// As many passes as the blade needs, and together they cover the section.
+void expect_covering(const PatientView& view, std::size_t count) {
+  ASSERT_EQ(view.passes.size(), view.faces.size());
+  for (const PassesInView& passes : view.passes) {
+    EXPECT_EQ(passes.middles_mm.size(), count);
+    EXPECT_EQ(passes.is_one(), count == 1);
+    EXPECT_EQ(passes.bone_width_mm + 2.0 > passes.blade_width_mm, count > 1);
+    EXPECT_GE(passes.middles_mm.back() - passes.middles_mm.front() + passes.blade_width_mm,
+              passes.bone_width_mm);
+    EXPECT_FALSE(passes.section.section.bone_mm.empty());
+  }
+}
+
+TEST(PatientView, EveryCutHasItsFaceItsPassesAndTheSawWaitsBeforeTheFirst) {
   const PatientView view = view_of_shipped("akin");
   ASSERT_EQ(view.faces.size(), 2U);
+  expect_covering(view, 2);
   const Scene scene = scene_of(view, PatientPicture::Card, Ground::Dark);
   ASSERT_TRUE(scene.saw.has_value());
   // The teeth look along the blade's plane, from medial to lateral, and stand medial of the bone.
@@ -32,6 +46,7 @@ TEST(PatientView, EveryCutHasItsFaceAndTheSawWaitsBeforeTheFirst) {
 TEST(PatientView, AFaceAlongTheShaftIsShownAtTheHeadOnly) {
   const PatientView view = view_of_shipped("silver");
   ASSERT_EQ(view.faces.size(), 1U);
+  expect_covering(view, 2);
   EXPECT_LT(view.faces.front().half_mm.y, 16.0) << "not along the whole bone";
   const Scene scene = scene_of(view, PatientPicture::Card, Ground::Dark);
   EXPECT_LT(transform_direction(scene.saw->world_from_tool, Vec3(1.0, 0.0, 0.0)).y, -0.6)

@@ -12,6 +12,7 @@
 #include "ui/render/picture.h"
 #include "ui/screens/pictures/blade_section_view.h"
 #include "ui/screens/pictures/planned_frame.h"
+#include "ui/screens/pictures/planned_passes_picture.h"
 #include "ui/widgets/shapes.h"
 
 namespace {
@@ -59,13 +60,27 @@ struct Site {
   }
 };
 
-void draw_sections(Ui& ui, const std::vector<BladeSection>& sections) {
+struct Shown {
+  std::vector<BladeSection> sections;
+  /// As a briefing lays them out.
+  std::vector<PassesInView> passes;
+};
+
+Rect place_of(std::size_t index) {
+  return {gap + static_cast<float>(index % 4) * (side + gap),
+          gap + static_cast<float>(index / 4) * (side + gap), side, side};
+}
+
+void draw_sections(Ui& ui, const Shown& shown) {
   ui.canvas().fill(ui.display(), ui.theme().page);
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    const Rect place{gap + static_cast<float>(i % 4) * (side + gap),
-                     gap + static_cast<float>(i / 4) * (side + gap), side, side};
+  for (std::size_t i = 0; i < shown.sections.size(); ++i) {
+    draw_hud_panel(ui.canvas(), ui.theme(), place_of(i));
+    draw_blade_section(ui, inset(place_of(i), 8.0F), shown.sections[i]);
+  }
+  for (std::size_t i = 0; i < shown.passes.size(); ++i) {
+    const Rect place = place_of(shown.sections.size() + i);
     draw_hud_panel(ui.canvas(), ui.theme(), place);
-    draw_blade_section(ui, inset(place, 8.0F), sections[i]);
+    draw_passes(ui, inset(place, 8.0F), shown.passes[i]);
   }
 }
 
@@ -78,20 +93,22 @@ int main(int count, char** arguments) {
   }
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
-  std::vector<BladeSection> sections;
+  Shown shown;
+  std::vector<BladeSection>& sections = shown.sections;
   for (const char* name : {"silver", "akin"}) {
     const Site site(name);
     sections.push_back(site.section({{-22.0, 0.0}}));
     sections.push_back(site.section({{-4.0, -5.0}}));
     sections.push_back(site.section({{5.0, -5.0}, {1.0, 4.0}}));
     sections.push_back(site.section({{20.0, -9.0}, {20.0, 0.0}, {7.0, 9.0}}));
+    for (std::size_t cut = 0; cut < site.plan.cuts.size(); ++cut)
+      shown.passes.push_back(passes_in_view(site.scenario, site.plan, cut, site.solid, site.tree));
   }
   const Texts texts = english_texts();
   for (const ThemeName theme : {ThemeName::Dark, ThemeName::Light}) {
     const HeadlessContext context;
-    const RenderTarget target({1140, 580});
-    Driver driver(texts, [&](Ui& ui) { draw_sections(ui, sections); },
-                  {1140.0F, 580.0F, 1.0F, theme});
+    const RenderTarget target({1140, 860});
+    Driver driver(texts, [&](Ui& ui) { draw_sections(ui, shown); }, {1140.0F, 860.0F, 1.0F, theme});
     driver.wait(1.0);
     ImguiPainter painter;
     const BoundFramebuffer bound(target.target().framebuffer);

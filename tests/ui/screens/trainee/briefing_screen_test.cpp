@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/no_patient.h"
 #include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
@@ -12,7 +13,9 @@ namespace hallux::ui {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// A person who reads the briefing of the Akin, or of another operation.
 struct Briefed {
@@ -53,6 +56,67 @@ TEST(BriefingScreen, ShowsTheStepsAndWhatIsScored) {
                             "Lateral cortex cut through: at most 69 points", "from 60 points on"}) {
     EXPECT_TRUE(briefed.driver().sees(words)) << words;
   }
+}
+
+/// The same patient, with cuts through a bone of 17.2 x 20 mm whose blade needs `count` passes.
+PatientView patient_of_passes(const scenarios::Scenario& scenario, std::size_t count) {
+  PatientView view = no_patient(scenario, {});
+  for (std::size_t cut = 0; cut < scenario.cuts.size(); ++cut) {
+    PassesInView& passes = view.passes.emplace_back();
+    passes.section.section.bone_mm = {
+        {Vec2(0.0, -8.6), Vec2(20.0, -8.6), Vec2(20.0, 8.6), Vec2(0.0, 8.6)}};
+    passes.blade_width_mm = 12.0;
+    passes.bone_width_mm = 17.2;
+    for (std::size_t pass = 0; pass < count; ++pass)
+      passes.middles_mm.push_back(-3.6 + 7.2 * static_cast<double>(pass));
+  }
+  return view;
+}
+
+TEST(BriefingScreen, ABladeNarrowerThanTheBoneIsSaidWithItsPassesLaidOut) {
+  SomePublished published;
+  SomeNavigator navigator;
+  PatientPictures pictures{
+      [](const auto& scenario, const auto&) { return patient_of_passes(scenario, 2); }};
+  for (const float scale : {1.0F, 1.5F}) {
+    SomeVisitor visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"),
+                                                         navigator, pictures, published.akin()),
+                        scale);
+    visitor.finish_work();
+    Driver& driver = visitor.driver();
+    driver.resize(1440.0F * scale, 1400.0F * scale);
+    EXPECT_THAT(all_text(driver), HasSubstr("several passes side by side"));
+    driver.click("brief.tab.1");
+    EXPECT_THAT(
+        all_text(driver),
+        HasSubstr(
+            "12 mm wide and the bone here 17.2 mm: one pass leaves bone standing. Saw it in 2 "
+            "passes"));
+    EXPECT_TRUE(driver.has("brief.passes.2"));
+    driver.resize(1280.0F, 720.0F);
+    EXPECT_THAT(driver.faults(), IsEmpty()) << scale;
+  }
+}
+
+TEST(BriefingScreen, ABladeAsWideAsTheBoneNeedsNoWordOfPasses) {
+  SomePublished published;
+  SomeNavigator navigator;
+  PatientPictures pictures{
+      [](const auto& scenario, const auto&) { return patient_of_passes(scenario, 1); }};
+  SomeVisitor visitor(std::make_unique<BriefingScreen>(visit_of(published.course(), "ada"),
+                                                       navigator, pictures, published.akin()));
+  visitor.finish_work();
+  EXPECT_THAT(all_text(visitor.driver()), Not(HasSubstr("several passes")));
+  visitor.driver().click("brief.tab.1");
+  EXPECT_THAT(all_text(visitor.driver()), Not(HasSubstr("passes side by side")));
+}
+
+TEST(BriefingScreen, SaysThatWhatIsSawnAfterDoneCounts) {
+  SomePublished published;
+  Briefed briefed(published);
+  briefed.driver().click("brief.tab.1");
+  EXPECT_THAT(all_text(briefed.driver()),
+              HasSubstr("sawn in a cut after its Done counts as what was sawn before"));
 }
 
 TEST(BriefingScreen, BeginsPracticeUnlessTheAssessmentWasChosen) {
@@ -118,6 +182,28 @@ TEST(BriefingScreen, IsSteeredByKeyboardAlone) {
   briefed.driver().press(Key::Tab);
   briefed.driver().press(Key::Enter);
   EXPECT_THAT(briefed.navigator.asked, ElementsAre(asked("assess", published.akin())));
+}
+
+TEST(BriefingScreen, LeadsToASimulatedHandAndSaysWhatItIsAndHowLongItTakes) {
+  SomePublished published;
+  Briefed briefed(published);
+  for (const char* words : {"simulated hand", "not surgeon-reviewed", "10 to 40 seconds"})
+    EXPECT_THAT(all_text(briefed.driver()), HasSubstr(words));
+  briefed.driver().click("brief.watch");
+  EXPECT_THAT(briefed.navigator.asked, ElementsAre("watch akin"));
+  Briefed by_keyboard(published);
+  press_by_keyboard(by_keyboard.visitor, "brief.watch");
+  EXPECT_THAT(by_keyboard.navigator.asked, ElementsAre("watch akin"));
+}
+
+TEST(BriefingScreen, ShowsNoHandWhileAnAssessmentIsRecordedAndSaysWhy) {
+  SomePublished published;
+  database::NewAttempt begun = published.course().attempt_of("ada");
+  begun.kind = database::AttemptKind::Assessment;
+  const auto lease = published.course().trainee("ada").begin_attempt(begun);
+  Briefed briefed(published);
+  EXPECT_FALSE(briefed.driver().widget("brief.watch").is_enabled);
+  EXPECT_THAT(briefed.driver().off_without_reason(), IsEmpty());
 }
 
 TEST(BriefingScreen, EnterBegins) {
