@@ -112,7 +112,8 @@ GateResult gate_result(const Gate& gate, const Measurement* measurement) {
   result.unit = gate.unit;
   if (measurement == nullptr || !measurement->is_measured) return result;
   result.value = measurement->value;
-  result.is_triggered = measurement->value > gate.limit;
+  result.is_triggered =
+      gate.is_at_least ? measurement->value < gate.limit : measurement->value > gate.limit;
   return result;
 }
 

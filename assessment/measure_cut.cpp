@@ -15,6 +15,7 @@
 #include "assessment/metrics/resection.h"
 #include "assessment/number_text.h"
 #include "scenarios/metric_names.h"
+#include "scenarios/site/bone_words.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
@@ -97,7 +98,7 @@ Harm worst_harm(const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
 
 /// Which way an error along the planned normal goes, in the words of the bone.
 std::string error_direction_text(double error_mm, const Vec3& to_waste) {
-  return direction_text(error_mm * to_waste);
+  return scenarios::direction_text(error_mm * to_waste);
 }
 
 Moment cutting_moment(const RebuiltBone& rebuilt, std::int32_t kerf) {
@@ -149,7 +150,7 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
   const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
   made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg,
                              {frozen_tick, frozen_tick}, metrics.worst_point_in_bone_mm));
-  made.back().direction = direction_text(deepest_direction(face.plane, plan));
+  made.back().direction = scenarios::direction_text(deepest_direction(face.plane, plan));
   if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_text(face, plan);
   made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm,
                              cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));

@@ -4,7 +4,6 @@
 #include "assessment/sentences.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -155,21 +154,112 @@ void explain_line(LedgerLine& line, const ShownLine& shown, const Scenario& scen
   }
 }
 
-void choose_sentences(ScoreCard& card) {
+/// What a sentence may be about: a line of the ledger, or all lines that one unfinished cut has
+/// cost.
+struct Loss {
+  std::int64_t lost_milli = 0;
+  std::string text;
+};
+
+/// A cut that was left unfinished, or not made at all, with what its lines lost together.
+struct UnfinishedCut {
+  const scenarios::ReferenceCut* cut = nullptr;
+  double done_fraction = 0.0;
+  std::int64_t lost_milli = 0, shown_lost_milli = 0;
+};
+
+/// How much of a cut was sawn; 0 where it was not made.
+double done_fraction_of(const std::string& cut, std::span<const Measurement> measurements) {
+  for (const Measurement& measurement : measurements) {
+    if (measurement.cut == cut) return measurement.is_measured ? measurement.done_fraction : 0.0;
+  }
+  return 0.0;
+}
+
+/// The unfinished cut that an item's loss is to be laid to: its own, or of a hinge's two the less
+/// finished; null where nothing is unfinished.
+const scenarios::ReferenceCut* unfinished_cut_of(const Scenario& scenario, const RubricItem& item,
+                                                 std::span<const Measurement> measurements) {
+  std::string name = item.cut;
+  for (const scenarios::ReferenceHinge& hinge : scenario.hinges) {
+    if (hinge.name != item.hinge) continue;
+    const double first = done_fraction_of(hinge.first_cut, measurements);
+    name = first <= done_fraction_of(hinge.second_cut, measurements) ? hinge.first_cut
+                                                                     : hinge.second_cut;
+  }
+  if (done_fraction_of(name, measurements) >= 1.0) return nullptr;
+  const auto found = std::find_if(scenario.cuts.begin(), scenario.cuts.end(),
+                                  [&](const auto& cut) { return cut.name == name; });
+  return found == scenario.cuts.end() ? nullptr : &*found;
+}
+
+std::string unfinished_sentence(const Scenario& scenario, const UnfinishedCut& unfinished) {
+  const std::string lost = points_text(unfinished.shown_lost_milli) + " points lost.";
+  const std::string subject = scenario.cuts.size() < 2 ? "" : unfinished.cut->title + ": ";
+  if (unfinished.done_fraction == 0.0) return subject + "The cut was not made: " + lost;
+  const std::string done = number_text(100.0 * unfinished.done_fraction, 0) + " %";
+  return subject + "Unfinished cut: " + done + " was sawn, so what it is worth counts " + done +
+         ". With its other losses that is " + lost;
+}
+
+/// Gathers lines by the unfinished cut that they are laid to.
+class UnfinishedCuts {
+ public:
+  UnfinishedCuts(const Scenario& scenario, std::span<const Measurement> measurements)
+      : scenario_(scenario), measurements_(measurements) {}
+
+  /// False where the line is about something else.
+  bool take(const SaidLine& said) {
+    if (said.line.kind != LedgerKind::Metric || said.line.points_lost_milli == 0) return false;
+    const scenarios::ReferenceCut* cut = cut_of(said.line);
+    if (cut == nullptr) return false;
+    const auto found = std::find_if(cuts_.begin(), cuts_.end(),
+                                    [&](const UnfinishedCut& each) { return each.cut == cut; });
+    UnfinishedCut& unfinished = found == cuts_.end() ? cuts_.emplace_back() : *found;
+    unfinished.cut = cut;
+    unfinished.done_fraction = done_fraction_of(cut->name, measurements_);
+    unfinished.lost_milli += said.line.points_lost_milli;
+    unfinished.shown_lost_milli += said.shown.lost_milli;
+    return true;
+  }
+  void add_to(std::vector<Loss>& losses) const {
+    for (const UnfinishedCut& each : cuts_)
+      losses.push_back({each.lost_milli, unfinished_sentence(scenario_, each)});
+  }
+
+ private:
+  const scenarios::ReferenceCut* cut_of(const LedgerLine& line) const {
+    for (const RubricItem& item : scenario_.rubric.items) {
+      if (item.id == line.item) return unfinished_cut_of(scenario_, item, measurements_);
+    }
+    return nullptr;
+  }
+
+  const Scenario& scenario_;
+  std::span<const Measurement> measurements_;
+  std::vector<UnfinishedCut> cuts_;
+};
+
+void choose_sentences(ScoreCard& card, const ShownPoints& shown, const Scenario& scenario,
+                      std::span<const Measurement> measurements) {
   card.sentences.clear();
   if (card.measured_milli == 0) {
     card.sentences.push_back("Nothing of this attempt could be measured, so its score is 0.");
     return;
   }
-  std::vector<std::size_t> order(card.ledger.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return card.ledger[a].points_lost_milli > card.ledger[b].points_lost_milli;
-  });
-  for (const std::size_t index : order) {
+  std::vector<Loss> losses;
+  UnfinishedCuts unfinished(scenario, measurements);
+  for (std::size_t index = 0; index < card.ledger.size(); ++index) {
     const LedgerLine& line = card.ledger[index];
-    if (line.points_lost_milli == 0 || card.sentences.size() == sentence_limit) break;
-    card.sentences.push_back(line.text);
+    if (!unfinished.take({line, shown.lines[index]}))
+      losses.push_back({line.points_lost_milli, line.text});
+  }
+  unfinished.add_to(losses);
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const Loss& a, const Loss& b) { return a.lost_milli > b.lost_milli; });
+  for (const Loss& loss : losses) {
+    if (loss.lost_milli == 0 || card.sentences.size() == sentence_limit) break;
+    card.sentences.push_back(loss.text);
   }
 }
 
@@ -185,7 +275,7 @@ void explain(ScoreCard& card, const Scenario& scenario, std::span<const Measurem
     const bool is_measured = measurement != nullptr && measurement->is_measured;
     card.gates[index].text = gate_text(card.gates[index], gate, is_measured);
   }
-  choose_sentences(card);
+  choose_sentences(card, shown, scenario, measurements);
 }
 
 }  // namespace hallux::assessment

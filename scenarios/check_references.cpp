@@ -69,8 +69,9 @@ void check_subject(const Scenario& scenario, const Subject& part, MetricSubject 
                    std::string_view file) {
   const std::string cut_path = path_of(part.list, part.index, "cut");
   const std::string hinge_path = path_of(part.list, part.index, "hinge");
-  const bool is_about_hinge = wanted == MetricSubject::Hinge ||
-                              (wanted == MetricSubject::CutOrHinge && !part.hinge.empty());
+  const bool may_be_either = wanted == MetricSubject::CutOrHinge || wanted == MetricSubject::Piece;
+  const bool is_about_hinge = wanted == MetricSubject::Hinge || wanted == MetricSubject::Closing ||
+                              (may_be_either && !part.hinge.empty());
   if (is_about_hinge) {
     refuse_named(part.cut, "cut", cut_path, file);
     check_named(scenario.hinges, part.hinge, "hinge", hinge_path, file);
@@ -247,6 +248,21 @@ void check_group_weights(const Rubric& rubric, std::string_view file) {
   }
 }
 
+/// What is to be out is removed by a step, what is to be closed closed by one.
+void check_deed(const Scenario& scenario, const Subject& part, MetricSubject wanted,
+                std::string_view file) {
+  if (wanted != MetricSubject::Piece && wanted != MetricSubject::Closing) return;
+  const StepKind kind = wanted == MetricSubject::Piece ? StepKind::Remove : StepKind::Close;
+  for (const OperationStep& step : scenario.steps) {
+    if (step.kind == kind && step.cut == part.cut && step.hinge == part.hinge) return;
+  }
+  const std::string_view key = part.hinge.empty() ? "cut" : "hinge";
+  refuse(file, path_of(part.list, part.index, key),
+         is_text(part.hinge.empty() ? part.cut : part.hinge) + ", which no step " +
+             (kind == StepKind::Remove ? "removes" : "closes"),
+         "add that step, or remove this");
+}
+
 void check_rubric(const Scenario& scenario, std::string_view file) {
   const Rubric& rubric = scenario.rubric;
   for (std::size_t i = 0; i < rubric.items.size(); ++i) {
@@ -255,13 +271,15 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
       refuse(file, path_of("rubric.items", i, "group"), is_text(item.group) + ", which is no group",
              "name one of rubric.groups");
     }
-    check_subject(scenario, {"rubric.items", i, item.cut, item.hinge},
-                  find_metric(item.metric)->subject, file);
+    const Subject subject{"rubric.items", i, item.cut, item.hinge};
+    check_subject(scenario, subject, find_metric(item.metric)->subject, file);
+    check_deed(scenario, subject, find_metric(item.metric)->subject, file);
   }
   for (std::size_t i = 0; i < rubric.gates.size(); ++i) {
     const Gate& gate = rubric.gates[i];
-    check_subject(scenario, {"rubric.gates", i, gate.cut, gate.hinge},
-                  find_metric(gate.metric)->subject, file);
+    const Subject subject{"rubric.gates", i, gate.cut, gate.hinge};
+    check_subject(scenario, subject, find_metric(gate.metric)->subject, file);
+    check_deed(scenario, subject, find_metric(gate.metric)->subject, file);
   }
   check_group_weights(rubric, file);
 }

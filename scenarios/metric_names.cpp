@@ -8,7 +8,7 @@ namespace {
 
 using enum MetricSubject;
 
-constexpr std::array<MetricName, 12> metrics{{
+constexpr std::array<MetricName, 14> metrics{{
     {Metric::AngleDeg,
      "angle_deg",
      "deg",
@@ -65,6 +65,8 @@ constexpr std::array<MetricName, 12> metrics{{
      Hinge,
      {"The blade went ", " past the far cortex", "", "", "The blade stayed inside the far cortex"}},
     {Metric::HingeLost, "hinge_lost", "", Hinge},
+    {Metric::PieceOut, "piece_out", "", Piece},
+    {Metric::WedgeClosed, "wedge_closed", "", Closing},
 }};
 
 /// Each metric has its row, at its place, and every one that has a unit has words.

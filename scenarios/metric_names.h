@@ -22,6 +22,8 @@ enum class Metric : std::uint8_t {
   HingeMm,
   OverCutMm,
   HingeLost,
+  PieceOut,
+  WedgeClosed,
   Count
 };
 
@@ -33,7 +35,11 @@ enum class MetricSubject {
   /// The bridge, or the wedge that its two cuts take out.
   Hinge,
   /// One cut, or the worse of a hinge's two.
-  CutOrHinge
+  CutOrHinge,
+  /// A cut or a hinge whose piece a step removes.
+  Piece,
+  /// A hinge that a step closes.
+  Closing
 };
 
 /// How a metric is said: `subject`, the value, `tail`, and where a direction helps `lean`, the

@@ -70,19 +70,24 @@ RubricItem read_item(const JsonNode& node) {
 }
 
 Gate read_gate(const JsonNode& node) {
-  node.expect_keys({"name", "title", "metric", "limit", "cap", "origin", "provisional"},
-                   {"cut", "hinge"});
+  node.expect_keys({"name", "title", "metric", "cap", "origin", "provisional"},
+                   {"cut", "hinge", "limit", "at_least"});
   const MetricName& metric = read_metric(node.at("metric"));
+  const bool is_at_least = node.has("at_least");
+  if (is_at_least == node.has("limit")) {
+    node.refuse_value("give either \"limit\", the most that is allowed, or \"at_least\"");
+  }
   return {.name = node.at("name").name(),
           .title = node.at("title").text(1, 120),
           .metric = std::string(metric.name),
           .cut = node.name_where_given("cut"),
           .unit = std::string(metric.unit),
-          .limit = node.at("limit").number(0.0, metric_value_max),
+          .limit = node.at(is_at_least ? "at_least" : "limit").number(0.0, metric_value_max),
           .cap_milli = node.at("cap").milli(0.0, 99.0),
           .origin = node.at("origin").text(1, 1000),
           .is_provisional = node.at("provisional").boolean(),
-          .hinge = node.name_where_given("hinge")};
+          .hinge = node.name_where_given("hinge"),
+          .is_at_least = is_at_least};
 }
 
 }  // namespace

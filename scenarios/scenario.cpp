@@ -3,6 +3,7 @@
 /// scenario are kept as they came, since their digest is the scenario's name in the records.
 #include "scenarios/scenario.h"
 
+#include <cmath>
 #include <fstream>
 
 #include "scenarios/check_references.h"
@@ -89,6 +90,32 @@ DangerZone read_danger_zone(const JsonNode& node) {
   return zone;
 }
 
+Vec3 read_direction(const JsonNode& node) {
+  const Vec3 direction = node.vector(-1.0, 1.0);
+  const double length = length_of(direction);
+  if (length < 0.1) node.refuse_value("give the parts of a direction, the largest near 1");
+  return direction / length;
+}
+
+/// A blade's normal is square to its feed: what rounding of the numbers leaves is taken off.
+StartingPlace read_start(const JsonNode& node) {
+  node.expect_keys({"eye_in_bone", "radius_mm", "tip_from_entry_mm", "feed_in_bone",
+                    "normal_in_bone", "origin"});
+  StartingPlace start;
+  start.eye_in_bone = read_direction(node.at("eye_in_bone"));
+  start.radius_mm = node.at("radius_mm").number(5.0, 100.0);
+  start.tip_from_entry_mm = node.at("tip_from_entry_mm").vector(-60.0, 60.0);
+  start.feed_in_bone = read_direction(node.at("feed_in_bone"));
+  const Vec3 normal = read_direction(node.at("normal_in_bone"));
+  const double along = glm::dot(normal, start.feed_in_bone);
+  if (std::abs(along) > 0.02) {
+    node.at("normal_in_bone").refuse_value("give a direction square to feed_in_bone");
+  }
+  start.normal_in_bone = unit(normal - along * start.feed_in_bone);
+  start.origin = read_origin(node);
+  return start;
+}
+
 void read_head(const JsonNode& node, Scenario& scenario) {
   scenario.format = node.at("format").integer(1, 1);
   scenario.name = node.at("name").name();
@@ -133,12 +160,13 @@ Scenario parse_scenario(std::string_view json, std::string_view name) {
   root.expect_keys(
       {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
        "sources", "patient", "blade", "cuts", "steps", "danger_zones", "rubric"},
-      {"hinges"});
+      {"hinges", "start"});
   Scenario scenario;
   read_head(root, scenario);
   scenario.patient = read_patient(root.at("patient"));
   read_blade(root.at("blade"), scenario);
   read_lists(root, scenario);
+  if (root.has("start")) scenario.start = read_start(root.at("start"));
   scenario.rubric = read_rubric(root.at("rubric"));
   scenario.text = json;
   check_references(scenario, name);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -118,7 +119,7 @@ struct RubricItem {
   std::string hinge;
 };
 
-/// Caps the score where a metric exceeds its limit.
+/// Caps the score where a metric exceeds its limit, or stays below it.
 struct Gate {
   std::string name, title, metric, cut, unit;
   double limit = 0.0;
@@ -128,6 +129,8 @@ struct Gate {
   bool is_provisional = true;
   /// What it is about, in place of `cut`.
   std::string hinge;
+  /// The limit is the least that is asked for.
+  bool is_at_least = false;
 };
 
 /// The cut or the hinge that an item or a gate is about.
@@ -167,6 +170,20 @@ struct DangerZone {
   std::string from_landmark = {}, to_landmark = {};
 };
 
+/// Where somebody stands and holds the saw when the operation begins; directions along the axes of
+/// the bone frame, of unit length.
+struct StartingPlace {
+  /// From the site of the first cut towards the eye.
+  Vec3 eye_in_bone{0.0, 1.0, 0.0};
+  /// Around the site, what the picture shows wholly.
+  double radius_mm = 30.0;
+  /// Of the middle of the tooth line, from the first cut's entry.
+  Vec3 tip_from_entry_mm{0.0, 0.0, 0.0};
+  /// From handle to teeth, and the blade's normal; square to each other.
+  Vec3 feed_in_bone{0.0, -1.0, 0.0}, normal_in_bone{0.0, 0.0, 1.0};
+  std::string origin;
+};
+
 /// A source that the origins of the numbers name by its key.
 struct SourceNote {
   std::string key, text;
@@ -194,6 +211,8 @@ struct Scenario {
   std::string text;
   std::vector<SourceNote> sources;
   std::vector<ReferenceHinge> hinges;
+  /// Nothing in older texts: then the program chooses.
+  std::optional<StartingPlace> start = {};
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "simulator/base/vector.h"
@@ -34,10 +33,5 @@ std::optional<FacePlane> fit_plane(std::span<const Vec3> points_mm, const Vec3& 
 /// The value below which `fraction` of the values lie, linear between neighbours in order.
 /// needs   values are not empty; fraction in [0, 1]
 double percentile(std::vector<double> values, double fraction);
-
-/// "dorsal", "plantar-distal": the bone axes nearest to a direction in the bone frame (x distal, y
-/// dorsal, z lateral). A second axis is named where its part is at least half of the first's. Empty
-/// for a direction of length 0.
-std::string direction_text(const Vec3& direction_in_bone);
 
 }  // namespace hallux::assessment

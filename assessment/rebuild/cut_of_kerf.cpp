@@ -5,16 +5,16 @@
 #include <limits>
 #include <optional>
 
-#include "assessment/metrics/face_plane.h"
 #include "assessment/rebuild/face_samples.h"
-#include "simulator/base/units.h"
+#include "scenarios/site/kerf_of_cut.h"
+#include "scenarios/site/planned_window.h"
 
 namespace hallux::assessment {
 
 namespace {
 
+using scenarios::misfit;
 using scenarios::Plan;
-using scenarios::PlannedCut;
 using scenarios::PlannedHinge;
 using simulator::KerfPlane;
 
@@ -22,33 +22,6 @@ using simulator::KerfPlane;
 constexpr double almost_done = 0.999;
 /// Less than this of a cut is a false start.
 constexpr double least_cut = 0.5;
-
-/// A tilt of one degree counts as much as a millimetre: over a section of 20 mm they move the face
-/// by as much.
-double misfit(const KerfPlane& plane, const PlannedCut& cut) noexcept {
-  const FacePlane planned{cut.face.normal, cut.face.offset_mm};
-  const Vec3 normal = axis_z(plane.bone_from_kerf);
-  const double angle_rad = angle_between_rad(normal, planned.normal);
-  const double tilt_deg = degree_from_radian(std::min(angle_rad, pi - angle_rad));
-  return tilt_deg + std::abs(signed_distance_mm(planned, plane.bone_from_kerf.translation_mm));
-}
-
-std::size_t nearest_cut(const KerfPlane& plane, const Plan& plan) noexcept {
-  std::size_t nearest = 0;
-  for (std::size_t cut = 1; cut < plan.cuts.size(); ++cut) {
-    if (misfit(plane, plan.cuts[cut]) < misfit(plane, plan.cuts[nearest])) nearest = cut;
-  }
-  return nearest;
-}
-
-PlannedWindow window_before(const PlannedHinge& hinge, double kerf_mm) noexcept {
-  const simulator::HingeLine& line = hinge.bridge.line;
-  const double spare_mm = hinge.target_high_mm - line.thickness_mm;
-  const double tangent = std::tan(std::abs(hinge.wedge_rad));
-  const double overlap_mm = tangent > 0.0 ? 0.5 * kerf_mm / tangent : 0.0;
-  return {line.outward,
-          glm::dot(line.outward, line.point_in_bone_mm) - std::max({0.0, spare_mm, overlap_mm})};
-}
 
 /// Moves one of several kerfs of `from` to `to`, which has none.
 void share_out(std::vector<std::size_t>& cuts, const std::vector<std::int32_t>& sawn,
@@ -83,7 +56,7 @@ std::vector<std::size_t> cuts_of_kerfs(const RebuiltBone& rebuilt, const Plan& p
   std::vector<std::size_t> cuts;
   cuts.reserve(rebuilt.kerfs.size());
   for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
-    cuts.push_back(nearest_cut(rebuilt.fields.plane(kerf), plan));
+    cuts.push_back(scenarios::nearest_cut(rebuilt.fields.plane(kerf), plan));
   }
   for (const PlannedHinge& hinge : plan.hinges) {
     std::vector<std::int32_t> sawn;

@@ -160,7 +160,7 @@ std::vector<Vec2> outward_row(const std::vector<double>& borders_mm, double v_mm
 /// Walks one row of a region outward, until it meets another kerf.
 void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t index,
                const std::vector<double>& borders_mm, const std::vector<Vec2>& row,
-               const PlannedWindow& window) {
+               const scenarios::PlannedWindow& window) {
   const KerfPlane& plane = rebuilt.fields.plane(index);
   for (const Vec2& place_mm : row) {
     const Vec3 point_mm = transform_point(plane.bone_from_kerf, Vec3{place_mm.x, place_mm.y, 0.0});
@@ -176,7 +176,8 @@ void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t inde
 
 }  // namespace
 
-double opened_share(const RebuiltBone& rebuilt, std::int32_t index, const PlannedWindow& window) {
+double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
+                    const scenarios::PlannedWindow& window) {
   const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const Vec3 feed =
       transform_direction(rebuilt.fields.plane(index).bone_from_kerf, {1.0, 0.0, 0.0});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rebuild/rebuild.h"
+#include "scenarios/site/planned_window.h"
 
 namespace hallux::assessment {
 
@@ -28,16 +29,10 @@ FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceS
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side);
 
-/// The part of a section that a cut is to open: bone with outward . p <= limit. `outward` is a unit
-/// vector.
-struct PlannedWindow {
-  Vec3 outward{0.0, 0.0, 1.0};
-  double limit_mm = 0.0;
-};
-
 /// How much of the window, of the regions that the blade touched, kerf `index` opened [0, 1]. Bone
 /// that this blade would reach only through another kerf counts as done: there the waste is free
 /// already.
-double opened_share(const RebuiltBone& rebuilt, std::int32_t index, const PlannedWindow& window);
+double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
+                    const scenarios::PlannedWindow& window);
 
 }  // namespace hallux::assessment

@@ -33,11 +33,39 @@ AuditLine line_in(SQLite::Statement& row) {
       row.getColumn(6).getString(), row.getColumn(7).getInt() != 0, row.getColumn(8).getString()};
 }
 
-std::int64_t count_of(Database& database, bool refused_only) {
+/// ?1 is what is sought. A person is the subject by themself, as the member of a cohort, or by an
+/// attempt of theirs.
+constexpr const char* is_found =
+    "(a.actor_person_id IN sought "
+    "OR (a.subject_kind = 'person' AND CAST(a.subject_id AS INTEGER) IN sought) "
+    "OR (a.subject_kind = 'membership' AND CAST(substr(a.subject_id, instr(a.subject_id, '/') + 1) "
+    "AS INTEGER) IN sought) "
+    "OR (a.subject_kind = 'attempt' AND a.subject_id IN "
+    "(SELECT uuid FROM attempt WHERE person_id IN sought)) "
+    "OR instr(lower(t.text), lower(?1)) > 0) ";
+constexpr const char* with_sought =
+    "WITH sought AS (SELECT person_id FROM person_detail WHERE "
+    "instr(lower(login), lower(?1)) > 0 OR instr(lower(display_name), lower(?1)) > 0) ";
+
+/// "AND ..." for each thing that was asked for.
+std::string conditions_of(const AuditRequest& request) {
+  std::string conditions;
+  if (request.refused_only) conditions += "AND a.outcome = 'refused' ";
+  if (!request.search.empty()) conditions += std::string{"AND "} + is_found;
+  return conditions;
+}
+
+std::int64_t count_of(Database& database, const AuditRequest& request) {
   // Rows are numbered from 1 without gaps, so that the last number says how many there are.
-  return single<std::int64_t>(database, refused_only
-                                            ? "SELECT count(*) FROM audit WHERE outcome = 'refused'"
-                                            : "SELECT coalesce(max(audit_id), 0) FROM audit");
+  if (!request.refused_only && request.search.empty()) {
+    return single<std::int64_t>(database, "SELECT coalesce(max(audit_id), 0) FROM audit");
+  }
+  return single<std::int64_t>(database,
+                              std::string{with_sought} +
+                                  "SELECT count(*) FROM audit a LEFT JOIN audit_text t ON "
+                                  "t.audit_id = a.audit_id WHERE ?1 = ?1 " +
+                                  conditions_of(request),
+                              request.search);
 }
 
 }  // namespace
@@ -45,19 +73,19 @@ std::int64_t count_of(Database& database, bool refused_only) {
 AuditPage read_audit_page(Database& database, const AuditRequest& request) {
   return translating(database, "read a page of the audit", [&] {
     const auto lines = static_cast<std::size_t>(std::clamp(request.lines, 1, lines_max));
-    auto rows = prepared(database,
-                         std::string{line_columns} + "WHERE a.audit_id < ?1 " +
-                             (request.refused_only ? "AND a.outcome = 'refused' " : "") +
-                             "ORDER BY a.audit_id DESC LIMIT ?2",
-                         request.before.value_or(std::numeric_limits<std::int64_t>::max()),
-                         static_cast<std::int64_t>(lines) + 1);
+    auto rows =
+        prepared(database,
+                 std::string{with_sought} + line_columns + "WHERE a.audit_id < ?2 " +
+                     conditions_of(request) + "ORDER BY a.audit_id DESC LIMIT ?3",
+                 request.search, request.before.value_or(std::numeric_limits<std::int64_t>::max()),
+                 static_cast<std::int64_t>(lines) + 1);
     AuditPage page;
     while (rows.executeStep()) page.lines.push_back(line_in(rows));
     if (page.lines.size() > lines) {
       page.lines.pop_back();
       page.older = page.lines.back().number;
     }
-    page.total = count_of(database, request.refused_only);
+    page.total = count_of(database, request);
     return page;
   });
 }

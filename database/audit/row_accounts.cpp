@@ -240,6 +240,7 @@ void settle_changes(Database& database) {
 }
 
 void take_baseline(Database& database) {
+  if (first_baseline(database)) return;
   append_baseline(database, {std::nullopt, baseline_action, "database", ""},
                   account_for(database, all_rows(database)));
 }

@@ -2,6 +2,7 @@
 
 #include "database/course/moment_columns.h"
 #include "database/course/notes.h"
+#include "database/recording/attempt_numbers.h"
 #include "database/recording/attempts.h"
 #include "database/store/sql.h"
 #include "database/text/free_text.h"
@@ -13,7 +14,8 @@ namespace {
 constexpr const char* help_columns =
     "SELECT h.help_request_id, a.uuid, v.name, h.moment_us, h.body, h.x_in_bone_mm, "
     "h.y_in_bone_mm, h.z_in_bone_mm, h.asker_person_id, coalesce(d.display_name, ''), h.question, "
-    "h.asked_utc, h.answer, coalesce(e.display_name, ''), h.answered_utc "
+    "h.asked_utc, h.answer, coalesce(e.display_name, ''), h.answered_utc, a.attempt_id, "
+    "a.person_id "
     "FROM help_request h JOIN attempt a USING (attempt_id) "
     "JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = h.asker_person_id "
@@ -25,7 +27,7 @@ constexpr const char* listing_order =
 /// After years there are ten thousand answered ones in an inbox; nobody turns so many pages.
 constexpr std::int32_t listed_most = 500;
 
-HelpRequest request_in(SQLite::Statement& row) {
+HelpRequest request_in(AttemptNumbers& numbers, SQLite::Statement& row) {
   HelpRequest request;
   read_columns(row, 0, request.id, request.attempt, request.scenario_name);
   request.moment = moment_in(row, 3);
@@ -34,6 +36,9 @@ HelpRequest request_in(SQLite::Statement& row) {
     request.answer = HelpAnswer{row.getColumn(13).getString(), row.getColumn(12).getString(),
                                 row.getColumn(14).getString()};
   }
+  CountedAttempt about{std::nullopt, request.scenario_name};
+  read_columns(row, 15, about.order, about.person);
+  request.attempt_number = numbers.number_of(about);
   return request;
 }
 
@@ -56,17 +61,20 @@ HelpRequestId add_help_request(Database& database, const NewHelpRequest& request
 
 std::vector<HelpRequest> list_help_requests(Database& database, const HelpFilter& filter) {
   return translating(database, "list the help requests", [&] {
-    auto rows =
-        prepared(database,
-                 std::string{help_columns} +
-                     "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
-                     "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
-                     "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
-                     "WHERE cohort_id = ?2 AND role = 'trainee')) "
-                     "AND (h.answered_utc IS NULL OR NOT ?3) " +
-                     listing_order + "LIMIT ?4) " + listing_order,
-                 filter.asker, filter.cohort, filter.open_only ? 1 : 0, listed_most);
-    return collected(rows, request_in);
+    auto rows = prepared(
+        database,
+        std::string{help_columns} +
+            "WHERE h.help_request_id IN (SELECT h.help_request_id FROM help_request h "
+            "WHERE (?1 IS NULL OR h.asker_person_id = ?1) "
+            "AND (?2 IS NULL OR h.asker_person_id IN (SELECT person_id FROM membership "
+            "WHERE cohort_id = ?2 AND role = 'trainee')) "
+            "AND (h.answered_utc IS NULL OR NOT ?3) "
+            "AND (?5 IS NULL OR h.attempt_id = (SELECT attempt_id FROM attempt WHERE "
+            "uuid = ?5)) " +
+            listing_order + "LIMIT ?4) " + listing_order,
+        filter.asker, filter.cohort, filter.open_only ? 1 : 0, listed_most, filter.attempt);
+    AttemptNumbers numbers{database};
+    return collected(rows, [&numbers](SQLite::Statement& row) { return request_in(numbers, row); });
   });
 }
 
@@ -75,7 +83,8 @@ std::optional<HelpRequest> find_help_request(Database& database, HelpRequestId i
     auto row =
         prepared(database, std::string{help_columns} + "WHERE h.help_request_id = ?", id.number);
     if (!row.executeStep()) return std::nullopt;
-    return request_in(row);
+    AttemptNumbers numbers{database};
+    return request_in(numbers, row);
   });
 }
 

@@ -21,6 +21,7 @@ struct HelpFilter {
   /// Asked by its trainees.
   std::optional<CohortId> cohort;
   bool open_only = false;
+  std::optional<AttemptId> attempt = std::nullopt;
 };
 
 /// Open ones first, oldest first among them; then the answered, newest first.

@@ -93,6 +93,23 @@ void AdministratorDesk::set_disabled(const std::string& login, bool is_disabled)
   });
 }
 
+void AdministratorDesk::correct_name(const std::string& login, const std::string& name) {
+  const Person person = allowed_person(Action::CorrectName, login, "the name of ");
+  in_transaction(*database_, "correct a name", [&] {
+    const std::string before = set_display_name(*database_, person.id, name);
+    if (holder_.person != person.id) {
+      tell_person(*database_, person.id, NoticeKind::NameCorrected, {holder_.person, {}});
+    }
+    append_audit(*database_, {holder_.person,
+                              "name_corrected",
+                              "person",
+                              std::to_string(person.id.number),
+                              false,
+                              {},
+                              before});
+  });
+}
+
 void AdministratorDesk::set_administrator(const std::string& login, bool is_administrator) {
   const Person person = allowed_person(Action::ChangeRole, login);
   in_transaction(*database_, "change a role", [&] {

@@ -50,6 +50,9 @@ class AdministratorDesk : public AttemptDesk {
   /// Disables, or enables again.
   /// errors  DatabaseError Refused for the last administrator who can sign in
   void set_disabled(const std::string& login, bool is_disabled);
+  /// Corrects how a person is called; they are told, and the audit keeps the name before.
+  /// errors  DatabaseError BadInput for a name against the rules, and where it is theirs already
+  void correct_name(const std::string& login, const std::string& name);
   /// errors  DatabaseError Refused where it would take the role from the last administrator who can
   ///         sign in
   void set_administrator(const std::string& login, bool is_administrator);

@@ -6,6 +6,7 @@
 #include "database/audit/audit.h"
 #include "database/course/begin_attempt.h"
 #include "database/exchange/export_attempt.h"
+#include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
 #include "database/store/sql.h"
 
@@ -13,18 +14,49 @@ namespace hallux::database {
 
 namespace {
 
-constexpr std::array<std::string_view, action_count> action_names{
-    "begin_attempt",   "list_attempts",   "view_attempt",        "store_score",
-    "list_operations", "read_notes",      "read_private_notes",  "write_note",
-    "reply_to_note",   "ask_for_help",    "read_help",           "answer_help",
-    "decide_result",   "see_cohort",      "change_password",     "set_password",
-    "issue_code",      "add_person",      "list_people",         "disable_person",
-    "change_role",     "add_cohort",      "list_cohorts",        "enrol",
-    "list_scenarios",  "import_scenario", "publish_scenario",    "retire_scenario",
-    "read_audit",      "back_up",         "list_origins",        "accept_origin",
-    "read_notices",    "change_settings", "erase_person",        "export_person",
-    "retain",          "limit_attempts",  "compare_with_cohort", "run_report",
-    "export_attempt",  "import_attempt"};
+constexpr std::array<std::string_view, action_count> action_names{"begin_attempt",
+                                                                  "list_attempts",
+                                                                  "view_attempt",
+                                                                  "store_score",
+                                                                  "list_operations",
+                                                                  "read_notes",
+                                                                  "read_private_notes",
+                                                                  "write_note",
+                                                                  "reply_to_note",
+                                                                  "ask_for_help",
+                                                                  "read_help",
+                                                                  "answer_help",
+                                                                  "decide_result",
+                                                                  "see_cohort",
+                                                                  "change_password",
+                                                                  "set_password",
+                                                                  "issue_code",
+                                                                  "add_person",
+                                                                  "list_people",
+                                                                  "disable_person",
+                                                                  "correct_name",
+                                                                  "change_role",
+                                                                  "add_cohort",
+                                                                  "list_cohorts",
+                                                                  "enrol",
+                                                                  "list_scenarios",
+                                                                  "import_scenario",
+                                                                  "publish_scenario",
+                                                                  "retire_scenario",
+                                                                  "read_audit",
+                                                                  "back_up",
+                                                                  "list_origins",
+                                                                  "accept_origin",
+                                                                  "read_notices",
+                                                                  "change_settings",
+                                                                  "erase_person",
+                                                                  "export_person",
+                                                                  "retain",
+                                                                  "limit_attempts",
+                                                                  "compare_with_cohort",
+                                                                  "run_report",
+                                                                  "export_attempt",
+                                                                  "import_attempt"};
 
 std::string_view name_of(Action action) noexcept {
   return action_names[static_cast<std::size_t>(action)];
@@ -139,10 +171,16 @@ AttemptHeader AttemptDesk::header(const AttemptId& id) {
   return allowed_header(Action::ViewAttempt, id);
 }
 
-simulator::Recording AttemptDesk::recording(const AttemptId& id) {
+simulator::Recording AttemptDesk::recording(const AttemptId& id, RecordingPart part) {
   const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
   note_view(header);
-  return load_recording(*database_, header.id);
+  return load_recording(*database_, header.id, part);
+}
+
+std::vector<simulator::DisplayFact> AttemptDesk::display_facts(const AttemptId& id) {
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
+  note_view(header);
+  return load_display_facts(*database_, header.id);
 }
 
 std::optional<StoredScore> AttemptDesk::score(const AttemptId& id) {
@@ -183,6 +221,12 @@ std::vector<Note> CourseDesk::notes(const AttemptId& id) {
   return list_notes(
       *database_, header.id,
       allows(holder_.role, Action::ReadPrivateNotes, relation_to(header.begun.person)));
+}
+
+std::vector<HelpRequest> CourseDesk::help_requests_about(const AttemptId& id) {
+  HelpFilter filter;
+  filter.attempt = allowed_header(Action::ReadHelp, id).id;
+  return list_help_requests(*database_, filter);
 }
 
 void CourseDesk::check_may_reply(NoteId note) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "database/course/decisions.h"
+#include "database/course/help_requests.h"
 #include "database/course/notes.h"
 #include "database/course/scores.h"
 #include "database/desks/policy.h"
@@ -24,6 +25,7 @@
 #include "database/recording/attempts.h"
 #include "database/recording/recordings.h"
 #include "database/store/writer_lease.h"
+#include "simulator/record/display_fact.h"
 #include "simulator/record/record.h"
 
 namespace hallux::database {
@@ -48,7 +50,10 @@ class AttemptDesk {
   /// errors  DatabaseError: NotFound where `id` begins none or more than one that may be viewed;
   ///         Refused; of the other methods as well
   AttemptHeader header(const AttemptId& id);
-  simulator::Recording recording(const AttemptId& id);
+  simulator::Recording recording(const AttemptId& id, RecordingPart part = RecordingPart::Whole);
+  /// What was on the screen, by tick (simulator::is_view says whether it is a view); none of an
+  /// older attempt, and of one without a window.
+  std::vector<simulator::DisplayFact> display_facts(const AttemptId& id);
   std::optional<StoredScore> score(const AttemptId& id);
   /// What instructors decided about it, newest first.
   std::vector<Decision> decisions(const AttemptId& id);
@@ -98,6 +103,8 @@ class CourseDesk : public AttemptDesk {
  public:
   /// By moment, with their replies; private ones for those whom the table lets read them.
   std::vector<Note> notes(const AttemptId& id);
+  /// Questions about that attempt, with their answers: open first, then the answered, newest first.
+  std::vector<HelpRequest> help_requests_about(const AttemptId& id);
   /// errors  DatabaseError: NotFound, alike for a note that this desk may not read and for none;
   ///         BadInput for the text
   void reply(NoteId note, const std::string& text);

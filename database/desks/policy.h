@@ -27,7 +27,7 @@ inline constexpr std::size_t role_count = 4;
 enum class Action : std::uint8_t {
   BeginAttempt,
   ListAttempts,
-  /// Header, recording, score and decisions of an attempt.
+  /// Header, recording, what was on the screen, score and decisions of an attempt.
   ViewAttempt,
   StoreScore,
   /// The published operations.
@@ -53,6 +53,8 @@ enum class Action : std::uint8_t {
   AddPerson,
   ListPeople,
   DisablePerson,
+  /// To change how a person is called.
+  CorrectName,
   /// To make a person an administrator, or no longer one.
   ChangeRole,
   AddCohort,
@@ -89,7 +91,7 @@ enum class Action : std::uint8_t {
   /// An attempt that another directory exported.
   ImportAttempt
 };
-inline constexpr std::size_t action_count = 42;
+inline constexpr std::size_t action_count = 43;
 
 /// Whose row it is, seen from the person at the desk.
 enum class Relation : std::uint8_t {
@@ -152,6 +154,7 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::AddPerson, {{no, no, no, other}}},
       {Action::ListPeople, {{no, no, no, other}}},
       {Action::DisablePerson, {{no, no, no, own_other}}},
+      {Action::CorrectName, {{no, no, no, own_other}}},
       {Action::ChangeRole, {{no, no, no, own_other}}},
       {Action::AddCohort, {{no, no, no, other}}},
       {Action::ListCohorts, {{no, no, no, other}}},

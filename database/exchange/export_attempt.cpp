@@ -9,9 +9,11 @@
 #include "database/exchange/read_manifest.h"
 #include "database/exchange/record_tables.h"
 #include "database/exchange/score_table.h"
+#include "database/exchange/view_table.h"
 #include "database/exchange/vouched_facts.h"
 #include "database/exchange/write_manifest.h"
 #include "database/recording/attempts.h"
+#include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
 #include "database/store/files.h"
 #include "database/store/own_directory.h"
@@ -28,6 +30,7 @@ struct Exported {
   std::vector<std::byte> bone;
   simulator::Recording recording;
   std::vector<ChunkPlace> places;
+  std::vector<simulator::DisplayFact> display_facts;
 };
 
 std::vector<ChunkPlace> load_places(Database& database, const AttemptId& id) {
@@ -140,6 +143,7 @@ Exported load_exported(Database& database, const AttemptId& id) {
     exported.bone = get_asset(database, header.begun.bone);
     exported.recording = load_recording(database, header.id);
     exported.places = load_places(database, header.id);
+    exported.display_facts = load_display_facts(database, header.id);
     return exported;
   });
 }
@@ -152,6 +156,8 @@ std::vector<ExchangeFile> write_own_files(const Exported& exported,
   ExchangeWriter bone(folder, bone_name);
   bone.write({reinterpret_cast<const char*>(exported.bone.data()), exported.bone.size()});
   files.push_back(bone.finish());
+  if (!exported.display_facts.empty())
+    files.push_back(write_view_table(folder, exported.display_facts));
   if (!exported.manifest.scores.empty()) {
     files.push_back(
         write_score_table(folder, card_from_json(exported.manifest.scores.back().card_json)));

@@ -4,6 +4,7 @@
 ///   UUID/manifest.json  facts, scenario, score cards, decisions, digests of what lies beside it
 ///   UUID/tape.csv, samples.csv, events.csv   the record as integers; chain and seal follow from
 ///                                            them
+///   UUID/views.csv      what was on the screen, outside the seal; where anything was
 ///   UUID/score.csv      the ledger of the score in force
 ///   UUID/bone.bin       the bone, byte for byte
 ///   UUID/*.ply          made from these: the bone and the pieces it was left in

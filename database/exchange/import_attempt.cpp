@@ -12,6 +12,7 @@
 #include "database/exchange/vouched_facts.h"
 #include "database/recording/attempts.h"
 #include "database/recording/certificate_json.h"
+#include "database/recording/display_facts.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -187,7 +188,9 @@ void store_imported(Database& database, const ImportedAttempt& attempt,
   in_transaction_of_caller(database, "import attempt " + id.text, [&] {
     if (is_here(database, attempt)) return;
     const Placed placed = place(database, attempt);
-    insert_chunks(database, insert_header(database, manifest, placed), attempt);
+    const std::int64_t number = insert_header(database, manifest, placed);
+    insert_chunks(database, number, attempt);
+    store_display_facts(database, number, attempt.display_facts);
     append_audit(database,
                  {by, "attempt_imported", "attempt", id.text, false, placed.manifest, ""});
     replay_results(database, manifest, placed.origin, by);

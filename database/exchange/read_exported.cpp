@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "database/exchange/read_manifest.h"
+#include "database/exchange/view_table.h"
 #include "database/exchange/vouched_facts.h"
 #include "database/recording/chain.h"
 
@@ -20,16 +21,18 @@ constexpr std::size_t folders_max = 1'000'000;
   throw DatabaseError{DatabaseErrorKind::BadInput, folder.string() + ": " + why};
 }
 
-bool is_record_table(const ExchangeFile& file) {
-  return std::find(record_table_names.begin(), record_table_names.end(), file.name) !=
-         record_table_names.end();
+/// That is read line by line.
+bool is_table(const ExchangeFile& file) {
+  return file.name == view_table_name ||
+         std::find(record_table_names.begin(), record_table_names.end(), file.name) !=
+             record_table_names.end();
 }
 
 /// What is made from the record may be missing; what is there must be what the manifest says.
 void check_others(const ForeignFolder& folder, ImportedAttempt& attempt) {
   bool has_bone = false;
   for (const ExchangeFile& file : attempt.manifest.files) {
-    if (is_record_table(file) || (file.name != bone_name && !folder.has(file.name))) continue;
+    if (is_table(file) || (file.name != bone_name && !folder.has(file.name))) continue;
     const std::string content = folder.read(file.name, std::min(other_bytes_max, file.bytes));
     const auto bytes = std::as_bytes(std::span{content.data(), content.size()});
     if (digest_of(bytes) != file.digest) {
@@ -72,6 +75,7 @@ ImportedAttempt read_exported(const fs::path& folder) {
   }
   attempt.tables = read_record_tables(foreign, attempt.manifest.files);
   attempt.tables.recording.engine = attempt.manifest.header.begun.engine;
+  attempt.display_facts = read_view_table(foreign, attempt.manifest.files);
   check_others(foreign, attempt);
   check_chain(folder, attempt);
   TakenManifest taken = taken_of(attempt.manifest);

@@ -9,6 +9,7 @@
 
 #include "database/exchange/manifest.h"
 #include "database/exchange/record_tables.h"
+#include "simulator/record/display_fact.h"
 
 namespace hallux::database {
 
@@ -21,6 +22,8 @@ struct ImportedAttempt {
   std::string manifest_text;
   std::vector<std::byte> bone;
   ReadTables tables;
+  /// Outside the seal; none of an older export.
+  std::vector<simulator::DisplayFact> display_facts;
 };
 
 /// Reads a folder that export_attempt wrote.

@@ -4,10 +4,10 @@
 #include "database/exchange/record_tables.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 #include <limits>
 #include <tuple>
+
+#include "database/exchange/integer_line.h"
 
 namespace hallux::database {
 
@@ -31,44 +31,19 @@ constexpr std::int32_t translation_max_um = 100'000'000;
 constexpr double rotation_square_min = 0.5e12, rotation_square_max = 2.0e12;
 constexpr std::int32_t force_max_mn = 10'000'000;
 
-void append_number(std::string& line, std::int64_t value) {
-  std::array<char, 24> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  line.append(digits.data(), end);
-}
-
 template <typename Row>
 void write_rows(ExchangeWriter& writer, std::int64_t window, std::span<const Row> rows) {
   std::string line;
   for (const Row& row : rows) {
     line.clear();
-    append_number(line, window);
+    append_integer(line, window);
     for (const std::int64_t value : simulator::columns_of(row)) {
       line.push_back(',');
-      append_number(line, value);
+      append_integer(line, value);
     }
     line.append("\r\n");
     writer.write(line);
   }
-}
-
-/// Takes the integers of a line; each in its shortest form, as many as there are columns.
-void take_numbers(const ForeignLines& lines, std::string_view line,
-                  std::span<std::int64_t> numbers) {
-  const char* at = line.data();
-  const char* const end = line.data() + line.size();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i > 0 && (at == end || *at++ != ','))
-      lines.refuse("it has not as many columns as its table");
-    const auto [next, error] = std::from_chars(at, end, numbers[i]);
-    const std::string_view cell{at, static_cast<std::size_t>(next - at)};
-    const bool is_shortest = cell == "0" || (!cell.empty() && cell[cell[0] == '-' ? 1 : 0] != '0');
-    if (error != std::errc{} || !is_shortest || cell == "-0") {
-      lines.refuse("column " + std::to_string(i + 1) + " is not a whole number as we write it");
-    }
-    at = next;
-  }
-  if (at != end) lines.refuse("it has more in it than the columns of its table");
 }
 
 bool is_pose(const simulator::QuantisedPose& pose) noexcept {
@@ -139,7 +114,7 @@ void read_table(const ForeignFolder& folder, const ExchangeFile& file, Stream st
   }
   std::array<std::int64_t, column_count + 1> numbers{};
   while (lines.next(line)) {
-    take_numbers(lines, line, numbers);
+    take_integers(lines, line, numbers);
     Columns columns{};
     std::copy(numbers.begin() + 1, numbers.end(), columns.begin());
     note_row(lines, numbers[0], columns[0], stream, places, rows.empty());

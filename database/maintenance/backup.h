@@ -3,9 +3,9 @@
 /// A folder of backups:
 ///
 ///     hallux-20260301-142507.json    the manifest: digests of what belongs to it; written last
-///     hallux-20260301-142507.tables  a database: all tables but the chunks of closed attempts
-///     recordings/UUID.recording      the chunks of one closed attempt; written once, named by
-///                                    many manifests
+///     hallux-20260301-142507.tables  a database: all tables but the recordings of closed attempts
+///     recordings/UUID.recording      chunks and display facts of one closed attempt; written once,
+///                                    named by many manifests
 ///     erasures.jsonl                 the erasures since (database/maintenance/erasure_journal.h)
 ///     hallux-20260301-142507.db      a whole database in one file: of an older version, or from
 ///                                    before a migration

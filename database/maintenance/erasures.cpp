@@ -80,17 +80,31 @@ bool names(std::string_view text, std::string_view name) {
   return false;
 }
 
-bool names(std::string_view text, const Person& person) {
-  return names(text, person.login) || names(text, person.display_name);
+bool names_any(std::string_view text, const std::vector<std::string>& names_sought) {
+  return std::any_of(names_sought.begin(), names_sought.end(),
+                     [&](const std::string& name) { return names(text, name); });
+}
+
+/// Login, name, and the names before each correction.
+std::vector<std::string> names_of(Database& database, const Person& person) {
+  std::vector<std::string> all = all_of<std::string>(
+      database,
+      "SELECT t.text FROM audit u JOIN audit_text t USING (audit_id) "
+      "WHERE u.action = 'name_corrected' AND u.subject_kind = 'person' AND u.subject_id = ?",
+      std::to_string(person.id.number));
+  all.push_back(person.login);
+  all.push_back(person.display_name);
+  return all;
 }
 
 /// Refused sign-ins and requests, statements, reasons: whatever row they are of, their texts may
 /// hold the login.
 std::int64_t erase_audit_texts_that_name(Database& database, const Person& person) {
+  const std::vector<std::string> sought = names_of(database, person);
   std::vector<std::int64_t> naming;
   auto rows = prepared(database, "SELECT audit_id, text FROM audit_text");
   while (rows.executeStep()) {
-    if (names(rows.getColumn(1).getString(), person)) {
+    if (names_any(rows.getColumn(1).getString(), sought)) {
       naming.push_back(rows.getColumn(0).getInt64());
     }
   }
@@ -116,7 +130,7 @@ void check_erasable(Database& database, const Person& person, const std::string&
   if (is_erased(database, person.id)) {
     refuse("person " + std::to_string(person.id.number) + " was erased before; nothing is left");
   }
-  if (names(reason, person)) {
+  if (names_any(reason, names_of(database, person))) {
     throw DatabaseError{DatabaseErrorKind::BadInput,
                         "the reason names the person who is to be erased, and it is kept; say it "
                         "without the name"};

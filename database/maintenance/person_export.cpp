@@ -53,7 +53,8 @@ constexpr std::array<KeptTable, 5> tables_of_deeds{{
     {"attempts",
      "Every operation you began: what, when, with which device, and how well it was recorded. The "
      "recording itself (where the tool was, a thousand times a second) is large: `hallux export` "
-     "writes it, attempt by attempt. recording_bytes says how large it is, recording_erased_utc "
+     "writes it, attempt by attempt, with which view was on your screen (views.csv). "
+     "recording_bytes says how large it is, recording_erased_utc "
      "since when it is gone.",
      "SELECT a.uuid AS attempt, v.name AS operation, v.version, a.kind, a.guidance, a.hand, "
      "a.device_class, a.pacing, a.stereo_mode, a.started_utc, a.state, a.duration_ticks AS "

@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "database/recording/display_facts.h"
 #include "database/store/durable_file.h"
 #include "database/store/sql.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view file_magic = "HALLUXR1";
+constexpr std::string_view file_magic = "HALLUXR2", magic_without_facts = "HALLUXR1";
+static_assert(file_magic.size() == magic_without_facts.size());
 constexpr std::size_t uuid_bytes = 36, digest_bytes = 32;
 /// Twelve hours of a hand are 500 MB.
 constexpr std::int64_t file_bytes_max = std::int64_t{1} << 30U;
@@ -49,6 +51,13 @@ std::span<const std::byte> blob_in(const SQLite::Column& column) {
           static_cast<std::size_t>(column.getBytes())};
 }
 
+void append_facts(std::vector<std::byte>& file, std::span<const simulator::DisplayFact> facts) {
+  append_int(file, static_cast<std::int64_t>(facts.size()));
+  for (const simulator::DisplayFact& fact : facts) {
+    for (const std::int64_t column : columns_of(fact)) append_int(file, column);
+  }
+}
+
 std::vector<std::byte> content_from(Database& database, const AttemptId& attempt) {
   return translating(database, "read the recording of attempt " + attempt.text, [&] {
     auto rows =
@@ -70,6 +79,7 @@ std::vector<std::byte> content_from(Database& database, const AttemptId& attempt
     append_text(file, attempt.text);
     append_int(file, count);
     append(file, chunks);
+    append_facts(file, load_display_facts(database, attempt));
     return file;
   });
 }
@@ -96,10 +106,13 @@ class Reader {
     return static_cast<std::int64_t>(value);
   }
 
-  bool takes(std::string_view text) {
-    const auto bytes = take(text.size());
-    return std::equal(bytes.begin(), bytes.end(), text.begin(),
-                      [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
+  bool takes(std::string_view text) { return is_text(take(text.size()), text); }
+
+  /// Whether the file says that it is a recording; if so, whether display facts stand in it.
+  bool takes_magic() {
+    const auto magic = take(file_magic.size());
+    has_facts_ = is_text(magic, file_magic);
+    return has_facts_ || is_text(magic, magic_without_facts);
   }
 
   KeptChunk take_chunk() {
@@ -115,11 +128,30 @@ class Reader {
     return chunk;
   }
 
+  /// After the chunks.
+  std::vector<simulator::DisplayFact> take_facts() {
+    std::vector<simulator::DisplayFact> facts;
+    if (!has_facts_) return facts;
+    const std::int64_t count = take_int();
+    for (std::int64_t i = 0; i < count; ++i) {
+      std::array<std::int64_t, simulator::display_columns> columns{};
+      for (std::int64_t& column : columns) column = take_int();
+      facts.push_back(simulator::display_fact_from(columns));
+    }
+    return facts;
+  }
+
   bool is_at_end() const noexcept { return rest_.empty(); }
 
  private:
+  static bool is_text(std::span<const std::byte> bytes, std::string_view text) {
+    return std::equal(bytes.begin(), bytes.end(), text.begin(), text.end(),
+                      [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
+  }
+
   std::span<const std::byte> rest_;
   const fs::path& file_;
+  bool has_facts_ = false;
 };
 
 Digest digest_from(std::span<const std::byte> bytes) {
@@ -136,7 +168,7 @@ BackedUpRecording found_file(const fs::path& file, const AttemptId& attempt) {
   std::array<std::byte, file_magic.size() + uuid_bytes> head{};
   const std::int64_t bytes = found.bytes();
   Reader reader{{head.data(), found.read(head)}, file};
-  if (bytes < static_cast<std::int64_t>(head.size() + digest_bytes) || !reader.takes(file_magic) ||
+  if (bytes < static_cast<std::int64_t>(head.size() + digest_bytes) || !reader.takes_magic() ||
       !reader.takes(attempt.text)) {
     throw DatabaseError{DatabaseErrorKind::BadInput,
                         file.string() + " is not the recording of attempt " + attempt.text +
@@ -215,13 +247,14 @@ void put_recording_back(Database& database, const BackedUpRecording& kept,
     fail_backup(file, "its bytes do not give the digest that the manifest says");
   }
   Reader reader{body, file};
-  if (!reader.takes(file_magic) || !reader.takes(kept.attempt.text)) {
+  if (!reader.takes_magic() || !reader.takes(kept.attempt.text)) {
     fail_backup(file, "it is the recording of another attempt");
   }
   const std::int64_t count = reader.take_int();
   in_transaction(database, "put back the recording of attempt " + kept.attempt.text, [&] {
     const std::int64_t attempt = attempt_without_chunks(database, kept.attempt, file);
     for (std::int64_t i = 0; i < count; ++i) insert_chunk(database, attempt, reader.take_chunk());
+    store_display_facts(database, attempt, reader.take_facts());
     if (!reader.is_at_end()) fail_backup(file, "it has more bytes than chunks");
   });
 }

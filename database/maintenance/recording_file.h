@@ -1,11 +1,14 @@
-/// Recording file of a backup: the stored chunks of one closed attempt, written once.
-/// Inside this corner only.
+/// Recording file of a backup: the stored chunks of one closed attempt and its display facts,
+/// written once. Inside this corner only.
 ///
-///     "HALLUXR1"  uuid (36 characters)  number of chunks
+///     "HALLUXR2"  uuid (36 characters)  number of chunks
 ///     for each chunk, in the order of the chain: seq, stream, first_tick, row_count, length,
-///     bytes, link (32 bytes) BLAKE2b-256 of all that stands before (32 bytes)
+///     bytes, link (32 bytes)
+///     number of display facts, and the columns of each (simulator/record/display_fact.h)
+///     BLAKE2b-256 of all that stands before (32 bytes)
 ///
-/// Integers have 8 bytes, little-endian. Later backups name the same file, so a backup costs what
+/// "HALLUXR1" is the same without display facts, as it was written before there were any. Integers
+/// have 8 bytes, little-endian. Later backups name the same file, so a backup costs what
 /// is new.
 #pragma once
 
@@ -54,8 +57,8 @@ class NewRecordingFiles {
   std::int64_t unnamed_bytes_ = 0;
 };
 
-/// Puts the chunks of the file into the database, which knows the attempt but not its chunks, in
-/// one transaction.
+/// Puts the chunks and display facts of the file into the database, which knows the attempt but not
+/// its chunks, in one transaction.
 /// errors  DatabaseError: NotFound; Damaged where the file is not what was kept; BadInput for a
 ///         link
 void put_recording_back(Database& database, const BackedUpRecording& kept,

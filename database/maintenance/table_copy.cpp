@@ -104,10 +104,11 @@ bool copy_rows(SQLite::Database& source, SQLite::Database& target,
   const std::vector<Made> tables = made_in(source, true);
   for (const Made& table : tables) target.exec(table.sql);
   for (const Made& table : tables) {
-    const bool is_chunk = table.name == "chunk";
-    if (!copier.copy(
-            table.name,
-            is_chunk ? " WHERE attempt_id NOT IN (SELECT attempt_id FROM temp.elsewhere)" : "")) {
+    const bool is_recorded = table.name == "chunk" || table.name == "display_fact";
+    if (!copier.copy(table.name,
+                     is_recorded
+                         ? " WHERE attempt_id NOT IN (SELECT attempt_id FROM temp.elsewhere)"
+                         : "")) {
       return false;
     }
   }

@@ -1,5 +1,5 @@
-/// Copy of all tables at one moment, without the chunks that lie beside them as recordings: the
-/// part of a backup that is written anew each time. Inside this corner only.
+/// Copy of all tables at one moment, without the chunks and display facts that lie beside them as
+/// recordings: the part of a backup that is written anew each time. Inside this corner only.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 namespace hallux::database {
 
 /// Writes them into a new database `file`, row by row from one snapshot. `elsewhere` is asked
-/// inside the snapshot which attempts' chunks are to be left out. `goes_on` is asked between rows;
-/// where it answers no, the copy ends as it is.
+/// inside the snapshot which attempts' recordings are to be left out. `goes_on` is asked between
+/// rows; where it answers no, the copy ends as it is.
 /// errors  DatabaseError: storage failures; Damaged where the copy does not hold together
 void copy_tables(Database& source, const std::filesystem::path& file,
                  const std::function<std::vector<AttemptId>()>& elsewhere,

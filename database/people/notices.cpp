@@ -9,12 +9,17 @@ namespace {
 /// Everybody sees their newest ones first; who was away for years is not buried.
 constexpr const char* newest_first = " ORDER BY n.notice_id DESC LIMIT 50";
 
-/// `about_id` is a person's number, an attempt's row, or a count: the kind says which.
+/// `about_id` is a person's number, an attempt's row, or a count: the kind says which. A decision
+/// is told of just before it is made.
 constexpr const char* notice_columns =
-    "SELECT n.notice_id, n.kind, n.at_utc, n.person_id IS NULL, coalesce(d.login, ''), a.uuid, "
+    "SELECT n.notice_id, n.kind, n.at_utc, n.person_id IS NULL, coalesce(d.login, "
+    "(SELECT p.login FROM decision r JOIN person_detail p ON p.person_id = r.decided_by_person_id "
+    "WHERE r.attempt_id = a.attempt_id AND 'result_' || r.kind = n.kind "
+    "AND r.decided_utc >= n.at_utc ORDER BY r.decision_id LIMIT 1), ''), a.uuid, "
     "coalesce(n.about_id, 0) FROM notice n "
     "LEFT JOIN person_detail d ON d.person_id = n.about_id "
-    "AND n.kind IN ('recovered', 'administrator_made', 'code_issued', 'password_set') "
+    "AND n.kind IN ('recovered', 'administrator_made', 'code_issued', 'password_set', "
+    "'name_corrected') "
     "LEFT JOIN attempt a ON a.attempt_id = n.about_id "
     "AND n.kind IN ('result_overridden', 'result_voided') "
     "WHERE NOT EXISTS (SELECT 1 FROM notice_seen s WHERE s.notice_id = n.notice_id "

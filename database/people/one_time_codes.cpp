@@ -6,25 +6,19 @@
 #include <array>
 
 #include "database/people/people.h"
+#include "database/records/code_form.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
 
 namespace {
 
-/// Crockford's base 32: no I, L, O, U.
-constexpr std::string_view code_letters = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
-constexpr std::size_t code_length = 12;
-
 /// What a person typed, as it is hashed.
 SecretText plain_code(const SecretText& typed) {
   std::string text;
   text.reserve(typed.view().size());
   for (const char letter : typed.view()) {
-    if (letter == '-' || letter == ' ') continue;
-    const char upper = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 32) : letter;
-    const bool is_one = upper == 'I' || upper == 'L';
-    text.push_back(is_one ? '1' : upper == 'O' ? '0' : upper);
+    if (const char plain = plain_code_letter(letter); plain != 0) text.push_back(plain);
   }
   return SecretText::take(text);
 }

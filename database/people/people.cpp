@@ -28,12 +28,7 @@ Person person_in(SQLite::Statement& row) {
 }
 
 void check_login_rules(const std::string& login) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
-  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789._-";
-  const bool is_good = login.size() >= 2 && login.size() <= 64 &&
-                       letters.find(login.front()) != std::string_view::npos &&
-                       login.find_first_not_of(allowed) == std::string::npos;
-  if (is_good) return;
+  if (is_login(login)) return;
   throw DatabaseError{
       DatabaseErrorKind::BadInput,
       "the login '" + login +
@@ -184,6 +179,21 @@ void set_password(Database& database, PersonId id, const SecretText& password,
   check_password_rules(password, load_person(database, id).login);
   const std::string argon2id = hash_password(password, cost);
   in_transaction_of_caller(database, "set a password", [&] { store_hash(database, id, argon2id); });
+}
+
+std::string set_display_name(Database& database, PersonId id, const std::string& name) {
+  return in_transaction_of_caller(database, "correct a name", [&] {
+    Person person = load_person(database, id);
+    check_name("the name of " + person.login, name);
+    const std::string shown = name.empty() ? person.login : name;
+    if (shown == person.display_name) {
+      throw DatabaseError{DatabaseErrorKind::BadInput,
+                          "'" + person.login + "' is called that already; nothing was changed"};
+    }
+    execute(database, "UPDATE person_detail SET display_name = ? WHERE person_id = ?", shown,
+            id.number);
+    return std::move(person.display_name);
+  });
 }
 
 void set_disabled(Database& database, PersonId id, bool is_disabled) {

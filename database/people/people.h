@@ -40,6 +40,11 @@ std::optional<Person> verify_person(Database& database, std::string_view login,
 void set_password(Database& database, PersonId id, const SecretText& password,
                   const PasswordCost& cost = {});
 
+/// How the person is called from now on; their login where `name` is empty. Returns the name
+/// before.
+/// errors  DatabaseError BadInput for a name against the rules, and where it is theirs already
+std::string set_display_name(Database& database, PersonId id, const std::string& name);
+
 /// errors  DatabaseError Refused where no administrator who can sign in would remain
 void set_disabled(Database& database, PersonId id, bool is_disabled);
 

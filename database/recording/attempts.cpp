@@ -4,6 +4,7 @@
 #include "database/recording/attempts.h"
 
 #include "database/audit/audit.h"
+#include "database/recording/attempt_numbers.h"
 #include "database/recording/certificate_json.h"
 #include "database/recording/chain.h"
 #include "database/store/sql.h"
@@ -30,6 +31,14 @@ constexpr std::string_view header_columns =
 
 constexpr std::string_view is_of_cohort =
     " IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";
+
+std::vector<AttemptHeader> numbered(Database& database, std::vector<AttemptHeader> headers) {
+  AttemptNumbers numbers{database};
+  for (AttemptHeader& header : headers) {
+    header.number = numbers.number_of({header.begun.person, header.scenario_name, header.order});
+  }
+  return headers;
+}
 
 AttemptHeader header_in(SQLite::Statement& row) {
   AttemptHeader header;
@@ -64,6 +73,13 @@ struct CohortAttempts {
   std::int64_t count = 0;
   std::string last_started_utc;
 };
+
+[[noreturn]] void fail_not_recorded(const Database& database, const char* what,
+                                    const AttemptId& id) {
+  throw DatabaseError{DatabaseErrorKind::NotFound, std::string{"could not "} + what + " attempt " +
+                                                       id.text + " in " + database.file().string() +
+                                                       ": it is not being recorded any more"};
+}
 
 CohortAttempts attempts_in(Database& database, CohortId cohort) {
   return translating(database, "count the attempts of a cohort", [&] {
@@ -105,7 +121,7 @@ std::vector<AttemptHeader> list_attempts(Database& database, const AttemptFilter
     if (filter.cohort) rows.bind(2, filter.cohort->number);
     if (filter.count_max) rows.bind(3, *filter.count_max);
     if (is_bounded) rows.bind(4, all.last_started_utc);
-    return collected(rows, header_in);
+    return numbered(database, collected(rows, header_in));
   });
 }
 
@@ -115,7 +131,7 @@ std::vector<AttemptHeader> headers_that_begin_with(Database& database, const Att
     auto rows = prepared(database,
                          std::string{header_columns} + "WHERE a.uuid >= ?1 AND a.uuid < ?1 || 'g'",
                          id.text);
-    return collected(rows, header_in);
+    return numbered(database, collected(rows, header_in));
   });
 }
 
@@ -145,12 +161,22 @@ void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration
                 "WHERE uuid = ? AND state = 'recording'",
                 duration_ticks, quality_json, seal, is_valid_by(quality_json) ? 1 : 0,
                 header.id.text) != 1) {
-      throw DatabaseError{DatabaseErrorKind::NotFound, "could not seal attempt " + id.text +
-                                                           " in " + database.file().string() +
-                                                           ": it is not being recorded any more"};
+      fail_not_recorded(database, "seal", id);
     }
     append_audit(database, {header.begun.person, "attempt_sealed", "attempt", header.id.text, false,
                             seal, ""});
+  });
+}
+
+void abandon_attempt(Database& database, const AttemptId& id) {
+  in_transaction(database, "abandon attempt " + id.text, [&] {
+    const AttemptHeader header = load_header(database, id);
+    if (execute(database,
+                "UPDATE attempt SET state = 'interrupted' WHERE uuid = ? AND state = 'recording'",
+                header.id.text) != 1) {
+      fail_not_recorded(database, "abandon", id);
+    }
+    append_audit(database, {header.begun.person, "attempt_abandoned", "attempt", header.id.text});
   });
 }
 

@@ -45,4 +45,9 @@ AttemptHeader the_one_of(Database& database, std::vector<AttemptHeader> found, c
 void seal_attempt(Database& database, const AttemptId& id, std::int64_t duration_ticks,
                   const std::string& quality_json, const Digest& last_link);
 
+/// Marks an attempt as interrupted because its person gave it up, with an act of theirs.
+/// needs   the writer of the attempt has committed its last window
+/// errors  DatabaseError: NotFound where it is not in state recording
+void abandon_attempt(Database& database, const AttemptId& id);
+
 }  // namespace hallux::database

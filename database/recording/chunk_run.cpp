@@ -22,7 +22,8 @@ constexpr std::size_t windows_ahead = 8;
 
 bool is_tape(const StoredChunk& chunk) noexcept { return chunk.place.stream == Stream::Tape; }
 
-void reserve_for(std::span<const StoredChunk> chunks, simulator::Recording& recording) {
+void reserve_for(std::span<const StoredChunk> chunks, RecordingPart part,
+                 simulator::Recording& recording) {
   std::array<std::size_t, 3> rows{};
   for (const StoredChunk& chunk : chunks) {
     // A false count takes no more memory than a true one may.
@@ -30,7 +31,7 @@ void reserve_for(std::span<const StoredChunk> chunks, simulator::Recording& reco
         chunk.place.row_count, 0, static_cast<std::int64_t>(chunk.bytes.size()) * 64));
     rows[static_cast<std::size_t>(chunk.place.stream)] += count;
   }
-  recording.tape.reserve(recording.tape.size() + rows[0]);
+  if (part == RecordingPart::Whole) recording.tape.reserve(recording.tape.size() + rows[0]);
   recording.samples.reserve(recording.samples.size() + rows[1]);
   recording.events.reserve(recording.events.size() + rows[2]);
 }
@@ -40,8 +41,9 @@ void reserve_for(std::span<const StoredChunk> chunks, simulator::Recording& reco
 /// long run have a thread of their own.
 class TapesAhead {
  public:
+  /// lines   null where they are not kept
   /// needs   both outlive it; nobody else looks at `lines` meanwhile
-  TapesAhead(std::span<const StoredChunk> chunks, std::vector<simulator::TapeLine>& lines)
+  TapesAhead(std::span<const StoredChunk> chunks, std::vector<simulator::TapeLine>* lines)
       : chunks_(chunks), lines_(lines) {
     if (std::ranges::count_if(chunks, is_tape) <= static_cast<std::ptrdiff_t>(windows_ahead)) {
       read_all({});
@@ -93,14 +95,17 @@ class TapesAhead {
   void read(const StoredChunk& chunk, Place& place) {
     try {
       unpacker_.unpack(chunk.bytes, shape_of(chunk), nullptr, place.columns);
-      append_rows(place.columns, lines_);
+      // That rows can be made of it is a part of the check.
+      passed_.clear();
+      append_rows(place.columns, lines_ != nullptr ? *lines_ : passed_);
     } catch (const std::exception& error) {
       place.fault = error.what();
     }
   }
 
   std::span<const StoredChunk> chunks_;
-  std::vector<simulator::TapeLine>& lines_;
+  std::vector<simulator::TapeLine>* lines_;
+  std::vector<simulator::TapeLine> passed_;  ///< of one chunk
   ChunkUnpacker unpacker_;
   std::array<Place, windows_ahead> places_;
   std::mutex mutex_;
@@ -112,8 +117,12 @@ class TapesAhead {
 /// Reads a run in the order of its chain.
 class RunReader {
  public:
-  RunReader(const AttemptId& id, const ChunkRun& run, simulator::Recording& recording)
-      : run_(run), recording_(recording), reader_(id), tapes_(run.chunks, recording.tape) {}
+  RunReader(const AttemptId& id, const ChunkRun& run, RecordingPart part,
+            simulator::Recording& recording)
+      : run_(run),
+        recording_(recording),
+        reader_(id),
+        tapes_(run.chunks, part == RecordingPart::Whole ? &recording.tape : nullptr) {}
 
   /// errors  DatabaseError Damaged
   void read(std::size_t index) {
@@ -145,9 +154,9 @@ class RunReader {
 }  // namespace
 
 void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
-                simulator::Recording& recording) {
-  reserve_for(run.chunks, recording);
-  RunReader reader{id, run, recording};
+                RecordingPart part, simulator::Recording& recording) {
+  reserve_for(run.chunks, part, recording);
+  RunReader reader{id, run, part, recording};
   for (std::size_t i = 0; i < run.chunks.size(); ++i) {
     try {
       reader.read(i);

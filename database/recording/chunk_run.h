@@ -4,6 +4,7 @@
 #include <span>
 
 #include "database/recording/stored_chunks.h"
+#include "database/records/attempt.h"
 #include "database/store/connection.h"
 #include "simulator/record/record.h"
 
@@ -16,9 +17,10 @@ struct ChunkRun {
   Digest before;
 };
 
-/// All rows of the run, its links checked, appended to `recording`; of a long run on two threads.
+/// The rows of the run, the links of all of them checked, appended to `recording`; of a long run on
+/// two threads.
 /// errors  DatabaseError Damaged naming the first chunk that does not fit
 void append_run(const Database& database, const AttemptId& id, const ChunkRun& run,
-                simulator::Recording& recording);
+                RecordingPart part, simulator::Recording& recording);
 
 }  // namespace hallux::database

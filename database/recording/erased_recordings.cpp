@@ -3,6 +3,7 @@
 #include "database/audit/audit.h"
 #include "database/content/cached_bytes.h"
 #include "database/recording/attempts.h"
+#include "database/recording/display_facts.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -35,6 +36,7 @@ void store_erasure(Database& database, std::int64_t attempt, const Chain& chain)
           "VALUES (?, ?, ?, ?)",
           attempt, chain.last_link.value_or(Digest{}), chain.windows, utc_now(database));
   execute(database, "DELETE FROM chunk WHERE attempt_id = ?", attempt);
+  erase_display_facts(database, attempt);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "database/recording/attempts.h"
 #include "database/recording/window_writer.h"
@@ -110,6 +111,7 @@ class Recorder::Writer {
     });
     shorten_log(pen_.database());
   }
+  void abandon() { abandon_attempt(pen_.database(), lease_.attempt()); }
   const AttemptId& attempt() const noexcept { return lease_.attempt(); }
 
  private:
@@ -136,6 +138,12 @@ class Recorder::Writer {
       if (!is_hurried && !is_last_pass) std::this_thread::sleep_for(pause_between_passes);
     }
     commit_windows(std::nullopt);
+    commit_last_facts();
+  }
+
+  void commit_last_facts() {
+    const WindowRows rows{{}, {}, {}, std::exchange(waiting_.display_facts, {})};
+    when_there_is_room([&] { pen_.commit(next_window_, rows); });
   }
 
   /// Does `write`, again and again where the disk is full and that is waited for. What waits
@@ -177,6 +185,9 @@ class Recorder::Writer {
                                 drain_ring(channels_.samples, waiting_.samples) +
                                 drain_ring(channels_.events, waiting_.events);
     count_breaks(kept);
+    // Beyond that the ring fills: the window then drops what was shown, and counts it.
+    if (waiting_.display_facts.size() < channels_.display_facts.capacity())
+      drain_ring(channels_.display_facts, waiting_.display_facts);
     if (!waiting_.tape.empty()) {
       const simulator::TapeLine& line = waiting_.tape.back();
       newest_tick_ = std::max(newest_tick_, line.tick);
@@ -196,7 +207,8 @@ class Recorder::Writer {
       const std::int64_t end_tick = (window + 1) * window_ticks;
       if (safe_tick && end_tick > *safe_tick) return;
       WindowRows rows{take_before(waiting_.tape, end_tick), take_before(waiting_.samples, end_tick),
-                      take_before(waiting_.events, end_tick)};
+                      take_before(waiting_.events, end_tick),
+                      std::exchange(waiting_.display_facts, {})};
       when_there_is_room([&] { pen_.commit(window, rows); });
       next_window_ = window + 1;
     }
@@ -232,6 +244,12 @@ RecorderStatistics Recorder::drain() { return writer_->drain(); }
 RecorderStatistics Recorder::finish(const std::string& quality_json) {
   const RecorderStatistics statistics = writer_->drain();
   writer_->seal(quality_json);
+  return statistics;
+}
+
+RecorderStatistics Recorder::abandon() {
+  const RecorderStatistics statistics = writer_->drain();
+  writer_->abandon();
   return statistics;
 }
 

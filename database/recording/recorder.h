@@ -4,6 +4,9 @@
 ///   ring samples -> |  (tape, samples, events), linked in this  | -> one IMMEDIATE transaction,
 ///   ring events  -> |  order to the chain                       |    synchronous FULL
 ///
+/// What was on the screen comes from the window's thread, late by a frame and in no window: it is
+/// committed with the window that is next. Of a full disk no more waits than a ring holds.
+///
 /// Windows are cut by ticks, not by the clock: the same recording gives the same chunks whatever
 /// the scheduling. A line of the tape belongs to the window of its last tick, so that what is kept
 /// of a lost attempt is whole: no line without its sample. A window is committed once a later tick
@@ -31,6 +34,7 @@ struct RecorderStatistics {
   /// Of the three streams together.
   std::int64_t rows = 0;
   std::int64_t samples = 0;
+  std::int64_t display_facts = 0;
   std::int64_t commits = 0;
   /// Places where the tape leaves ticks out.
   std::int64_t gaps = 0;
@@ -80,6 +84,11 @@ class Recorder {
   /// errors  DatabaseError
   /// thread  the one that made the recorder
   RecorderStatistics finish(const std::string& quality_json);
+
+  /// Drains, then marks the attempt as interrupted, with an act: its person gave it up.
+  /// errors  DatabaseError; the next opening marks it then, without the act
+  /// thread  the one that made the recorder
+  RecorderStatistics abandon();
 
  private:
   class Writer;

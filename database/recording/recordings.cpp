@@ -40,7 +40,7 @@ Digest last_link(const ChunkRun& run) {
 
 }  // namespace
 
-simulator::Recording load_recording(Database& database, const AttemptId& id) {
+simulator::Recording load_recording(Database& database, const AttemptId& id, RecordingPart part) {
   const AttemptHeader header = load_header(database, id);
   refuse_erased(database, header.id);
   return translating(database, "read attempt " + header.id.text, [&] {
@@ -48,7 +48,7 @@ simulator::Recording load_recording(Database& database, const AttemptId& id) {
     recording.engine = header.begun.engine;
     const std::vector<StoredChunk> chunks = load_chunks(database, header.id, all_windows);
     const ChunkRun run{chunks, {}};
-    append_run(database, header.id, run, recording);
+    append_run(database, header.id, run, part, recording);
     check_seal(database, header, last_link(run));
     return recording;
   });

@@ -14,7 +14,8 @@ namespace hallux::database {
 /// window.
 /// errors  DatabaseError: NotFound, also where the recording was erased; Damaged naming the first
 ///         chunk whose bytes or link were altered, or the seal
-simulator::Recording load_recording(Database& database, const AttemptId& id);
+simulator::Recording load_recording(Database& database, const AttemptId& id,
+                                    RecordingPart part = RecordingPart::Whole);
 
 /// Checks recordings one after the other; keeps its memory between them.
 /// thread  one at a time

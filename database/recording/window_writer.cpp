@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "database/recording/display_facts.h"
 #include "database/store/sql.h"
 
 namespace hallux::database {
@@ -18,7 +19,10 @@ WindowWriter::WindowWriter(Database database, AttemptId attempt)
 }
 
 void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
-  if (rows.tape.empty() && rows.samples.empty() && rows.events.empty()) return;
+  if (rows.tape.empty() && rows.samples.empty() && rows.events.empty() &&
+      rows.display_facts.empty()) {
+    return;
+  }
   const Digest link_before = last_link_;
   const RecorderStatistics statistics_before = statistics_;
   const auto start = std::chrono::steady_clock::now();
@@ -28,6 +32,7 @@ void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
       insert_chunk(Stream::Tape, seq, tape, nullptr);
       insert_chunk(Stream::Sample, seq, columns_from(std::span{rows.samples}), &tape);
       insert_chunk(Stream::Event, seq, columns_from(std::span{rows.events}), nullptr);
+      store_display_facts(database_, attempt_number_, rows.display_facts);
     });
   } catch (...) {
     insert_.reset();
@@ -38,6 +43,7 @@ void WindowWriter::commit(std::int64_t seq, const WindowRows& rows) {
   const std::chrono::duration<double> spent_s = std::chrono::steady_clock::now() - start;
   ++statistics_.commits;
   statistics_.samples += static_cast<std::int64_t>(rows.samples.size());
+  statistics_.display_facts += static_cast<std::int64_t>(rows.display_facts.size());
   statistics_.commit_s += spent_s.count();
   statistics_.commit_max_s = std::max(statistics_.commit_max_s, spent_s.count());
 }

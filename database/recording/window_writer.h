@@ -9,14 +9,17 @@
 #include "database/recording/chain.h"
 #include "database/recording/recorder.h"
 #include "database/store/sql.h"
+#include "simulator/record/display_fact.h"
 
 namespace hallux::database {
 
-/// The rows of one window, or of what is still to be cut into windows.
+/// The rows of one window, or of what is still to be cut into windows; and what was on the screen,
+/// which is in no window and goes with the next that is committed.
 struct WindowRows {
   std::vector<simulator::TapeLine> tape;
   std::vector<simulator::ToolSample> samples;
   std::vector<simulator::CutEvent> events;
+  std::vector<simulator::DisplayFact> display_facts;
 };
 
 class WindowWriter {

@@ -31,6 +31,14 @@ template <>
 inline constexpr std::array<std::string_view, 4> stored_names<AttemptState>{"recording", "closed",
                                                                             "interrupted", "void"};
 
+/// Of a recording, what is read.
+enum class RecordingPart {
+  Whole,
+  /// Samples and events: all that scores and reports need. The input tape, two thirds of a
+  /// recording's memory, is checked and not kept.
+  Outputs
+};
+
 /// What an attempt was for. In an assessment nothing helps: no ghost of the plan, no read-out.
 enum class AttemptKind { Practice, Assessment };
 
@@ -66,6 +74,9 @@ struct AttemptHeader {
   AttemptId id;
   /// In which attempts were begun in this directory.
   std::int64_t order = 0;
+  /// Of the attempts of its person (or of the robot) at this operation, over all its versions: 1 is
+  /// the first that was begun here. What everybody calls it by.
+  std::int64_t number = 0;
   NewAttempt begun;
   std::string scenario_name;
   std::int32_t scenario_version = 0;

@@ -40,6 +40,9 @@ struct AuditRequest {
   /// At most 500.
   std::int32_t lines = 50;
   bool refused_only = false;
+  /// Only lines by or about people in whose login or name this stands (small and capital letters of
+  /// a-z are the same), or whose words hold it; "" for all.
+  std::string search = {};
 };
 
 }  // namespace hallux::database

@@ -71,6 +71,8 @@ struct HelpRequest {
   HelpRequestId id;
   AttemptId attempt;
   std::string scenario_name;
+  /// Of the attempt, as in AttemptHeader.
+  std::int64_t attempt_number = 0;
   AttemptMoment moment;
   PersonId asker;
   std::string asker_name;

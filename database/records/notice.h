@@ -25,7 +25,9 @@ enum class NoticeKind {
   SignInsRefused,
   /// Of an attempt of theirs.
   ResultOverridden,
-  ResultVoided
+  ResultVoided,
+  /// By an administrator: how this person is called.
+  NameCorrected
 };
 
 struct Notice {
@@ -33,15 +35,15 @@ struct Notice {
   NoticeKind kind = NoticeKind::Recovered;
   std::string at_utc;
   bool is_for_administrators = false;
-  /// Of whom it is about; "" where there is nobody, or nobody to be named.
+  /// Of whom it is about, of a result who decided; "" where there is nobody, or nobody to be named.
   std::string login;
   std::optional<AttemptId> attempt;
   std::int64_t count = 0;
 };
 
 template <>
-inline constexpr std::array<std::string_view, 8> stored_names<NoticeKind>{
-    "recovered",    "administrator_made", "backup_skipped",    "code_issued",
-    "password_set", "sign_ins_refused",   "result_overridden", "result_voided"};
+inline constexpr std::array<std::string_view, 9> stored_names<NoticeKind>{
+    "recovered",        "administrator_made", "backup_skipped", "code_issued",   "password_set",
+    "sign_ins_refused", "result_overridden",  "result_voided",  "name_corrected"};
 
 }  // namespace hallux::database

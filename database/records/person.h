@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "database/records/ids.h"
 #include "database/records/names.h"
@@ -13,8 +14,13 @@ enum class CohortRole { Trainee, Instructor };
 template <>
 inline constexpr std::array<std::string_view, 2> stored_names<CohortRole>{"trainee", "instructor"};
 
+/// Whether a login may be called that: 2 to 64 of a-z 0-9 . _ -, beginning with a letter.
+bool is_login(std::string_view login) noexcept;
+/// Whether it can become one by typing on: nothing in it is against the rules yet.
+bool may_become_login(std::string_view typed) noexcept;
+
 struct NewPerson {
-  /// 2 to 64 of a-z 0-9 . _ -, beginning with a letter.
+  /// As is_login wants it.
   std::string login;
   /// May be empty: the login is then shown.
   std::string display_name;

@@ -31,6 +31,7 @@ constexpr std::array decisions{
     TableAccess{"cohort_snapshot_result", Open},
     TableAccess{"decision", WithoutText},
     TableAccess{"directory", Open},
+    TableAccess{"display_fact", Open},
     TableAccess{"erased_recording", Open},
     TableAccess{"erasure", Open},
     TableAccess{"help_request", WithoutText},

@@ -71,6 +71,7 @@ inline constexpr std::array exempt_tables{
     ExemptTable{"audit_row", "each act's link is of its rows"},
     ExemptTable{"row_salt", "a wrong salt gives a wrong digest of its row"},
     ExemptTable{"chunk", "the chain and the seal of its recording"},
+    ExemptTable{"display_fact", "not scored, and outside the seal: another view is shown, no more"},
     ExemptTable{"session", "rewritten; who came and went stands in the audit"},
     ExemptTable{"sign_in_guard", "rewritten; refusals stand in the audit"},
     ExemptTable{"standing", "computed anew from attempts, scores and decisions, and compared"},
@@ -110,7 +111,8 @@ class ChangedRows {
 void settle_changes(Database& database);
 
 /// An act that accounts for every row there is, so that a directory of an older program is covered
-/// from then on. Defined there as well.
+/// from then on. Nothing where it is covered: a second one would vouch for what was altered since.
+/// Defined there as well.
 /// needs   the caller's transaction
 void take_baseline(Database& database);
 

@@ -58,7 +58,15 @@ CutBone::Stage& CutBone::stage_before(std::int32_t place) {
     Stage& last = stages_.empty() ? whole_ : stages_.back();
     stages_.push_back({cut_one(last.cut.solid, last.bvh, next), nullptr});
   }
+  forget_trees_before(place - 1);
   return place == 0 ? whole_ : stages_[index(place) - 1];
+}
+
+/// A tree is several times as large as its solid, and a kerf that grows needs that of the solid
+/// before it alone; others are built again where they are asked for. That of the whole bone, which
+/// every attempt begins and most end with, stays.
+void CutBone::forget_trees_before(std::int32_t place) noexcept {
+  for (std::int32_t stage = 1; stage < place; ++stage) stages_[index(stage) - 1].bvh.reset();
 }
 
 SolidWithTree CutBone::before(std::int32_t place) {

@@ -27,7 +27,8 @@ struct OpenedKerf {
   RegionOutline region;
 };
 
-/// A solid with the tree over its mesh; borrowed from the bone until a kerf before it changes.
+/// A solid with the tree over its mesh; borrowed from the bone until a kerf before it changes, or a
+/// later place is asked for.
 struct SolidWithTree {
   const CutSolid& solid;
   const Bvh& bvh;
@@ -75,6 +76,7 @@ class CutBone {
 
   static std::size_t index(std::int32_t place) noexcept { return static_cast<std::size_t>(place); }
   Stage& stage_before(std::int32_t place);
+  void forget_trees_before(std::int32_t place) noexcept;
 
   Stage whole_;
   std::vector<OpenedKerf> kerfs_;

@@ -16,11 +16,35 @@ const Bvh& tree_of(PieceBody& piece) {
   return *piece.bvh;
 }
 
+/// Half way through the solid behind a triangle's middle; nothing where rounding finds no far side.
+std::optional<Vec3> half_way_behind(const std::array<Vec3, 3>& corners_mm, const Bvh& bvh) {
+  const Vec3 outward = glm::cross(corners_mm[1] - corners_mm[0], corners_mm[2] - corners_mm[0]);
+  const double length = length_of(outward);
+  if (length == 0.0) return std::nullopt;
+  const Vec3 inward = -1.0 / length * outward;
+  const Vec3 from_mm = middle_of(corners_mm) + inward_mm * inward;
+  const std::optional<RayHit> far_side = bvh.first_hit(from_mm, inward);
+  if (!far_side) return std::nullopt;
+  const Vec3 point_mm = from_mm + 0.5 * far_side->distance_mm * inward;
+  return bvh.contains(point_mm) ? std::optional(point_mm) : std::nullopt;
+}
+
+double doubled_area_mm2(const std::array<Vec3, 3>& corners_mm) {
+  return length_of(glm::cross(corners_mm[1] - corners_mm[0], corners_mm[2] - corners_mm[0]));
+}
+
 }  // namespace
 
-PieceBody copy_of(const PieceBody& piece) {
-  return {piece.id, piece.is_new, piece.volume_mm3, piece.solid,
-          std::make_unique<const Bvh>(piece.solid.mesh)};
+Vec3 point_inside(const CutSolid& solid, const Bvh& bvh) {
+  std::vector<std::pair<double, std::uint32_t>> by_area;
+  for (std::uint32_t i = 0; i < solid.mesh.triangles.size(); ++i)
+    by_area.emplace_back(-doubled_area_mm2(corners_of(solid.mesh, i)), i);
+  std::sort(by_area.begin(), by_area.end());
+  for (const auto& [area, triangle] : by_area) {
+    if (const auto point_mm = half_way_behind(corners_of(solid.mesh, triangle), bvh))
+      return *point_mm;
+  }
+  return middle_of(corners_of(solid.mesh, by_area.front().second));
 }
 
 bool lies_in(const CutSolid& piece, const Bvh& body) {
@@ -55,7 +79,7 @@ SortedBodies sort_bodies(std::vector<CutSolid> solids) {
 }
 
 NumberedPieces::NumberedPieces(const CutSolid& whole) {
-  pieces_.push_back({0, false, signed_volume_mm3(whole.mesh), whole, nullptr});
+  pieces_.push_back({0, false, signed_volume_mm3(whole.mesh), {}, whole, nullptr});
 }
 
 std::size_t NumberedPieces::body_of(const CutSolid& solid) const {
@@ -85,9 +109,10 @@ void NumberedPieces::number(std::vector<CutSolid> solids) {
     CutSolid& solid = sorted.bodies[i];
     const std::int32_t inherited = inherited_id(solid, taken);
     const bool is_new = inherited < 0;
-    auto bvh = std::make_unique<const Bvh>(solid.mesh);
-    numbered.push_back({is_new ? next_id_++ : inherited, is_new, sorted.volumes_mm3[i],
-                        std::move(solid), std::move(bvh)});
+    const std::int32_t id = is_new ? next_id_++ : inherited;
+    numbered.push_back({id, is_new, sorted.volumes_mm3[i], {}, std::move(solid), nullptr});
+    PieceBody& piece = numbered.back();
+    if (id != 0) piece.inside_mm = point_inside(piece.solid, tree_of(piece));
   }
   pieces_ = std::move(numbered);
   crumbs_ = std::move(sorted.crumbs);
@@ -102,6 +127,13 @@ const Bvh* NumberedPieces::take_out(std::int32_t id) {
   taken_out_.push_back(std::move(found->bvh));
   pieces_.erase(found);
   return taken_out_.back().get();
+}
+
+std::vector<const Bvh*> NumberedPieces::taken_out() const {
+  std::vector<const Bvh*> bodies;
+  bodies.reserve(taken_out_.size());
+  for (const auto& body : taken_out_) bodies.push_back(body.get());
+  return bodies;
 }
 
 CutSolid NumberedPieces::gathered() const {

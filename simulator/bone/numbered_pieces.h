@@ -21,12 +21,16 @@ struct PieceBody {
   /// Came free since the pieces were numbered before.
   bool is_new = false;
   double volume_mm3 = 0.0;
+  /// A point well inside it; of the bone, piece 0, none.
+  Vec3 inside_mm{0.0, 0.0, 0.0};
   CutSolid solid;
-  /// None for the whole bone, before anything was numbered.
+  /// None before it is asked for: a tree is several times as large as its solid.
   std::unique_ptr<const Bvh> bvh;
 };
 
-PieceBody copy_of(const PieceBody& piece);
+/// A point inside a solid, half way through it behind the middle of one of its largest triangles.
+/// needs   the solid is closed and has triangles; bvh was built over its mesh
+Vec3 point_inside(const CutSolid& solid, const Bvh& bvh);
 
 /// Whether most of a piece lies in a body: of points just inside its skin, spread over its
 /// triangles.
@@ -58,6 +62,8 @@ class NumberedPieces {
   const std::vector<PieceBody>& pieces() const noexcept { return pieces_; }
   double debris_mm3() const noexcept { return debris_mm3_; }
   bool has_taken_out() const noexcept { return !taken_out_.empty(); }
+  /// They live as long as this.
+  std::vector<const Bvh*> taken_out() const;
   /// Pieces and debris as one solid.
   CutSolid gathered() const;
   /// What is left of a solid of the same bone. Nothing where a piece that was taken out would hang

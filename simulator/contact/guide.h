@@ -5,8 +5,8 @@
 ///                     at most 35 % of the greatest force and torque
 ///
 /// It leads the hand, and the tool follows: the blade is asked where it is, the hand is pushed. It
-/// comes in softly, belongs to the step at hand, and ends once the teeth are in a kerf of their
-/// own.
+/// comes in softly, belongs to the step at hand, and leads to that step's own kerf once it has one;
+/// in a kerf its walls lead.
 /// source  docs/haptics.md, Where the tool is
 #pragma once
 

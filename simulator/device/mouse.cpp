@@ -20,7 +20,8 @@ RigidTransform steered(const RigidTransform& world_from_target, const Quat& worl
   const auto in_world = [&](const Vec3& in_view) { return world_from_view * in_view; };
   RigidTransform moved = world_from_target;
   moved.translation_mm +=
-      in_world(share * Vec3(motion.across_mm.x, motion.across_mm.y, -motion.deeper_mm));
+      in_world(share * Vec3(motion.across_mm.x, motion.across_mm.y, -motion.deeper_mm)) +
+      share * motion.pushed_mm * axis_x(world_from_target);
   const Quat turn = rotation_about(in_world(Vec3(0.0, 1.0, 0.0)), share * motion.turned_rad.x) *
                     rotation_about(in_world(Vec3(1.0, 0.0, 0.0)), -share * motion.turned_rad.y) *
                     rotation_about(in_world(Vec3(0.0, 0.0, 1.0)), share * motion.rolled_rad);
@@ -41,30 +42,27 @@ RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& 
 
 MouseDevice::MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling)
     : coupling_(coupling),
-      target_({{world_from_start, 0}, 0}),
+      target_({{world_from_start, 0, {}}, 0}),
       world_from_hand_(world_from_start) {}
 
-void MouseDevice::aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept {
-  target_.write({{world_from_target, switches}, ++aims_});
-}
+void MouseDevice::aim(const Aim& aim) noexcept { target_.write({aim, ++aims_}); }
 
 bool MouseDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                            RawDeviceState& state) noexcept {
-  const auto& [target, number] = target_.read();
+  const auto& [aim, number] = target_.read();
   if (number != heard_) heard_tick_ = tick;
   heard_ = number;
   const std::int64_t ticks =
       tick_ < 0 ? 1 : std::clamp<std::int64_t>(tick - tick_, 1, ticks_at_most);
   tick_ = tick;
-  for (std::int64_t i = 0; i < ticks; ++i)
-    pull_towards(target.world_from_handle, force_in_world_newton);
-  state = {world_from_hand_, tick - heard_tick_ > silence_ticks ? 0U : target.switches};
+  for (std::int64_t i = 0; i < ticks; ++i) pull_towards(aim, force_in_world_newton);
+  state = {world_from_hand_, tick - heard_tick_ > silence_ticks ? 0U : aim.switches};
   return true;
 }
 
 /// Semi-implicit Euler: the velocity first, then the way with the new velocity.
-void MouseDevice::pull_towards(const RigidTransform& world_from_target,
-                               const Vec3& force_newton) noexcept {
+void MouseDevice::pull_towards(const Aim& aim, const Vec3& force_newton) noexcept {
+  const RigidTransform& world_from_target = aim.world_from_target;
   const Vec3 ahead_mm = world_from_target.translation_mm - world_from_hand_.translation_mm;
   const Vec3 sum_newton = coupling_.stiffness_newton_per_mm * ahead_mm -
                           coupling_.damping_newton_s_per_mm * velocity_mm_s_ + force_newton;
@@ -74,6 +72,10 @@ void MouseDevice::pull_towards(const RigidTransform& world_from_target,
     velocity_mm_s_ *= coupling_.speed_limit_mm_s / speed_mm_s;
   }
   world_from_hand_.translation_mm += step_s * velocity_mm_s_;
+  const Vec3& along = aim.unyielding_in_world;
+  const Vec3 off_mm = world_from_target.translation_mm - world_from_hand_.translation_mm;
+  world_from_hand_.translation_mm += glm::dot(along, off_mm) * along;
+  velocity_mm_s_ -= glm::dot(along, velocity_mm_s_) * along;
   world_from_hand_.rotation =
       interpolate(world_from_hand_, world_from_target, step_s / coupling_.turn_s).rotation;
 }

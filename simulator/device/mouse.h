@@ -8,7 +8,8 @@
 ///
 /// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the
 /// pointer runs ahead: how far it is ahead is how hard one pushes. Where no target comes any more,
-/// because the window hangs or is minimised, nobody holds the saw: it stops.
+/// because the window hangs or is minimised, nobody holds the saw: it stops. On a rail (rail.h) the
+/// hand gives way in the rail's plane only.
 #pragma once
 
 #include "simulator/device/steered_device.h"
@@ -33,7 +34,9 @@ struct PointerMotion {
   Vec2 across_mm{0.0, 0.0};
   /// Away from the person.
   double deeper_mm = 0.0;
-  /// Of a right drag: to the right about the view's y, up about its x.
+  /// Along the blade, from handle to teeth.
+  double pushed_mm = 0.0;
+  /// Of a drag: to the right about the view's y, up about its x.
   Vec2 turned_rad{0.0, 0.0};
   /// About the view's z, counter-clockwise as it is seen.
   double rolled_rad = 0.0;
@@ -54,18 +57,18 @@ class MouseDevice final : public SteeredDevice {
  public:
   explicit MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling = {});
 
-  void aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept override;
+  void aim(const Aim& aim) noexcept override;
 
   DeviceDescription description() const override { return {"Mouse and keyboard", "mouse"}; }
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 RawDeviceState& state) noexcept override;
 
  private:
-  void pull_towards(const RigidTransform& world_from_target, const Vec3& force_newton) noexcept;
+  void pull_towards(const Aim& aim, const Vec3& force_newton) noexcept;
 
   struct Target {
-    RawDeviceState state;
-    /// Counts the calls of aim.
+    Aim aim;
+    /// Counts the calls of aim().
     std::uint64_t number = 0;
   };
 

@@ -12,11 +12,20 @@ class SteeredDevice : public HapticDevice {
   /// Without a new target for longer, every switch is off.
   static constexpr std::int64_t silence_ticks = 1500;
 
-  /// Where the hand is led from now on; to be said again and again while a switch is on.
-  /// world_from_target  pose of the saw [mm]
-  /// switches           bits of Switch
+  /// Where the hand is led.
+  struct Aim {
+    /// Pose of the saw [mm].
+    RigidTransform world_from_target;
+    /// Bits of Switch.
+    std::uint32_t switches = 0;
+    /// A unit direction along which the hand is as the target is, whatever pushes it; zero: it
+    /// yields to all sides.
+    Vec3 unyielding_in_world{0.0, 0.0, 0.0};
+  };
+
+  /// From now on; to be said again and again while a switch is on.
   /// thread  window
-  virtual void aim(const RigidTransform& world_from_target, std::uint32_t switches) noexcept = 0;
+  virtual void aim(const Aim& aim) noexcept = 0;
 };
 
 }  // namespace hallux::simulator

@@ -20,6 +20,12 @@ double section_area_mm2(const SlabSlice& contact) {
   return 0.25 * doubled_mm2;
 }
 
+FoundPiece found_from(const PieceBody& piece) {
+  FoundPiece found{piece.id, piece.is_new, piece.volume_mm3, piece.inside_mm, nullptr};
+  if (piece.id != 0) found.body = std::make_unique<const Bvh>(piece.solid.mesh);
+  return found;
+}
+
 }  // namespace
 
 AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
@@ -49,7 +55,7 @@ void AttemptGeometry::bring_up_to_date() {
   }
 }
 
-std::unique_ptr<const JobResult> AttemptGeometry::run(const JobRequest& request) {
+std::unique_ptr<JobResult> AttemptGeometry::run(const JobRequest& request) {
   auto result = std::make_unique<JobResult>();
   result->request = request;
   bring_up_to_date();
@@ -82,7 +88,7 @@ void AttemptGeometry::run_pieces(JobResult& result) {
     if (cut.takes_section) result.completed.push_back(kerf);
   }
   bone_.number_pieces();
-  for (const PieceBody& piece : bone_.pieces().pieces()) result.pieces.push_back(copy_of(piece));
+  for (const PieceBody& piece : bone_.pieces().pieces()) result.pieces.push_back(found_from(piece));
   result.debris_mm3 = bone_.pieces().debris_mm3();
 }
 

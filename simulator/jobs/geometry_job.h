@@ -35,13 +35,29 @@ struct JobRequest {
   std::int64_t tick = 0;
 };
 
-/// Never changes once made; the step borrows it for the rest of the attempt.
+/// A piece as a job found it.
+struct FoundPiece {
+  /// 0 is the bone; what is cut off gets the next number and keeps it.
+  std::int32_t id = 0;
+  /// Came free since the job before.
+  bool is_new = false;
+  double volume_mm3 = 0.0;
+  /// A point well inside it; of the bone none.
+  Vec3 inside_mm{0.0, 0.0, 0.0};
+  /// Where nothing stands any more once it is taken out; none for the bone, which stays.
+  std::unique_ptr<const Bvh> body;
+  /// Set by the step.
+  bool is_taken_out = false;
+};
+
+/// The step borrows it until it gives it back (StepOutput::given_back); the bodies of pieces that
+/// it has marked as taken out it borrows for the rest of the attempt.
 struct JobResult {
   JobRequest request;
   /// Section: of the solid as it stood, at the kerf's planes.
   double section_mm2 = 0.0;
   /// Pieces: without debris, largest first.
-  std::vector<PieceBody> pieces;
+  std::vector<FoundPiece> pieces;
   /// Pieces: kerfs that took their whole section, ascending.
   std::vector<std::int32_t> completed;
   /// Pieces: in the wound as it is.
@@ -65,11 +81,17 @@ class AttemptGeometry {
   void apply(const CutEvent& event);
   void apply(const ToolSample& sample);
   /// thread  worker, or the caller's in virtual time
-  std::unique_ptr<const JobResult> run(const JobRequest& request);
+  std::unique_ptr<JobResult> run(const JobRequest& request);
 
   /// What lies in the wound, as the last job of pieces left it.
   CutSolid solid() const { return bone_.pieces().gathered(); }
+  /// Of those the pieces, under their numbers.
+  const std::vector<PieceBody>& pieces() const noexcept { return bone_.pieces().pieces(); }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
+  /// The bone that was never cut, with its tree.
+  SolidWithTree whole() { return bone_.before(0); }
+  /// Bodies that were taken out; they live as long as this.
+  std::vector<const Bvh*> taken_out() const { return bone_.pieces().taken_out(); }
   /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
   bool is_only_kerf(std::int32_t kerf) const;
   /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none),

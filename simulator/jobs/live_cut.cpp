@@ -40,10 +40,10 @@ void LiveCut::apply(const CutEvent& event) {
 
 void LiveCut::apply(const JobRequest& request) {
   if (request.kind == JobKind::Section) return;
-  std::unique_ptr<const JobResult> result = geometry_.run(request);
+  std::unique_ptr<JobResult> result = geometry_.run(request);
   if (request.kind == JobKind::Pieces) {
     free_pieces_.clear();
-    for (const PieceBody& piece : result->pieces) {
+    for (const PieceBody& piece : geometry_.pieces()) {
       if (piece.id != 0) free_pieces_.push_back({piece.id, piece.solid});
     }
     are_free_pieces_due_ = true;
@@ -65,6 +65,11 @@ std::optional<KerfOpening> LiveCut::kerf_at_hand() const {
   const bool is_shown = growing_ != nullptr && kerf_at_hand_ == kerf_ && !has_grown_;
   return KerfOpening{kerfs.plane(kerf_),
                      loops_of(is_shown ? growing_->region() : outline_of(kerfs.field(kerf_)))};
+}
+
+KerfOpening LiveCut::opening_of(std::int32_t kerf) const {
+  const KerfSet& kerfs = geometry_.kerfs();
+  return {kerfs.plane(kerf), loops_of(outline_of(kerfs.field(kerf)))};
 }
 
 std::optional<PatchBase> LiveCut::take_base() {

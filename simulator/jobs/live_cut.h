@@ -57,6 +57,13 @@ class LiveCut {
   /// The kerf in which the teeth were last, as far as it is open now; nothing before the first.
   std::optional<KerfOpening> kerf_at_hand() const;
   std::optional<KerfPlane> plane_at_hand() const;
+  /// Any kerf as far as it is open now.
+  KerfOpening opening_of(std::int32_t kerf) const;
+
+  // For questions about what stands.
+  const KerfSet& kerfs() const noexcept { return geometry_.kerfs(); }
+  SolidWithTree whole() { return geometry_.whole(); }
+  std::vector<const Bvh*> taken_out() const { return geometry_.taken_out(); }
 
   /// The halves of the hinge, once it has closed; null before. It lives as long as this.
   const ClosedHinge* closed_hinge() const noexcept;

@@ -1,5 +1,4 @@
 /// The jobs of a recorded attempt: which they were, and the state of which tick each of them saw.
-/// Inside this room only.
 #pragma once
 
 #include <cstdint>

@@ -15,6 +15,7 @@
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
+#include "simulator/loop/time_spread.h"
 
 namespace hallux::simulator {
 
@@ -32,31 +33,6 @@ double microseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::micro>(duration).count();
 }
 
-/// Exact percentiles of everything it was given; takes its memory beforehand.
-class Spread {
- public:
-  explicit Spread(std::size_t capacity) { values_us_.reserve(capacity); }
-  void add(Clock::duration duration) noexcept {
-    if (values_us_.size() < values_us_.capacity()) {
-      values_us_.push_back(static_cast<float>(microseconds(duration)));
-    }
-  }
-  void summarise(double& p50_us, double& p99_us, double& max_us) {
-    if (values_us_.empty()) return;
-    std::sort(values_us_.begin(), values_us_.end());
-    const auto at = [&](double share) {
-      return static_cast<double>(
-          values_us_[static_cast<std::size_t>(share * static_cast<double>(values_us_.size() - 1))]);
-    };
-    p50_us = at(0.5);
-    p99_us = at(0.99);
-    max_us = at(1.0);
-  }
-
- private:
-  std::vector<float> values_us_;
-};
-
 /// The attempt while it runs; one object per call of run_attempt.
 class AttemptRun {
  public:
@@ -67,9 +43,7 @@ class AttemptRun {
         channels_(channels),
         progress_(progress),
         tissue_(setup.simulation.bone),
-        simulation_(tissue_, setup.simulation),
-        step_times_(static_cast<std::size_t>(setup.last_tick) + 1),
-        late_times_(static_cast<std::size_t>(setup.last_tick) + 1) {
+        simulation_(tissue_, setup.simulation) {
     if (setup.job_runner != nullptr) {
       jobs_ = setup.job_runner;
       return;
@@ -148,10 +122,12 @@ class AttemptRun {
     statistics_.unsampled_us =
         std::chrono::duration_cast<std::chrono::microseconds>(unsampled_).count();
     statistics_.clock_steps = clocks_.steps();
-    step_times_.summarise(statistics_.step_p50_us, statistics_.step_p99_us,
-                          statistics_.step_max_us);
-    late_times_.summarise(statistics_.late_p50_us, statistics_.late_p99_us,
-                          statistics_.late_max_us);
+    statistics_.step_p50_us = step_times_.at_us(0.5);
+    statistics_.step_p99_us = step_times_.at_us(0.99);
+    statistics_.step_max_us = step_times_.greatest_us();
+    statistics_.late_p50_us = late_times_.at_us(0.5);
+    statistics_.late_p99_us = late_times_.at_us(0.99);
+    statistics_.late_max_us = late_times_.greatest_us();
   }
 
   /// Sleeps until the next deadline; the ticks that this line must cover.
@@ -247,7 +223,7 @@ class AttemptRun {
     line.tick = tick_;
     line.ticks = static_cast<std::uint8_t>(ticks);
     line.device = device_.read(tick_ + ticks - 1, ticks);
-    std::array<const JobResult*, commands_per_tick> results{};
+    std::array<JobResult*, commands_per_tick> results{};
     add_commands(line, results);
 
     const Clock::time_point before = Clock::now();
@@ -268,9 +244,8 @@ class AttemptRun {
     if (setup_.watch != nullptr) show(output);
   }
 
-  void add_commands(TapeLine& line,
-                    std::array<const JobResult*, commands_per_tick>& results) noexcept {
-    const auto add = [&](const Command& command, const JobResult* result) {
+  void add_commands(TapeLine& line, std::array<JobResult*, commands_per_tick>& results) noexcept {
+    const auto add = [&](const Command& command, JobResult* result) {
       results[line.command_count] = result;
       line.commands[line.command_count++] = command;
     };
@@ -292,7 +267,7 @@ class AttemptRun {
       add(live, nullptr);
     }
     while (line.command_count < commands_per_tick) {
-      const JobResult* result = jobs_->take_ready();
+      JobResult* const result = jobs_->take_ready();
       if (result == nullptr) break;
       add({CommandKind::ApplyJob, result->request.id, result->request.tick}, result);
     }
@@ -317,7 +292,7 @@ class AttemptRun {
   Simulation simulation_;
   std::unique_ptr<JobRunner> own_jobs_;  ///< none where the setup brings its own
   JobRunner* jobs_ = nullptr;
-  Spread step_times_, late_times_;
+  TimeSpread step_times_, late_times_;
   LoopStatistics statistics_;
   LoopView view_;
   double late_max_us_ = 0.0;  ///< since the view showed it last

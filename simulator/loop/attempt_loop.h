@@ -42,7 +42,7 @@ struct AttemptSetup {
 
 enum class AttemptEnd { Finished, ReachedLastTick, Cancelled, RecorderFailed };
 
-/// Times are wall-clock. Percentiles are exact, over every tick.
+/// Times are wall-clock, over every tick; percentiles to half a percent.
 struct LoopStatistics {
   AttemptEnd end = AttemptEnd::ReachedLastTick;
   /// Steps taken.

@@ -1,5 +1,6 @@
 #include "simulator/loop/jobs.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace hallux::simulator {
@@ -18,19 +19,25 @@ constexpr std::chrono::microseconds idle_rest{500};
 bool ImmediateJobs::apply(const StepOutput& output) {
   for (const CutEvent& event : output.events) geometry_.apply(event);
   geometry_.apply(output.sample);
-  for (const JobRequest& request : output.requests) results_.push_back(geometry_.run(request));
+  for (const JobResult* result : output.given_back) results_.take_back(result);
+  for (const JobRequest& request : output.requests) {
+    ready_.push_back(results_.lend(geometry_.run(request)));
+  }
   return true;
 }
 
-const JobResult* ImmediateJobs::take_ready() noexcept {
-  return taken_ < results_.size() ? results_[taken_++].get() : nullptr;
+JobResult* ImmediateJobs::take_ready() noexcept {
+  return ready_.empty() ? nullptr : take(ready_.front()->request.id);
 }
 
-const JobResult* ImmediateJobs::find(std::int32_t job) const noexcept {
-  for (const auto& result : results_) {
-    if (result->request.id == job) return result.get();
-  }
-  return nullptr;
+JobResult* ImmediateJobs::take(std::int32_t job) noexcept {
+  const auto found = std::find_if(ready_.begin(), ready_.end(), [job](const JobResult* result) {
+    return result->request.id == job;
+  });
+  if (found == ready_.end()) return nullptr;
+  JobResult* const result = *found;
+  ready_.erase(found);
+  return result;
 }
 
 ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade,
@@ -46,14 +53,15 @@ bool ThreadedJobs::apply(const StepOutput& output) {
   bool has_room = true;
   for (const CutEvent& event : output.events) has_room = feed_.push(event) && has_room;
   has_room = feed_.push(output.sample) && has_room;
+  for (const JobResult* result : output.given_back) has_room = feed_.push(result) && has_room;
   for (const JobRequest& request : output.requests) has_room = feed_.push(request) && has_room;
   return has_room;
 }
 
 bool ThreadedJobs::has_room() const noexcept { return feed_.size() < feed_.capacity() / 8 * 7; }
 
-const JobResult* ThreadedJobs::take_ready() noexcept {
-  const JobResult* result = nullptr;
+JobResult* ThreadedJobs::take_ready() noexcept {
+  JobResult* result = nullptr;
   return ready_.pop(result) ? result : nullptr;
 }
 
@@ -81,10 +89,11 @@ void ThreadedJobs::work(const std::stop_token& stop) {
 void ThreadedJobs::apply(const Feed& feed, const std::stop_token& stop) {
   if (const auto* sample = std::get_if<ToolSample>(&feed)) geometry_.apply(*sample);
   if (const auto* event = std::get_if<CutEvent>(&feed)) geometry_.apply(*event);
+  if (const auto* result = std::get_if<const JobResult*>(&feed)) results_.take_back(*result);
   const auto* request = std::get_if<JobRequest>(&feed);
   if (request == nullptr) return;
-  results_.push_back(geometry_.run(*request));
-  while (!ready_.push(results_.back().get()) && !stop.stop_requested()) {
+  JobResult* const result = results_.lend(geometry_.run(*request));
+  while (!ready_.push(result) && !stop.stop_requested()) {
     std::this_thread::sleep_for(idle_rest);
   }
 }

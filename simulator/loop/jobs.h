@@ -2,19 +2,21 @@
 /// haptic thread. Inside this corner only.
 ///
 /// Both apply the same outputs in the same order, so the same request gives the same result; only
-/// the tick at which it is ready differs, and that tick is recorded.
+/// the tick at which it is ready differs, and that tick is recorded. What the step gives back goes
+/// the way of its outputs and is freed where jobs run.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <thread>
 #include <variant>
-#include <vector>
 
 #include "simulator/jobs/geometry_job.h"
+#include "simulator/loop/lent_results.h"
 #include "simulator/record/ring.h"
 #include "simulator/step/simulation.h"
 
@@ -23,7 +25,8 @@ namespace hallux::simulator {
 class JobRunner {
  public:
   virtual ~JobRunner() = default;
-  /// Takes over what a step gave out; false where there was no room left.
+  /// Takes over what a step gave out, and results that it gave back; false where there was no room
+  /// left.
   /// errors  std::bad_alloc where jobs run at once; none on the threaded runner, which allocates
   ///         nothing here
   /// thread  haptic
@@ -33,8 +36,9 @@ class JobRunner {
   /// Whether a second's outputs still find room; without it the attempt must pause.
   /// thread  haptic
   virtual bool has_room() const noexcept = 0;
-  /// The next result that is ready, or null. Lives as long as the runner.
-  virtual const JobResult* take_ready() noexcept = 0;
+  /// The next result that is ready, or null. Lives until the step gives it back, at most as long as
+  /// the runner.
+  virtual JobResult* take_ready() noexcept = 0;
 };
 
 /// Runs each job when it is asked for; ready at the next tick.
@@ -47,15 +51,17 @@ class ImmediateJobs final : public JobRunner {
 
   bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
-  const JobResult* take_ready() noexcept override;
-  /// The result of that job, or null where none of that number was asked for.
-  const JobResult* find(std::int32_t job) const noexcept;
+  JobResult* take_ready() noexcept override;
+  /// The result of that job, or null where none of that number is ready; each is taken once.
+  JobResult* take(std::int32_t job) noexcept;
   const AttemptGeometry& geometry() const noexcept { return geometry_; }
+  /// Results that the step has not given back.
+  std::size_t kept_count() const noexcept { return results_.count(); }
 
  private:
   AttemptGeometry geometry_;
-  std::vector<std::unique_ptr<const JobResult>> results_;
-  std::size_t taken_ = 0;
+  LentResults results_;
+  std::deque<JobResult*> ready_;
 };
 
 /// Runs jobs on a thread of its own, in the order of their requests.
@@ -67,19 +73,19 @@ class ThreadedJobs final : public JobRunner {
   bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override;
   std::exception_ptr failure() const noexcept override;
-  const JobResult* take_ready() noexcept override;
+  JobResult* take_ready() noexcept override;
 
  private:
-  using Feed = std::variant<ToolSample, CutEvent, JobRequest>;
+  using Feed = std::variant<ToolSample, CutEvent, JobRequest, const JobResult*>;
   void work(const std::stop_token& stop);
   void apply(const Feed& feed, const std::stop_token& stop);
 
   /// Worker's.
   AttemptGeometry geometry_;
   /// Worker's.
-  std::vector<std::unique_ptr<const JobResult>> results_;
+  LentResults results_;
   Ring<Feed> feed_;
-  Ring<const JobResult*> ready_;
+  Ring<JobResult*> ready_;
   /// Written before has_failed_ is set.
   std::exception_ptr thrown_;
   std::atomic<bool> has_failed_{false};

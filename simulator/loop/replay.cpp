@@ -54,7 +54,7 @@ class ReplayRun {
     }
     for (std::size_t i = 0; i < line.command_count; ++i) {
       if (line.commands[i].kind != CommandKind::ApplyJob) continue;
-      input.job_results[i] = jobs_.find(line.commands[i].argument);
+      input.job_results[i] = jobs_.take(line.commands[i].argument);
       const bool matches = input.job_results[i] != nullptr &&
                            input.job_results[i]->request.tick == line.commands[i].detail;
       if (matches) continue;

@@ -204,6 +204,8 @@ void build_nodes(const IndexedMesh& mesh, const BvhBuild& build, std::vector<Tre
   nodes.reserve(mesh.triangles.size());
   Builder builder{items_of(mesh), build, nodes};
   builder.build({0, mesh.triangles.size()}, 0);
+  // A third of the room is used where leaves hold several triangles.
+  nodes.shrink_to_fit();
   slots.reserve(mesh.triangles.size());
   for (const Item& item : builder.items()) {
     const Triangle& triangle = mesh.triangles[item.triangle];

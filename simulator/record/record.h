@@ -18,7 +18,7 @@ namespace hallux::simulator {
 
 /// Raised by hand whenever the same input may give another output; committed with the golden
 /// hashes.
-inline constexpr std::int32_t engine_version = 6;
+inline constexpr std::int32_t engine_version = 7;
 
 /// A pose in whole quanta: translation in micrometres, quaternion (w, x, y, z) in millionths.
 struct QuantisedPose {
@@ -77,7 +77,9 @@ enum class CommandKind : std::int32_t {
   ApplyJob = 7,
   Abandon = 8,
   /// Turn the bone about the bridge that the cuts have left, until the wedge is closed.
-  CloseHinge = 9
+  CloseHinge = 9,
+  /// Argument: index of an operation step that was declared done and is at hand again.
+  ReopenStep = 10
 };
 
 /// A decision applied at a tick: of the operator, the loop, or a job that is ready.
@@ -158,9 +160,11 @@ enum class CutEventKind : std::int32_t {
   Breakthrough = 6,
   /// Subject: kerf; it has taken its whole section.
   SectionCovered = 7,
-  /// Subject: piece; value: volume [mm3 / 1000].
+  /// Subject: piece; value: volume [mm3 / 1000]; pose: a point inside it, bone frame (from engine 7
+  /// on).
   PieceFreed = 8,
-  /// Subject: piece.
+  /// Subject: piece; value and pose as of PieceFreed, as the piece was known last (from engine 7
+  /// on).
   PieceRemoved = 9,
   /// Subject: operation step.
   StepDone = 10,
@@ -188,7 +192,9 @@ enum class CutEventKind : std::int32_t {
   DangerLeft = 22,
   /// The teeth caught; subject: why (KickCause: 1 started in bone, 2 a corner); value: impulse [mN
   /// s].
-  Kick = 23
+  Kick = 23,
+  /// Subject: operation step.
+  StepReopened = 24
 };
 
 /// Something that happened once, at the end of one tick.
@@ -198,7 +204,7 @@ struct CutEvent {
   std::int32_t subject = -1;
   std::int64_t value = 0;
   /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed, bone_from_place
-  /// (in the kerf's axes) for heat, identity otherwise.
+  /// (in the kerf's axes) for heat, the point of a piece for pieces, identity otherwise.
   QuantisedPose pose;
 
   friend bool operator==(const CutEvent&, const CutEvent&) = default;

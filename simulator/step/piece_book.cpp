@@ -4,14 +4,14 @@
 
 namespace hallux::simulator {
 
-void PieceBook::learn(std::span<const PieceBody> pieces) noexcept {
+void PieceBook::learn(std::span<FoundPiece> pieces) noexcept {
   pieces_ = pieces;
   announced_ = 0;
 }
 
-const PieceBody* PieceBook::announce_next() noexcept {
+const FoundPiece* PieceBook::announce_next() noexcept {
   while (announced_ < pieces_.size()) {
-    const PieceBody& piece = pieces_[announced_++];
+    const FoundPiece& piece = pieces_[announced_++];
     if (!piece.is_new) continue;
     freed_last_ = piece.id;
     return &piece;
@@ -19,16 +19,15 @@ const PieceBody* PieceBook::announce_next() noexcept {
   return nullptr;
 }
 
-std::int32_t PieceBook::take_out(std::int32_t piece) noexcept {
+const FoundPiece* PieceBook::take_out(std::int32_t piece) noexcept {
   if (piece == piece_freed_last) piece = freed_last_;
-  if (piece <= 0 || removed_count_ == removed_piece_limit) return 0;
-  const auto body = std::find_if(pieces_.begin(), pieces_.end(),
-                                 [&](const PieceBody& known) { return known.id == piece; });
-  if (body == pieces_.end()) return 0;
-  const std::span<const Bvh* const> out = removed();
-  if (std::find(out.begin(), out.end(), body->bvh.get()) != out.end()) return 0;
-  removed_[removed_count_++] = body->bvh.get();
-  return piece;
+  if (piece <= 0 || removed_count_ == removed_piece_limit) return nullptr;
+  const auto found = std::find_if(pieces_.begin(), pieces_.end(),
+                                  [&](const FoundPiece& known) { return known.id == piece; });
+  if (found == pieces_.end() || found->is_taken_out) return nullptr;
+  found->is_taken_out = true;
+  removed_[removed_count_++] = found->body.get();
+  return &*found;
 }
 
 }  // namespace hallux::simulator

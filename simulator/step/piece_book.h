@@ -15,23 +15,23 @@ namespace hallux::simulator {
 
 inline constexpr std::size_t removed_piece_limit = 8;
 
-/// Takes no memory: it borrows the pieces of jobs' results, which never change.
+/// Takes no memory: it borrows the pieces of jobs' results.
 class PieceBook {
  public:
-  /// The pieces as a job found them, borrowed for the book's lifetime; those that came free are
-  /// announced from the first.
-  void learn(std::span<const PieceBody> pieces) noexcept;
+  /// The pieces as a job found them, borrowed until the next are learned, the bodies of those that
+  /// are taken out for the book's lifetime; those that came free are announced from the first.
+  void learn(std::span<FoundPiece> pieces) noexcept;
   /// The next piece that came free, or null where none is left to announce.
-  const PieceBody* announce_next() noexcept;
+  const FoundPiece* announce_next() noexcept;
   bool is_all_announced() const noexcept { return announced_ == pieces_.size(); }
 
   /// To be taken out as soon as the pieces are known; 0: none.
   void want(std::int32_t piece) noexcept { wanted_ = piece; }
   std::int32_t take_wanted() noexcept { return std::exchange(wanted_, 0); }
-  /// Takes a piece out of the wound.
+  /// Takes a piece out of the wound, and marks it.
   /// piece   its number, or piece_freed_last
-  /// ensures its number, or 0: no such piece, out already, or removed_piece_limit reached
-  std::int32_t take_out(std::int32_t piece) noexcept;
+  /// errors  null: no such piece, out already, or removed_piece_limit reached
+  const FoundPiece* take_out(std::int32_t piece) noexcept;
   std::span<const Bvh* const> removed() const noexcept { return {removed_.data(), removed_count_}; }
 
   /// The kerf took its whole section; true the first time.
@@ -40,7 +40,7 @@ class PieceBook {
   }
 
  private:
-  std::span<const PieceBody> pieces_;
+  std::span<FoundPiece> pieces_;
   std::size_t announced_ = 0;
   /// The piece announced last; 0: none was.
   std::int32_t freed_last_ = 0;

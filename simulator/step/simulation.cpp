@@ -5,6 +5,8 @@
 /// back as a command some ticks later: a replay applies it at the same tick.
 #include "simulator/step/simulation.h"
 
+#include <utility>
+
 #include "simulator/base/units.h"
 
 namespace hallux::simulator {
@@ -13,6 +15,10 @@ namespace {
 
 /// Pieces announced in one step; more wait for the next.
 constexpr std::size_t pieces_per_step = 2;
+/// Of the kerfs' memory: the shipped operations open 230 to 800 tiles. Whoever opens more has it
+/// touched ahead of the blade, a little in each step.
+constexpr std::size_t tiles_ready_at_start = 2048, tiles_kept_ready = 512;
+constexpr std::size_t tiles_touched_per_step = 2;
 
 /// Events of one line; heat and danger zones take the room that is left. Each command has one
 /// event, but for that which brings the pieces (each kerf covered) and that which ends the attempt
@@ -34,6 +40,11 @@ std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
 }
 
+GuidePlane middle_of(const KerfPlane& kerf) noexcept {
+  const Vec3 normal = axis_z(kerf.bone_from_kerf);
+  return {normal, glm::dot(normal, kerf.bone_from_kerf.translation_mm)};
+}
+
 }  // namespace
 
 Simulation::Simulation(const TissueMap& tissue, const SimulationSetup& setup)
@@ -44,10 +55,13 @@ Simulation::Simulation(const TissueMap& tissue, const SimulationSetup& setup)
       settings_(setup.contact),
       kerfs_(setup.saw.blade, setup.bone.world_from_bone),
       effects_(setup.bone.world_from_bone,
-               {setup.saw, setup.contact.guide.guidance != Guidance::None}, setup.danger_zones) {}
+               {setup.saw, setup.contact.guide.guidance != Guidance::None}, setup.danger_zones) {
+  kerfs_.make_tiles_ready(tiles_ready_at_start, tiles_ready_at_start);
+}
 
 StepOutput Simulation::step(const StepInput& input) noexcept {
   StepOutput output;
+  kerfs_.make_tiles_ready(tiles_kept_ready, tiles_touched_per_step);
   tick_ = input.line.tick + input.line.ticks - 1;
   apply_commands(input, output);
   watch_faults(input.line.device.faults, output);
@@ -75,6 +89,12 @@ void Simulation::note(StepOutput& output, CutEventKind kind, std::int32_t subjec
   output.events.push(event);
 }
 
+void Simulation::note_piece(StepOutput& output, CutEventKind kind,
+                            const FoundPiece& piece) const noexcept {
+  output.events.push({tick_, kind, piece.id, thousandths(piece.volume_mm3),
+                      quantise({Quat{1.0, 0.0, 0.0, 0.0}, piece.inside_mm})});
+}
+
 void Simulation::ask(JobKind kind, std::int32_t kerf, StepOutput& output) noexcept {
   output.requests.push({next_job_++, kind, kerf, tick_});
 }
@@ -83,7 +103,7 @@ void Simulation::apply_commands(const StepInput& input, StepOutput& output) noex
   for (std::size_t i = 0; i < input.line.command_count && i < commands_per_tick; ++i) {
     const Command& command = input.line.commands[i];
     if (command.kind == CommandKind::ApplyJob) {
-      const JobResult* const result = input.job_results[i];
+      JobResult* const result = input.job_results[i];
       CHECK(result != nullptr && result->request.id == command.argument);
       apply_job(*result, output);
     } else if (!is_over()) {
@@ -105,6 +125,9 @@ void Simulation::apply(const Command& command, StepOutput& output) noexcept {
       break;
     case CommandKind::StepDone:
       finish_step(command.argument, output);
+      break;
+    case CommandKind::ReopenStep:
+      reopen_step(command.argument, output);
       break;
     case CommandKind::PickUp:
       pick_up(command.argument, output);
@@ -135,6 +158,12 @@ void Simulation::finish_step(std::int32_t step, StepOutput& output) noexcept {
   tool_.guided_s = 0.0;
 }
 
+void Simulation::reopen_step(std::int32_t step, StepOutput& output) noexcept {
+  note(output, CutEventKind::StepReopened, step);
+  guide_.reopen_step(step);
+  tool_.guided_s = 0.0;
+}
+
 void Simulation::end(CutEventKind how, StepOutput& output) noexcept {
   clock_.end();
   if (tool_.stage == ToolStage::Touching && tool_.scratch_mm > 0.0) {
@@ -143,24 +172,29 @@ void Simulation::end(CutEventKind how, StepOutput& output) noexcept {
   note(output, how);
 }
 
-void Simulation::apply_job(const JobResult& result, StepOutput& output) noexcept {
+void Simulation::apply_job(JobResult& result, StepOutput& output) noexcept {
   switch (result.request.kind) {
     case JobKind::Section:
       note(output, CutEventKind::SectionKnown, result.request.kerf,
            thousandths(result.section_mm2));
+      output.given_back.push(&result);
       break;
     case JobKind::Pieces:
       apply_pieces(result, output);
       break;
     case JobKind::Hinge:
       apply_hinge(result.hinge, output);
+      output.given_back.push(&result);
       break;
   }
 }
 
-void Simulation::apply_pieces(const JobResult& result, StepOutput& output) noexcept {
+void Simulation::apply_pieces(JobResult& result, StepOutput& output) noexcept {
   piece_requests_.apply();
   pieces_.learn(result.pieces);
+  if (const JobResult* const known = std::exchange(pieces_result_, &result)) {
+    output.given_back.push(known);
+  }
   for (const std::int32_t kerf : result.completed) {
     if (pieces_.cover_section(kerf)) note(output, CutEventKind::SectionCovered, kerf);
   }
@@ -186,9 +220,9 @@ void Simulation::watch_faults(std::uint32_t faults, StepOutput& output) noexcept
 
 void Simulation::announce_pieces(StepOutput& output) noexcept {
   for (std::size_t said = 0; said < pieces_per_step; ++said) {
-    const PieceBody* const piece = pieces_.announce_next();
+    const FoundPiece* const piece = pieces_.announce_next();
     if (piece == nullptr) return;
-    note(output, CutEventKind::PieceFreed, piece->id, thousandths(piece->volume_mm3));
+    note_piece(output, CutEventKind::PieceFreed, *piece);
   }
 }
 
@@ -206,8 +240,8 @@ void Simulation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
     pieces_.want(piece);
     return;
   }
-  const std::int32_t taken = pieces_.take_out(piece);
-  if (taken != 0) note(output, CutEventKind::PieceRemoved, taken);
+  const FoundPiece* const taken = pieces_.take_out(piece);
+  if (taken != nullptr) note_piece(output, CutEventKind::PieceRemoved, *taken);
 }
 
 /// Once started the tool is where the hand is; a fault in that tick does not say where that is, so
@@ -294,7 +328,7 @@ void Simulation::freeze(StepOutput& output) noexcept {
       return;
     }
     note(output, CutEventKind::PlaneFrozen, kerf);
-    guide_.note_own_kerf();
+    guide_.note_own_kerf(middle_of(kerfs_.plane(kerf)));
     ask(JobKind::Section, kerf, output);
   }
   enter_kerf(tool_, kerf);

@@ -27,9 +27,9 @@ namespace hallux::simulator {
 
 struct StepInput {
   const TapeLine& line;
-  /// For each command ApplyJob of the line its result, borrowed until the attempt ends; null for
+  /// For each command ApplyJob of the line its result, borrowed until it is given back; null for
   /// other commands.
-  std::array<const JobResult*, commands_per_tick> job_results{};
+  std::array<JobResult*, commands_per_tick> job_results{};
 };
 
 inline constexpr std::size_t events_per_step = 16;
@@ -41,6 +41,8 @@ struct StepOutput {
   FixedList<CutEvent, events_per_step> events;
   /// To be run on the state after this step.
   FixedList<JobRequest, 2> requests;
+  /// Results that the step needs no more, but for the bodies of pieces that were taken out.
+  FixedList<const JobResult*, commands_per_tick> given_back;
   Engagement engaged;
   BladeFlex flex;
   /// Of all bone now.
@@ -76,7 +78,7 @@ class Simulation {
 
   /// One step.
   /// needs   line.tick follows the last line; every ApplyJob has its result
-  /// thread  haptic; allocates nothing
+  /// thread  haptic; allocates and frees nothing
   StepOutput step(const StepInput& input) noexcept;
 
  private:
@@ -84,9 +86,10 @@ class Simulation {
   void apply(const Command& command, StepOutput& output) noexcept;
   void note_clock(ClockChange change, std::int32_t holder, StepOutput& output) const noexcept;
   void finish_step(std::int32_t step, StepOutput& output) noexcept;
+  void reopen_step(std::int32_t step, StepOutput& output) noexcept;
   void end(CutEventKind how, StepOutput& output) noexcept;
-  void apply_job(const JobResult& result, StepOutput& output) noexcept;
-  void apply_pieces(const JobResult& result, StepOutput& output) noexcept;
+  void apply_job(JobResult& result, StepOutput& output) noexcept;
+  void apply_pieces(JobResult& result, StepOutput& output) noexcept;
   void apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept;
   void watch_faults(std::uint32_t faults, StepOutput& output) noexcept;
   void announce_pieces(StepOutput& output) noexcept;
@@ -102,6 +105,7 @@ class Simulation {
   void ask(JobKind kind, std::int32_t kerf, StepOutput& output) noexcept;
   void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
             std::int64_t value = 0) const noexcept;
+  void note_piece(StepOutput& output, CutEventKind kind, const FoundPiece& piece) const noexcept;
   RigidTransform bone_from_handle(const TapeLine& line) const noexcept {
     return bone_from_world_ * transform_from(line.device.world_from_handle);
   }
@@ -122,6 +126,8 @@ class Simulation {
   GuideOfStep guide_;
   PieceRequests piece_requests_;
   PieceBook pieces_;
+  /// Whose pieces are in the book; null before the first.
+  const JobResult* pieces_result_ = nullptr;
   HingeRequests hinge_;
   std::int32_t next_job_ = 0;
   std::int64_t tick_ = 0;

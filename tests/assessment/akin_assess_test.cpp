@@ -158,7 +158,7 @@ TEST(AkinAssess, OneCutAloneIsNoWedgeButItsPlungeCounts) {
   }
   EXPECT_NEAR(value_of(examination, "over_cut_mm"), 2.5, pose_mm);
   EXPECT_TRUE(examination.card.gates.at(1).is_triggered);
-  EXPECT_NE(examination.card.sentences.at(0).find("the cut was not made"), std::string::npos);
+  EXPECT_NE(examination.card.sentences.at(0).find("The cut was not made"), std::string::npos);
 }
 
 TEST(AkinAssess, NoCutMeasuresNothing) {

@@ -94,6 +94,8 @@ scenarios::Scenario block_scenario() {
   cut.approach = "dorsal";
   cut.depth_landmark = "sulcus";
   cut.exit_landmark = "exit";
+  scenario.steps = {{scenarios::StepKind::Cut, "Cut", "", "eminence", ""},
+                    {scenarios::StepKind::Remove, "Remove", "", "eminence", ""}};
   scenario.rubric.groups = {{"accuracy", "Accuracy", 50000, ""}, {"safety", "Safety", 50000, ""}};
   scenario.rubric.items = {
       item("A1", "angle_deg", "deg", 16, 1.0, 8.0), item("A2", "location_mm", "mm", 16, 0.5, 3.0),
@@ -128,6 +130,15 @@ void add_stroke(Recording& recording, const Bone& bone, const Stroke& stroke) {
     sample.force_mn = {0, 9000, 0};
     recording.samples.push_back(sample);
   }
+}
+
+void add_removal(Recording& recording, const Vec3& inside_mm) {
+  simulator::CutEvent removed;
+  removed.tick = recording.samples.empty() ? 1 : recording.samples.back().tick + 1;
+  removed.kind = CutEventKind::PieceRemoved;
+  removed.subject = 1;
+  removed.pose = simulator::quantise({Quat{1.0, 0.0, 0.0, 0.0}, inside_mm});
+  recording.events.push_back(removed);
 }
 
 }  // namespace hallux::assessment::testing

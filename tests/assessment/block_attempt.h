@@ -33,4 +33,7 @@ struct Stroke {
 /// recorded already.
 void add_stroke(simulator::Recording& recording, const simulator::Bone& bone, const Stroke& stroke);
 
+/// A piece that came free is taken out, a tick after what is recorded already.
+void add_removal(simulator::Recording& recording, const Vec3& inside_mm);
+
 }  // namespace hallux::assessment::testing

@@ -116,6 +116,18 @@ TEST(Ledger, AGateOfACutThatWasNotMadeStaysShut) {
   EXPECT_EQ(score_rubric(rubric, measurements).score_milli, 100000);
 }
 
+TEST(Ledger, AGateThatAsksForTheLeastCapsWhatStaysBelowIt) {
+  Rubric rubric = two_groups();
+  rubric.gates = {gate("g_mm", 1.0, 39000)};
+  rubric.gates[0].is_at_least = true;
+  const auto score_at = [&](double value) {
+    const std::vector<Measurement> measurements{measured("a_mm", 0.0), measured("g_mm", value)};
+    return score_rubric(rubric, measurements).score_milli;
+  };
+  EXPECT_EQ(score_at(0.0), 39000);
+  EXPECT_EQ(score_at(1.0), 100000);
+}
+
 TEST(Ledger, ScalingGivesTheRestToTheLargestRemainders) {
   const std::vector<std::int64_t> thirds{1, 1, 1, 0};
   const std::vector<std::int64_t> scaled = scale_to_total(thirds, 100, 3, 100);

@@ -79,7 +79,8 @@ TEST(Sentences, SayWhyNothingCouldBeMeasured) {
   Measurement absent = measured("angle_deg", 0.0, "");
   absent.is_measured = false;
   const ScoreCard card = explained(silver_like(), {absent});
-  EXPECT_EQ(card.sentences.at(0),
+  EXPECT_EQ(card.sentences.at(0), "The cut was not made: 100 points lost.");
+  EXPECT_EQ(card.ledger.at(0).text,
             "Title of A1 could not be measured because the cut was not made: 100 of 100 points "
             "lost.");
   const ScoreCard empty = explained(silver_like(), {});
@@ -162,6 +163,40 @@ TEST(Sentences, AMetricOfACutIsNotOneOfAHingeOfTheSameName) {
   of_cut.cut = "lateral";
   const ScoreCard card = explained(scenario, {of_cut});
   EXPECT_TRUE(card.ledger.empty());
+}
+
+TEST(Sentences, AllThatOneUnfinishedCutCostsIsOneSentence) {
+  std::vector<Measurement> measurements{measured("angle_deg", 4.2, "dorsal"),
+                                        measured("location_mm", 1.0, ""),
+                                        measured("depth_mm", 0.3, "")};
+  for (Measurement& each : measurements) each.done_fraction = 0.8;
+  measurements.push_back(measured("step_mm", 0.9, ""));
+  measurements.back().done_fraction = 0.8;
+  const ScoreCard card = explained(silver_like(), measurements);
+  ASSERT_EQ(card.sentences.size(), 1U);
+  EXPECT_EQ(card.sentences[0],
+            "Unfinished cut: 80 % was sawn, so what it is worth counts 80 %. With its other losses "
+            "that is 42.5 points lost.");
+  for (std::size_t line = 0; line < 4; ++line)
+    EXPECT_TRUE(card.ledger[line].text.starts_with("Unfinished cut")) << card.ledger[line].text;
+}
+
+TEST(Sentences, WhatAHingeLosesIsLaidToTheLessFinishedOfItsCuts) {
+  Scenario scenario = akin_like();
+  scenario.hinges[0].first_cut = scenario.cuts[0].name;
+  scenario.hinges[0].second_cut = "second";
+  scenario.cuts[1].title = "Second cut";
+  Measurement wedge = of_hinge("wedge_error_deg", 2.0);
+  Measurement second = measured("angle_deg", 1.0, "");
+  second.cut = "second";
+  wedge.done_fraction = second.done_fraction = 0.5;
+  const ScoreCard half = explained(scenario, {measured("angle_deg", 8.0, ""), second, wedge});
+  ASSERT_EQ(half.sentences.size(), 2U);
+  EXPECT_TRUE(half.sentences[0].starts_with("First cut: The face is tilted 8.0 deg"));
+  EXPECT_TRUE(half.sentences[1].starts_with("Second cut: Unfinished cut: 50 % was sawn"));
+  second.is_measured = wedge.is_measured = false;
+  const ScoreCard none = explained(scenario, {measured("angle_deg", 1.0, ""), second, wedge});
+  EXPECT_EQ(none.sentences[0], "Second cut: The cut was not made: 42.9 points lost.");
 }
 
 TEST(Sentences, AGateOnAClaimHasNoNumber) {

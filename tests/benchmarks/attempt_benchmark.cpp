@@ -64,7 +64,7 @@ Costs retrace(const RecordedSilver& recorded) {
     simulator::StepInput input{line, {}};
     for (std::size_t i = 0; i < line.command_count; ++i) {
       if (line.commands[i].kind != simulator::CommandKind::ApplyJob) continue;
-      input.job_results[i] = jobs.find(line.commands[i].argument);
+      input.job_results[i] = jobs.take(line.commands[i].argument);
     }
     const Clock::time_point before_step = Clock::now();
     const simulator::StepOutput output = simulation.step(input);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <thread>
@@ -79,12 +80,30 @@ simulator::Recording some_recording(std::int64_t ticks) {
   return recording;
 }
 
-void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels) {
+std::vector<simulator::DisplayFact> some_display_facts(std::int64_t ticks) {
+  std::vector<simulator::DisplayFact> facts;
+  for (std::int64_t tick = 0; tick < ticks; tick += 100) {
+    simulator::DisplayFact fact;
+    fact.tick = tick;
+    fact.target_in_world_um = {80'000 + tick, 20'000, -3'000};
+    const double half_rad = 0.001 * static_cast<double>(tick);
+    const Quat turn = normalised(Quat{1.0, 0.0, half_rad, 0.0});
+    fact.world_from_view_micro = {std::llround(turn.w * 1.0e6), 0, std::llround(turn.y * 1.0e6), 0};
+    fact.magnification_milli = 8'000 + tick;
+    facts.push_back(fact);
+  }
+  return facts;
+}
+
+void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels,
+             std::span<const simulator::DisplayFact> facts) {
   const auto push = [&channels](auto& ring, const auto& row) {
     while (!ring.push(row) && !channels.recorder_failed.load()) std::this_thread::yield();
   };
   std::size_t next_event = 0;
   for (std::size_t i = 0; i < recording.tape.size(); ++i) {
+    for (; !facts.empty() && facts.front().tick <= recording.tape[i].tick; facts = facts.subspan(1))
+      push(channels.display_facts, facts.front());
     push(channels.tape, recording.tape[i]);
     push(channels.samples, recording.samples[i]);
     for (; next_event < recording.events.size() &&
@@ -97,10 +116,11 @@ void produce(const simulator::Recording& recording, simulator::AttemptChannels& 
 }
 
 AttemptId record(Database& database, const NewAttempt& attempt,
-                 const simulator::Recording& recording) {
+                 const simulator::Recording& recording,
+                 std::span<const simulator::DisplayFact> facts) {
   simulator::AttemptChannels channels{4096};
   Recorder recorder{database, create_attempt(database, attempt), channels};
-  produce(recording, channels);
+  produce(recording, channels, facts);
   recorder.finish(R"({"complete": true})");
   return recorder.attempt();
 }

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "database/people/passwords.h"
 #include "database/recording/attempts.h"
@@ -45,12 +47,18 @@ NewAttempt some_attempt(Database& database);
 /// `ticks` milliseconds of a hand that trembles and saws, with an event each quarter of a second.
 simulator::Recording some_recording(std::int64_t ticks);
 
-/// Pushes a recording as the loop does: tick by tick, waiting for room; sets `closed` at the end.
-void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels);
+/// A view that is turned for so long, noted ten times a second.
+std::vector<simulator::DisplayFact> some_display_facts(std::int64_t ticks);
+
+/// Pushes a recording as the loop does, and with it what was on the screen: tick by tick, waiting
+/// for room; sets `closed` at the end.
+void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels,
+             std::span<const simulator::DisplayFact> facts = {});
 
 /// Records and seals `recording` as a new attempt.
 AttemptId record(Database& database, const NewAttempt& attempt,
-                 const simulator::Recording& recording);
+                 const simulator::Recording& recording,
+                 std::span<const simulator::DisplayFact> facts = {});
 
 /// The number of its chunks; throws as RecordingCheck does.
 std::int64_t check_recording(Database& database, const AttemptId& id);

@@ -62,9 +62,9 @@ TEST(Scenario, SilverWeighsItsFiveAccuracyItemsAndLeavesTheOtherGroupsUnmeasured
     EXPECT_TRUE(item.is_provisional);
     EXPECT_FALSE(item.origin.empty());
   }
-  ASSERT_EQ(rubric.gates.size(), 2U);
-  EXPECT_EQ(rubric.gates[0].cap_milli, 59'000);
-  EXPECT_EQ(rubric.gates[1].cap_milli, 69'000);
+  ASSERT_EQ(rubric.gates.size(), 3U);
+  EXPECT_EQ(rubric.gates[1].cap_milli, 59'000);
+  EXPECT_EQ(rubric.gates[2].cap_milli, 69'000);
 }
 
 TEST(Scenario, AkinJoinsTwoFacesAcrossTheBoneAtAHingeInsideTheLateralCortex) {
@@ -101,12 +101,33 @@ TEST(Scenario, AkinWeighsAccuracyWhollyAndEightOfTheTwentyTwoPointsOfSafety) {
   EXPECT_EQ(weights,
             (std::map<std::string, std::int64_t>{{"accuracy", 50'000}, {"safety", 8'000}}));
   EXPECT_EQ(rubric.groups.at(1).not_measured_milli, 14'000);
-  ASSERT_EQ(rubric.gates.size(), 2U);
-  EXPECT_EQ(rubric.gates[0].metric, "hinge_lost");
-  EXPECT_EQ(rubric.gates[0].cap_milli, 69'000);
-  EXPECT_EQ(rubric.gates[1].metric, "over_cut_mm");
-  EXPECT_EQ(rubric.gates[1].limit, 2.0);
-  EXPECT_EQ(rubric.gates[1].cap_milli, 59'000);
+  ASSERT_EQ(rubric.gates.size(), 4U);
+  EXPECT_EQ(rubric.gates[2].metric, "hinge_lost");
+  EXPECT_EQ(rubric.gates[2].cap_milli, 69'000);
+  EXPECT_EQ(rubric.gates[3].metric, "over_cut_mm");
+  EXPECT_EQ(rubric.gates[3].limit, 2.0);
+  EXPECT_EQ(rubric.gates[3].cap_milli, 59'000);
+}
+
+/// What an operation removes or closes is asked for by a gate that leaves nobody above the pass
+/// mark without it.
+TEST(Scenario, EveryShippedOneGatesItsDeeds) {
+  constexpr std::int64_t pass_mark_milli = 60'000;
+  for (const EmbeddedText& shipped : shipped_scenarios()) {
+    const Scenario scenario = parse_scenario(shipped.text, shipped.name);
+    for (const OperationStep& step : scenario.steps) {
+      if (step.kind != StepKind::Remove && step.kind != StepKind::Close) continue;
+      const std::string metric = step.kind == StepKind::Remove ? "piece_out" : "wedge_closed";
+      const auto gate = std::find_if(scenario.rubric.gates.begin(), scenario.rubric.gates.end(),
+                                     [&](const Gate& each) {
+                                       return each.metric == metric && each.cut == step.cut &&
+                                              each.hinge == step.hinge && each.is_at_least;
+                                     });
+      ASSERT_NE(gate, scenario.rubric.gates.end()) << scenario.name << ": " << step.title;
+      EXPECT_EQ(gate->limit, 1.0);
+      EXPECT_LT(gate->cap_milli, pass_mark_milli);
+    }
+  }
 }
 
 TEST(Scenario, SaysWhoReviewedItOrThatNobodyDid) {

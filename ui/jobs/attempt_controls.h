@@ -40,6 +40,8 @@ class AttemptControls {
   virtual void pause() = 0;
   virtual void resume() = 0;
   virtual void declare_done(std::int32_t step) = 0;
+  /// A step that was declared done is at hand again.
+  virtual void reopen(std::int32_t step) = 0;
   virtual void pick_up_freed() = 0;
   virtual void close_hinge() = 0;
   virtual void finish() = 0;

@@ -102,20 +102,23 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   if (operating) operating(1.0);
   outcome.quality = quality_of(outcome.loop, outcome.recorder);
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
-  outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress).card;
+  outcome.card =
+      score_attempt(load_attempt(database, desk, outcome.attempt, database::RecordingPart::Outputs),
+                    progress)
+          .card;
   desk.store_score(outcome.attempt, outcome.card);
   return outcome;
 }
 
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
-                             const database::AttemptId& id) {
+                             const database::AttemptId& id, database::RecordingPart part) {
   AttemptMaterial material;
   material.header = desk.header(id);
   const database::ScenarioText text =
       get_scenario_version(database, material.header.begun.scenario);
   material.scenario = scenarios::parse_scenario(text.json, text.name);
   material.bone = simulator::decode_bone(get_asset(database, material.header.begun.bone));
-  material.recording = desk.recording(material.header.id);
+  material.recording = desk.recording(material.header.id, part);
   material.recording.engine = material.header.begun.engine;
   return material;
 }

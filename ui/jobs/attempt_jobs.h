@@ -70,9 +70,11 @@ struct AttemptMaterial {
   simulator::Recording recording;
 };
 
+/// part    of its recording; a replay needs all of it, a score the outputs
 /// errors  DatabaseError: NotFound, Refused, Damaged
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
-                             const database::AttemptId& id);
+                             const database::AttemptId& id,
+                             database::RecordingPart part = database::RecordingPart::Whole);
 
 /// Nothing where the attempt was made by another engine version: a replay would prove nothing.
 std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,

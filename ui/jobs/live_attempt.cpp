@@ -138,7 +138,11 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
   end_.recorder = recorder.drain();
   const bool is_finished = end_.end == simulator::AttemptEnd::Finished ||
                            end_.end == simulator::AttemptEnd::ReachedLastTick;
-  if (!is_finished || is_abandoned_.load(std::memory_order_acquire)) return;
+  if (is_abandoned_.load(std::memory_order_acquire)) {
+    end_.recorder = recorder.abandon();
+    return;
+  }
+  if (!is_finished) return;
   end_.recorder = recorder.finish(quality_json(quality_of(end_.loop, end_.recorder)));
   end_.is_sealed = true;
 }

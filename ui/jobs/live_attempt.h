@@ -2,13 +2,14 @@
 /// finished or given up.
 ///
 ///     window  --commands, device target-->  thread of the attempt: loop at 1 kHz, then sealing
-///             <--newest view, feed--------            |  rings
+///             --what is on the screen----------->  |  rings
+///             <--newest view, feed--------            |
 ///                                                recorder's thread -> database
 ///
-/// What was recorded is kept, however it ends: finished it is sealed; abandoned, cut off with its
-/// window or stopped by a failure it stays as it is and is found interrupted. A full disk stops
-/// nothing: the operation pauses and goes on by itself when there is room (view().is_storage_full);
-/// also the sealing waits for it.
+/// What was recorded is kept, however it ends: finished it is sealed; abandoned it is marked as
+/// interrupted, with an act; cut off with its window or stopped by a failure it stays as it is and
+/// is found interrupted. A full disk stops nothing: the operation pauses and goes on by itself when
+/// there is room (view().is_storage_full); also the sealing waits for it.
 #pragma once
 
 #include <atomic>
@@ -21,6 +22,7 @@
 #include "database/desks/trainee_desk.h"
 #include "ui/jobs/attempt_controls.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/noted_views.h"
 
 namespace hallux::ui {
 
@@ -80,6 +82,7 @@ class LiveAttempt final : public AttemptControls {
   void declare_done(std::int32_t step) override {
     say({simulator::CommandKind::StepDone, step, 0});
   }
+  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
   void pick_up_freed() override {
     say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
   }
@@ -100,6 +103,12 @@ class LiveAttempt final : public AttemptControls {
   /// The newest view of the loop.
   /// thread  window
   const simulator::LoopView& view() noexcept { return watch_.view.read(); }
+  /// What is on the screen in this frame, drawn from the sample of that tick: kept beside the
+  /// recording where it changed, so that a replay shows what was seen.
+  /// thread  window
+  void note_view(const simulator::ShownView& view, std::int64_t tick) noexcept {
+    noted_views_.note(view, tick);
+  }
   /// For the one thread that follows the bone.
   simulator::AttemptWatch& watch() noexcept { return watch_; }
 
@@ -115,6 +124,7 @@ class LiveAttempt final : public AttemptControls {
   std::unique_ptr<simulator::HapticDevice> device_;
   std::optional<double> force_scale_;
   simulator::AttemptChannels channels_;
+  NotedViews noted_views_{channels_.display_facts};
   simulator::AttemptWatch watch_;
   database::AttemptId attempt_;
   /// That is recorded into.

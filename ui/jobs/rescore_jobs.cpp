@@ -80,7 +80,8 @@ RescoredAttempt rescored(database::Database& database, const Listed& listed,
   attempt.header = listed.header;
   try {
     if (auto score = listed.desk->score(listed.header.id)) attempt.before = std::move(score->card);
-    AttemptMaterial material = load_attempt(database, *listed.desk, listed.header.id);
+    AttemptMaterial material =
+        load_attempt(database, *listed.desk, listed.header.id, database::RecordingPart::Outputs);
     if (scenario) material.scenario = *scenario;
     attempt.after = score_attempt(material, progress).card;
   } catch (const DatabaseError& error) {

@@ -27,7 +27,8 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr std::uint64_t kept_pictures = 300;
+/// How long bones stay with the card that no picture shows, and what a passing one was drawn in.
+constexpr std::uint64_t pictures_with_bones = 300, pictures_with_passing_room = 10;
 
 }  // namespace
 
@@ -49,19 +50,24 @@ struct KeptPicture::Parts {
   std::vector<RenderTarget> halved;
 
   void make_room(PixelSize size, int scale);
+  void let_go() noexcept;
 };
 
 /// A picture of another size begins anew.
 void KeptPicture::Parts::make_room(PixelSize size, int scale) {
   const PixelSize large{at_least_one(size).width * scale, at_least_one(size).height * scale};
   if (buffers && buffers->size() == large) return;
-  still.reset();
-  buffers.reset();
-  halved.clear();
+  let_go();
   buffers.emplace(large);
   for (int part = scale / 2; part > 1; part /= 2) {
     halved.emplace_back(PixelSize{large.width * part / scale, large.height * part / scale});
   }
+}
+
+void KeptPicture::Parts::let_go() noexcept {
+  still.reset();
+  buffers.reset();
+  halved.clear();
 }
 
 KeptPicture::KeptPicture() : parts_(std::make_unique<Parts>()) {}
@@ -79,6 +85,7 @@ struct Renderer::Parts {
   SitePainter site;
   KeptPicture passing;  ///< for pictures of which nothing is kept
   std::uint64_t picture = 0;
+  std::uint64_t passing_picture = 0;  ///< the last of those
   DrawCounts counts;
 
   KeptPicture::Still still_of(const Frame& frame) const;
@@ -220,7 +227,12 @@ void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& t
   const double pixel_scale = parts.quality.supersampling * detail;
   parts.draw_all(frame_of(scene, view, *picture.buffers, pixel_scale), picture);
   copy_by_halves(picture.buffers->picture(), picture.halved, target);
-  if (parts.picture > kept_pictures) parts.bones.forget_before(parts.picture - kept_pictures);
+  if (&kept == &parts.passing) parts.passing_picture = parts.picture;
+  if (parts.picture == parts.passing_picture + pictures_with_passing_room)
+    parts.passing.parts_->let_go();
+  if (parts.picture > pictures_with_bones) {
+    parts.bones.forget_before(parts.picture - pictures_with_bones);
+  }
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, const DrawTarget& target) {
@@ -229,7 +241,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const DrawTarget& 
   draw(scene, view_of(camera, Viewer{}, Eye::Middle, aspect), target);
 }
 
-void Renderer::forget_bones() noexcept { parts_->bones.forget_before(parts_->picture + 1); }
+void Renderer::forget_bones() noexcept {
+  parts_->bones.forget_before(parts_->picture + 1);
+  parts_->passing.parts_->let_go();
+}
 
 void Renderer::set_quality(const RenderQuality& quality) noexcept { parts_->quality = quality; }
 

@@ -64,7 +64,8 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Draws one eye's picture over all of the target. Bones are sent to the card when first seen,
-  /// and let go when they were not seen for 300 pictures.
+  /// and let go when they were not seen for 300 pictures. What it is drawn in (of a still one
+  /// 800 bytes for each pixel) goes when 10 pictures were drawn otherwise.
   /// ensures the target's framebuffer stays bound; depth test, culling, blending and scissor are
   ///         off afterwards
   /// errors  GraphicsError where there is no room for the picture
@@ -78,7 +79,8 @@ class Renderer {
   /// The same as seen by one who looks at the target from the middle.
   void draw(const Scene& scene, const Camera& camera, const DrawTarget& target);
 
-  /// Lets go of everything that belongs to bones, at once.
+  /// Lets go of everything that belongs to bones, and of what pictures of which nothing is kept are
+  /// drawn in, at once.
   void forget_bones() noexcept;
   void set_quality(const RenderQuality& quality) noexcept;
   const RenderQuality& quality() const noexcept;

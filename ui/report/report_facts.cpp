@@ -5,6 +5,7 @@
 
 #include "assessment/number_text.h"
 #include "simulator/base/units.h"
+#include "ui/times/local_time.h"
 
 namespace hallux::ui {
 
@@ -85,7 +86,8 @@ void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header,
                        const database::Verdict& verdict) {
   material.facts.push_back({"Operator", operator_text(header)});
   material.facts.push_back({"For", purpose_text(header)});
-  material.facts.push_back({"Started (UTC)", header.started_utc});
+  material.facts.push_back({"Attempt", std::to_string(header.number)});
+  material.facts.push_back({"Started", full_moment_text(header.started_utc)});
   if (header.duration_ticks) {
     const std::int64_t duration_us = time_us_from_tick(*header.duration_ticks);
     material.facts.push_back({"Duration", assessment::moment_text(duration_us)});

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assessment/metrics/face_plane.h"
+#include "scenarios/site/bone_words.h"
 #include "ui/report/report_facts.h"
 
 namespace hallux::ui {
@@ -71,10 +72,10 @@ FacePicture face_picture(const PlannedCut& cut, const CutFace& face,
   const RigidTransform picture_from_bone = inverse(face_frame(cut));
   const RigidTransform bone_from_picture = face_frame(cut);
   FacePicture picture;
-  picture.right = assessment::direction_text(transform_direction(bone_from_picture, distal));
-  picture.up = assessment::direction_text(transform_direction(bone_from_picture, dorsal));
-  picture.above = assessment::direction_text(cut.face.normal);
-  picture.below = assessment::direction_text(-cut.face.normal);
+  picture.right = scenarios::direction_text(transform_direction(bone_from_picture, distal));
+  picture.up = scenarios::direction_text(transform_direction(bone_from_picture, dorsal));
+  picture.above = scenarios::direction_text(cut.face.normal);
+  picture.below = scenarios::direction_text(-cut.face.normal);
   picture.planned_outlines = std::move(outlines);
   picture.is_finished = face.is_finished;
   const FacePlane planned{cut.face.normal, cut.face.offset_mm};

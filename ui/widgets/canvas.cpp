@@ -9,12 +9,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/widgets/look/code_box.h"
 #include "ui/widgets/texts/text_layout.h"
 
 namespace hallux::ui {
 namespace {
-
-ImU32 packed(Color color) { return IM_COL32(color.red, color.green, color.blue, color.alpha); }
 
 ImDrawFlags flags_of(Corners corners) {
   if (corners == Corners::Top) return ImDrawFlags_RoundCornersTop;
@@ -36,6 +35,12 @@ Canvas::Canvas(ImDrawList& list, const FontAtlas& fonts, FrameContent& content, 
       rooms_{display} {
   list_->ChannelsSplit(layer_count);
   list_->ChannelsSetCurrent(0);
+}
+
+unsigned Canvas::packed(Color color) const noexcept {
+  const auto alpha =
+      static_cast<unsigned>(std::lround(presence_ * static_cast<float>(color.alpha)));
+  return IM_COL32(color.red, color.green, color.blue, alpha);
 }
 
 float Canvas::device(float logical) const noexcept { return std::round(logical * scale_); }
@@ -151,8 +156,11 @@ float Canvas::width_of(Type type, std::string_view text) const noexcept {
 void Canvas::draw_glyphs(const FontFace& face, float pen, float baseline, Color color,
                          std::string_view text) {
   for (std::size_t place = 0; place < text.size();) {
-    const Glyph& glyph = face.glyph(next_code_point(text, place));
-    if (glyph.is_visible) {
+    const char32_t letter = next_code_point(text, place);
+    const Glyph& glyph = face.glyph(letter);
+    if (glyph.is_box) {
+      draw_code_box(face, {std::round(pen), baseline}, color, letter);
+    } else if (glyph.is_visible) {
       const float x = std::round(pen);
       list_->PrimReserve(6, 4);
       list_->PrimRectUV({x + glyph.left, baseline + glyph.top},
@@ -163,20 +171,39 @@ void Canvas::draw_glyphs(const FontFace& face, float pen, float baseline, Color 
   }
 }
 
-void Canvas::note(std::string_view text, const TextStyle& style, float x, float baseline,
-                  float width, bool is_shortened, bool may_be_shortened,
-                  std::string_view whole_text) {
+/// Centred in height on the capitals beside it.
+void Canvas::draw_code_box(const FontFace& face, Point pen, Color color, char32_t letter) {
+  const auto pixel = static_cast<float>(code_box_pixel(face.size()));
+  const float left = pen.x + pixel;
+  const float top =
+      std::round(pen.y - (face.cap_height() + pixel * static_cast<float>(code_box_height)) / 2.0F);
+  const std::vector<CodeBoxPart> parts = code_box_parts(letter);
+  const auto count = static_cast<int>(parts.size());
+  list_->PrimReserve(6 * count, 4 * count);
+  for (const CodeBoxPart& part : parts) {
+    const float x = left + pixel * static_cast<float>(part.x),
+                y = top + pixel * static_cast<float>(part.y);
+    list_->PrimRect(
+        {x, y},
+        {x + pixel * static_cast<float>(part.width), y + pixel * static_cast<float>(part.height)},
+        packed(color));
+  }
+}
+
+void Canvas::note(std::string_view text, const TextStyle& style, const Drawn& drawn) {
   if (!is_noting_ || text.empty()) return;
-  const float height = fonts_->face(style.type).size() / scale_, top = baseline - height * 0.8F;
-  SeenText seen{std::string(text),
-                {x, top, width, height},
-                rooms_.back(),
-                layer_,
-                is_shortened,
-                may_be_shortened,
-                {}};
-  if (is_shortened) seen.whole = whole_text;
-  if (intersection(seen.rect, clips_.back()).is_empty()) return;
+  const float height = fonts_->face(style.type).size() / scale_;
+  SeenText seen;
+  seen.rect = {drawn.x, drawn.baseline - height * 0.8F, drawn.width, height};
+  seen.visible = intersection(seen.rect, clips_.back());
+  if (seen.visible.is_empty()) return;
+  seen.text = text;
+  seen.room = rooms_.back();
+  seen.layer = layer_;
+  seen.is_shortened = drawn.is_shortened;
+  seen.may_be_shortened = drawn.may_be_shortened;
+  if (drawn.is_shortened) seen.whole = drawn.whole;
+  seen.hint = drawn.hint;
   content_->texts.push_back(std::move(seen));
 }
 
@@ -188,7 +215,7 @@ float Canvas::text_on_baseline(Point at, const TextStyle& style, std::string_vie
   if (style.align == Align::Right) pen -= width;
   pen = std::round(pen);
   draw_glyphs(face, pen, std::round(at.y * scale_), style.color, text);
-  note(text, style, pen / scale_, at.y, width / scale_, false, false, {});
+  note(text, style, {pen / scale_, at.y, width / scale_});
   return width / scale_;
 }
 
@@ -199,7 +226,7 @@ float Canvas::text(Point at, const TextStyle& style, std::string_view text) {
 }
 
 float Canvas::text_in(const Rect& box, const TextStyle& style, std::string_view text,
-                      bool may_be_shortened) {
+                      bool may_be_shortened, std::string_view hint) {
   const FontFace& face = fonts_->face(style.type);
   // Rounding the box to device pixels may take one away.
   const std::string shown = shortened(face, text, box.w * scale_ + 1.0F);
@@ -211,7 +238,7 @@ float Canvas::text_in(const Rect& box, const TextStyle& style, std::string_view 
   const float half_capital = std::floor(face.cap_height() / 2.0F + 0.5F);
   const float baseline = std::round(box.mid_y() * scale_ + half_capital);
   draw_glyphs(face, std::round(x * scale_), baseline, style.color, shown);
-  note(shown, style, x, baseline / scale_, width, is_shortened, may_be_shortened, text);
+  note(shown, style, {x, baseline / scale_, width, is_shortened, may_be_shortened, text, hint});
   return width;
 }
 

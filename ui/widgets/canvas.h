@@ -67,9 +67,10 @@ class Canvas {
   /// Capitals centred on at.y.
   float text(Point at, const TextStyle& style, std::string_view text);
   /// Centred in height inside `box`, aligned across; what does not fit ends in an ellipsis and
-  /// counts as cut off unless `may_be_shortened` (a person's own words).
+  /// counts as cut off unless `may_be_shortened` (a person's own words). What was cut is shown
+  /// whole while the pointer rests on it, or `hint` where there is one.
   float text_in(const Rect& box, const TextStyle& style, std::string_view text,
-                bool may_be_shortened = false);
+                bool may_be_shortened = false, std::string_view hint = {});
   /// Lines broken to the width of `box`, from its top; returns their height. What exceeds the box
   /// counts as cut off.
   float paragraph(const Rect& box, const TextStyle& style, std::string_view text);
@@ -78,6 +79,9 @@ class Canvas {
   void icon(Point centre, Icon icon, IconSize size, Color color);
 
   // -- where drawing goes
+  /// What is drawn from now on shows through: 1 is as it is, towards 0 it goes. Texts stay noted.
+  void set_presence(float share) noexcept { presence_ = share; }
+
   void push_clip(const Rect& rect);
   void pop_clip();
   /// Texts drawn until pop_room must stay inside `rect`; a text that does not is found by the
@@ -102,10 +106,17 @@ class Canvas {
 
  private:
   float device(float logical) const noexcept;
+  unsigned packed(Color color) const noexcept;
   void draw_glyphs(const FontFace& face, float pen, float baseline, Color color,
                    std::string_view text);
-  void note(std::string_view text, const TextStyle& style, float x, float baseline, float width,
-            bool is_shortened, bool may_be_shortened, std::string_view whole);
+  void draw_code_box(const FontFace& face, Point pen, Color color, char32_t letter);
+  /// A text as it was drawn, before it is noted.
+  struct Drawn {
+    float x = 0.0F, baseline = 0.0F, width = 0.0F;
+    bool is_shortened = false, may_be_shortened = false;
+    std::string_view whole = {}, hint = {};
+  };
+  void note(std::string_view text, const TextStyle& style, const Drawn& drawn);
 
   ImDrawList* list_;
   const FontAtlas* fonts_;
@@ -113,6 +124,7 @@ class Canvas {
   float scale_;
   Layer layer_ = Layer::Page;
   bool is_noting_ = true;
+  float presence_ = 1.0F;
   std::vector<Rect> clips_, rooms_;
 };
 

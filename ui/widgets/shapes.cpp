@@ -1,5 +1,7 @@
 #include "ui/widgets/shapes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace hallux::ui {
@@ -136,6 +138,24 @@ void draw_popup(Canvas& canvas, const Theme& theme, const Rect& rect, float corn
   draw_shadow(canvas, theme, rect, corner, Elevation::Popup);
   canvas.fill(rect, theme.popup, corner);
   canvas.outline(rect, theme.popup_border, corner);
+}
+
+void draw_told_words(Canvas& canvas, const Theme& theme, const Rect& beside,
+                     std::string_view words) {
+  constexpr float widest = 440.0F, padding = 12.0F, distance = 6.0F, edge = 4.0F;
+  const LayerScope layer(canvas, Layer::Tooltip);
+  const Rect display = canvas.display();
+  const float room = std::min(widest, display.w - 2.0F * (edge + padding));
+  const float width = std::min(room, std::ceil(canvas.width_of(Type::Small, words)) + 1.0F);
+  const float height = canvas.paragraph_height(Type::Small, words, width);
+  Rect popup{beside.x - padding, beside.bottom() + distance, width + 2.0F * padding,
+             height + 16.0F};
+  popup.x = std::clamp(popup.x, edge, std::max(edge, display.right() - popup.w - edge));
+  if (popup.bottom() > display.bottom() - edge)
+    popup.y = std::max(edge, beside.y - distance - popup.h);
+  draw_popup(canvas, theme, popup, radius::control);
+  canvas.paragraph({popup.x + padding, popup.y + 8.0F, width, height}, {Type::Small, theme.text},
+                   words);
 }
 
 void draw_hud_panel(Canvas& canvas, const Theme& theme, const Rect& rect, float corner) {

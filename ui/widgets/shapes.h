@@ -32,6 +32,10 @@ void draw_shadow(Canvas& canvas, const Theme& theme, const Rect& rect, float cor
 /// Shadow, fill and hairline of a card; of a menu, toast or tooltip.
 void draw_card(Canvas& canvas, const Theme& theme, const Rect& rect, float corner = radius::card);
 void draw_popup(Canvas& canvas, const Theme& theme, const Rect& rect, float corner = radius::card);
+/// Words beside a place, in as many lines as they need, on the layer of tooltips and inside the
+/// display.
+void draw_told_words(Canvas& canvas, const Theme& theme, const Rect& beside,
+                     std::string_view words);
 /// A panel over the picture of the bone.
 void draw_hud_panel(Canvas& canvas, const Theme& theme, const Rect& rect,
                     float corner = radius::picture);

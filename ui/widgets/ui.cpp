@@ -12,12 +12,14 @@
 
 #include "simulator/base/check.h"
 #include "ui/widgets/input/focus.h"
+#include "ui/widgets/shapes.h"
 #include "ui/widgets/texts/text_layout.h"
 
 namespace hallux::ui {
 namespace {
 
 constexpr float hover_s = 0.08F;
+constexpr double told_after_s = 0.5;
 constexpr float wheel_step = 56.0F;
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -69,7 +71,10 @@ void Ui::build_fonts() {
 
 void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s) {
   imgui_->make_current();
-  if (wanted_scale_ != fonts_->scale()) build_fonts();
+  if (wanted_scale_ != fonts_->scale())
+    build_fonts();
+  else if (fonts_->load_wanted())
+    ++fonts_version_;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {std::max(width, 1.0F), std::max(height, 1.0F)};
   last_time_s_ = time_s_;
@@ -81,6 +86,7 @@ void Ui::begin_frame(EventQueue& queue, float width, float height, double time_s
   ImGui::NewFrame();
   building_ = {};
   building_shortcuts_.clear();
+  building_gestures_.clear();
   canvas_ = std::make_unique<Canvas>(*ImGui::GetBackgroundDrawList(), *fonts_, building_, display_);
 }
 
@@ -94,14 +100,19 @@ void Ui::forget_last_frame() {
 
 void Ui::end_frame() {
   CHECK(open_scrolls_.empty());
+  tell_what_was_cut();
   settle_pointer();
   canvas_->finish();
   canvas_.reset();
+  if (fonts_->wants_letters()) want_frame_in_s(0.0);
   ImGui::Render();
   settle_focus();
   building_.focus = input_.focus;
   shown_ = std::move(building_);
+  shown_capture_ = std::exchange(building_capture_, {});
+  input_.capture = shown_capture_;
   shown_shortcuts_ = std::move(building_shortcuts_);
+  shown_gestures_ = std::move(building_gestures_);
   forget_untouched(motions_);
   forget_untouched(scrolls_);
   std::erase_if(edits_of_,
@@ -121,6 +132,38 @@ double Ui::next_frame_in_s() const noexcept {
 
 void Ui::want_frame_in_s(double seconds) noexcept {
   due_in_s_ = std::min(due_in_s_, std::max(seconds, 0.0));
+}
+
+namespace {
+
+/// The topmost text under the pointer of which there is more to tell; null where there is none, or
+/// something else is told already.
+const SeenText* text_to_tell(const FrameContent& content, Point pointer) {
+  const Layer lowest = reachable_layer(content);
+  const SeenText* found = nullptr;
+  for (const SeenText& seen : content.texts) {
+    if (seen.layer == Layer::Tooltip) return nullptr;
+    const bool has_more = (seen.is_shortened && seen.may_be_shortened) || !seen.hint.empty();
+    if (has_more && seen.layer >= lowest && seen.visible.contains(pointer) &&
+        (found == nullptr || seen.layer >= found->layer))
+      found = &seen;
+  }
+  return found;
+}
+
+}  // namespace
+
+// Words that had no room are told whole once the pointer rests on them.
+void Ui::tell_what_was_cut() {
+  const bool is_pressing = std::any_of(input_.held.begin(), input_.held.end(),
+                                       [](const auto& button) { return button.is_down; });
+  if (!input_.is_pointer_inside || is_pointer_hidden_ || is_pressing) return;
+  const SeenText* seen = text_to_tell(building_, input_.pointer);
+  if (seen == nullptr) return;
+  const double rested_s = time_s_ - input_.pointer_still_since_s;
+  if (rested_s < told_after_s) return want_frame_in_s(told_after_s - rested_s + 0.01);
+  const std::string words = seen->hint.empty() ? seen->whole : seen->hint;
+  draw_told_words(*canvas_, theme_, seen->visible, words);
 }
 
 // Drawn last, over everything: an arrow whose tip is the place.
@@ -200,25 +243,41 @@ Response Ui::control(Widget widget) {
   return response;
 }
 
-AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect) {
+AreaResponse Ui::area(std::string_view id, std::string_view label, const Rect& rect,
+                      bool takes_wheel) {
   Widget widget{.id = std::string(id),
                 .label = std::string(label),
                 .rect = rect,
                 .role = Role::Area,
-                .is_focusable = false};
+                .is_focusable = false,
+                .takes_wheel = takes_wheel};
   const std::string name = widget.id;
   AreaResponse response;
   response.is_hovered = control(std::move(widget)).is_hovered;
   pointer_shape_ = response.is_hovered ? PointerShape::Arrow : pointer_shape_;
   response.pointer = input_.pointer;
   for (std::size_t button = 0; button < input_.held.size(); ++button) {
-    if (input_.held[button].id != name) continue;
-    response.is_down[button] = input_.held[button].is_down;
-    response.dragged[button] = input_.dragged[button];
+    if (input_.held[button].id == name) {
+      response.is_down[button] = input_.held[button].is_down;
+      response.dragged[button] = input_.dragged[button];
+    }
+    response.clicked[button] = input_.clicked_areas[button] == name;
   }
-  response.was_clicked = input_.clicked_area == name;
+  response.is_captured = shown_capture_ == name;
+  if (response.is_captured) response.way = input_.captured_way;
+  response.is_double = response.clicked[0] && input_.is_double;
   if (input_.wheel_target == name) response.wheel = input_.wheel;
   return response;
+}
+
+void Ui::tell(std::string_view id, std::string_view text, const Rect& rect) {
+  building_.read_outs.push_back({std::string(id), std::string(text), rect, canvas_->layer()});
+}
+
+void Ui::capture_pointer(std::string_view area) {
+  if (!can_capture_) return;
+  building_capture_ = area;
+  hide_pointer();
 }
 
 std::vector<FieldEvent> Ui::field_events(const std::string& id) const {
@@ -228,7 +287,16 @@ std::vector<FieldEvent> Ui::field_events(const std::string& id) const {
   return events;
 }
 
-TextEdit& Ui::text_edit(const std::string& id) { return edits_of_[id]; }
+// A field that appears is edited from its end on.
+TextEdit& Ui::text_edit(const std::string& id) {
+  constexpr std::size_t end = std::numeric_limits<std::size_t>::max();
+  return edits_of_.try_emplace(id, TextEdit{.cursor = {end, end}}).first->second;
+}
+
+std::optional<std::string> Ui::take_dropped() {
+  if (canvas_->layer() < reachable_layer(shown_)) return std::nullopt;
+  return std::exchange(input_.dropped, std::nullopt);
+}
 
 bool Ui::shortcut(Chord chord, std::string_view label) {
   building_shortcuts_.push_back({chord, std::string(label)});
@@ -276,7 +344,9 @@ float Ui::begin_scroll(std::string_view id, std::string_view label, const Rect& 
            .label = std::string(label),
            .rect = view,
            .role = Role::Scroll,
-           .is_focusable = false});
+           .is_focusable = false,
+           .room_above = state.offset,
+           .room_below = longest - state.offset});
   pointer_shape_ = PointerShape::Arrow;
   open_scrolls_.emplace_back(name, static_cast<int>(building_.widgets.size()) - 1);
   canvas_->push_clip(view);

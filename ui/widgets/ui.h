@@ -53,8 +53,13 @@ struct AreaResponse {
   std::array<bool, mouse_button_count> is_down{};
   /// Since the last frame, while the button was held from inside.
   std::array<Point, mouse_button_count> dragged{};
-  /// Left, without having been dragged away.
-  bool was_clicked = false;
+  /// Pressed and let go, without having been dragged away.
+  std::array<bool, mouse_button_count> clicked{};
+  /// The second of two quick clicks, left.
+  bool is_double = false;
+  /// It has the pointer, which moves nothing else: its way since the last frame.
+  bool is_captured = false;
+  Point way;
   Point pointer;
   /// Notches.
   float wheel = 0.0F;
@@ -63,6 +68,11 @@ struct AreaResponse {
 struct Shortcut {
   Chord chord;
   std::string label = {};
+};
+
+/// What the mouse does on a screen besides pressing controls, in words.
+struct MouseGesture {
+  std::string input = {}, label = {};
 };
 
 enum class PointerShape : std::uint8_t {
@@ -91,6 +101,8 @@ class Ui {
   double next_frame_in_s() const noexcept;
   /// What the last finished frame showed.
   const FrameContent& shown() const noexcept { return shown_; }
+  /// What this frame has drawn so far.
+  const FrameContent& drawn() const noexcept { return building_; }
   /// Counts the font pictures made; the painter takes a new one where it changed.
   int fonts_version() const noexcept { return fonts_version_; }
   PointerShape pointer_shape() const noexcept { return pointer_shape_; }
@@ -125,16 +137,32 @@ class Ui {
   /// The picture of this frame carries the pointer instead of the desktop: where it consists of two
   /// eyes' pictures, each has one at its place.
   void carry_pointer() noexcept { is_pointer_carried_ = true; }
+  /// The area has the pointer from the next frame on, for as long as it asks again in each: no edge
+  /// stops its way, buttons and wheel are the area's, and it is seen nowhere. Nothing where the
+  /// window cannot do so.
+  void capture_pointer(std::string_view area);
+  /// The area that asked in the last finished frame; empty: none. The window follows it.
+  const std::string& captured_by() const noexcept { return shown_capture_; }
+  /// The window says that it cannot capture, or can again.
+  void set_can_capture(bool can) noexcept { can_capture_ = can; }
+  bool can_capture() const noexcept { return can_capture_; }
   Modifiers modifiers() const noexcept { return input_.modifiers; }
   bool is_motion_reduced() const noexcept { return is_motion_reduced_; }
 
   /// Registers a control and tells what happened to it. The caller fills id, label, rect, role and
   /// the flags.
   Response control(Widget widget);
-  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect);
+  /// `takes_wheel`: it is turned by the wheel; else what it lies in scrolls.
+  AreaResponse area(std::string_view id, std::string_view label, const Rect& rect,
+                    bool takes_wheel = true);
+  /// Tells accessibility tools and tests what stands there to be read; the caller draws it.
+  void tell(std::string_view id, std::string_view text, const Rect& rect);
   /// Events for the field `id` in this frame, and what it remembers of its editing.
   std::vector<FieldEvent> field_events(const std::string& id) const;
   TextEdit& text_edit(const std::string& id);
+  /// The path of what was dropped on the window in this frame, for the first field that asks;
+  /// nothing from below a menu or a question.
+  std::optional<std::string> take_dropped();
   Clipboard& clipboard() noexcept { return *clipboard_; }
 
   /// True once, in the frame in which the chord was pressed and nothing else took it. A chord that
@@ -148,6 +176,11 @@ class Ui {
   /// that.
   bool is_key_held_on() const noexcept { return input_.is_key_held_on; }
   const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
+  /// The same for the mouse: both ids of texts; listed under F1.
+  void note_gesture(std::string_view input_id, std::string_view label_id) {
+    building_gestures_.push_back({std::string(text(input_id)), std::string(text(label_id))});
+  }
+  const std::vector<MouseGesture>& gestures() const noexcept { return shown_gestures_; }
 
   void focus(std::string_view id);
   const std::string& focused() const noexcept { return input_.focus; }
@@ -189,6 +222,7 @@ class Ui {
   void scroll_to_focus(const std::string& id, ScrollState& state);
   void draw_scroll_bar(const std::string& id, ScrollState& state);
   void settle_pointer();
+  void tell_what_was_cut();
 
   const Texts* texts_;
   Clipboard* clipboard_;
@@ -205,9 +239,11 @@ class Ui {
   double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0;
   FrameContent shown_, building_;
   std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;
+  std::vector<MouseGesture> shown_gestures_, building_gestures_;
 
   Interaction input_;
-  bool is_pointer_hidden_ = false, is_pointer_carried_ = false;
+  bool is_pointer_hidden_ = false, is_pointer_carried_ = false, can_capture_ = true;
+  std::string building_capture_, shown_capture_;
   std::string first_focus_, shown_first_focus_;
   std::map<Layer, std::string> focus_below_;
   PointerShape pointer_shape_ = PointerShape::Arrow;

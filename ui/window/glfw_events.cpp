@@ -110,14 +110,33 @@ InputEvent pointer_event(GLFWwindow* window, EventKind kind) {
   return event;
 }
 
+void hear_captured(WindowEvents& events, double x, double y, const Modifiers& held) {
+  const float scale = events.pixels_per_unit;
+  events.queue.push({.kind = EventKind::CapturedMoved,
+                     .position = {static_cast<float>(x - events.pointer_x) * scale,
+                                  static_cast<float>(y - events.pointer_y) * scale},
+                     .modifiers = held});
+  events.pointer_x = x, events.pointer_y = y;
+}
+
 void hear_pointer(GLFWwindow* window, double x, double y) {
   WindowEvents& events = events_of(window);
+  if (events.is_captured) return hear_captured(events, x, y, held_modifiers(window));
   events.pointer_x = x, events.pointer_y = y;
   events.queue.push(pointer_event(window, EventKind::PointerMoved));
 }
 
+/// Sees the pointer that went, untold, to where it once was let go.
+void look_where_freed(GLFWwindow* window) {
+  WindowEvents& events = events_of(window);
+  double x = 0.0, y = 0.0;
+  glfwGetCursorPos(window, &x, &y);
+  if (!events.is_captured && x == events.freed_x && y == events.freed_y) hear_pointer(window, x, y);
+}
+
 void hear_button(GLFWwindow* window, int button, int action, int bits) {
   if (button < 0 || button >= mouse_button_count) return;
+  look_where_freed(window);
   InputEvent event = pointer_event(
       window, action == GLFW_PRESS ? EventKind::ButtonPressed : EventKind::ButtonReleased);
   event.button = static_cast<MouseButton>(button);
@@ -126,14 +145,23 @@ void hear_button(GLFWwindow* window, int button, int action, int bits) {
 }
 
 void hear_wheel(GLFWwindow* window, double, double notches) {
+  look_where_freed(window);
   InputEvent event = pointer_event(window, EventKind::Wheel);
   event.wheel = static_cast<float>(notches);
   events_of(window).queue.push(event);
 }
 
 void hear_pointer_at_edge(GLFWwindow* window, int is_inside) {
+  // Catching it makes some displays say that it left.
+  if (events_of(window).is_captured) return;
   events_of(window).queue.push(
       pointer_event(window, is_inside != 0 ? EventKind::PointerMoved : EventKind::PointerLeft));
+}
+
+void hear_drop(GLFWwindow* window, int count, const char** paths) {
+  if (count < 1) return;
+  InputEvent event{.kind = EventKind::FilesDropped, .text = paths[0]};
+  events_of(window).queue.push(event);
 }
 
 void hear_focus(GLFWwindow* window, int has_focus) {
@@ -143,6 +171,18 @@ void hear_focus(GLFWwindow* window, int has_focus) {
 }
 
 }  // namespace
+
+bool set_captured(GLFWwindow* window, WindowEvents& events, bool is_captured) {
+  glfwGetError(nullptr);
+  glfwSetInputMode(window, GLFW_CURSOR, is_captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+  const bool is_done = glfwGetError(nullptr) == GLFW_NO_ERROR;
+  events.is_captured = is_captured && is_done;
+  glfwGetCursorPos(window, &events.pointer_x, &events.pointer_y);
+  if (events.is_captured) return is_done;
+  events.freed_x = events.pointer_x, events.freed_y = events.pointer_y;
+  events.queue.push(pointer_event(window, EventKind::PointerMoved));
+  return is_done;
+}
 
 void listen(GLFWwindow* window, WindowEvents& events) {
   glfwSetWindowUserPointer(window, &events);
@@ -154,6 +194,7 @@ void listen(GLFWwindow* window, WindowEvents& events) {
   glfwSetScrollCallback(window, hear_wheel);
   glfwSetCursorEnterCallback(window, hear_pointer_at_edge);
   glfwSetWindowFocusCallback(window, hear_focus);
+  glfwSetDropCallback(window, hear_drop);
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* on) { events_of(on).wants_frame = true; });
   glfwSetFramebufferSizeCallback(
       window, [](GLFWwindow* on, int, int) { events_of(on).wants_frame = true; });

@@ -78,6 +78,8 @@ struct Window::State {
   std::optional<std::filesystem::path> picture;
   PlaceOnDesktop before_full_screen;
   bool is_full_screen = false;
+  /// Until the display says otherwise.
+  bool does_capture = true;
   long frames = 0;
   double map_due_in_s = std::numeric_limits<double>::infinity(), last_frame_s = -1.0;
 
@@ -209,14 +211,26 @@ void Window::draw_frame(Shell& shell) {
   glfwSwapBuffers(state.window);
   ++state.frames;
   state.last_frame_s = now_s;
-  if (state.shape != state.ui->pointer_shape()) {
-    state.shape = state.ui->pointer_shape();
-    show_pointer(state.window, state.shape, state.cursors);
-  }
+  settle_pointer(shell);
   if (state.is_full_screen != shell.preferences().is_full_screen) {
     state.is_full_screen = shell.preferences().is_full_screen;
     change_full_screen(state.window, state.is_full_screen, state.before_full_screen);
   }
+}
+
+// The pointer as the frame asked for it: caught, or of some shape.
+void Window::settle_pointer(Shell& shell) {
+  State& state = *state_;
+  state.ui->set_can_capture(state.does_capture && shell.preferences().captures_pointer);
+  const bool is_wanted = !state.ui->captured_by().empty() && state.ui->can_capture();
+  if (is_wanted != state.events.is_captured) {
+    state.does_capture = set_captured(state.window, state.events, is_wanted);
+    state.shape = PointerShape::Arrow;
+    state.events.wants_frame = true;
+  }
+  if (state.events.is_captured || state.shape == state.ui->pointer_shape()) return;
+  state.shape = state.ui->pointer_shape();
+  show_pointer(state.window, state.shape, state.cursors);
 }
 
 // Returns once a frame should be drawn. In between only the map may fall due.
@@ -250,7 +264,8 @@ void Window::wait_for_frame() {
 void Window::update_map() {
   State& state = *state_;
   if (state.map && state.frames > 0)
-    state.map_due_in_s = state.map->update(state.ui->shown(), state.ui->scale(), glfwGetTime());
+    state.map_due_in_s = state.map->update(state.ui->shown(), state.ui->scale(), glfwGetTime(),
+                                           state.ui->captured_by());
 }
 
 // Asked to close, the window says why it stays where a screen may not be left. The system does not

@@ -62,6 +62,7 @@ class Window {
  private:
   void wait_for_frame();
   void draw_frame(Shell& shell);
+  void settle_pointer(Shell& shell);
   void update_map();
   bool is_closing(Shell& shell);
 

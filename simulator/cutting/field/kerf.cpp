@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/field/swept_blade.h"
@@ -25,6 +26,12 @@ bool is_finite(const PlanarPose& pose) noexcept {
 void include(NodeSpan& span, std::int32_t v) noexcept {
   span = span.is_empty() ? NodeSpan{v, v + 1}
                          : NodeSpan{std::min(span.first, v), std::max(span.last, v + 1)};
+}
+
+/// Where the nodes from v on leave the tile, or end.
+std::int32_t end_in_tile(std::int32_t v, std::int32_t last) noexcept {
+  constexpr std::int32_t last_in_tile = KerfField::tile_cells - 1;
+  return std::min(last, (v | last_in_tile) + 1);
 }
 
 void include(FieldWindow& window, std::int32_t u, const NodeSpan& span) noexcept {
@@ -50,17 +57,46 @@ PlanarPose planar_pose(const KerfPlane& plane, const RigidTransform& bone_from_t
   return pose;
 }
 
+float KerfField::closed_mm(const FieldGrid& grid) noexcept {
+  return -static_cast<float>(limit_spacings * grid.spacing_mm);
+}
+
+std::size_t KerfField::tiles_of(const FieldGrid& grid) noexcept {
+  CHECK(grid.u_count > 0 && grid.v_count > 0);
+  return static_cast<std::size_t>(tiles_over(grid.u_count)) *
+         static_cast<std::size_t>(tiles_over(grid.v_count));
+}
+
 KerfField::KerfField(const FieldGrid& grid)
+    : KerfField(grid, std::make_unique<TilePool>(tiles_of(grid), closed_mm(grid))) {}
+
+KerfField::KerfField(const FieldGrid& grid, std::unique_ptr<TilePool> own) : KerfField(grid, *own) {
+  own_pool_ = std::move(own);
+}
+
+KerfField::KerfField(const FieldGrid& grid, TilePool& pool)
     : grid_(grid),
-      limit_mm_(static_cast<float>(limit_spacings * grid.spacing_mm)),
+      limit_mm_(-closed_mm(grid)),
+      tile_rows_(tiles_over(grid.v_count)),
+      pool_(&pool),
+      tiles_(tiles_of(grid), pool.closed_tile()),
       deep_(grid.u_count, grid.v_count),
       open_(grid.u_count, grid.v_count),
-      covers_(static_cast<std::size_t>(std::max(grid.u_count, 0))),
-      tile_rows_(tiles_over(grid.v_count)) {
-  CHECK(grid.spacing_mm > 0.0 && grid.u_count > 0 && grid.v_count > 0);
-  inside_mm_.assign(line_start(grid.u_count), -limit_mm_);
-  tile_revisions_.resize(static_cast<std::size_t>(tile_rows_) *
-                         static_cast<std::size_t>(tiles_over(grid.u_count)));
+      covers_(static_cast<std::size_t>(grid.u_count)),
+      tile_revisions_(tiles_.size()) {
+  CHECK(grid.spacing_mm > 0.0);
+}
+
+KerfField::KerfField(const KerfField& other) : KerfField(other.grid_) {
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+    if (other.tiles_[tile] == other.pool_->closed_tile()) continue;
+    std::copy_n(other.tiles_[tile], TilePool::nodes_per_tile, writable_line(tile, 0));
+  }
+  deep_ = other.deep_;
+  open_ = other.open_;
+  covers_ = other.covers_;
+  tile_revisions_ = other.tile_revisions_;
+  revision_ = other.revision_;
 }
 
 bool KerfField::is_open(const Vec2& point_mm) const noexcept {
@@ -72,11 +108,22 @@ bool KerfField::is_open(const Vec2& point_mm) const noexcept {
   }
   const auto u = static_cast<std::int32_t>(u_floor), v = static_cast<std::int32_t>(v_floor);
   const double part_u = node.x - u_floor, part_v = node.y - v_floor;
-  const double lower =
-      (1.0 - part_u) * static_cast<double>(at(u, v)) + part_u * static_cast<double>(at(u + 1, v));
-  const double upper = (1.0 - part_u) * static_cast<double>(at(u, v + 1)) +
-                       part_u * static_cast<double>(at(u + 1, v + 1));
+  const Corners corner = corners_from(u, v);
+  const double lower = (1.0 - part_u) * static_cast<double>(corner.here) +
+                       part_u * static_cast<double>(corner.next_u);
+  const double upper = (1.0 - part_u) * static_cast<double>(corner.next_v) +
+                       part_u * static_cast<double>(corner.next_both);
   return (1.0 - part_v) * lower + part_v * upper > 0.0;
+}
+
+/// The four nodes around a cell: but at a tile's end they lie in one.
+KerfField::Corners KerfField::corners_from(std::int32_t u, std::int32_t v) const noexcept {
+  constexpr std::int32_t last = tile_cells - 1;
+  if (u % tile_cells == last || v % tile_cells == last) {
+    return {at(u, v), at(u + 1, v), at(u, v + 1), at(u + 1, v + 1)};
+  }
+  const float* const here = line_in_tile(tile_of(u, v), u) + place_in_line(v);
+  return {here[0], here[tile_cells], here[1], here[tile_cells + 1]};
 }
 
 void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm) noexcept {
@@ -97,9 +144,8 @@ void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm)
 /// Whether the value was another one.
 bool KerfField::put_node(std::int32_t u, std::int32_t v, float wanted_mm) noexcept {
   const float value_mm = wanted_mm > -limit_mm_ ? std::min(wanted_mm, limit_mm_) : -limit_mm_;
-  float& kept_mm = inside_mm_[line_start(u) + static_cast<std::size_t>(v)];
-  if (kept_mm == value_mm) return false;
-  kept_mm = value_mm;
+  if (at(u, v) == value_mm) return false;
+  writable_line(tile_of(u, v), u)[place_in_line(v)] = value_mm;
   open_.put(u, v, value_mm > 0.0F);
   deep_.put(u, v, value_mm == limit_mm_);
   return true;
@@ -161,31 +207,38 @@ void KerfField::stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow&
 
 /// The nodes that rose.
 NodeSpan KerfField::raise_rim(const Rim& rim) noexcept {
-  const double limit_mm = static_cast<double>(limit_mm_);
-  float* const values_mm = inside_mm_.data() + line_start(rim.u);
+  const float deep_mm = limit_mm_;
+  const double limit_mm = static_cast<double>(deep_mm);
   NodeSpan risen;
-  for (std::int32_t v = rim.nodes.first; v < rim.nodes.last; ++v) {
-    // The least over all edges cannot rise above what is there where one edge cannot.
-    const double likely_mm = std::min(rim.swept.edge_mm(rim.line, rim.likely_edge, v), limit_mm);
-    if (static_cast<float>(likely_mm) <= values_mm[v]) continue;
-    const auto value_mm = static_cast<float>(std::min(rim.swept.inside_mm(rim.line, v), limit_mm));
-    if (value_mm <= values_mm[v]) continue;
-    values_mm[v] = value_mm;
-    if (value_mm > 0.0F) open_.set(rim.u, v);
-    if (value_mm == limit_mm_) deep_.set(rim.u, v);
-    include(risen, v);
+  for (std::int32_t v = rim.nodes.first; v < rim.nodes.last;) {
+    const std::size_t tile = tile_of(rim.u, v);
+    float* line_mm = line_in_tile(tile, rim.u);
+    bool is_writable = line_mm != closed_line(rim.u);
+    for (const std::int32_t end = end_in_tile(v, rim.nodes.last); v < end; ++v) {
+      // The least over all edges cannot rise above what is there where one edge cannot.
+      const double likely_mm = std::min(rim.swept.edge_mm(rim.line, rim.likely_edge, v), limit_mm);
+      const std::size_t place = place_in_line(v);
+      if (static_cast<float>(likely_mm) <= line_mm[place]) continue;
+      const auto value_mm =
+          static_cast<float>(std::min(rim.swept.inside_mm(rim.line, v), limit_mm));
+      if (value_mm <= line_mm[place]) continue;
+      if (!std::exchange(is_writable, true)) line_mm = writable_line(tile, rim.u);
+      line_mm[place] = value_mm;
+      if (value_mm > 0.0F) open_.set(rim.u, v);
+      if (value_mm == deep_mm) deep_.set(rim.u, v);
+      include(risen, v);
+    }
   }
   return risen;
 }
 
 /// Brings all nodes of the span to the limit; those that rose.
 NodeSpan KerfField::fill_deep(std::int32_t u, const NodeSpan& deep) noexcept {
-  float* const values_mm = inside_mm_.data() + line_start(u);
   NodeSpan risen;
   deep_.for_missing(u, deep.first, deep.last, [&](std::int32_t v, std::uint64_t missing) {
     const std::int32_t first = v + std::countr_zero(missing);
     const std::int32_t last = v + 64 - std::countl_zero(missing);
-    std::fill(values_mm + first, values_mm + last, limit_mm_);
+    fill(u, {first, last});
     include(risen, first);
     include(risen, last - 1);
   });
@@ -193,6 +246,15 @@ NodeSpan KerfField::fill_deep(std::int32_t u, const NodeSpan& deep) noexcept {
   open_.set_span(u, risen.first, risen.last);
   deep_.set_span(u, risen.first, risen.last);
   return risen;
+}
+
+void KerfField::fill(std::int32_t u, const NodeSpan& nodes) noexcept {
+  for (std::int32_t v = nodes.first; v < nodes.last;) {
+    const std::int32_t end = end_in_tile(v, nodes.last);
+    float* const line_mm = writable_line(tile_of(u, v), u);
+    std::fill_n(line_mm + place_in_line(v), end - v, limit_mm_);
+    v = end;
+  }
 }
 
 /// Node u belongs to cells u and u + 1.

@@ -12,15 +12,19 @@
 /// already and are skipped by their bits, so that a small motion costs the rim of the blade and not
 /// its area. One spacing is enough for the outline: both nodes of an edge that a blade's side
 /// crosses lie nearer to it than that.
+///
+/// Nodes have memory, in tiles of 32 x 32, where a blade has come by (TilePool).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "simulator/base/transform.h"
 #include "simulator/cutting/field/line_cover.h"
 #include "simulator/cutting/field/node_bits.h"
+#include "simulator/cutting/field/tile_pool.h"
 #include "simulator/tool/saw.h"
 
 namespace hallux::simulator {
@@ -57,13 +61,27 @@ class SweptBlade;
 
 class KerfField {
  public:
-  /// Takes all its memory here; every node starts closed.
+  /// Takes all its memory here, tiles from a pool of its own; every node starts closed.
   explicit KerfField(const FieldGrid& grid);
+  /// The same with tiles of a pool that fields share, borrowed for its lifetime.
+  /// needs   the pool's closed tile holds closed_mm(grid); tiles_of(grid) of its tiles are for this
+  ///         field
+  KerfField(const FieldGrid& grid, TilePool& pool);
+  /// With a pool of its own.
+  KerfField(const KerfField& other);
+  KerfField(KerfField&&) noexcept = default;
+  KerfField& operator=(KerfField&&) noexcept = default;
+  ~KerfField() = default;
+
+  /// What a node holds that no blade came near [mm].
+  static float closed_mm(const FieldGrid& grid) noexcept;
+  /// Tiles for all nodes of a grid.
+  static std::size_t tiles_of(const FieldGrid& grid) noexcept;
 
   const FieldGrid& grid() const noexcept { return grid_; }
   /// Inside-distance at a node [mm]; not above 0 where bone still stands.
   float at(std::int32_t u, std::int32_t v) const noexcept {
-    return inside_mm_[line_start(u) + static_cast<std::size_t>(v)];
+    return line_in_tile(tile_of(u, v), u)[place_in_line(v)];
   }
   /// Bilinear between nodes; closed outside the grid.
   bool is_open(const Vec2& point_mm) const noexcept;
@@ -91,7 +109,7 @@ class KerfField {
   // For those who follow the outline. Cell (i, j) lies between nodes (i - 1, j - 1) and (i, j): the
   // first and the last cells reach beyond the grid. Tile (I, J) holds the 32 x 32 cells from (32 I,
   // 32 J) on.
-  static constexpr std::int32_t tile_cells = 32;
+  static constexpr std::int32_t tile_cells = TilePool::nodes_on_a_side;
   static constexpr std::int32_t tiles_over(std::int32_t node_count) noexcept {
     return node_count / tile_cells + 1;
   }
@@ -103,31 +121,59 @@ class KerfField {
 
  private:
   struct Rim;
+  struct Corners {
+    float here, next_u, next_v, next_both;
+  };
+  Corners corners_from(std::int32_t u, std::int32_t v) const noexcept;
 
-  std::size_t line_start(std::int32_t u) const noexcept {
-    return static_cast<std::size_t>(u) * static_cast<std::size_t>(grid_.v_count);
+  KerfField(const FieldGrid& grid, std::unique_ptr<TilePool> own);
+  // Tile (I, J) of nodes holds those from (32 I, 32 J) on: the far corners of that tile's cells.
+  std::size_t tile_of(std::int32_t u, std::int32_t v) const noexcept {
+    return static_cast<std::size_t>(static_cast<std::uint32_t>(u) / tile_cells) *
+               static_cast<std::size_t>(tile_rows_) +
+           static_cast<std::uint32_t>(v) / tile_cells;
+  }
+  static std::size_t line_place(std::int32_t u) noexcept {
+    return static_cast<std::size_t>(static_cast<std::uint32_t>(u) % tile_cells) * tile_cells;
+  }
+  static std::size_t place_in_line(std::int32_t v) noexcept {
+    return static_cast<std::uint32_t>(v) % tile_cells;
+  }
+  float* line_in_tile(std::size_t tile, std::int32_t u) const noexcept {
+    return tiles_[tile] + line_place(u);
+  }
+  const float* closed_line(std::int32_t u) const noexcept {
+    return pool_->closed_tile() + line_place(u);
+  }
+  float* writable_line(std::size_t tile, std::int32_t u) noexcept {
+    if (tiles_[tile] == pool_->closed_tile()) tiles_[tile] = pool_->take();
+    return line_in_tile(tile, u);
   }
   void stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept;
   bool put_node(std::int32_t u, std::int32_t v, float wanted_mm) noexcept;
   NodeSpan raise_rim(const Rim& rim) noexcept;
   NodeSpan fill_deep(std::int32_t u, const NodeSpan& deep) noexcept;
+  void fill(std::int32_t u, const NodeSpan& nodes) noexcept;
   void note_risen(std::int32_t u, const NodeSpan& risen, FieldWindow& changed) noexcept;
 
-  // Nodes lie line by line, all of one u together: a saw feeds along u, so its long sides run
-  // across the lines, where a stamp costs two or three nodes each, and only its teeth run along
-  // them.
+  // Lines are nodes of one u: a saw feeds along u, so its long sides run across the lines, where a
+  // stamp costs two or three nodes each, and only its teeth run along them.
   FieldGrid grid_;
   /// Stored values lie within +-limit.
   float limit_mm_;
-  /// Line by line.
-  std::vector<float> inside_mm_;
+  std::int32_t tile_rows_;
+  /// None where the pool is another's.
+  std::unique_ptr<TilePool> own_pool_;
+  TilePool* pool_;
+  /// Per tile, J running fastest: its nodes, line by line; where none ever rose the pool's closed
+  /// tile.
+  std::vector<float*> tiles_;
   /// Nodes that hold the limit.
   NodeBits deep_;
   /// Nodes above zero.
   NodeBits open_;
   /// Per line.
   std::vector<LineCover> covers_;
-  std::int32_t tile_rows_;
   std::vector<std::uint32_t> tile_revisions_;
   std::uint32_t revision_ = 0;
 };

@@ -9,7 +9,12 @@ KerfSet::KerfSet(const Blade& blade, const RigidTransform& world_from_bone, cons
       bone_from_world_(inverse(world_from_bone)),
       planes_(static_cast<std::size_t>(kerf_limit)),
       kerf_from_bone_(static_cast<std::size_t>(kerf_limit)),
-      fields_(static_cast<std::size_t>(kerf_limit), KerfField(grid)) {}
+      pool_(std::make_unique<TilePool>(
+          static_cast<std::size_t>(kerf_limit) * KerfField::tiles_of(grid),
+          KerfField::closed_mm(grid))) {
+  fields_.reserve(static_cast<std::size_t>(kerf_limit));
+  for (std::int32_t kerf = 0; kerf < kerf_limit; ++kerf) fields_.emplace_back(grid, *pool_);
+}
 
 std::int32_t KerfSet::freeze(const QuantisedPose& bone_from_tool) noexcept {
   if (count_ == kerf_limit) return -1;

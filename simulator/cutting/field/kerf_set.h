@@ -6,7 +6,9 @@
 /// Nothing else opens bone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,7 +23,7 @@ inline constexpr std::int32_t kerf_limit = 4;
 
 class KerfSet {
  public:
-  /// Takes all its memory here.
+  /// Takes all its memory here; what no blade comes near is never touched.
   KerfSet(const Blade& blade, const RigidTransform& world_from_bone, const FieldGrid& grid = {});
 
   std::int32_t count() const noexcept { return count_; }
@@ -40,6 +42,15 @@ class KerfSet {
   /// thread  haptic; allocates nothing
   FieldWindow apply(const ToolSample& sample) noexcept;
 
+  /// Touches memory for what is opened next, for whoever must not wait for it while a blade cuts:
+  /// at most `at_once` tiles, until `ahead` of them wait. A blade's first stamp opens some 250.
+  /// ensures the fields stay as they are
+  /// thread  haptic; allocates nothing
+  void make_tiles_ready(std::size_t ahead, std::size_t at_once) noexcept {
+    pool_->make_ready(ahead, at_once);
+  }
+  const TilePool& tiles() const noexcept { return *pool_; }
+
   /// Opens a frozen kerf as its field was kept: instead of its samples.
   void put(std::int32_t kerf, const FieldWindow& window,
            std::span<const float> inside_mm) noexcept {
@@ -56,6 +67,8 @@ class KerfSet {
   RigidTransform bone_from_world_;
   std::vector<KerfPlane> planes_;
   std::vector<RigidTransform> kerf_from_bone_;
+  /// Of all fields.
+  std::unique_ptr<TilePool> pool_;
   std::vector<KerfField> fields_;
   std::int32_t count_ = 0;
   std::int32_t last_kerf_ = -1;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scenarios/site/bone_words.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
@@ -35,7 +36,7 @@ TEST(FaceMetrics, AFaceThatLooksMoreDorsallyIsDeepestDorsally) {
   const double tilt_rad = radian_from_degree(5.0);
   const FacePlane actual{Vec3{0.0, std::sin(tilt_rad), -std::cos(tilt_rad)}, 8.0};
   const Vec3 deepest = deepest_direction(actual, medial_face);
-  EXPECT_EQ(direction_text(deepest), "dorsal");
+  EXPECT_EQ(scenarios::direction_text(deepest), "dorsal");
   EXPECT_NEAR(std::sqrt(glm::dot(deepest, deepest)), std::sin(tilt_rad), 1e-12);
   // The dorsal edge of the actual face lies further lateral (z rises), so more bone was taken
   // there.

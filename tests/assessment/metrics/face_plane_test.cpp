@@ -74,13 +74,5 @@ TEST(FacePlane, PercentilesAreLinearBetweenNeighbours) {
   EXPECT_DOUBLE_EQ(percentile({7.0}, 0.025), 7.0);
 }
 
-TEST(FacePlane, DirectionsAreSaidInTheWordsOfTheBone) {
-  EXPECT_EQ(direction_text(Vec3{0.0, 1.0, 0.0}), "dorsal");
-  EXPECT_EQ(direction_text(Vec3{0.0, 0.1, -1.0}), "medial");
-  EXPECT_EQ(direction_text(Vec3{1.0, -0.8, 0.0}), "plantar-distal");
-  EXPECT_EQ(direction_text(Vec3{-1.0, 0.9, 0.8}), "dorsal-proximal");
-  EXPECT_EQ(direction_text(Vec3{0.0, 0.0, 0.0}), "");
-}
-
 }  // namespace
 }  // namespace hallux::assessment

@@ -84,7 +84,7 @@ Percentiles cost_us(const Bone& bone, const simulator::Recording& recording) {
     simulator::StepInput input{line, {}};
     for (std::size_t i = 0; i < line.command_count; ++i) {
       if (line.commands[i].kind != simulator::CommandKind::ApplyJob) continue;
-      input.job_results[i] = jobs.find(line.commands[i].argument);
+      input.job_results[i] = jobs.take(line.commands[i].argument);
     }
     const Stopwatch watch;
     const simulator::StepOutput output = simulation.step(input);

@@ -4,6 +4,7 @@
 
 #include "database/audit/audit_page.h"
 #include "database/course/begin_attempt.h"
+#include "database/people/people.h"
 #include "tests/database/some_database.h"
 
 namespace hallux::database {
@@ -92,6 +93,30 @@ TEST(Audit, IsReadInPagesFromTheNewest) {
   ASSERT_EQ(refused.lines.size(), 3U);
   EXPECT_EQ(refused.lines[0].text, "eve");
   EXPECT_TRUE(refused.lines[0].was_refused);
+}
+
+TEST(Audit, IsSearchedForPeopleAndWords) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const PersonId ada = create_person_without_password(database, {"ada", "Ada Bone", false});
+  const PersonId bob = create_person_without_password(database, {"bob", "Bob Wire", false});
+  const auto number = [](PersonId id) { return std::to_string(id.number); };
+  append_audit(database, {ada, "signed_in", "session", "1"});
+  append_audit(database, {ada, "password_set", "person", number(bob)});
+  append_audit(database, {bob, "enrolled_as_trainee", "membership", "7/" + number(ada)});
+  append_audit(database, {bob, "report_run", "database", "", true, {}, "SELECT Bone"});
+  append_audit(database, {bob, "signed_in", "session", "2"});
+  const auto found = [&](const std::string& search, bool refused_only) {
+    std::string actions;
+    const AuditPage page = read_audit_page(database, {std::nullopt, 50, refused_only, search});
+    EXPECT_EQ(page.total, std::ssize(page.lines));
+    for (const AuditLine& line : page.lines) actions += line.action + " ";
+    return actions;
+  };
+  EXPECT_EQ(found("ADA", false), "enrolled_as_trainee password_set signed_in ");
+  EXPECT_EQ(found("bone", false), "report_run enrolled_as_trainee password_set signed_in ");
+  EXPECT_EQ(found("bone", true), "report_run ");
+  EXPECT_EQ(found("100%", false), "");
 }
 
 TEST(Audit, IsUndoneWithTheTransactionItIsIn) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "database/audit/audit.h"
+#include "database/records/code_form.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
@@ -50,6 +51,19 @@ TEST_F(Administrator, IssuesCodesThatAreReadAsPeopleTypeThem) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 32);
   }
   EXPECT_NO_THROW(redeem("new", typed, good_password));
+}
+
+TEST_F(Administrator, IssuesCodesThatAreToldFromPasswords) {
+  for (int i = 0; i < 50; ++i) {
+    const SecretText code = random_code();
+    const bool has_digit = code.view().find_first_of("0123456789") != std::string_view::npos;
+    EXPECT_EQ(looks_like_code(code.view()), has_digit) << "one in ninety has none";
+  }
+  EXPECT_TRUE(looks_like_code("7qk2m9xd3vta"));
+  EXPECT_TRUE(looks_like_code("7QK2 M9XD 3VTA"));
+  for (const char* password : {"sawbonehinge", "saw bone hinge wire", "7QK2-M9XD-3VT",
+                               "7QK2-M9XD-3VTAA", "7QU2-M9XD-3VTA", "", "7QK2-M9XD-3VT\xC3\xA4"})
+    EXPECT_FALSE(looks_like_code(password)) << password;
 }
 
 TEST_F(Administrator, KeepsOfACodeItsHashOnly) {
@@ -120,6 +134,43 @@ TEST_F(Administrator, RefusesTheCodeOfADisabledPerson) {
   desk.set_disabled("ada", true);
   EXPECT_EQ(kind_thrown([&] { redeem("ada", std::string{issued.code.view()}, good_password); }),
             DatabaseErrorKind::Refused);
+}
+
+TEST_F(Administrator, CorrectsANameOfWhichThePersonIsToldAndTheAuditKeepsTheOneBefore) {
+  AdministratorDesk desk = administrator();
+  desk.correct_name("ada", "Ada Ünal");
+  EXPECT_EQ(person("ada").display_name, "Ada Ünal");
+  const AuditEntry act = last_audit();
+  EXPECT_EQ(act.action, "name_corrected");
+  EXPECT_EQ(act.actor, id_of("root"));
+  EXPECT_EQ(act.subject_id, std::to_string(id_of("ada").number));
+  EXPECT_EQ(act.text, "ada");
+  Session ada = sign_in_as("ada");
+  ASSERT_EQ(ada.notices().size(), 1U);
+  EXPECT_EQ(ada.notices()[0].kind, NoticeKind::NameCorrected);
+  EXPECT_EQ(ada.notices()[0].login, "root");
+  EXPECT_EQ(ada.person().display_name, "Ada Ünal");
+}
+
+TEST_F(Administrator, CorrectsTheOwnNameWithoutANoticeAndMayTakeANameAway) {
+  administrator().correct_name("root", "Root Verwalter");
+  EXPECT_TRUE(sign_in_as("root").notices().empty());
+  administrator().correct_name("root", "");
+  EXPECT_EQ(person("root").display_name, "root") << "the login stands in its place";
+}
+
+TEST_F(Administrator, RefusesANameThatHidesSomethingOrChangesNothing) {
+  AdministratorDesk desk = administrator();
+  const AuditEntry before = last_audit();
+  for (const std::string& name : {std::string{"ada"}, std::string{"two\nlines"},
+                                  std::string{"\xE2\x80\xAE"
+                                              "ada"},
+                                  std::string(201, 'a'), std::string{"\xFF"}}) {
+    EXPECT_EQ(kind_thrown([&] { desk.correct_name("ada", name); }), DatabaseErrorKind::BadInput);
+  }
+  EXPECT_EQ(kind_thrown([&] { desk.correct_name("nobody", "N"); }), DatabaseErrorKind::NotFound);
+  EXPECT_EQ(person("ada").display_name, "ada");
+  EXPECT_EQ(last_audit().action, before.action);
 }
 
 TEST_F(Administrator, GivesAndTakesTheRole) {

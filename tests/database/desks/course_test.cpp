@@ -185,6 +185,7 @@ TEST_F(Course, BringsAQuestionToTheInstructorAndTheAnswerBack) {
   desk.answer(first, "by a millimetre");
   EXPECT_EQ(desk.help_requests(true).size(), 1U);
   const auto own = trainee("ada").help_requests();
+  EXPECT_EQ(own[0].attempt_number, 1) << "of her attempts at this operation";
   ASSERT_EQ(own.size(), 2U);
   EXPECT_FALSE(own[0].answer);
   EXPECT_EQ(own[1].answer->text, "by a millimetre");

@@ -238,6 +238,8 @@ Outcome about_person(Walk& world, TriedDesk& desk, Action action, const Subject&
       return refused_or_done([&] { administrator.reset(login, cheap); });
     case Action::DisablePerson:
       return refused_or_done([&] { administrator.set_disabled(login, false); });
+    case Action::CorrectName:
+      return refused_or_done([&] { administrator.correct_name(login, "Somebody Else"); });
     case Action::ChangeRole:
       return refused_or_done([&] { administrator.set_administrator(login, login == "root"); });
     case Action::ExportPerson:
@@ -400,6 +402,7 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
     case Action::SetPassword:
     case Action::IssueCode:
     case Action::DisablePerson:
+    case Action::CorrectName:
     case Action::ChangeRole:
     case Action::ErasePerson:
     case Action::Enrol:

@@ -53,6 +53,7 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},      // AddPerson
       {"-", "-", "-", "x"},      // ListPeople
       {"-", "-", "-", "ox"},     // DisablePerson
+      {"-", "-", "-", "ox"},     // CorrectName
       {"-", "-", "-", "ox"},     // ChangeRole
       {"-", "-", "-", "x"},      // AddCohort
       {"-", "-", "-", "x"},      // ListCohorts

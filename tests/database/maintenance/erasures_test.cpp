@@ -103,6 +103,21 @@ TEST(Erasure, LeavesTheNameInNoByteOfNoFile) {
   EXPECT_TRUE(found.is_whole()) << *found.first_damage;
 }
 
+TEST(Erasure, TakesTheNamesFromBeforeACorrectionToo) {
+  CourseWithZelda course;
+  AdministratorDesk desk = course.administrator();
+  desk.add_person({"twin", "Zed zelda", false}, secret(good_password), cheap);
+  desk.correct_name("twin", "Somebody");
+  EXPECT_THROW(course.trainee("ada").recording({"zed zelda knows"}), DatabaseError);
+  const PersonId twin = course.id_of("twin");
+  EXPECT_THROW(
+      erase_person(course.database(), {twin, true, "Zed zelda asked"}, course.id_of("root")),
+      DatabaseError);
+  erase_person(course.database(), {twin, true, "asked in writing"}, course.id_of("root"));
+  erase_person(course.database(), order_for(course, true), course.id_of("root"));
+  expect_no_canary(course.database());
+}
+
 TEST(Erasure, KeepsTheStatisticAndTheOthers) {
   CourseWithZelda course;
   const AttemptId other = course.scored_by("ada", 70'000);

@@ -52,6 +52,7 @@ TEST_F(Notices, TellATraineeThatAResultWasChangedAndNotThatItStands) {
   EXPECT_EQ(told[0].kind, NoticeKind::ResultVoided);
   EXPECT_EQ(told[1].kind, NoticeKind::ResultOverridden);
   EXPECT_EQ(told[1].attempt, attempt);
+  for (const Notice& notice : told) EXPECT_EQ(notice.login, "kim") << "who decided";
 }
 
 TEST_F(Notices, CountRefusedSignInsInOneLine) {

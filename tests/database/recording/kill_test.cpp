@@ -8,6 +8,7 @@
 
 #include "database/course/begin_attempt.h"
 #include "database/maintenance/verify.h"
+#include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
 #include "tests/database/some_database.h"
 
@@ -21,9 +22,11 @@ namespace {
   simulator::AttemptChannels channels;
   Recorder recorder{database, create_attempt(database, some_attempt(database)), channels};
   const simulator::Recording recording = some_recording(60'000);
+  const auto facts = some_display_facts(60'000);
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < recording.tape.size(); ++i) {
     std::this_thread::sleep_until(start + std::chrono::milliseconds{i});
+    if (i % 100 == 0) channels.display_facts.push(facts[i / 100]);
     channels.tape.push(recording.tape[i]);
     channels.samples.push(recording.samples[i]);
     const auto tick = static_cast<std::int32_t>(i);
@@ -50,6 +53,13 @@ std::int32_t kill_after(const std::filesystem::path& directory, std::int32_t tic
   return pushed + 1;
 }
 
+/// Of all that was recorded it is known what was on the screen.
+void expect_was_seen(const std::vector<simulator::DisplayFact>& facts, std::size_t ticks) {
+  const auto all = some_display_facts(60'000);
+  ASSERT_GE(facts.size() * 100, ticks);
+  EXPECT_TRUE(std::equal(facts.begin(), facts.end(), all.begin()));
+}
+
 TEST(Kill, LosesAtMostTheCurrentHalfSecondAndNoOlderAttempt) {
   const TemporaryDirectory temporary{Medium::Disk};
   const simulator::Recording older = some_recording(3000);
@@ -68,6 +78,7 @@ TEST(Kill, LosesAtMostTheCurrentHalfSecondAndNoOlderAttempt) {
     const simulator::Recording rest = load_recording(database, killed.id);
     EXPECT_EQ(rest.samples.size(), rest.tape.size());
     EXPECT_TRUE(std::equal(rest.samples.begin(), rest.samples.end(), whole.samples.begin()));
+    expect_was_seen(load_display_facts(database, killed.id), rest.samples.size());
     // Half a second being filled, two passes of the recorder and a commit on a loaded machine.
     EXPECT_LE(pushed - static_cast<std::int32_t>(rest.samples.size()), 500 + 400);
     const Verification found = verify(database);

@@ -5,7 +5,9 @@
 
 #include <thread>
 
+#include "database/audit/audit.h"
 #include "database/course/begin_attempt.h"
+#include "database/maintenance/verify.h"
 #include "database/recording/recordings.h"
 #include "tests/database/some_database.h"
 
@@ -110,6 +112,25 @@ TEST(Recorder, ThatIsDroppedLeavesAnInterruptedAttemptWithAllItDrained) {
   Database later = Database::open(temporary.data());
   EXPECT_EQ(load_header(later, id).state, AttemptState::Interrupted);
   EXPECT_TRUE(is_same(load_recording(later, id), recording));
+}
+
+TEST(Recorder, ThatAbandonsLeavesAnInterruptedAttemptWithAnAct) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(temporary.data());
+  const simulator::Recording recording = some_recording(700);
+  simulator::AttemptChannels channels;
+  Recorder recorder{database, create_attempt(database, some_attempt(database)), channels};
+  produce(recording, channels);
+  EXPECT_EQ(recorder.abandon().samples, 700);
+  const AttemptHeader header = load_header(database, recorder.attempt());
+  EXPECT_EQ(header.state, AttemptState::Interrupted);
+  EXPECT_FALSE(header.seal);
+  EXPECT_TRUE(is_same(load_recording(database, recorder.attempt()), recording));
+  const AuditEntry act = read_audit(database).back().entry;
+  EXPECT_EQ(act.action, "attempt_abandoned");
+  EXPECT_EQ(act.subject_id, recorder.attempt().text);
+  EXPECT_TRUE(verify(database).is_whole());
+  EXPECT_THROW(recorder.abandon(), DatabaseError) << "once";
 }
 
 TEST(Recorder, SealsAnAttemptInWhichNothingHappened) {

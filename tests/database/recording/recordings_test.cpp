@@ -39,6 +39,20 @@ TEST(Recordings, ALongOneIsReadBackAsItWas) {
   EXPECT_EQ(check_recording(recorded.database, recorded.id), 120);
 }
 
+TEST(Recordings, OfItsOutputsAloneTheTapeIsCheckedAndNotKept) {
+  Recorded recorded;
+  const simulator::Recording outputs =
+      load_recording(recorded.database, recorded.id, RecordingPart::Outputs);
+  EXPECT_EQ(outputs.samples, recorded.recording.samples);
+  EXPECT_EQ(outputs.events, recorded.recording.events);
+  EXPECT_EQ(outputs.engine, recorded.recording.engine);
+  EXPECT_TRUE(outputs.tape.empty());
+  EXPECT_EQ(outputs.tape.capacity(), 0U);
+  tamper(recorded.database, "UPDATE chunk SET link = zeroblob(32) WHERE seq = 12 AND stream = 0");
+  EXPECT_THROW(load_recording(recorded.database, recorded.id, RecordingPart::Outputs),
+               DatabaseError);
+}
+
 TEST(Recordings, AChunkTakenOutOfItsWindowIsNoticed) {
   Recorded recorded;
   tamper(recorded.database, "DELETE FROM chunk WHERE seq = 20 AND stream = 1");

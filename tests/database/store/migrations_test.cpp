@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "database/maintenance/verify.h"
+#include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
 #include "tests/database/some_course.h"
 
@@ -97,6 +98,31 @@ TEST(Migrations, OpenADatabaseOfSchemaFourAndCoverItFromThenOn) {
   EXPECT_EQ(found.covered_since_utc->substr(0, 2), "20");
   tamper(database, "UPDATE person SET is_disabled = 0");
   EXPECT_NE(verify(database).first_damage.value_or("").find("person "), std::string::npos);
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaFiveInWhichNobodySawAnything) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_5.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  const auto attempts = list_attempts(database);
+  ASSERT_EQ(attempts.size(), 2U);
+  for (const AttemptHeader& attempt : attempts)
+    EXPECT_TRUE(load_display_facts(database, attempt.id).empty());
+  EXPECT_EQ(number(database, "SELECT count(*) FROM help_request WHERE answer IS NULL"), 1);
+  const Verification found = verify(database);
+  EXPECT_TRUE(found.is_whole()) << *found.first_damage;
+  EXPECT_EQ(found.audit_rows, 37) << "covered before, and by no second baseline";
+}
+
+TEST(Migrations, VouchForNothingThatWasAlteredBefore) {
+  const TemporaryDirectory temporary;
+  const fs::path directory = place(temporary, "schema_5.db");
+  {
+    SQLite::Database tool{(directory / "hallux.db").string(), SQLite::OPEN_READWRITE};
+    tool.exec("UPDATE person SET is_administrator = 1 WHERE person_id = 3");
+  }
+  Database database = Database::open(directory);
+  EXPECT_NE(verify(database).first_damage.value_or("").find("person 3"), std::string::npos);
 }
 
 TEST(Migrations, AnAdministratorOfNoDateIsNamedOnceItIsCovered) {

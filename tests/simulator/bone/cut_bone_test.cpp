@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/support/worlds.h"
 
 namespace hallux::simulator {
@@ -65,6 +67,24 @@ TEST(CutBone, OpenedFurtherIsAsIfItHadBeenOpenedSoAtOnce) {
   quick.put_kerf(0, across(0, 2.0, 3.0));
   quick.put_kerf(1, across(1, -2.0, 3.0));
   EXPECT_EQ(slow.after_all().mesh, quick.after_all().mesh);
+}
+
+TEST(CutBone, AnEarlyKerfMayGoOnAfterSeveralOthers) {
+  CutBone slow(block()), quick(block());
+  for (const auto& [number, x_mm] : {std::pair{0, 6.0}, {1, 2.0}, {2, -2.0}, {3, -6.0}}) {
+    slow.put_kerf(number, across(number, x_mm, 1.0));
+    slow.cut(number);
+  }
+  for (const auto& [number, x_mm] : {std::pair{2, -2.0}, {0, 6.0}, {3, -6.0}, {1, 2.0}}) {
+    slow.put_kerf(number, across(number, x_mm, 3.0));
+    for (std::int32_t place = 0; place < slow.kerf_count(); ++place) slow.cut(place);
+    slow.before(number);
+  }
+  for (const auto& [number, x_mm] : {std::pair{0, 6.0}, {1, 2.0}, {2, -2.0}, {3, -6.0}}) {
+    quick.put_kerf(number, across(number, x_mm, 3.0));
+  }
+  EXPECT_EQ(slow.after_all().mesh, quick.after_all().mesh);
+  EXPECT_EQ(slow.after_all().sources, quick.after_all().sources);
 }
 
 TEST(CutBone, MayBeOpenedLessThanBefore) {

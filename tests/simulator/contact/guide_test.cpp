@@ -160,6 +160,18 @@ TEST(GuidedHand, IsLetGoOnceTheTeethHaveAKerfOfTheirOwn) {
   EXPECT_EQ(length(guided.force_in_bone_newton()), 0.0) << "also for its next stroke";
 }
 
+TEST(GuidedHand, IsLedToTheStepsOwnKerfForAFurtherPassBesideIt) {
+  const Bone bone = block();
+  SimulationRun guided(bone, blade_down({5.0, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));
+  guided.glide(blade_down({5.0, top_mm - 4.0, 0.0}), 600);
+  guided.hold(1500);
+  ASSERT_EQ(guided.events(CutEventKind::PlaneFrozen).size(), 1U);
+  guided.glide(blade_down({5.0, top_mm + 5.0, 0.0}), 300);
+  guided.glide(blade_down({7.0, top_mm + 5.0, 0.0}), 300);
+  guided.hold(600);
+  EXPECT_NEAR(guided.force_in_bone_newton().x, -1.2 * 1.5, 0.01);
+}
+
 TEST(GuidedHand, BendsNoBladeThatStandsOnBone) {
   const Bone bone = block();
   SimulationRun run(bone, blade_down({8.0, top_mm + 0.5, 0.0}), {}, guided_by(Guidance::Slot));

@@ -35,7 +35,7 @@ TEST(MouseDevice, IsOfTheMouseClass) {
 
 TEST(MouseDevice, ComesToWhereItIsLedWithoutGoingBeyond) {
   MouseDevice device(at_origin);
-  device.aim(at({10.0, 0.0, 0.0}), saw);
+  device.aim({at({10.0, 0.0, 0.0}), saw, {}});
   RawDeviceState state;
   double farthest_mm = 0.0;
   for (std::int64_t tick = 0; tick < 400; ++tick) {
@@ -56,7 +56,7 @@ TEST(MouseDevice, ASawThatNobodyLeadsAnyMoreStops) {
   };
   exchanged_until(5000);
   for (int frame = 0; frame < 20; ++frame) {
-    device.aim(at({1.0, 0.0, 0.0}), saw);
+    device.aim({at({1.0, 0.0, 0.0}), saw, {}});
     exchanged_until(tick + 200);
     EXPECT_EQ(state.switches, saw) << "led in each frame, it runs as long as one likes";
   }
@@ -65,14 +65,14 @@ TEST(MouseDevice, ASawThatNobodyLeadsAnyMoreStops) {
   exchanged_until(tick + 202);
   EXPECT_EQ(state.switches, 0U);
   EXPECT_NEAR(state.world_from_handle.translation_mm.x, 1.0, 1.0e-3) << "it stays where it was";
-  device.aim(at({1.0, 0.0, 0.0}), saw);
+  device.aim({at({1.0, 0.0, 0.0}), saw, {}});
   exchanged_until(tick + 1);
   EXPECT_EQ(state.switches, saw);
 }
 
 TEST(MouseDevice, AStepOfThePointerIsNoStepOfTheHand) {
   MouseDevice device(at_origin);
-  device.aim(at({60.0, 0.0, 0.0}), 0);
+  device.aim({at({60.0, 0.0, 0.0}), 0, {}});
   RawDeviceState state;
   Vec3 before_mm(0.0, 0.0, 0.0);
   for (std::int64_t tick = 0; tick < 500; ++tick) {
@@ -86,7 +86,7 @@ TEST(MouseDevice, AStepOfThePointerIsNoStepOfTheHand) {
 TEST(MouseDevice, BoneHoldsTheHandAndThePointerRunsAhead) {
   // A wall of 2 N/mm at x = 0, as the contact's spring is; the pointer 15 mm behind it.
   MouseDevice device(at_origin);
-  device.aim(at({15.0, 0.0, 0.0}), 0);
+  device.aim({at({15.0, 0.0, 0.0}), 0, {}});
   const auto wall = [](const Vec3& hand_mm) {
     return Vec3(-2.0 * std::max(0.0, hand_mm.x), 0.0, 0.0);
   };
@@ -98,7 +98,7 @@ TEST(MouseDevice, BoneHoldsTheHandAndThePointerRunsAhead) {
 TEST(MouseDevice, StaysCalmOnTheStiffestSlot) {
   // 10 N/mm, the stiffness of a slot, with the force of the tick before.
   MouseDevice device(at_origin);
-  device.aim(at({15.0, 0.0, 0.0}), 0);
+  device.aim({at({15.0, 0.0, 0.0}), 0, {}});
   const auto wall = [](const Vec3& hand_mm) {
     return Vec3(-10.0 * std::max(0.0, hand_mm.x), 0.0, 0.0);
   };
@@ -117,7 +117,7 @@ TEST(MouseDevice, StaysCalmOnTheStiffestSlot) {
 TEST(MouseDevice, TurnsToItsTarget) {
   MouseDevice device(at_origin);
   const Quat wanted = rotation_about(Vec3(0.0, 0.0, 1.0), 0.5);
-  device.aim({wanted, {0.0, 0.0, 0.0}}, 0);
+  device.aim({{wanted, {0.0, 0.0, 0.0}}, 0, {}});
   const RawDeviceState state = exchanged(device, 500, no_force);
   EXPECT_GT(glm::dot(state.world_from_handle.rotation, wanted), 1.0 - 1.0e-9);
 }

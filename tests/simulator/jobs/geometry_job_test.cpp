@@ -80,7 +80,7 @@ TEST(PiecesJob, PiecesDebrisAndWhatWasTakenAddUp) {
   AttemptGeometry geometry(bone, {});
   const auto result = cut(geometry, bone, 0, 5.0);
   double sum_mm3 = result->debris_mm3 + result->removed_mm3;
-  for (const PieceBody& piece : result->pieces) sum_mm3 += piece.volume_mm3;
+  for (const FoundPiece& piece : result->pieces) sum_mm3 += piece.volume_mm3;
   EXPECT_NEAR(sum_mm3, block_mm3, 1e-9 * block_mm3);
   EXPECT_NEAR(result->removed_mm3, kerf_mm * section_mm2, 0.001);
 }
@@ -138,7 +138,7 @@ TEST(PiecesJob, APieceKeepsItsNumberWhileNothingCutsIt) {
   const auto second = cut(geometry, bone, 1, -5.0);
   ASSERT_EQ(second->pieces.size(), 3U);
   EXPECT_EQ(second->pieces[0].id, 0);
-  for (const PieceBody& piece : second->pieces) {
+  for (const FoundPiece& piece : second->pieces) {
     const bool is_first_piece = piece.volume_mm3 < 4.0 * section_mm2;
     if (is_first_piece) {
       EXPECT_EQ(piece.id, 1);

@@ -223,7 +223,7 @@ class StuckJobs : public JobRunner {
     ++asked_;
     return false;
   }
-  const JobResult* take_ready() noexcept override { return nullptr; }
+  JobResult* take_ready() noexcept override { return nullptr; }
 
  protected:
   std::int64_t stuck_line_, lines_ = 0;
@@ -247,7 +247,7 @@ class ThrowingJobs final : public JobRunner {
     return true;
   }
   bool has_room() const noexcept override { return true; }
-  const JobResult* take_ready() noexcept override { return nullptr; }
+  JobResult* take_ready() noexcept override { return nullptr; }
 };
 
 TEST(VirtualLoop, AJobThatThrowsClosesChannelsAndWatchAndIsHeard) {

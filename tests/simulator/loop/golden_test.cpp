@@ -39,10 +39,9 @@ HandMotion wavering_motion(const Bone& bone) {
                  key(700, {3.1, -9.7, 0.7}, 0.13),  key(1500, {2.9, 4.3, -0.2}, 0.10),
                  key(1700, {3.2, -6.1, 0.9}, 0.13), key(3000, {3.1, -14.9, 1.3}, 0.12),
                  key(4300, {3.0, 5.2, 0.4}, 0.11)};
-  motion.commands = {{0, {CommandKind::Start, 0, 0}},
-                     {4100, {CommandKind::PickUp, 1, 0}},
-                     {4200, {CommandKind::StepDone, 0, 0}},
-                     {4300, {CommandKind::Finish, 0, 0}}};
+  motion.commands = {{0, {CommandKind::Start, 0, 0}},       {4100, {CommandKind::PickUp, 1, 0}},
+                     {4200, {CommandKind::StepDone, 0, 0}}, {4220, {CommandKind::ReopenStep, 0, 0}},
+                     {4240, {CommandKind::StepDone, 0, 0}}, {4300, {CommandKind::Finish, 0, 0}}};
   return motion;
 }
 
@@ -58,7 +57,7 @@ TEST(Golden, ASlantedCutThroughATubeGivesTheCommittedHashes) {
   for (const CutEventKind kind :
        {CutEventKind::PlaneFrozen, CutEventKind::SectionCovered, CutEventKind::Breakthrough,
         CutEventKind::PieceRemoved, CutEventKind::BoneHot, CutEventKind::BoneNecrosis,
-        CutEventKind::DangerContact, CutEventKind::DangerLeft}) {
+        CutEventKind::DangerContact, CutEventKind::DangerLeft, CutEventKind::StepReopened}) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << static_cast<int>(kind);
   }
   tests::expect_golden(bone, recording, tests::golden_tube);

@@ -91,7 +91,7 @@ TEST(KickFelt, ByAMouseIsAThrowAsideAndBack) {
   double thrown_mm = 0.0, at_end_mm = 0.0;
   for (std::int64_t tick = 1; tick < 900; ++tick) {
     const std::uint32_t switches = tick < started_tick ? 0U : tests::saw_runs;
-    mouse.aim(bone.world_from_bone * pressed, switches);
+    mouse.aim({bone.world_from_bone * pressed, switches, {}});
     const Vec3 force_newton = transform_direction(bone.world_from_bone, run.force_in_bone_newton());
     ASSERT_TRUE(mouse.exchange(force_newton, tick, state));
     run.switches = state.switches;

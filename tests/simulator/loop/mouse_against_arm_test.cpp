@@ -27,7 +27,7 @@ class LedMouse final : public HapticDevice {
                 RawDeviceState& state) noexcept override {
     RawDeviceState wanted;
     pointer_.exchange(Vec3(0.0), tick, wanted);
-    mouse_.aim(wanted.world_from_handle, wanted.switches);
+    mouse_.aim({wanted.world_from_handle, wanted.switches, {}});
     return mouse_.exchange(force_in_world_newton, tick, state);
   }
 

@@ -29,7 +29,7 @@ class LateJobs final : public JobRunner {
   bool apply(const StepOutput& output) override { return jobs_.apply(output); }
   bool has_room() const noexcept override { return jobs_.has_room(); }
   /// Asked once a tick while nothing is ready.
-  const JobResult* take_ready() noexcept override {
+  JobResult* take_ready() noexcept override {
     if (late_ == nullptr) {
       late_ = jobs_.take_ready();
       left_ms_ = random_.uniform(0.0, delay_max_ms_);
@@ -42,7 +42,7 @@ class LateJobs final : public JobRunner {
   ThreadedJobs jobs_;
   Random random_;
   double delay_max_ms_, left_ms_ = 0.0;
-  const JobResult* late_ = nullptr;
+  JobResult* late_ = nullptr;
 };
 
 tests::RecordedRun record_in_real_time(const Bone& bone, std::int64_t last_tick,

@@ -143,6 +143,21 @@ TEST(Replay, AJobThatWasNotAskedForIsADifference) {
   }
 }
 
+TEST(Replay, AJobThatIsAppliedTwiceIsADifference) {
+  RecordedCut cut;
+  TapeLine& line = cut.job_line();
+  line.commands[1] = line.commands[0];
+  line.command_count = 2;
+  expect_difference(cut.replayed(), line.tick);
+
+  RecordedCut later;
+  const TapeLine& applied = later.job_line();
+  TapeLine& next = later.recording.tape[static_cast<std::size_t>(applied.tick) + 1];
+  next.commands[0] = applied.commands[0];
+  next.command_count = 1;
+  expect_difference(later.replayed(), next.tick);
+}
+
 TEST(Replay, AJobOfAnotherTickIsADifference) {
   RecordedCut cut;
   TapeLine& line = cut.job_line();

@@ -26,13 +26,43 @@ TEST(GuideOfStep, IsThePlaneOfTheStepAtHand) {
   EXPECT_EQ(guide.plane(plan), &*plan.of_step[2]);
 }
 
-TEST(GuideOfStep, EndsWithTheStepsOwnKerfAndComesBackWithTheNextStep) {
+/// A plane that no plan has.
+const GuidePlane sawn{Vec3(1.0, 0.0, 0.0), 4.6};
+
+TEST(GuideOfStep, IsThePlaneOfTheStepsOwnKerfOnceItHasOneAndOfThePlanInTheNextStep) {
   const GuidePlan plan = two_planes();
   GuideOfStep guide;
-  guide.note_own_kerf();
-  EXPECT_EQ(guide.plane(plan), nullptr);
+  guide.note_own_kerf(sawn);
+  ASSERT_NE(guide.plane(plan), nullptr);
+  EXPECT_EQ(guide.plane(plan)->offset_mm, sawn.offset_mm);
   guide.finish_step(1);
   EXPECT_EQ(guide.plane(plan), &*plan.of_step[2]);
+}
+
+TEST(GuideOfStep, OfAStepTakenUpAgainIsItsOwnKerfsOrStillThePlans) {
+  const GuidePlan plan = two_planes();
+  GuideOfStep guide;
+  guide.note_own_kerf(sawn);
+  guide.finish_step(0);
+  EXPECT_EQ(guide.plane(plan), nullptr);
+  guide.reopen_step(0);
+  ASSERT_NE(guide.plane(plan), nullptr);
+  EXPECT_EQ(guide.plane(plan)->offset_mm, sawn.offset_mm);
+  guide.reopen_step(2);
+  EXPECT_EQ(guide.plane(plan), &*plan.of_step[2]);
+}
+
+TEST(GuideOfStep, IsNoneOfAStepWithoutAPlaneWhateverIsSawnInIt) {
+  const GuidePlan plan = two_planes();
+  GuideOfStep guide;
+  guide.finish_step(0);
+  guide.note_own_kerf(sawn);
+  EXPECT_EQ(guide.plane(plan), nullptr);
+  guide.finish_step(std::numeric_limits<std::int32_t>::max());
+  guide.note_own_kerf(sawn);
+  guide.reopen_step(-7);
+  guide.note_own_kerf(sawn);
+  EXPECT_EQ(guide.plane(plan), nullptr);
 }
 
 TEST(GuideOfStep, IsNoneWithoutGuidanceOrBeyondTheSteps) {

@@ -56,7 +56,7 @@ StepOutput SimulationRun::step(std::initializer_list<Command> commands) {
   StepInput input{line, {}};
   for (const Command& command : commands) line.commands[line.command_count++] = command;
   while (applies_jobs && line.command_count < simulator::commands_per_tick) {
-    const JobResult* result = jobs_.take_ready();
+    JobResult* const result = jobs_.take_ready();
     if (result == nullptr) break;
     input.job_results[line.command_count] = result;
     line.commands[line.command_count++] = {CommandKind::ApplyJob, result->request.id,

@@ -128,6 +128,16 @@ TEST(Step, AStepDeclaredDoneIsAnEventThatNamesIt) {
   EXPECT_EQ(done[0].tick, 1);
 }
 
+TEST(Step, AStepTakenUpAgainIsAnEventThatNamesIt) {
+  const Bone bone = block();
+  SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));
+  run.step({command(CommandKind::StepDone, 1), command(CommandKind::ReopenStep, 1)});
+  const auto reopened = run.events(CutEventKind::StepReopened);
+  ASSERT_EQ(reopened.size(), 1U);
+  EXPECT_EQ(reopened[0].subject, 1);
+  EXPECT_EQ(reopened[0].tick, 1);
+}
+
 TEST(Step, APieceThatIsNotThereCannotBePickedUp) {
   const Bone bone = block();
   SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}));

@@ -148,6 +148,21 @@ TEST(StepJobs, TeethFindBoneInAPieceThatStillLiesThere) {
   EXPECT_NEAR(run.bone_from_tool().translation_mm.y, top_mm, 0.15);
 }
 
+TEST(StepJobs, APieceIsToldWithItsVolumeAndAPointInsideItWhenItComesFreeAndWhenItGoes) {
+  const Bone bone = block();
+  SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));
+  saw_off(run, 5.0);
+  run.step({{CommandKind::PickUp, piece_freed_last, 0}});
+  const CutEvent freed = run.events(CutEventKind::PieceFreed).at(0);
+  const CutEvent removed = run.events(CutEventKind::PieceRemoved).at(0);
+  EXPECT_GT(freed.value, 0);
+  EXPECT_EQ(removed.value, freed.value);
+  EXPECT_EQ(removed.pose, freed.pose);
+  const Vec3 inside_mm = transform_from(removed.pose).translation_mm;
+  EXPECT_GT(inside_mm.x, 5.25) << "beyond the kerf";
+  EXPECT_LT(Bvh(solid_of(bone)).signed_distance_mm(inside_mm), -0.5);
+}
+
 TEST(StepJobs, APieceIsPickedUpOnce) {
   const Bone bone = block();
   SimulationRun run(bone, blade_down({5.0, above_mm, 0.0}));

@@ -7,7 +7,8 @@ import shutil
 import subprocess
 import unittest
 
-from hallux_command import BAD_INPUT, DONE, PROGRAM, WRONG_USAGE, CommandTest, RecordedTest, coarse_silver
+from hallux_command import (ATTEMPT_KIB_AT_MOST, BAD_INPUT, DONE, PROGRAM, WRONG_USAGE, CommandTest, RecordedTest,
+                            coarse_silver, greatest_kib)
 
 CARD_KEYS = {"score", "groups", "gates"}
 LEDGER_KEYS = {"metric", "value", "target", "unit", "points_lost", "start_us", "end_us", "text"}
@@ -180,6 +181,7 @@ class Attempt(RecordedTest):
 class FreshDirectory(CommandTest):
     def test_the_shipped_scenario_is_operated_scored_and_proved(self):
         answer = self.ask("attempt", "silver", "--hand", "novice", "--seed", "7")
+        self.assertLess(greatest_kib(), ATTEMPT_KIB_AT_MOST)
         self.assertEqual((answer["hand"], answer["seed"]), ("novice", 7))
         self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
 

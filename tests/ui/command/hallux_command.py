@@ -18,7 +18,13 @@ import unittest
 
 PROGRAM = os.environ["HALLUX_PROGRAM"]
 SILVER = pathlib.Path(os.environ["HALLUX_SILVER"])
+ATTEMPT_KIB_AT_MOST = 300_000_000 // 1024
 DONE, CHECK_FAILED, WRONG_USAGE, BAD_INPUT, REFUSED, INTERRUPTED, STORAGE, NO_DISPLAY = range(8)
+
+
+def greatest_kib():
+    """Resident memory of the largest program that was run and has ended."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
 
 
 def coarse_silver(**changes):
@@ -45,6 +51,7 @@ class Answer:
 class CommandTest(unittest.TestCase):
     # Who runs the program, as subprocess takes it; whoever runs the tests.
     program_user = {}
+    patience_s = 120
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="hallux-command-")
@@ -69,8 +76,9 @@ class CommandTest(unittest.TestCase):
 
     def hallux(self, *arguments, stdin=""):
         """Runs `hallux ARGUMENTS --data DIR`."""
-        return Answer(subprocess.run(self.line(arguments), input=stdin, capture_output=True, text=True, timeout=120,
-                                     cwd=self.untouched[2], env=self.environment(), **self.program_user))
+        return Answer(subprocess.run(self.line(arguments), input=stdin, capture_output=True, text=True,
+                                     timeout=self.patience_s, cwd=self.untouched[2], env=self.environment(),
+                                     **self.program_user))
 
     def start(self, *arguments):
         """The same without waiting; ended with the test at the latest."""

@@ -59,6 +59,16 @@ class People(CommandTest):
         self.assertEqual(rows[0]["name"], "Ada Müller")
         self.assertNotIn("argon2", str(rows))
 
+    def test_an_administrator_corrects_a_name(self):
+        self.add_ben()
+        self.assertEqual(self.as_ada("user", "rename", "ben", "--name", "Ben Ångström"), {"login": "ben", "done": "renamed"})
+        self.assertEqual([row["name"] for row in self.as_ada("user", "list")], ["Ada Müller", "Ben Ångström"])
+        self.assertEqual(self.query("SELECT action FROM audit WHERE action = 'name_corrected'"), [("name_corrected",)])
+        self.assertEqual(self.query("SELECT kind FROM notice"), [("name_corrected",)])
+        self.expect_refused("user", "rename", "ada", "--name", "Eve", "--as", "ben", stdin=lines(TRAINEE), says=["administrator"])
+        self.expect_refusal(BAD_INPUT, ["ben", "already"], "user", "rename", "ben", "--name", "Ben Ångström", "--as", "ada",
+                            stdin=lines(ADMINISTRATOR))
+
     def test_an_answer_never_holds_a_password(self):
         said = self.hallux("user", "add", "ben", "--as", "ada", stdin=lines(ADMINISTRATOR, TRAINEE))
         self.assertEqual(said.code, DONE, said)

@@ -40,6 +40,7 @@ LINES = {
     "user list": [["user", "list"]],
     "user add": [["user", "add", "new-one"]],
     "user passwd": [["user", "passwd", "canary-login-eve"]],
+    "user rename": [["user", "rename", "canary-login-eve", "--name", "Another Name"]],
     "user disable": [["user", "disable", "canary-login-eve"]],
     "user recover": [["user", "recover", "bob"]],
     "user erase": [["user", "erase", "canary-login-eve", "--reason", "asked"]],
@@ -58,7 +59,8 @@ LINES = {
 #: Verbs that open no database of people, or none that is there.
 WITHOUT_PEOPLE = {"attempt", "cut", "scenario", "demo", "foot", "devices"}
 #: Where the line itself names the login, the sentence may say it back.
-SAID_BY_THE_LINE = {"user passwd": {"canary-login-eve"}, "user disable": {"canary-login-eve"},
+SAID_BY_THE_LINE = {"user passwd": {"canary-login-eve"}, "user rename": {"canary-login-eve"},
+                    "user disable": {"canary-login-eve"},
                     "user erase": {"canary-login-eve"}, "export-person": {"canary-login-eve"}, "export": {"Canary-cohort"}}
 #: A copy of all that is kept, and what a person may read of their own handed on: an administrator's acts, which are audited.
 MORE = {("backup", "root"): set(CANARIES), ("export-person", "root"): {"Canary-open-note", "Canary-question"}}

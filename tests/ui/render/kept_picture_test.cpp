@@ -162,5 +162,25 @@ TEST_F(KeptPictures, ARendererThatKeepsNothingDrawsTheSame) {
   EXPECT_GT(redrawn_, 0U);
 }
 
+TEST_F(KeptPictures, WhatAPassingPictureWasDrawnInIsLetGoWhileOthersAreDrawn) {
+  const RenderQuality keeps = renderer_.quality();
+  const RenderTarget target({32, 18});
+  renderer_.draw(scene_, view(), target.target(), left_);
+  const ObjectCensus alone = count_objects();
+  renderer_.set_quality(still_quality);
+  renderer_.draw(scene_, camera_, target.target());
+  renderer_.set_quality(keeps);
+  ASSERT_GT(count_objects().framebuffers, alone.framebuffers);
+  for (int picture = 0; picture < 9; ++picture) {
+    renderer_.draw(scene_, view(), target.target(), left_);
+  }
+  EXPECT_GT(count_objects().framebuffers, alone.framebuffers);
+  renderer_.draw(scene_, view(), target.target(), left_);
+  EXPECT_EQ(count_objects().framebuffers, alone.framebuffers);
+  EXPECT_EQ(count_objects().textures, alone.textures);
+  renderer_.draw(scene_, camera_, target.target());
+  EXPECT_EQ(take_error(), 0U) << "it is made anew where it is wanted again";
+}
+
 }  // namespace
 }  // namespace hallux::tests

@@ -86,6 +86,36 @@ TEST(InboxScreen, AnAnswerIsSentAndCountsNoLonger) {
   EXPECT_EQ((*inbox.drafts)[asking.request["ada"]], "");
 }
 
+TEST(InboxScreen, TheBadgeOfTheNavigationFollowsAnAnswerWithoutATouch) {
+  Asking asking;
+  SomeNavigator navigator;
+  Shell* shell = nullptr;
+  SomeVisitor visitor(std::make_unique<InboxScreen>(visit_of(asking.course, "kim"), navigator,
+                                                    std::make_shared<InboxScreen::Drafts>(),
+                                                    [&](int open) {
+                                                      if (shell != nullptr)
+                                                        shell->set_badge("nav.inbox", open);
+                                                    }));
+  shell = &visitor.shell();
+  shell->set_visitor(
+      Visitor{"Kim", "Instructor", "K", 0, {{"nav.inbox", "Inbox", Icon::Inbox, 2}}});
+  visitor.driver().frame();
+  visitor.driver().click(row_of(asking, "ada"));
+  visitor.finish_work();
+  visitor.driver().click("inbox.answer");
+  visitor.driver().type("The blade was tilted.");
+  visitor.driver().click("inbox.send");
+  visitor.finish_work();
+  const auto shows_badge = [&](std::string_view count) {
+    const Rect row = visitor.driver().widget("nav.inbox").rect;
+    for (const SeenText& seen : visitor.driver().content().texts)
+      if (seen.text == count && row.contains(seen.rect.centre())) return true;
+    return false;
+  };
+  EXPECT_TRUE(shows_badge("1"));
+  EXPECT_TRUE(visitor.driver().sees("Answer sent")) << "the badge takes no message away";
+}
+
 TEST(InboxScreen, IsUsedByKeyboardAlone) {
   Asking asking;
   Inbox inbox(asking);

@@ -107,14 +107,15 @@ SomeOperation some_operation() {
 }
 
 database::AttemptId operated_by(database::SomeCourse& course, const std::string& login,
-                                const SomeOperation& operation, bool is_scored) {
+                                const SomeOperation& operation, bool is_scored,
+                                std::span<const simulator::DisplayFact> facts) {
   database::Database& database = course.database();
   const scenarios::Scenario& scenario = operation.scenario;
   database::NewAttempt begun = course.attempt_of(login);
   begun.scenario = put_scenario_version(
       database, {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
   begun.bone = put_asset(database, "bone", encode_bone(operation.bone));
-  database::AttemptId id = record(database, begun, operation.recording);
+  database::AttemptId id = record(database, begun, operation.recording, facts);
   if (is_scored) {
     store_score(database, id, assessment::assess(scenario, operation.bone, operation.recording),
                 course.id_of(login));

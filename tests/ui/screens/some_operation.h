@@ -21,8 +21,10 @@ struct SomeOperation {
 /// Both faces a few degrees off.
 SomeOperation some_operation();
 
-/// Stores it as the attempt of that person; with its score unless `is_scored` is false.
+/// Stores it as the attempt of that person, with what was on the screen; with its score unless
+/// `is_scored` is false.
 database::AttemptId operated_by(database::SomeCourse& course, const std::string& login,
-                                const SomeOperation& operation, bool is_scored = true);
+                                const SomeOperation& operation, bool is_scored = true,
+                                std::span<const simulator::DisplayFact> facts = {});
 
 }  // namespace hallux::ui

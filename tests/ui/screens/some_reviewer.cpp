@@ -5,8 +5,8 @@
 namespace hallux::ui {
 
 SomeReviewer::SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
-                           float scale)
-    : visitor_(make(navigator_), scale) {
+                           float scale, ScenePainter* painter)
+    : visitor_(make(navigator_), scale, painter) {
   finish();
 }
 

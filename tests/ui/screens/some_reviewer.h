@@ -23,7 +23,7 @@ class SomeReviewer {
  public:
   /// `make` makes the screen, which leads on by that navigator.
   explicit SomeReviewer(const std::function<std::unique_ptr<Screen>(SomeNavigator&)>& make,
-                        float scale = 1.0F);
+                        float scale = 1.0F, ScenePainter* painter = nullptr);
 
   /// What is done starts what is read anew.
   void finish();

@@ -30,9 +30,14 @@ std::shared_ptr<SignedInSession> visit_of(database::SomeCourse& course, const st
       });
 }
 
-SomeVisitor::SomeVisitor(std::unique_ptr<Screen> screen, float scale)
+SomeVisitor::SomeVisitor(std::unique_ptr<Screen> screen, float scale, ScenePainter* painter)
     : driver_(
-          texts_, [this](Ui& ui) { shell_.draw(ui); }, at_scale(scale)) {
+          texts_,
+          [this, painter](Ui& ui) {
+            if (painter == nullptr) return shell_.draw(ui);
+            shell_.draw(ui, *painter);
+          },
+          at_scale(scale)) {
   shell_.set_display_scale(scale);
   shell_.preferences().is_motion_reduced = true;
   shell_.push(std::move(screen));

@@ -15,7 +15,9 @@ std::shared_ptr<SignedInSession> visit_of(database::SomeCourse& course, const st
 
 class SomeVisitor {
  public:
-  explicit SomeVisitor(std::unique_ptr<Screen> screen, float scale = 1.0F);
+  /// A painter that is given is asked for the pictures.
+  explicit SomeVisitor(std::unique_ptr<Screen> screen, float scale = 1.0F,
+                       ScenePainter* painter = nullptr);
 
   Shell& shell() noexcept { return shell_; }
   Driver& driver() noexcept { return driver_; }

@@ -10,6 +10,9 @@
 namespace hallux::ui {
 namespace {
 
+/// What stands for a text that the catalogue has not.
+constexpr std::string_view missing_text = "[missing text]";
+
 [[noreturn]] void refuse(const std::string& fault) {
   ADD_FAILURE() << fault;
   throw std::runtime_error(fault);
@@ -31,7 +34,7 @@ void check_text(const SeenText& seen, std::vector<std::string>& faults) {
   if (leaves_across || leaves_down) faults.push_back("outside its room: \"" + seen.text + "\"");
   if (seen.text.find('{') != std::string::npos)
     faults.push_back("a place without a value: \"" + seen.text + "\"");
-  if (seen.text == "[missing text]") faults.push_back("a text that the catalogue has not");
+  if (seen.text == missing_text) faults.push_back("a text that the catalogue has not");
 }
 
 }  // namespace
@@ -124,8 +127,17 @@ void Driver::press(Key key, Modifiers modifiers) {
   settle();
 }
 
+/// Where an area has caught the pointer, it only goes the way.
+InputEvent Driver::moved_to(Point place) {
+  const Point way{place.x - pointer_.x, place.y - pointer_.y};
+  pointer_ = place;
+  const bool is_captured = !ui_.captured_by().empty();
+  return pointer_event(is_captured ? EventKind::CapturedMoved : EventKind::PointerMoved,
+                       is_captured ? way : place, ui_.scale());
+}
+
 void Driver::move_to(Point place) {
-  queue_.push(pointer_event(EventKind::PointerMoved, place, ui_.scale()));
+  queue_.push(moved_to(place));
   frame();
   settle();
 }
@@ -145,7 +157,8 @@ void Driver::drag(Point from, Point to, MouseButton button) {
   press.button = release.button = button;
   queue_.push(press);
   frame();
-  queue_.push(pointer_event(EventKind::PointerMoved, to, ui_.scale()));
+  pointer_ = from;
+  queue_.push(moved_to(to));
   frame();
   queue_.push(release);
   frame();
@@ -167,6 +180,9 @@ bool Driver::sees(std::string_view words) const {
   for (const SeenText& seen : ui_.shown().texts)
     if (seen.text.find(words) != std::string::npos || seen.whole.find(words) != std::string::npos)
       return true;
+  // A toast breaks its words into lines; its control says them whole.
+  for (const Widget& widget : ui_.shown().widgets)
+    if (widget.layer == Layer::Toast && widget.label.find(words) != std::string::npos) return true;
   return false;
 }
 
@@ -180,6 +196,8 @@ std::vector<std::string> Driver::texts() const {
 std::vector<std::string> Driver::faults() const {
   std::vector<std::string> faults;
   for (const SeenText& seen : ui_.shown().texts) check_text(seen, faults);
+  for (const std::string& id : off_without_reason())
+    faults.push_back("off without a reason: " + id);
   std::set<std::string> ids;
   for (const Widget& widget : ui_.shown().widgets) {
     if (!ids.insert(widget.id).second) faults.push_back("an id twice: " + widget.id);
@@ -188,6 +206,39 @@ std::vector<std::string> Driver::faults() const {
     if (widget.label.empty()) faults.push_back("without a label: " + widget.id);
   }
   return faults;
+}
+
+std::vector<std::string> Driver::off_without_reason() const {
+  std::vector<std::string> ids;
+  for (const Widget& widget : ui_.shown().widgets)
+    if (!widget.is_enabled && (widget.why_off.empty() || widget.why_off == missing_text))
+      ids.push_back(widget.id);
+  return ids;
+}
+
+std::vector<std::string> Driver::covered_by_messages() const {
+  constexpr float view_share = 0.4F;
+  const FrameContent& shown = ui_.shown();
+  const Rect display = ui_.display();
+  const Layer lowest = reachable_layer(shown);
+  std::vector<std::string> covered;
+  for (const Widget& told : shown.widgets) {
+    if (told.layer != Layer::Toast || told.role != Role::Area) continue;
+    const auto note = [&](const std::string& what, Layer layer, const Rect& visible) {
+      const bool counts = layer >= lowest && layer < Layer::Toast;
+      if (counts && !intersection(told.visible, visible).is_empty())
+        covered.push_back(told.id + " over " + what);
+    };
+    for (const Widget& widget : shown.widgets) {
+      const bool is_view = widget.role == Role::Area &&
+                           widget.visible.w * widget.visible.h > view_share * display.w * display.h;
+      const bool is_beside = widget.visible.w >= display.w && widget.visible.h >= display.h;
+      if (widget.role != Role::Scroll && !is_view && !is_beside)
+        note(widget.id, widget.layer, widget.visible);
+    }
+    for (const SeenText& seen : shown.texts) note(seen.text, seen.layer, seen.visible);
+  }
+  return covered;
 }
 
 std::vector<InputEvent> key_events(Key key, Modifiers modifiers) {

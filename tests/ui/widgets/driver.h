@@ -73,17 +73,24 @@ class Driver {
   const FrameContent& content() const { return ui_.shown(); }
   const Widget& widget(std::string_view id) const;
   bool has(std::string_view id) const { return find_widget(ui_.shown(), id) != nullptr; }
-  /// True where a text with these words in it is visible.
+  /// True where a text with these words in it is visible; of a message in whichever lines.
   bool sees(std::string_view words) const;
   std::vector<std::string> texts() const;
   const std::string& focused() const { return ui_.focused(); }
   /// What is wrong with the frame as it is shown: texts cut off or outside their room, places in
-  /// braces without a value, missing texts, an id twice, an enabled control that cannot be seen
-  /// though nothing scrolls it. One line each.
+  /// braces without a value, missing texts, an id twice, a control that cannot be seen though
+  /// nothing scrolls it, one that is off without a reason. One line each.
   std::vector<std::string> faults() const;
+  /// The ids of controls that are off and do not say why.
+  std::vector<std::string> off_without_reason() const;
+  /// Controls by id and texts that lie under a message, on the layers that can be reached; but for
+  /// a view that fills most of the window.
+  std::vector<std::string> covered_by_messages() const;
   Ui& ui() { return ui_; }
   MemoryClipboard& clipboard() { return clipboard_; }
   double time_s() const { return time_s_; }
+  /// The event of a pointer that goes there, in logical pixels.
+  InputEvent moved_to(Point place);
 
  private:
   Point middle_of(std::string_view id);
@@ -94,6 +101,7 @@ class Driver {
   Draw draw_;
   EventQueue queue_;
   float width_, height_;
+  Point pointer_;
   double time_s_ = 0.0;
 };
 

@@ -6,6 +6,7 @@
 #include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/menu.h"
+#include "ui/widgets/controls/toast.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -25,7 +26,7 @@ void draw_button_states(Ui& ui, const Rect& rect) {
     ui.canvas().text({rect.x + 24.0F, y}, {Type::Small, ui.theme().text_secondary}, looks[row]);
     for (std::size_t column = 0; column < states.size(); ++column) {
       ButtonSpec spec{row == 3 ? Words("Erase") : Words("Replay"), static_cast<ButtonLook>(row)};
-      spec.is_enabled = column != 4;
+      if (column == 4) spec.why_off = "Nothing to replay";
       spec.is_busy = column == 5;
       const ControlState state{column == 1 ? 1.0F : 0.0F, column == 2, column == 3};
       draw_button(
@@ -45,7 +46,7 @@ void draw_fields(Ui& ui, const Rect& rect, GalleryState& state) {
   draw_field(ui, {rect.x + 270.0F, rect.y + 44.0F, 226.0F, field_height}, "trainee", {"Focus", ""},
              {}, true);
   FieldSpec disabled{"Disabled", ""};
-  disabled.is_enabled = false;
+  disabled.why_off = "Nobody is chosen";
   field(ui, "gallery.disabled", {rect.x + 24.0F, rect.y + 126.0F, 226.0F, field_height},
         state.disabled, disabled);
   FieldSpec wrong{"Error", ""};

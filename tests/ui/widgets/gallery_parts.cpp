@@ -9,6 +9,7 @@
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/navigation.h"
 #include "ui/widgets/controls/picture_card.h"
+#include "ui/widgets/controls/timeline_view.h"
 
 namespace hallux::ui {
 namespace {
@@ -183,7 +184,8 @@ void draw_larger_parts(Ui& ui, GalleryState& state) {
   });
   draw_message_rows(ui, {x + 590.0F, 824.0F + shift, 570.0F, 290.0F});
   const Rect times = card(ui, {x, 1134.0F + shift, 1160.0F, 280.0F}, "Replay");
-  timeline(ui, "parts.timeline", times, attempt_timeline());
+  TimelineState times_state;
+  timeline(ui, "parts.timeline", times, attempt_timeline(), times_state);
   ui.end_scroll();
 }
 

@@ -28,7 +28,7 @@ std::optional<std::string> draw_rename_screen(Ui& ui, RenameState& state) {
         state.name, name);
   ui.focus_first("rename.name");
   ButtonSpec save{ui.text("rename.save"), ButtonLook::Primary};
-  save.is_enabled = !state.name.empty();
+  if (state.name.empty()) save.why_off = ui.text("rename.missing");
   const Rect foot{content.x, content.bottom() - button_height, button_width(ui, save),
                   button_height};
   if (button(ui, "rename.save", foot, save)) return state.name;
@@ -37,7 +37,9 @@ std::optional<std::string> draw_rename_screen(Ui& ui, RenameState& state) {
 
 class RenameScreen : public testing::TestWithParam<float> {
  protected:
-  const Texts texts_{"rename.title = Rename\nrename.name = Name\nrename.save = Save name\n"};
+  const Texts texts_{
+      "rename.title = Rename\nrename.name = Name\nrename.save = Save name\n"
+      "rename.missing = Write a name first\n"};
   RenameState state_;
   std::optional<std::string> saved_;
   Driver driver_{texts_,

@@ -28,7 +28,8 @@ TEST_F(UiMapFile, NamesWhatCanBeSeenAndReachedButNeverWhatAFieldHolds) {
                   secret.is_secret = true;
                   field(ui, "form.password", {20, 150, 300, 42}, password, secret);
                   ButtonSpec off{"Sign in"};
-                  off.is_enabled = false;
+                  off.why_off = "Type your password first.";
+                  ui.tell("form.hint", "Ask for a code", {20, 300, 100, 20});
                   button(ui, "form.submit", {20, 220, 300, 44}, off);
                   if (is_asking) question(ui, "ask", {"Sure?", "All of it.", "Erase", "Keep"});
                 },
@@ -43,11 +44,16 @@ TEST_F(UiMapFile, NamesWhatCanBeSeenAndReachedButNeverWhatAFieldHolds) {
       nlohmann::json::parse(
           R"({"id":"form.login","label":"Login","x":30,"y":90,"w":450,"h":63,"enabled":true})"));
   EXPECT_EQ(map["widgets"][3]["enabled"], false);
+  EXPECT_EQ(map["widgets"][3]["reason"], "Type your password first.");
+  EXPECT_EQ(map["read_outs"], nlohmann::json::parse(R"([{"id":"form.hint","text":"Ask for a code",
+                                                        "x":30,"y":450,"w":150,"h":30}])"));
+  EXPECT_EQ(map["captured"], "");
   is_asking = true;
   driver.frame();
   driver.settle();
   const nlohmann::json asked = nlohmann::json::parse(ui_map_json(driver.content(), 1.5F));
   ASSERT_EQ(asked["widgets"].size(), 2U) << "what lies below a question cannot be reached";
+  EXPECT_TRUE(asked["read_outs"].empty());
   EXPECT_EQ(asked["widgets"][0]["id"], "ask.keep");
   EXPECT_EQ(map["focus"], "");
   EXPECT_EQ(asked["focus"], "ask.keep") << "the safe answer";

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/ui/widgets/driver.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/choice.h"
@@ -48,7 +50,7 @@ struct TwoPages {
     field(ui, "form.password", {20, 150, 300, 42}, password, secret);
     ui.focus_first("form.login");
     ButtonSpec submit{"Sign in", ButtonLook::Primary};
-    submit.is_enabled = !login.empty() && !password.empty();
+    if (login.empty() || password.empty()) submit.why_off = "Login and password first";
     if (button(ui, "form.submit", {20, 220, 300, 44}, submit)) is_in = true, ++sign_ins;
   }
 };
@@ -103,7 +105,7 @@ TEST(Events, DisabledAndBusyControlsAreNotPressed) {
   int presses = 0;
   Driver driver(no_texts(), [&](Ui& ui) {
     ButtonSpec off{"Off", ButtonLook::Primary}, busy{"Busy", ButtonLook::Primary};
-    off.is_enabled = false;
+    off.why_off = "Nothing to do";
     busy.is_busy = true;
     if (button(ui, "off", {10, 10, 100, 38}, off)) ++presses;
     if (button(ui, "busy", {10, 60, 100, 38}, busy)) ++presses;
@@ -313,7 +315,7 @@ TEST(Areas, TellDragsClicksAndWheel) {
   Driver driver(no_texts(), [&](Ui& ui) {
     seen = ui.area("view", "View", {0, 0, 400, 300});
     dragged.x += seen.dragged[1].x, dragged.y += seen.dragged[1].y;
-    clicks += seen.was_clicked ? 1 : 0;
+    clicks += seen.clicked[0] ? 1 : 0;
     wheel += seen.wheel;
   });
   driver.drag({100, 100}, {160, 130}, MouseButton::Right);
@@ -401,6 +403,78 @@ TEST(Scroll, ARegionInsideAnotherIsBroughtIntoSightWithTheFocus) {
     driver.frame();
     EXPECT_FALSE(driver.widget("row." + std::to_string(tab)).visible.is_empty()) << tab;
   }
+}
+
+TEST(Scroll, ARegionAtItsEndPassesTheWheelToTheOneAroundIt) {
+  const Texts texts = english_texts();
+  ListInPage page;
+  Driver driver(texts, [&](Ui& ui) { page.draw(ui); }, {600.0F, 300.0F, 1.0F});
+  const auto top_of = [&](std::string_view id) { return driver.widget(id).rect.y; };
+  driver.wheel({200.0F, 200.0F}, -6.0F);  // the list comes under the pointer
+  const float list = top_of("list"), row = top_of("row.0");
+  const Point inside{200.0F, list + 40.0F};
+  driver.wheel(inside, -1.0F);
+  EXPECT_EQ(top_of("list"), list) << "first the list";
+  EXPECT_LT(top_of("row.0"), row);
+  for (int turn = 0; turn < 8; ++turn) driver.wheel(inside, -1.0F);
+  EXPECT_LT(top_of("list"), list) << "then the page around it";
+  const float lowest = top_of("list");
+  for (int turn = 0; turn < 40; ++turn) driver.wheel({200.0F, 290.0F}, -1.0F);
+  driver.wheel({200.0F, 20.0F}, 1.0F);
+  EXPECT_GE(top_of("list"), lowest - 600.0F) << "and nothing beyond its own end";
+}
+
+TEST(Scroll, AnAreaThatTurnsNothingLeavesTheWheelToThePage) {
+  const Texts texts = english_texts();
+  float turned = 0.0F, offset = 0.0F;
+  Driver driver(texts, [&](Ui& ui) {
+    offset = ui.begin_scroll("page", "Page", {0.0F, 0.0F, 600.0F, 300.0F}, 900.0F);
+    ui.area("chart", "Chart", {0.0F, 0.0F - offset, 600.0F, 150.0F}, false);
+    turned += ui.area("bone", "Bone", {0.0F, 150.0F - offset, 600.0F, 150.0F}).wheel;
+    ui.end_scroll();
+  });
+  driver.wheel({100.0F, 200.0F}, -1.0F);
+  EXPECT_EQ(turned, -1.0F);
+  EXPECT_EQ(offset, 0.0F);
+  driver.wheel({100.0F, 50.0F}, -1.0F);
+  EXPECT_GT(offset, 0.0F);
+}
+
+TEST(Texts, ThatHadNoRoomAreToldWholeOnceThePointerRestsOnThem) {
+  const Texts texts = english_texts();
+  const std::string name = "Wolfeschlegelsteinhausenbergerdorff the younger, of the second cohort";
+  Driver driver(texts, [&](Ui& ui) {
+    ui.canvas().text_in({20.0F, 20.0F, 120.0F, 24.0F}, {Type::Body, ui.theme().text}, name, true);
+    ui.canvas().text_in({20.0F, 60.0F, 400.0F, 24.0F}, {Type::Body, ui.theme().text}, "14:05",
+                        false, "14:05 +01:00");
+  });
+  const auto is_told = [&](std::string_view words) {
+    for (const SeenText& seen : driver.content().texts)
+      if (seen.layer == Layer::Tooltip && words.find(seen.text) != std::string::npos) return true;
+    return false;
+  };
+  driver.move_to({60.0F, 32.0F});
+  EXPECT_FALSE(is_told(name)) << "not in passing";
+  driver.wait(1.0);
+  EXPECT_TRUE(is_told(name));
+  EXPECT_THAT(driver.faults(), IsEmpty());
+  driver.move_to({40.0F, 72.0F});
+  EXPECT_FALSE(is_told(name));
+  driver.wait(1.0);
+  EXPECT_TRUE(is_told("14:05 +01:00"));
+}
+
+TEST(Fields, TabGoesFromAPasswordToTheButtonAndToTheEyeLast) {
+  TwoPages pages;
+  pages.login = "ada", pages.password = "secret words";
+  Driver driver(no_texts(), [&](Ui& ui) { pages.draw(ui); });
+  driver.click("form.password");
+  driver.press(Key::Tab);
+  EXPECT_EQ(driver.focused(), "form.submit");
+  driver.press(Key::Tab);
+  EXPECT_EQ(driver.focused(), "form.password.eye");
+  driver.press(Key::Tab);
+  EXPECT_EQ(driver.focused(), "form.login");
 }
 
 }  // namespace

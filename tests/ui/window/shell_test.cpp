@@ -284,5 +284,96 @@ TEST_F(ShellJourney, ANarrowOrLargeWindowCutsNothingOff) {
   }
 }
 
+/// A page that is full to its last corner.
+class FullScreen : public Screen {
+ public:
+  explicit FullScreen(WindowChrome around) : around_(around) {}
+  WindowChrome surround() const override { return around_; }
+  void draw(Ui& ui, const Rect& content, Shell&) override {
+    if (around_ == WindowChrome::Badge) {
+      ui.area("full.view", "View", content);
+      for (int panel = 0; panel < 4; ++panel)
+        button(ui, "full.panel." + std::to_string(panel),
+               {panel % 2 == 0 ? 20.0F : content.w - 320.0F, panel < 2 ? 20.0F : content.h - 80.0F,
+                300.0F, 60.0F},
+               {"Panel"});
+      return;
+    }
+    const float offset = ui.begin_scroll("full.page", "Page", content, 4000.0F);
+    for (int row = 0; row < 80; ++row)
+      button(ui, "full.row." + std::to_string(row),
+             {content.x, content.y - offset + 50.0F * static_cast<float>(row), content.w, 48.0F},
+             {"Row"});
+    ui.end_scroll();
+  }
+
+ private:
+  WindowChrome around_;
+};
+
+TEST_F(ShellJourney, NoMessageCoversAControlOrAReadOut) {
+  for (const WindowChrome around :
+       {WindowChrome::Navigation, WindowChrome::Rail, WindowChrome::Badge}) {
+    for (const auto& [width, height] :
+         {std::pair{1440.0F, 900.0F}, {1280.0F, 720.0F}, {1024.0F, 640.0F}}) {
+      shell_.replace_all(std::make_unique<FullScreen>(around));
+      driver_.resize(width, height);
+      for (int count = 0; count < 4; ++count)
+        shell_.say({Meaning::Warn, "Message " + std::to_string(count),
+                    "The backup was written to /srv/courses/autumn/backups/hallux.db", "Seen"});
+      driver_.frame();
+      driver_.settle();
+      EXPECT_THAT(driver_.covered_by_messages(), IsEmpty())
+          << width << " " << static_cast<int>(around);
+      EXPECT_THAT(driver_.faults(), IsEmpty()) << width << " " << static_cast<int>(around);
+      EXPECT_TRUE(driver_.sees("Message 3")) << "the newest is always there";
+      for (int count = 0; count < 4; ++count) {
+        for (const Widget& widget : std::vector<Widget>(driver_.content().widgets))
+          if (widget.id.starts_with("message.") && widget.id.ends_with(".close")) {
+            driver_.click(widget.id);
+            break;
+          }
+        EXPECT_THAT(driver_.covered_by_messages(), IsEmpty()) << width << " " << count;
+      }
+      EXPECT_FALSE(driver_.sees("Message")) << "who waited for room came, too";
+    }
+  }
+}
+
+TEST_F(ShellJourney, AMessageMakesRoomForAMenu) {
+  shell_.say({Meaning::Bad, "Arm does not answer", "Recording paused at 01:04"});
+  driver_.frame();
+  driver_.settle();
+  driver_.click("nav.person");
+  driver_.frame();
+  driver_.settle();
+  const Rect told = driver_.widget("message.0").visible;
+  for (int item = 0; item < 5; ++item)
+    EXPECT_TRUE(
+        intersection(told, driver_.widget("person." + std::to_string(item)).visible).is_empty());
+}
+
+TEST_F(ShellJourney, ALongNameIsCutAndToldWholeOnHover) {
+  const std::string name(120, 'W');
+  shell_.set_visitor(Visitor{name, "Trainee", "W", 0, {{"nav.home", "Home", Icon::Home}}});
+  shell_.replace_all(std::make_unique<FullScreen>(WindowChrome::Badge));
+  driver_.resize(800.0F, 600.0F);
+  driver_.settle();
+  const auto badge = [&]() -> const SeenText* {
+    for (const SeenText& seen : driver_.content().texts)
+      if (seen.whole == name && seen.layer == Layer::Page) return &seen;
+    return nullptr;
+  };
+  ASSERT_NE(badge(), nullptr);
+  EXPECT_LE(badge()->rect.w, 200.0F);
+  driver_.move_to(badge()->rect.centre());
+  driver_.wait(1.0);
+  std::string told;
+  for (const SeenText& seen : driver_.content().texts)
+    if (seen.layer == Layer::Tooltip) told += seen.text;
+  EXPECT_EQ(told, name);
+  EXPECT_THAT(driver_.faults(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace hallux::ui

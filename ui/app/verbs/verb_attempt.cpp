@@ -135,6 +135,7 @@ ordered_json points_json(const std::optional<std::int64_t>& milli) {
 ordered_json attempt_json(const database::AttemptHeader& header) {
   return {{"attempt", header.id.text},
           {"scenario", header.scenario_name},
+          {"number", header.number},
           {"person", header.begun.person ? ordered_json(header.login) : ordered_json()},
           {"hand", header.begun.hand},
           {"seed", header.begun.seed},

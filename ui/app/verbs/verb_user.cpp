@@ -1,7 +1,7 @@
-/// user add, list, passwd, disable, erase, recover. Passwords come from the terminal or as lines of
-/// stdin, never from the command line, which others can see: first that of --as, then the new one.
-/// In a directory without people the first to be added must be an administrator. A recovery needs
-/// the owner of the files instead of a password.
+/// user add, list, passwd, rename, disable, erase, recover. Passwords come from the terminal or as
+/// lines of stdin, never from the command line, which others can see: first that of --as, then the
+/// new one. In a directory without people the first to be added must be an administrator. A
+/// recovery needs the owner of the files instead of a password.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -134,6 +134,14 @@ ExitCode disable_on(const VerbContext& context, const UserOptions& options) {
   return ExitCode::Done;
 }
 
+ExitCode rename_on(const VerbContext& context, const UserOptions& options) {
+  database::Database database = open_kept(context);
+  AdministratorSession administrator = sign_in_to_manage(context, database);
+  administrator.desk.correct_name(options.login, options.display_name);
+  say(context, options.login, "renamed");
+  return ExitCode::Done;
+}
+
 /// The password is asked for once: it signs in, and it proves that it is still the administrator
 /// who erases.
 ExitCode erase_on(const VerbContext& context, const UserOptions& options) {
@@ -220,6 +228,13 @@ void add_user_verb(CLI::App& app, VerbContext& context) {
   disable->add_option("login", options->login, "who")->required();
   disable->add_flag("--enable", options->enable, "let the person sign in again");
   offer(disable, disable_on);
+
+  CLI::App* rename = user->add_subcommand(
+      "rename", "correct the name that is shown; the person is told, the login stays");
+  rename->add_option("login", options->login, "who")->required();
+  rename->add_option("--name", options->display_name, "the right name; \"\" shows the login")
+      ->required();
+  offer(rename, rename_on);
 
   CLI::App* erase = user->add_subcommand(
       "erase", "take all that names a person away, for good; scores stay as a statistic");

@@ -28,6 +28,7 @@
 #include "ui/screens/trainee/history_screen.h"
 #include "ui/screens/trainee/operations_screen.h"
 #include "ui/screens/trainee/questions_screen.h"
+#include "ui/times/local_time.h"
 
 namespace hallux::ui {
 
@@ -180,7 +181,7 @@ void Course::tell_notices() {
   for (std::size_t i = std::min(notices.size(), told_max); i > 0; --i) {
     const database::Notice notice = notices[i - 1];
     shell_.say({Meaning::Warn, notice_text(texts_, notice),
-                texts_.say("notice.at", {{"moment", moment_text(notice.at_utc)}}),
+                texts_.say("notice.at", {{"moment", full_moment_text(notice.at_utc)}}),
                 std::string(texts_.text("notice.seen")),
                 [this, notice, signed_in = signed_in_] { acknowledge(signed_in, notice); }});
   }
@@ -225,12 +226,6 @@ void Course::count_questions() {
       });
 }
 
-void Course::show_badge(int open_questions) {
-  if (!shell_.visitor()) return;
-  Visitor visitor = *shell_.visitor();
-  for (Visitor::Place& place : visitor.places)
-    if (place.id == "nav.inbox") place.badge = open_questions;
-  shell_.set_visitor(std::move(visitor));
-}
+void Course::show_badge(int open_questions) { shell_.set_badge("nav.inbox", open_questions); }
 
 }  // namespace hallux::ui

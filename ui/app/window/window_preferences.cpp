@@ -45,6 +45,8 @@ Preferences read_preferences(const fs::path& data_directory) {
   preferences.is_full_screen = flag(kept, "full_screen", preferences.is_full_screen);
   preferences.is_motion_reduced = flag(kept, "reduced_motion", preferences.is_motion_reduced);
   preferences.is_saw_heard = flag(kept, "saw_sound", preferences.is_saw_heard);
+  preferences.captures_pointer = flag(kept, "captures_pointer", preferences.captures_pointer);
+  preferences.is_left_handed = flag(kept, "left_handed", preferences.is_left_handed);
   return preferences;
 }
 
@@ -55,7 +57,9 @@ void keep_preferences(const fs::path& data_directory, const Preferences& prefere
                           {"scale", preferences.scale},
                           {"full_screen", preferences.is_full_screen},
                           {"reduced_motion", preferences.is_motion_reduced},
-                          {"saw_sound", preferences.is_saw_heard}};
+                          {"saw_sound", preferences.is_saw_heard},
+                          {"captures_pointer", preferences.captures_pointer},
+                          {"left_handed", preferences.is_left_handed}};
   replace_own_file(data_directory / file_name, kept.dump(1) + "\n");
 }
 

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "ui/screens/administrator/audit_text.h"
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/choice.h"
+#include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
 
 namespace hallux::ui {
@@ -21,7 +24,9 @@ using database::AuditLine;
 
 constexpr float side_width = 320.0F, stacked_height = 704.0F, backup_height = 384.0F,
                 roomy_from = 640.0F;
-constexpr std::int32_t lines_per_page = 50;
+constexpr float search_width = 240.0F, search_least = 160.0F, copy_from = 280.0F;
+constexpr double searched_after_s = 0.3;
+constexpr std::int32_t lines_per_page = 50, copied_most = 500;
 
 std::string actor_text(const Ui& ui, const AuditLine& line) {
   return line.actor.empty() ? std::string(ui.text("records.nobody")) : line.actor;
@@ -42,8 +47,9 @@ std::vector<RowColumn<AuditLine>> columns_of(const Ui& ui) {
   using Line = const AuditLine&;
   return {
       {{ui.text("records.when"), 140.0F},
-       [](Line line) { return moment_text(line.at_utc); },
-       small_cell},
+       [](Ui& own, Line line, const Rect& cell) {
+         draw_moment_cell(own, cell, line.at_utc, {Type::Small, own.theme().text_secondary});
+       }},
       {{ui.text("records.who"), 0.0F, 0.8F},
        [&ui](Line line) { return actor_text(ui, line); },
        actor},
@@ -76,13 +82,18 @@ std::string bytes_text(std::int64_t bytes) {
   return text.data();
 }
 
-void AuditScreen::read(Ui& ui, Shell& shell) {
+database::AuditRequest AuditScreen::request() const {
   database::AuditRequest request;
   request.before = before_.back();
   request.lines = lines_per_page;
   request.refused_only = filter_ == 1;
+  request.search = search_;
+  return request;
+}
+
+void AuditScreen::read(Ui& ui, Shell& shell) {
   page_.read(ui, shell, ui.text("records.reading"), signed_in_,
-             [request](database::Session& session) {
+             [request = request()](database::Session& session) {
                return administrator_of(session).audit_page(request);
              });
 }
@@ -98,7 +109,7 @@ void AuditScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   page_head(ui, "records", page,
             course_head(ui, *signed_in_, ui.text("records.title"), ui.text("records.sentence")));
   const Panes panes = panes_of(page, side_width, stacked_height);
-  draw_audit(ui, panes.main);
+  draw_audit(ui, panes.main, shell);
   Rect side = panes.side;
   draw_backup(ui, take_top(side, backup_height, space::between_cards), shell);
   const float origins_height = origins_.height(ui, shell);
@@ -114,15 +125,31 @@ void AuditScreen::read_newest() {
   page_.read_again();
 }
 
-void AuditScreen::draw_audit(Ui& ui, const Rect& rect) {
-  Rect rest = card(ui, rect, {});
-  Rect head = take_top(rest, segmented_height, 6.0F);
+// Search and filter beside the title, which goes where there is no room for it.
+void AuditScreen::draw_head(Ui& ui, Rect head) {
   const std::array<std::string_view, 2> filters{ui.text("records.all"), ui.text("records.refused")};
-  const float width = segmented_width(ui, filters);
-  const bool is_changed =
-      segmented(ui, "records.filter", take_right(head, width, 16.0F), filters, filter_);
-  ui.canvas().text_in(head, {Type::CardTitle, ui.theme().text}, ui.text("records.audit"), true);
-  if (is_changed) read_newest();
+  const Rect filter = take_right(head, segmented_width(ui, filters), 16.0F);
+  if (segmented(ui, "records.filter", filter, filters, filter_)) read_newest();
+  const std::string_view title = ui.text("records.audit");
+  const float words = ui.width_of(Type::CardTitle, title) + 24.0F;
+  if (head.w >= words + search_least)
+    ui.canvas().text_in(take_left(head, words), {Type::CardTitle, ui.theme().text}, title);
+  const Rect place = take_right(head, std::min(search_width, head.w));
+  if (search_field(ui, "records.search", centred(place, place.w, header_button_height), search_,
+                   ui.text("records.search")))
+    typed_s_ = ui.time_s();
+  if (ui.shortcut({Key::Slash}, ui.text("records.search"))) ui.focus("records.search");
+  if (typed_s_ < 0.0) return;
+  const double wait_s = typed_s_ + searched_after_s - ui.time_s();
+  if (wait_s > 0.0 || page_.is_running()) return ui.want_frame_in_s(std::max(wait_s, 0.02));
+  typed_s_ = -1.0;
+  read_newest();
+  ui.want_frame_in_s(0.0);
+}
+
+void AuditScreen::draw_audit(Ui& ui, const Rect& rect, Shell& shell) {
+  Rect rest = card(ui, rect, {});
+  draw_head(ui, take_top(rest, segmented_height, 6.0F));
   if (!page_.draw_until_ready(ui, "records.failed", rest, 8)) return;
   const Rect foot = take_bottom(rest, 40.0F, 4.0F);
   if (page_.value().lines.empty()) {
@@ -131,7 +158,26 @@ void AuditScreen::draw_audit(Ui& ui, const Rect& rect) {
   } else {
     draw_table(ui, rest);
   }
-  draw_pager(ui, foot);
+  draw_pager(ui, foot, shell);
+}
+
+void AuditScreen::copy(Ui& ui, Shell& shell) {
+  database::AuditRequest all = request();
+  all.before.reset();
+  all.lines = copied_most;
+  copying_.start<database::AuditPage>(
+      shell, signed_in_,
+      {std::string(ui.text("records.copying")), std::string(ui.text("records.not_copied"))},
+      [all](database::Session& session, WorkReport&) {
+        return administrator_of(session).audit_page(all);
+      },
+      [this, &shell, texts = &ui.texts()](database::AuditPage& page) {
+        copied_ = audit_csv(*texts, page.lines);
+        shell.say({Meaning::Good,
+                   texts->say_count("records.copied", static_cast<long>(page.lines.size())),
+                   std::string(page.older ? texts->text("records.copied.newest")
+                                          : texts->text("history.copied.detail"))});
+      });
 }
 
 void AuditScreen::draw_table(Ui& ui, const Rect& content) {
@@ -162,7 +208,7 @@ void AuditScreen::draw_line(Ui& ui, const Rect& rect) const {
   const std::string title =
       ui.texts().say("records.line", {{"number", grouped(static_cast<long>(chosen->number))}});
   Rect rest = card(ui, rect, title, space::side_card);
-  fact_line(ui, rest, ui.text("records.when"), moment_text(chosen->at_utc));
+  fact_moment(ui, rest, ui.text("records.when"), chosen->at_utc);
   fact_line(ui, rest, ui.text("records.who"), actor_text(ui, *chosen));
   fact_line(ui, rest, ui.text("records.outcome"),
             ui.text(chosen->was_refused ? "records.outcome.refused" : "records.outcome.done"));
@@ -177,21 +223,27 @@ void AuditScreen::draw_line(Ui& ui, const Rect& rect) const {
   ui.end_scroll();
 }
 
-void AuditScreen::draw_pager(Ui& ui, const Rect& line) {
+void AuditScreen::draw_pager(Ui& ui, const Rect& line, Shell& shell) {
   const database::AuditPage& page = page_.value();
   const long first = static_cast<long>(before_.size() - 1) * lines_per_page;
   const auto count = static_cast<long>(page.lines.size());
   Rect rest = line;
   ButtonSpec older{ui.text("records.older"), ButtonLook::Secondary},
       newer{ui.text("records.newer"), ButtonLook::Secondary};
-  older.is_enabled = page.older.has_value() && !page_.is_new();
-  newer.is_enabled = before_.size() > 1 && !page_.is_new();
+  if (!page.older) older.why_off = ui.text("records.older.none");
+  if (before_.size() <= 1) newer.why_off = ui.text("records.newer.none");
+  if (page_.is_new()) older.why_off = newer.why_off = ui.text("records.reading");
   const auto place = [&](const ButtonSpec& spec) {
     const Rect strip = take_right(rest, button_width(ui, spec), 8.0F);
     return Rect{strip.x, strip.y + 4.0F, strip.w, header_button_height};
   };
   const bool to_older = button(ui, "records.older", place(older), older);
   const bool to_newer = button(ui, "records.newer", place(newer), newer);
+  ButtonSpec csv{ui.text("records.copy"), ButtonLook::Secondary, Icon::Copy};
+  csv.is_busy = copying_.is_running();
+  if (rest.w > copy_from && button(ui, "records.copy", place(csv), csv)) copy(ui, shell);
+  if (const std::optional<std::string> copied = std::exchange(copied_, std::nullopt))
+    ui.clipboard().write(*copied);
   ui.canvas().text_in(
       rest, {Type::Small, ui.theme().text_caption},
       ui.texts().say("records.range", {{"first", grouped(count > 0 ? first + 1 : 0)},
@@ -229,16 +281,17 @@ void AuditScreen::draw_last_backup(Ui& ui, Rect& rest, Shell& shell) {
     return;
   }
   const database::Backup& last = backups.front();
-  const std::string when = ui.texts().say(
-      "records.backup.last", {{"moment", moment_text(backup_moment(last.file.filename().string()))},
-                              {"ago", ago_text(ui.texts(), last.made_utc, utc_now_text())},
-                              {"size", bytes_text(last.bytes)}});
+  const std::string when =
+      ui.texts().say("records.backup.last",
+                     {{"moment", full_moment_text(backup_moment(last.file.filename().string()))},
+                      {"ago", ago_text(ui.texts(), last.made_utc, utc_now_text())},
+                      {"size", bytes_text(last.bytes)}});
   text_line(ui, rest, Type::SmallMedium, ui.theme().text, when, 4.0F);
   if (backups.size() > 1) {
     text_line(ui, rest, Type::Small, ui.theme().text_secondary,
               ui.texts().say("records.backup.kept",
                              {{"count", grouped(static_cast<long>(backups.size()))},
-                              {"moment", moment_text(backups.back().made_utc)}}),
+                              {"moment", full_moment_text(backups.back().made_utc)}}),
               4.0F);
   }
   text_line(ui, rest, Type::Small, ui.theme().text_caption, last.file.string(), 10.0F);

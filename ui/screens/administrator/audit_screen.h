@@ -22,12 +22,16 @@ class AuditScreen : public Screen {
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
+  database::AuditRequest request() const;
   void read(Ui& ui, Shell& shell);
+  void draw_head(Ui& ui, Rect head);
+  /// Reads what fits as many lines as there may be, and puts them on the clipboard.
+  void copy(Ui& ui, Shell& shell);
   /// Goes back to the first page, which is read again.
   void read_newest();
-  void draw_audit(Ui& ui, const Rect& rect);
+  void draw_audit(Ui& ui, const Rect& rect, Shell& shell);
   void draw_table(Ui& ui, const Rect& content);
-  void draw_pager(Ui& ui, const Rect& line);
+  void draw_pager(Ui& ui, const Rect& line, Shell& shell);
   void draw_line(Ui& ui, const Rect& rect) const;
   void draw_backup(Ui& ui, const Rect& rect, Shell& shell);
   void draw_last_backup(Ui& ui, Rect& rest, Shell& shell);
@@ -41,10 +45,15 @@ class AuditScreen : public Screen {
   std::vector<std::optional<std::int64_t>> before_{std::nullopt};
   /// 0 all, 1 refused only.
   int filter_ = 0;
+  std::string search_;
+  /// Frame time at which something was typed that was not searched for yet; below 0: nothing.
+  double typed_s_ = -1.0;
   TableState table_;
   /// Number of the line whose words are shown; 0: none.
   std::int64_t chosen_ = 0;
-  DeskWork backing_up_;
+  DeskWork backing_up_, copying_;
+  /// Copied, for the clipboard of the next frame.
+  std::optional<std::string> copied_;
   RetentionDialogs retention_;
   OriginsCard origins_;
 };

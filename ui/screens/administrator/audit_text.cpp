@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "database/text/csv_text.h"
+
 namespace hallux::ui {
 
 namespace {
@@ -28,6 +30,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"password_set", "audit.password_set"},
     {"person_disabled", "audit.person_disabled"},
     {"person_enabled", "audit.person_enabled"},
+    {"name_corrected", "audit.name_corrected"},
     {"administrator_made", "audit.administrator_made"},
     {"administrator_unmade", "audit.administrator_unmade"},
     {"cohort_added", "audit.cohort_added"},
@@ -39,6 +42,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"scenario_retired", "audit.scenario_retired"},
     {"attempt_begun", "audit.attempt_begun"},
     {"attempt_sealed", "audit.attempt_sealed"},
+    {"attempt_abandoned", "audit.attempt_abandoned"},
     {"attempt_viewed", "audit.attempt_viewed"},
     {"score_stored", "audit.score_stored"},
     {"note_written", "audit.note_written"},
@@ -93,6 +97,7 @@ constexpr auto tries = std::to_array<Deed>({
     {"add_person", "audit.add_person"},
     {"list_people", "audit.list_people"},
     {"disable_person", "audit.disable_person"},
+    {"correct_name", "audit.correct_name"},
     {"change_role", "audit.change_role"},
     {"add_cohort", "audit.add_cohort"},
     {"list_cohorts", "audit.list_cohorts"},
@@ -164,7 +169,22 @@ std::string subject_text(const Texts& texts, const database::AuditLine& line) {
   const std::string named = named_subject(texts, line);
   if (line.text.empty()) return named;
   if (named.empty()) return line.text;
+  if (line.action == "name_corrected" && !line.was_refused)
+    return texts.say("audit.name_before", {{"subject", named}, {"name", line.text}});
   return texts.say("audit.subject_and_text", {{"subject", named}, {"text", line.text}});
+}
+
+std::string audit_csv(const Texts& texts, const std::vector<database::AuditLine>& lines) {
+  std::string csv = "entry,at_utc,by,code,did,outcome,to\n";
+  for (const database::AuditLine& line : lines) {
+    csv += std::to_string(line.number) + "," + line.at_utc;
+    for (const std::string& cell :
+         {line.actor, line.action, deed_text(texts, line),
+          std::string(line.was_refused ? "refused" : "done"), subject_text(texts, line)})
+      csv += "," + database::csv_cell(cell);
+    csv += "\n";
+  }
+  return csv;
 }
 
 std::vector<std::string_view> known_deeds() {

@@ -17,6 +17,10 @@ std::string deed_text(const Texts& texts, const database::AuditLine& line);
 /// some.
 std::string subject_text(const Texts& texts, const database::AuditLine& line);
 
+/// Lines for a spreadsheet, with a head: "entry,at_utc,by,code,did,outcome,to". Codes are kept
+/// beside the words; times stay UTC.
+std::string audit_csv(const Texts& texts, const std::vector<database::AuditLine>& lines);
+
 /// Every code with words.
 std::vector<std::string_view> known_deeds();
 

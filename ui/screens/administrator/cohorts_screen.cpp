@@ -155,7 +155,10 @@ void CohortsScreen::draw_member_table(Ui& ui, const Rect& content, const Listed&
        {{ui.text("people.role"), 96.0F},
         [&ui](Member member) { return std::string(ui.text(role_id(member.role))); }},
        {{ui.text("cohorts.since"), 140.0F, 1.0F, Align::Left, since_from},
-        [](Member member) { return moment_text(member.enrolled_utc); }}}};
+        [](Ui& own, Member member, const Rect& cell) {
+          draw_moment_cell(own, cell, member.enrolled_utc,
+                           {Type::Body, own.theme().text_secondary});
+        }}}};
   member_table_.chosen.clear();
   if (!member_.empty()) member_table_.chosen.insert(member_);
   const TableResponse response =
@@ -201,7 +204,8 @@ void CohortsScreen::draw_add_dialog(Ui& ui, Shell& shell) {
                     .placeholder = ui.text("cohorts.new.example"),
                     .max_bytes = 80});
     ui.focus_first("cohorts.new.name");
-    return new_name_->find_first_not_of(' ') != std::string::npos;
+    const bool has_name = new_name_->find_first_not_of(' ') != std::string::npos;
+    return has_name ? std::string_view() : ui.text("people.missing.name");
   });
   if (answer == Answer::Act) add(ui, shell);
   if (answer == Answer::Keep) new_name_.reset();
@@ -233,7 +237,7 @@ void CohortsScreen::draw_enrol_dialog(Ui& ui, Shell& shell) {
                                    field_height + list_height + segmented_height + 2.0F * gap);
   const Answer answer = dialog(ui, "cohorts.enrolment", shown, [&](const Rect& form) {
     draw_enrol_form(ui, form, *listed);
-    return !enrolment_->table.chosen.empty();
+    return enrolment_->table.chosen.empty() ? ui.text("cohorts.enrol.missing") : std::string_view();
   });
   if (answer == Answer::Act) enrol(ui, shell, listed->cohort);
   if (answer == Answer::Keep) enrolment_.reset();

@@ -20,7 +20,7 @@ namespace {
 
 using database::Person;
 
-constexpr ListPageSpec page_spec{312.0F, 1.0F, 660.0F, 480.0F, 760.0F};
+constexpr ListPageSpec page_spec{312.0F, 1.0F, 752.0F, 480.0F, 852.0F};
 constexpr float search_width = 220.0F, roomy_from = 700.0F;
 
 bool can_administer(const Person& person) noexcept {
@@ -218,9 +218,11 @@ void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
                       {Type::CardTitle, ui.theme().text}, name, true);
   draw_facts(ui, rest, *listed);
   take_top(rest, 12.0F);
+  draw_rename_button(ui, rest, *listed);
   draw_code_button(ui, rest, *listed);
   draw_role_button(ui, rest, *listed, shell);
   draw_disable_button(ui, rest, *listed, shell);
+  draw_export_button(ui, rest, *listed);
   draw_erase_button(ui, rest, *listed);
 }
 
@@ -233,10 +235,10 @@ void PeopleScreen::draw_facts(Ui& ui, Rect& rest, const Listed& listed) const {
       listed.cohorts.empty() ? ui.text("people.no_cohort") : std::string_view(listed.cohorts));
   fact_line(ui, rest, ui.text("people.state"), ui.text(admission_id(listed.admission)));
   if (listed.admission == Admission::Invited)
-    fact_line(ui, rest, ui.text("people.code_until"), moment_text(person.code_expires_utc));
+    fact_moment(ui, rest, ui.text("people.code_until"), person.code_expires_utc);
   fact_line(ui, rest, ui.text("people.seen"),
             ago_text(ui.texts(), person.last_sign_in_utc, now_utc_));
-  fact_line(ui, rest, ui.text("people.added"), moment_text(person.created_utc));
+  fact_moment(ui, rest, ui.text("people.added"), person.created_utc);
 }
 
 namespace {
@@ -244,13 +246,20 @@ namespace {
 /// A button over the width of the card, and why it cannot be pressed where that is so.
 bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
                  std::string_view why_not) {
-  spec.is_enabled = why_not.empty();
+  spec.why_off = why_not;
   const bool is_pressed = button(ui, id, take_top(rest, button_height, 8.0F), spec);
   if (!why_not.empty()) text_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
   return is_pressed;
 }
 
 }  // namespace
+
+void PeopleScreen::draw_rename_button(Ui& ui, Rect& rest, const Listed& listed) {
+  const std::string& name = listed.person.display_name;
+  if (!wide_button(ui, "people.rename", rest, {ui.text("people.rename")}, {})) return;
+  renamed_ = NameForm{listed.person.login, name, name};
+  renaming_.forget_fault();
+}
 
 void PeopleScreen::draw_code_button(Ui& ui, Rect& rest, const Listed& listed) {
   const bool is_self = listed.person.id == signed_in_->person().id;
@@ -296,6 +305,22 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
     asked_ = Asked{Asked::Deed::Disable, login};
 }
 
+void PeopleScreen::draw_export_button(Ui& ui, Rect& rest, const Listed& listed) {
+  if (!wide_button(ui, "people.export", rest, {ui.text("people.export")}, {})) return;
+  exported_ = listed.person.login;
+  exporting_.open();
+}
+
+void PeopleScreen::draw_export(Ui& ui, Shell& shell) {
+  const std::string title = ui.texts().say("people.export.title", {{"login", exported_}});
+  exporting_.draw(
+      ui, shell, signed_in_, {"people.export", title, ui.text("people.export.sentence")},
+      [login = exported_](database::Session& session, const std::filesystem::path& folder,
+                          const Progress& progress) {
+        return administrator_of(session).export_person(login, folder, progress);
+      });
+}
+
 void PeopleScreen::draw_erase_button(Ui& ui, Rect& rest, const Listed& listed) {
   const bool is_self = listed.person.id == signed_in_->person().id;
   const std::string_view why_not = is_self ? ui.text("people.erase.own") : std::string_view();
@@ -307,6 +332,7 @@ void PeopleScreen::draw_erase_button(Ui& ui, Rect& rest, const Listed& listed) {
 }
 
 void PeopleScreen::draw_dialogs(Ui& ui, Shell& shell) {
+  if (exporting_.is_open()) return draw_export(ui, shell);
   if (erased_) {
     const Answer answer = draw_erase_dialog(ui, *erased_, erasing_.fault(), erasing_.is_running());
     if (answer == Answer::Act) erase(ui, shell);
@@ -320,6 +346,13 @@ void PeopleScreen::draw_dialogs(Ui& ui, Shell& shell) {
                  std::string(ui.text("people.code.copied.sentence"))});
     if (answer == CodeAnswer::Done) code_.reset();
     if (answer != CodeAnswer::Waiting) ui.want_frame_in_s(0.0);
+    return;
+  }
+  if (renamed_) {
+    const Answer answer =
+        draw_name_dialog(ui, *renamed_, renaming_.fault(), renaming_.is_running());
+    if (answer == Answer::Act) rename(ui, shell);
+    if (answer == Answer::Keep) renamed_.reset();
     return;
   }
   if (!added_) return;
@@ -380,6 +413,22 @@ void PeopleScreen::reset(Ui& ui, Shell& shell, const std::string& login) {
       },
       [this, login](database::IssuedCode& issued) {
         code_.emplace(ShownCode{login, std::move(issued)});
+        people_.read_again();
+      });
+}
+
+void PeopleScreen::rename(Ui& ui, Shell& shell) {
+  if (renaming_.is_running()) return;
+  renaming_.change(
+      shell, signed_in_, {std::string(ui.text("people.changing")), {}},
+      [form = *renamed_](database::Session& session) {
+        administrator_of(session).correct_name(form.login, form.name);
+      },
+      [this, &shell,
+       said = ui.texts().say("people.renamed",
+                             {{"login", renamed_->login}, {"name", renamed_->name}})] {
+        renamed_.reset();
+        shell.say({Meaning::Good, said});
         people_.read_again();
       });
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/export_dialog.h"
 #include "ui/screens/parts/loaded.h"
 #include "ui/screens/parts/person_dialogs.h"
 #include "ui/widgets/controls/row_table.h"
@@ -65,14 +66,18 @@ class PeopleScreen : public Screen {
   void draw_table(Ui& ui, const Rect& content, std::vector<const Listed*> shown);
   void draw_person(Ui& ui, const Rect& content, Shell& shell);
   void draw_facts(Ui& ui, Rect& rest, const Listed& listed) const;
+  void draw_rename_button(Ui& ui, Rect& rest, const Listed& listed);
   void draw_code_button(Ui& ui, Rect& rest, const Listed& listed);
   void draw_role_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
   void draw_disable_button(Ui& ui, Rect& rest, const Listed& listed, Shell& shell);
+  void draw_export_button(Ui& ui, Rect& rest, const Listed& listed);
   void draw_erase_button(Ui& ui, Rect& rest, const Listed& listed);
+  void draw_export(Ui& ui, Shell& shell);
   void draw_dialogs(Ui& ui, Shell& shell);
   void draw_question(Ui& ui, Shell& shell);
   void add(Ui& ui, Shell& shell);
   void reset(Ui& ui, Shell& shell, const std::string& login);
+  void rename(Ui& ui, Shell& shell);
   void erase(Ui& ui, Shell& shell);
   /// Says `done` and reads the list anew once `change` was made.
   void change(Ui& ui, Shell& shell, std::string done,
@@ -86,10 +91,14 @@ class PeopleScreen : public Screen {
   TableState table_;
   /// Login.
   std::string chosen_;
-  DeskWork work_, adding_, erasing_;
+  DeskWork work_, adding_, renaming_, erasing_;
   std::optional<NewPersonForm> added_;
+  std::optional<NameForm> renamed_;
   std::optional<ShownCode> code_;
   std::optional<Asked> asked_;
+  /// Of whom, while its dialog is open.
+  std::string exported_;
+  ExportDialog exporting_;
   /// While the dialog is open.
   std::optional<EraseForm> erased_;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/screens/administrator/audit_screen.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
 
@@ -47,7 +48,7 @@ std::string line_of(const Texts& texts, const RetentionPiece& piece) {
   const std::string whose = piece.login.empty() ? piece.name.substr(0, 12) : piece.login;
   return texts.say("records.retention.piece", {{"kind", std::string(kind)},
                                                {"whose", whose},
-                                               {"since", piece.since_utc.substr(0, 10)},
+                                               {"since", date_text(piece.since_utc)},
                                                {"size", bytes_text(piece.bytes)}});
 }
 
@@ -106,7 +107,7 @@ void RetentionDialogs::draw_days(Ui& ui, Shell& shell) {
       are_days = are_days && is_days((*days_)[i]);
     }
     ui.focus_first(field_ids[0]);
-    return are_days;
+    return are_days ? std::string_view() : ui.text("records.retention.missing");
   });
   if (answer == Answer::Keep) days_.reset();
   if (answer == Answer::Act) save(ui, shell);
@@ -152,7 +153,7 @@ void RetentionDialogs::draw_plan(Ui& ui, Shell& shell) {
       line.y += row_height;
     }
     ui.end_scroll();
-    return true;
+    return std::string_view();
   });
   if (answer == Answer::Keep) plan_.reset();
   if (answer == Answer::Act) clean_up(ui, shell);

@@ -9,6 +9,7 @@
 #include "ui/jobs/course/scenario_jobs.h"
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
 #include "ui/widgets/controls/marks.h"
@@ -212,8 +213,8 @@ void ScenariosScreen::draw_chosen(Ui& ui, const Rect& rect, Shell& shell) {
                       name_text(ui.texts(), *version), true);
   const std::string since =
       version->changed_by.empty()
-          ? moment_text(version->since_utc)
-          : ui.texts().say("scenarios.since", {{"moment", moment_text(version->since_utc)},
+          ? full_moment_text(version->since_utc)
+          : ui.texts().say("scenarios.since", {{"moment", full_moment_text(version->since_utc)},
                                                {"person", version->changed_by}});
   fact_line(ui, rest, ui.text("scenarios.state"), ui.text(state_id(version->state)));
   fact_line(ui, rest, ui.text("scenarios.since_when"), since);
@@ -238,7 +239,17 @@ void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& ve
 }
 
 void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
-  if (!file_) return;
+  if (!file_) {
+    file_ = ui.take_dropped();
+    if (!file_) return;
+    importing_.forget_fault();
+  }
+  if (chooser_.is_open()) {
+    const auto chosen =
+        chooser_.draw(ui, shell, {ui.text("path.file.title"), ui.text("path.file.act"), ".json"});
+    if (chosen) file_ = *chosen;
+    return;
+  }
   const std::string error = importing_.fault().empty() ? std::string()
                                                        : std::string(ui.text("scenarios.refused")) +
                                                              "\n" + importing_.fault();
@@ -247,13 +258,14 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
   shown.sentence = ui.text("scenarios.import.sentence");
   shown.width = 620.0F;
   const Answer answer = dialog(ui, "scenarios.file", shown, [&](Rect form) {
-    labelled_field(ui, "scenarios.file.path", form, *file_,
-                   {.label = ui.text("scenarios.file"),
-                    .placeholder = ui.text("scenarios.file.example"),
-                    .is_enabled = !importing_.is_running(),
-                    .max_bytes = 1000});
+    path_field(ui, "scenarios.file.path", form, *file_,
+               {.label = ui.text("scenarios.file"),
+                .placeholder = ui.text("scenarios.file.example"),
+                .why_off = importing_.is_running() ? ui.text("button.busy") : std::string_view(),
+                .max_bytes = 1000},
+               chooser_);
     ui.focus_first("scenarios.file.path");
-    return !file_->empty();
+    return file_->empty() ? ui.text("path.missing.file") : std::string_view();
   });
   if (answer == Answer::Act) import(ui, shell);
   if (answer == Answer::Keep) file_.reset();
@@ -262,7 +274,7 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
 void ScenariosScreen::import(Ui& ui, Shell& shell) {
   importing_.start<database::ScenarioVersionId>(
       shell, signed_in_, {std::string(ui.text("scenarios.checking")), {}},
-      [file = std::filesystem::path(*file_)](database::Session& session, WorkReport&) {
+      [file = typed_path(*file_, home_folder())](database::Session& session, WorkReport&) {
         database::AdministratorDesk desk = administrator_of(session);
         return import_scenario_file(desk, file);
       },

@@ -8,6 +8,7 @@
 
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/loaded.h"
+#include "ui/screens/parts/path_dialog.h"
 #include "ui/widgets/controls/row_table.h"
 
 namespace hallux::ui {
@@ -48,6 +49,7 @@ class ScenariosScreen : public Screen {
   TableState table_;
   /// While one is imported.
   std::optional<std::string> file_;
+  PathDialog chooser_;
   std::optional<Asked> asked_;
   DeskWork work_, importing_;
 };

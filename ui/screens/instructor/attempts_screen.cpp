@@ -1,7 +1,9 @@
 #include "ui/screens/instructor/attempts_screen.h"
 
 #include "ui/screens/parts/attempt_marks.h"
+#include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/card.h"
 
 namespace hallux::ui {
@@ -25,9 +27,9 @@ std::vector<RowColumn<AttemptHeader>> columns_of(const Ui& ui) {
   const auto order = by(&AttemptHeader::order);
   return {
       {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, number_from},
-       [](Attempt attempt) { return grouped(static_cast<long>(attempt.order)); },
+       [](Attempt attempt) { return grouped(static_cast<long>(attempt.number)); },
        caption_cell,
-       order},
+       by(&AttemptHeader::number)},
       {{ui.text("attempts.operation"), 0.0F, 1.4F},
        &AttemptHeader::scenario_name,
        name_cell,
@@ -37,8 +39,10 @@ std::vector<RowColumn<AttemptHeader>> columns_of(const Ui& ui) {
        plain_cell,
        by(&AttemptHeader::login)},
       {{ui.text("attempts.started"), 160.0F},
-       [](Attempt attempt) { return moment_text(attempt.started_utc); },
-       plain_cell,
+       [](Ui& own, Attempt attempt, const Rect& cell) {
+         draw_moment_cell(own, cell, attempt.started_utc, {Type::Body, own.theme().text_secondary});
+       },
+       {},
        order},
       {{ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, kind_from},
        [&ui](Attempt attempt) { return std::string(kind_text(ui, attempt)); }},

@@ -16,6 +16,7 @@
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/person_cell.h"
 #include "ui/screens/parts/standing.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/menu.h"
@@ -199,7 +200,8 @@ void CohortScreen::draw_head(Ui& ui, Rect& page) {
       course_head(ui, *signed_in_,
                   is_ready ? glance_.value().cohort.name : taught_[cohort_].cohort_name, sentence);
   const ButtonSpec other{ui.text("cohort.other"), ButtonLook::Secondary, Icon::SortDown};
-  const ButtonSpec limit{ui.text("limits.open"), ButtonLook::Secondary, Icon::None, is_ready};
+  const ButtonSpec limit{.label = ui.text("limits.open"),
+                         .why_off = is_ready ? std::string_view() : ui.text("cohort.reading")};
   const float limit_width = button_width(ui, limit);
   head.buttons_width = limit_width;
   if (taught_.size() > 1) head.buttons_width += button_width(ui, other) + button_gap;
@@ -461,6 +463,7 @@ void CohortScreen::draw_last_attempts(Ui& ui, const Rect& rect) {
     const std::string what =
         ui.texts().say("cohort.attempt",
                        {{"operation", operation_text(last.header.scenario_name)},
+                        {"number", grouped(static_cast<long>(last.header.number))},
                         {"when", ago_text(ui.texts(), last.header.started_utc, glance.now_utc)}});
     if (row_control(ui, "cohort.attempt." + std::to_string(last.header.order), what,
                     "cohort.attempts", row))

@@ -63,8 +63,10 @@ const InboxRequest* InboxScreen::chosen() const {
 
 void InboxScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (inbox_.is_new()) read(ui, shell);
-  if (inbox_.is_ready() && !std::exchange(is_counted_, true) && counted_)
+  if (inbox_.is_ready() && !std::exchange(is_counted_, true) && counted_) {
     counted_(count_open(inbox_.value()));
+    ui.want_frame_in_s(0.0);  // the navigation was drawn before
+  }
   const ListPage page(
       ui, "inbox", course_head(ui, *signed_in_, ui.text("inbox.title"), ui.text("inbox.sentence")),
       content, page_spec);
@@ -138,11 +140,12 @@ void InboxScreen::draw_answer(Ui& ui, Rect& rest, const InboxRequest& chosen, Sh
   take_top(rest, field_label_height);
   field(ui, "inbox.answer", take_top(rest, answer_height, 12.0F), draft,
         {.label = ui.text("inbox.answer"),
-         .is_enabled = !work_.is_running(),
+         .why_off = work_.is_running() ? ui.text("button.busy") : std::string_view(),
          .lines = 4,
          .max_bytes = 2000});
   ButtonSpec send{ui.text("inbox.send"), ButtonLook::Primary, Icon::Send};
-  send.is_enabled = draft.find_first_not_of(" \n\t") != std::string::npos;
+  if (draft.find_first_not_of(" \n\t") == std::string::npos)
+    send.why_off = ui.text("inbox.answer.missing");
   send.is_busy = work_.is_running();
   if (button_in_line(ui, "inbox.send", take_top(rest, button_height, 12.0F), send))
     answer(ui, shell, chosen);

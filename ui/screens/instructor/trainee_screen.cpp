@@ -47,13 +47,15 @@ std::vector<RowColumn<AttemptHeader>> columns_of(const Ui& ui) {
   using Attempt = const AttemptHeader&;
   return {
       {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right, roomy_from},
-       [](Attempt attempt) { return grouped(static_cast<long>(attempt.order)); },
+       [](Attempt attempt) { return grouped(static_cast<long>(attempt.number)); },
        caption_cell},
       {{ui.text("attempts.operation")},
        [](Attempt attempt) { return operation_text(attempt.scenario_name); },
        name_cell},
       {{ui.text("attempts.started"), 150.0F},
-       [](Attempt attempt) { return moment_text(attempt.started_utc); }},
+       [](Ui& own, Attempt attempt, const Rect& cell) {
+         draw_moment_cell(own, cell, attempt.started_utc, {Type::Body, own.theme().text_secondary});
+       }},
       {{ui.text("attempts.kind"), 104.0F, 1.0F, Align::Left, roomy_from},
        [&ui](Attempt attempt) { return std::string(kind_text(ui, attempt)); }},
       {{ui.text("attempts.state"), 150.0F, 1.0F, Align::Left, roomy_from}, draw_attempt_state},

@@ -1,6 +1,8 @@
 #include "ui/screens/operating/hud_facts.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "simulator/record/sample_force.h"
 
@@ -8,8 +10,12 @@ namespace hallux::ui {
 
 namespace {
 
+using scenarios::HeldCut;
 using scenarios::StepKind;
 using simulator::ToolStatus;
+
+/// Nearer than this the teeth touch.
+constexpr double touching_mm = 0.05;
 
 /// Of the button of such a step, as the id of a text.
 std::string_view verb_of(StepKind kind) noexcept {
@@ -19,40 +25,169 @@ std::string_view verb_of(StepKind kind) noexcept {
                                     : "operate.step.done";
 }
 
-void add_steps(OperatingHud& hud, const Texts& texts, const OperatingSession& session) {
-  const StepProgress& steps = session.steps();
+RigidTransform bone_from_tool(const HudSources& from) {
+  return inverse(from.prepared_case.bone.world_from_bone) *
+         transform_from(from.loop.sample.world_from_tool);
+}
+
+// -- why a step does nothing yet
+
+/// The cut that still holds; of several the one that holds most. Null where all are open.
+const HeldCut* most_held(const SiteFacts& site) {
+  const auto most =
+      std::max_element(site.cuts.begin(), site.cuts.end(),
+                       [](const HeldCut& a, const HeldCut& b) { return a.share < b.share; });
+  return most == site.cuts.end() || most->is_through() ? nullptr : &*most;
+}
+
+std::string why_nothing_free(const HudSources& from) {
+  const Texts& texts = from.texts;
+  if (!from.session.is_practice()) return std::string(texts.text("operate.why.holds_plain"));
+  if (from.site == nullptr) return std::string(texts.text("operate.hint.wait"));
+  const bool is_any_begun = std::any_of(from.site->cuts.begin(), from.site->cuts.end(),
+                                        [](const HeldCut& cut) { return cut.is_begun(); });
+  if (!is_any_begun) return std::string(texts.text("operate.why.not_sawn"));
+  if (const HeldCut* held = most_held(*from.site)) return held_text(texts, *held);
+  return std::string(
+      texts.text(from.site->are_pieces_due ? "operate.why.draw_out" : "operate.why.not_met"));
+}
+
+std::string why_step_off(const HudSources& from) {
+  const StepProgress& steps = from.session.steps();
+  if (from.session.pausing().is_paused()) return std::string(from.texts.text("operate.why.paused"));
+  if (steps.is_waiting() || steps.is_ready()) return {};
+  return why_nothing_free(from);
+}
+
+void add_steps(OperatingHud& hud, const HudSources& from) {
+  const StepProgress& steps = from.session.steps();
+  const std::vector<scenarios::OperationStep>& all = from.prepared_case.scenario.steps;
+  for (std::size_t step = 0; step < all.size(); ++step)
+    hud.steps.push_back({all[step].title, steps.is_done(step), steps.can_reopen(step)});
   hud.step = steps.step();
   if (!steps.kind()) return;
-  hud.step_action = texts.text(verb_of(*steps.kind()));
+  hud.step_action = from.texts.text(verb_of(*steps.kind()));
   hud.is_step_busy = steps.is_waiting();
-  hud.is_step_ready = !session.pausing().is_paused() && steps.is_ready();
+  hud.why_step_off = why_step_off(from);
+}
+
+// -- what is told beside the teeth
+
+std::string way_text(const Texts& texts, std::string_view id, double way_mm) {
+  return texts.say(id, {{"way", decimal_text(way_mm) + " mm"}});
+}
+
+/// Whether the teeth touch bone, as the hand feels it.
+std::string contact_line(const HudSources& from) {
+  const std::uint32_t status = from.loop.sample.status;
+  const bool is_touching = has(status, ToolStatus::InContact);
+  return std::string(from.texts.text(has(status, ToolStatus::InKerf) ? "operate.tip.in"
+                                     : is_touching                   ? "operate.tip.on"
+                                                                     : "operate.tip.clear"));
+}
+
+std::optional<double> way_to_hinge_mm(const HudSources& from) {
+  if (from.cut == nullptr) return std::nullopt;
+  const scenarios::PlannedHinge* hinge = find_hinge(from.prepared_case.plan, from.cut->hinge);
+  if (hinge == nullptr) return std::nullopt;
+  return hallux::ui::way_to_hinge_mm(*hinge, bone_from_tool(from));
+}
+
+/// In air the way to the bone; in bone the way to the hinge, or to the far side.
+std::string ahead_line(const HudSources& from) {
+  const simulator::BladeAhead& ahead = from.site->ahead;
+  if (!ahead.to_bone_mm) {
+    return ahead.beside_mm > touching_mm
+               ? way_text(from.texts, "operate.tip.beside", ahead.beside_mm)
+               : contact_line(from);
+  }
+  if (*ahead.to_bone_mm > touching_mm)
+    return way_text(from.texts, "operate.tip.bone", *ahead.to_bone_mm);
+  if (const std::optional<double> hinge_mm = way_to_hinge_mm(from)) {
+    return way_text(from.texts, *hinge_mm < 0.0 ? "operate.tip.past_hinge" : "operate.tip.hinge",
+                    std::abs(*hinge_mm));
+  }
+  return way_text(from.texts, "operate.tip.far", ahead.to_far_side_mm.value_or(0.0));
+}
+
+std::string plan_line(const Texts& texts, const PlanReading& reading) {
+  const std::string offset = signed_text(reading.distance_mm) + " mm";
+  if (!reading.end_distance_mm) return texts.say("operate.tip.plan", {{"offset", offset}});
+  return texts.say("operate.tip.plan_end",
+                   {{"offset", offset}, {"end", signed_text(*reading.end_distance_mm) + " mm"}});
+}
+
+/// With the place where a stroke straight on would end.
+PlanReading reading_of(const HudSources& from) {
+  PlanReading reading =
+      read_against(*from.cut, from.prepared_case.scenario.saw.blade, bone_from_tool(from));
+  if (from.site != nullptr && from.site->ahead.to_far_side_mm) {
+    reading.end_distance_mm = distance_ahead_mm(reading, *from.site->ahead.to_far_side_mm);
+  }
+  return reading;
+}
+
+void add_plan(OperatingHud& hud, const HudSources& from) {
+  if (from.cut == nullptr) return;
+  const std::size_t index = index_of_cut(from.prepared_case.plan, from.cut->name);
+  hud.plan = {reading_of(from), read_passes(*from.cut, from.passes[index], bone_from_tool(from)),
+              bands_of(from.prepared_case.scenario.rubric, from.cut->name)};
+}
+
+void add_tip(OperatingHud& hud, const HudSources& from) {
+  const bool is_known = from.session.is_practice() && from.site != nullptr;
+  hud.tip_lines.push_back(is_known ? ahead_line(from) : contact_line(from));
+  if (hud.plan) hud.tip_lines.push_back(plan_line(from.texts, hud.plan->blade));
+}
+
+std::string hint_of(const HudSources& from) {
+  const std::optional<Hint> hint = next_hint(coach_view(from));
+  return hint ? hint_text(from.texts, *hint) : std::string();
 }
 
 }  // namespace
 
-OperatingHud hud_of(const Texts& texts, const OperatingSession& session,
-                    const PreparedCase& prepared_case, const simulator::LoopView& loop,
-                    const scenarios::PlannedCut* cut) {
-  const scenarios::Scenario& scenario = prepared_case.scenario;
+CoachView coach_view(const HudSources& from) {
+  const PreparedCase& prepared = from.prepared_case;
+  const Quat bone_from_world = glm::conjugate(prepared.bone.world_from_bone.rotation);
+  const std::uint32_t status = from.loop.sample.status;
+  return {.scenario = prepared.scenario,
+          .plan = prepared.plan,
+          .passes = from.passes,
+          .steps = from.session.steps(),
+          .site = from.site,
+          .bone_from_tool = bone_from_tool(from),
+          .bone_from_view = bone_from_world * from.world_from_view,
+          .is_saw_on = has(status, ToolStatus::SawOn),
+          .is_in_kerf = has(status, ToolStatus::InKerf),
+          .is_paused = from.session.pausing().is_paused(),
+          .force_newton = simulator::force_size_newton(from.loop.sample)};
+}
+
+OperatingHud hud_of(const HudSources& from, bool is_hinted) {
+  const scenarios::Scenario& scenario = from.prepared_case.scenario;
   OperatingHud hud;
-  hud.is_practice = session.is_practice();
-  hud.is_paused = session.pausing().is_paused();
+  hud.is_practice = from.session.is_practice();
+  hud.is_paused = from.session.pausing().is_paused();
   hud.is_reviewed = scenario.is_reviewed;
-  hud.tick = loop.sample.tick;
-  for (const scenarios::OperationStep& step : scenario.steps) hud.steps.push_back(step.title);
-  add_steps(hud, texts, session);
+  hud.tick = from.loop.sample.tick;
+  add_steps(hud, from);
   hud.saw = scenario.saw;
-  hud.is_saw_on = has(loop.sample.status, ToolStatus::SawOn);
-  hud.is_irrigated = session.saw().is_irrigated();
-  hud.force_newton = simulator::force_size_newton(loop.sample);
-  if (cut != nullptr) {
-    hud.reading = read_against(
-        *cut, scenario.saw.blade,
-        inverse(prepared_case.bone.world_from_bone) * transform_from(loop.sample.world_from_tool));
-  }
+  hud.is_saw_on = has(from.loop.sample.status, ToolStatus::SawOn);
+  hud.is_irrigated = from.session.saw().is_irrigated();
+  hud.force_newton = simulator::force_size_newton(from.loop.sample);
+  add_plan(hud, from);
+  add_tip(hud, from);
   // Like the read-outs of the plan: help while one learns, none in an assessment.
-  if (hud.is_practice) hud.bone_celsius = loop.hottest_celsius;
+  if (hud.is_practice) hud.bone_celsius = from.loop.hottest_celsius;
+  if (hud.is_practice && is_hinted) hud.hint = hint_of(from);
   return hud;
+}
+
+std::string held_text(const Texts& texts, const HeldCut& held) {
+  const std::string share = std::to_string(std::max(1L, std::lround(100.0 * held.share))) + " %";
+  if (held.side.empty()) return texts.say("operate.why.holds", {{"share", share}});
+  return texts.say("operate.why.holds_at", {{"share", share}, {"side", held.side}});
 }
 
 NoticeTexts notice_texts(StepNotice notice) noexcept {

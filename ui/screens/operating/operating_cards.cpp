@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "ui/screens/operating/operating_hud.h"
+#include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/card.h"
@@ -132,15 +132,33 @@ bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory) {
                     "operate.full.stop", {ui.text("operate.full.stop"), ButtonLook::Secondary});
 }
 
-Answer draw_end_question(Ui& ui, Asked asked) {
-  if (asked == Asked::Finish) {
-    return question(ui, "operate.ask_finish",
-                    {ui.text("operate.ask.finish"), ui.text("operate.ask.finish.detail"),
-                     ui.text("operate.ask.finish.act"), ui.text("operate.ask.keep"), false});
+Answer draw_end_question(Ui& ui, Asked asked, const std::string& held) {
+  const auto text = [&](const char* id) { return ui.text(id); };
+  switch (asked) {
+    case Asked::Finish:
+      return question(ui, "operate.ask_finish",
+                      {text("operate.ask.finish"), text("operate.ask.finish.detail"),
+                       text("operate.ask.finish.act"), text("operate.ask.keep"), false});
+    case Asked::EndUnfinished: {
+      const std::string detail =
+          held.empty() ? std::string(text("operate.ask.unfinished.detail"))
+                       : ui.texts().say("operate.ask.unfinished.detail_at", {{"held", held}});
+      return question(ui, "operate.ask_unfinished",
+                      {text("operate.ask.unfinished"), detail, text("operate.ask.unfinished.act"),
+                       text("operate.ask.unfinished.keep"), false});
+    }
+    case Asked::Leave:
+      return question(ui, "operate.ask_leave",
+                      {text("operate.ask.leave"), text("operate.ask.leave.detail"),
+                       text("operate.ask.abandon.act"), text("operate.ask.keep"), true,
+                       text("operate.ask.leave.finish")});
+    case Asked::Abandon:
+    case Asked::Nothing:
+      break;
   }
   return question(ui, "operate.ask_abandon",
-                  {ui.text("operate.ask.abandon"), ui.text("operate.ask.abandon.detail"),
-                   ui.text("operate.ask.abandon.act"), ui.text("operate.ask.keep"), true});
+                  {text("operate.ask.abandon"), text("operate.ask.abandon.detail"),
+                   text("operate.ask.abandon.act"), text("operate.ask.keep"), true});
 }
 
 void draw_sealing(Ui& ui, double since_s) {

@@ -23,8 +23,9 @@ bool draw_paused_card(Ui& ui, PausedBy by);
 /// directory  that is recorded into
 bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory);
 
-/// The question before an operation ends.
-Answer draw_end_question(Ui& ui, Asked asked);
+/// The question before a step or an operation ends.
+/// held  of an unfinished step: what still holds, in words; empty where that is not told
+Answer draw_end_question(Ui& ui, Asked asked, const std::string& held);
 
 /// The record is being closed: a moment, unless the disk is slow.
 /// since_s  on the clock of `ui`; what takes no time is not shown

@@ -8,9 +8,11 @@
 #include "ui/screens/operating/operating_screen.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "scenarios/planned_guide.h"
+#include "ui/screens/operating/hand/rail_of_step.h"
 #include "ui/screens/operating/hud_facts.h"
 #include "ui/screens/operating/operating_cards.h"
 #include "ui/widgets/controls/card.h"
@@ -21,6 +23,7 @@ namespace {
 
 using scenarios::StepKind;
 
+constexpr const char* view_area = "operate.view";
 constexpr double soon_s = 0.05;
 /// How soon the screen notices that there is room on the disk again.
 constexpr double look_again_s = 0.2;
@@ -55,6 +58,13 @@ std::string_view OperatingScreen::why_not_leave() const {
   if (texts_ == nullptr || staying == OperatingSession::Staying::No) return {};
   return texts_->text(staying == OperatingSession::Staying::WhileScored ? "operate.stay.scoring"
                                                                         : "operate.stay");
+}
+
+bool OperatingScreen::ask_before_leaving(Ui& ui) {
+  if (session_.phase() != Phase::Operating) return false;
+  session_.ask(Asked::Leave);
+  ui.want_frame_in_s(0.0);
+  return session_.asked() != Asked::Nothing;
 }
 
 void OperatingScreen::draw(Ui& ui, const Rect& /*content*/, Shell& shell) {
@@ -118,8 +128,7 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
 // -- while it runs
 
 void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
-  const AreaResponse area = ui.area("operate.view", ui.text("operate.view"), ui.display());
-  if (session_.is_open()) viewport_.look(ui, area, prepared_case());
+  const AreaResponse area = ui.area(view_area, ui.text(view_area), ui.display());
   hear_hands(ui, area, shell);
   if (running_) apply_loop(ui, shell);
   show_scene(ui, shell);
@@ -131,15 +140,19 @@ void OperatingScreen::hear_hands(Ui& ui, const AreaResponse& area, Shell& shell)
   session_.watch({ui.has_lost_keys(), ui.has_pointer_left() && viewport_.is_led_by_pointer(),
                   reachable_layer(ui.shown()) > Layer::Page},
                  ui.time_s());
-  if (session_.is_heard()) hear_keys(ui, shell);
-  if (session_.is_led()) {
-    steer(ui, area);
-  } else {
-    viewport_.release_pointer();
+  if (session_.is_heard()) {
+    hear_keys(ui);
+    hear_display_keys(ui, shell.preferences());
   }
+  Steered steered;
+  if (session_.is_open()) {
+    steered = viewport_.hear(ui, area, prepared_case(), session_.is_led(),
+                             session_.saw().world_from_target().translation_mm);
+  }
+  lead(ui, area, steered, shell.preferences().captures_pointer);
 }
 
-void OperatingScreen::hear_keys(Ui& ui, Shell& shell) {
+void OperatingScreen::hear_keys(Ui& ui) {
   // All of it turns on and off: once, however long the key is held.
   const auto pressed = [&](Chord chord, const char* id) {
     return ui.shortcut(chord, ui.text(id)) && !ui.is_key_held_on();
@@ -150,24 +163,55 @@ void OperatingScreen::hear_keys(Ui& ui, Shell& shell) {
     session_.set_saw_on(!session_.saw().is_on());
   if (heard(Key::I, "operate.key.irrigation"))
     session_.set_irrigated(!session_.saw().is_irrigated());
-  if (session_.is_practice() && heard(Key::G, "operate.key.plane"))
-    panels_.is_plane_shown = !panels_.is_plane_shown;
-  if (heard(Key::H, "operate.key.hud")) panels_.are_shown = !panels_.are_shown;
-  bool& is_saw_heard = shell.preferences().is_saw_heard;
-  if (heard(Key::M, "operate.key.sound")) is_saw_heard = !is_saw_heard;
+  if (heard(Key::Backspace, "operate.key.take_up")) take_up_last_step();
   if (heard(Key::P, "operate.key.pause")) session_.toggle_pause();
+  if (heard(Key::Escape, "operate.key.escape")) session_.pause(PausedBy::Person);
   if (heard(Key::End, "operate.key.finish")) session_.ask(Asked::Finish);
 }
 
-void OperatingScreen::steer(Ui& ui, const AreaResponse& area) {
-  session_.lead(viewport_.motions(ui, area, session_.saw().world_from_target().translation_mm),
-                viewport_.world_from_view(), ui.time_s());
+void OperatingScreen::hear_display_keys(Ui& ui, Preferences& preferences) {
+  const auto turn = [&](Key key, const char* id, bool& is_on) {
+    if (ui.shortcut({key}, ui.text(id)) && !ui.is_key_held_on()) is_on = !is_on;
+  };
+  if (session_.is_practice()) {
+    turn(Key::G, "operate.key.plane", panels_.help.is_plane_shown);
+    turn(Key::T, "operate.key.hints", panels_.help.is_hinted);
+    turn(Key::V, "operate.key.inset", panels_.help.is_inset_shown);
+  }
+  turn(Key::N, "operate.key.neighbour", panels_.is_neighbour_shown);
+  turn(Key::H, "operate.key.hud", panels_.are_shown);
+  turn(Key::M, "operate.key.sound", preferences.is_saw_heard);
+  turn(Key::C, "operate.key.capture", preferences.captures_pointer);
+  turn(Key::K, "operate.key.hand", preferences.is_left_handed);
+}
+
+void OperatingScreen::take_up_last_step() {
+  for (std::size_t step = session_.steps().step(); step-- > 0;) {
+    if (session_.steps().can_reopen(step)) return session_.reopen_step(step);
+  }
+}
+
+void OperatingScreen::lead(Ui& ui, const AreaResponse& area, const Steered& steered,
+                           bool may_capture) {
+  if (!session_.is_led()) return viewport_.release_pointer();
+  if (steered.switches_saw) session_.set_saw_on(!session_.saw().is_on());
+  session_.lift(viewport_.lift().is_lifted());
+  if (choice_.guidance == simulator::Guidance::Slot) {
+    session_.set_rail(rail_of_step(prepared_case(), session_.steps().step(),
+                                   running_->site == nullptr ? nullptr : &running_->site->cuts,
+                                   running_->loop.sample.kerf));
+  }
+  session_.lead(std::array{steered.by_mouse, steered.by_keys}, viewport_.world_from_view(),
+                ui.time_s());
+  if (viewport_.lift().stays_lifted()) return;
+  if (may_capture) ui.capture_pointer(view_area);
   if (area.is_hovered) ui.hide_pointer();
 }
 
 /// What came back from the loop and its recorder since the last frame.
 void OperatingScreen::apply_loop(Ui& ui, Shell& shell) {
   running_->loop = running_->live->view();
+  running_->site = running_->bone->site();
   if (session_.phase() != Phase::Operating && session_.phase() != Phase::Sealing) return;
   tell(ui, shell, session_.apply(running_->bone->take_events(), ui.time_s()));
   if (session_.update_storage()) ui.want_frame_in_s(0.0);
@@ -196,7 +240,10 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
                   .is_paused = is_paused,
                   .is_irrigated = session_.saw().is_irrigated(),
                   .site = prepared_.value().site.get(),
+                  .is_neighbour_shown = panels_.is_neighbour_shown,
+                  .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
                   .is_guided = session_.is_practice()});
+  if (has_stepped) running_->live->note_view(viewport_.shown_view(), running_->loop.sample.tick);
   if (session_.is_led() || shell.scenes().is_coarse()) {
     ui.want_frame_in_s(0.0);
   } else if (session_.phase() != Phase::Ready &&
@@ -218,8 +265,23 @@ void OperatingScreen::sound_the_saw(Shell& shell) {
 }
 
 const scenarios::PlannedCut* OperatingScreen::shown_cut() const {
-  if (!session_.is_practice() || !panels_.is_plane_shown) return nullptr;
-  return cut_at_step(prepared_case().scenario, prepared_case().plan, session_.steps().step());
+  if (!session_.is_practice() || !panels_.help.is_plane_shown) return nullptr;
+  const scenarios::Plan& plan = prepared_case().plan;
+  const std::int32_t kerf = running_ ? running_->loop.sample.kerf : -1;
+  if (kerf >= 0 && running_->site != nullptr) {
+    const auto& cuts = running_->site->cuts;
+    for (std::size_t cut = 0; cut < cuts.size(); ++cut)
+      if (cuts[cut].kerf == kerf) return &plan.cuts[cut];
+  }
+  return cut_at_step(prepared_case().scenario, plan, session_.steps().step());
+}
+
+const scenarios::HeldCut* OperatingScreen::held_at_step() const {
+  const scenarios::PlannedCut* const cut =
+      cut_at_step(prepared_case().scenario, prepared_case().plan, session_.steps().step());
+  if (cut == nullptr || running_->site == nullptr) return nullptr;
+  const std::size_t index = index_of_cut(prepared_case().plan, cut->name);
+  return index < running_->site->cuts.size() ? &running_->site->cuts[index] : nullptr;
 }
 
 // -- the panels
@@ -255,17 +317,53 @@ void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
   if (answer.pause) session_.toggle_pause();
   if (answer.finish) session_.ask(Asked::Finish);
   if (answer.abandon) session_.ask(Asked::Abandon);
-  if (answer.step) session_.press_step(ui.time_s());
+  if (answer.saw) session_.set_saw_on(!session_.saw().is_on());
+  if (answer.irrigation) session_.set_irrigated(!session_.saw().is_irrigated());
+  if (answer.reopen) session_.reopen_step(*answer.reopen);
+  if (answer.step) {
+    const scenarios::HeldCut* const held = held_at_step();
+    session_.press_step(held != nullptr && held->is_through(), ui.time_s());
+  }
 }
 
 OperatingHud OperatingScreen::hud(const Ui& ui, Shell& shell) {
   const simulator::LoopView& loop = running_->loop;
-  OperatingHud hud = hud_of(ui.texts(), session_, prepared_case(), loop, shown_cut());
+  OperatingHud hud = hud_of({.texts = ui.texts(),
+                             .session = session_,
+                             .prepared_case = prepared_case(),
+                             .passes = prepared_.value().passes,
+                             .loop = loop,
+                             .site = running_->site.get(),
+                             .cut = shown_cut(),
+                             .world_from_view = viewport_.world_from_view()},
+                            panels_.help.is_hinted);
   hud.is_simulated = signed_in_->is_simulated();
+  hud.is_left_handed = shell.preferences().is_left_handed;
   hud.tip = viewport_.place_of(transform_from(loop.sample.world_from_tool).translation_mm);
+  hud.tool = viewport_.tool_places();
+  hud.inset = inset();
+  hud.hand = hand(ui);
   hud.health = health(ui, shell);
   hud.is_health_open = panels_.is_health_open;
   return hud;
+}
+
+HandState OperatingScreen::hand(const Ui& ui) const {
+  if (!session_.is_led()) return HandState::Off;
+  if (session_.saw().is_lifted()) return HandState::Lifted;
+  return ui.captured_by() == view_area ? HandState::Led : HandState::LedFree;
+}
+
+const BladeSection* OperatingScreen::inset() {
+  panels_.inset.reset();
+  if (!session_.is_practice() || !panels_.help.is_inset_shown) return nullptr;
+  const std::shared_ptr<const KerfSection> section = running_->bone->section();
+  if (section == nullptr) return nullptr;
+  const RigidTransform bone_from_tool = inverse(prepared_case().bone.world_from_bone) *
+                                        transform_from(running_->loop.sample.world_from_tool);
+  panels_.inset = blade_section(*section, bone_from_tool, prepared_case().scenario.saw.blade,
+                                &prepared_case().plan);
+  return &*panels_.inset;
 }
 
 OperatingHealth OperatingScreen::health(const Ui& ui, Shell& shell) {
@@ -281,9 +379,15 @@ OperatingHealth OperatingScreen::health(const Ui& ui, Shell& shell) {
 }
 
 void OperatingScreen::ask(Ui& ui) {
-  const Answer answer = draw_end_question(ui, session_.asked());
+  const scenarios::HeldCut* const held = held_at_step();
+  const bool is_told = session_.is_practice() && held != nullptr && held->is_begun();
+  const Answer answer = draw_end_question(ui, session_.asked(),
+                                          is_told ? held_text(ui.texts(), *held) : std::string());
   if (answer == Answer::Waiting) return;
-  session_.answer(answer == Answer::Act, ui.time_s());
+  session_.answer(answer == Answer::Act     ? Decided::Act
+                  : answer == Answer::Other ? Decided::Finish
+                                            : Decided::GoOn,
+                  ui.time_s());
   ui.want_frame_in_s(0.0);
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "ui/screens/operating/operating_hud.h"
+#include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/operating_session.h"
 #include "ui/screens/operating/operating_viewport.h"
 #include "ui/screens/operating/operation_work.h"
@@ -37,6 +37,8 @@ class OperatingScreen : public Screen {
 
   WindowChrome surround() const override { return WindowChrome::Badge; }
   std::string_view why_not_leave() const override;
+  /// Stops the saw and asks: finish, abandon, or go on.
+  bool ask_before_leaving(Ui& ui) override;
   /// Covered by another screen, or by the lock: nobody holds the saw.
   void leave(Shell&) override { session_.pause(PausedBy::Locked); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -51,13 +53,21 @@ class OperatingScreen : public Screen {
     std::unique_ptr<BoneBeingCut> bone;
     /// Once the saw is to be heard.
     std::unique_ptr<SawPlayer> player;
-    /// The newest of this frame.
+    /// The newest of this frame; the site is null before it is known.
     simulator::LoopView loop;
+    std::shared_ptr<const SiteFacts> site;
+  };
+  /// What of the help beside the bone is shown, each by its key.
+  struct Help {
+    bool is_plane_shown = true, is_hinted = true, is_inset_shown = true;
   };
   struct Panels {
-    bool are_shown = true, is_health_open = false, is_plane_shown = true;
+    bool are_shown = true, is_health_open = false, is_neighbour_shown = true;
+    Help help;
     /// Of the arm's force.
     RecentLimits limits;
+    /// Of this frame; nothing where it is not shown.
+    std::optional<BladeSection> inset;
   };
   using Phase = OperatingSession::Phase;
 
@@ -69,19 +79,28 @@ class OperatingScreen : public Screen {
 
   void draw_operation(Ui& ui, Shell& shell);
   void hear_hands(Ui& ui, const AreaResponse& area, Shell& shell);
-  void hear_keys(Ui& ui, Shell& shell);
-  void steer(Ui& ui, const AreaResponse& area);
+  void hear_keys(Ui& ui);
+  void hear_display_keys(Ui& ui, Preferences& preferences);
+  void take_up_last_step();
+  /// Leads the saw by what was steered, or sets the hand down.
+  void lead(Ui& ui, const AreaResponse& area, const Steered& steered, bool may_capture);
   void apply_loop(Ui& ui, Shell& shell);
   void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
   void show_scene(Ui& ui, Shell& shell);
   void sound_the_saw(Shell& shell);
-  /// The cut that the step at hand asks for; nothing where the plan is not shown.
+  /// The cut in which the saw is, else the one that the step at hand asks for; nothing where the
+  /// plan is not shown.
   const scenarios::PlannedCut* shown_cut() const;
+  /// Of the cut of the step at hand, as far as it is known; null where it has none.
+  const scenarios::HeldCut* held_at_step() const;
 
   void draw_cards(Ui& ui, Shell& shell);
   void draw_ready(Ui& ui, Shell& shell);
   void draw_hud(Ui& ui, Shell& shell);
   OperatingHud hud(const Ui& ui, Shell& shell);
+  HandState hand(const Ui& ui) const;
+  /// Of the section in the blade's plane; null where it is not shown.
+  const BladeSection* inset();
   OperatingHealth health(const Ui& ui, Shell& shell);
   void ask(Ui& ui);
   void draw_stopped(Ui& ui, Shell& shell);

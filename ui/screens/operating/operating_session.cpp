@@ -41,6 +41,15 @@ void OperatingSession::fail_to_begin(const std::string& reason) {
 
 // -- the hands
 
+void OperatingSession::lift(bool is_lifted) noexcept {
+  if (is_lifted == saw_.is_lifted()) return;
+  if (is_lifted) {
+    saw_.lift();
+  } else {
+    saw_.set_down();
+  }
+}
+
 void OperatingSession::watch(const HandsSeen& hands, double now_s) {
   if (!is_led()) return;
   if (hands.have_lost_keys) return pause(PausedBy::KeysLost);
@@ -67,7 +76,13 @@ void OperatingSession::toggle_pause() {
 
 // -- steps
 
-void OperatingSession::press_step(double now_s) {
+void OperatingSession::press_step(bool is_cut_through, double now_s) {
+  const bool is_unfinished = steps_.kind() == scenarios::StepKind::Cut && !is_cut_through;
+  if (is_unfinished && asked_of_step_ != steps_.step()) {
+    if (!is_heard()) return;
+    asked_of_step_ = steps_.step();
+    return ask(Asked::EndUnfinished);
+  }
   switch (steps_.press(now_s)) {
     case StepDeed::Nothing:
       break;
@@ -98,6 +113,13 @@ std::vector<StepNotice> OperatingSession::apply(std::span<const simulator::CutEv
   return notices;
 }
 
+void OperatingSession::reopen_step(std::size_t step) {
+  if (!is_heard() || !steps_.can_reopen(step)) return;
+  steps_.reopen(step);
+  asked_of_step_.reset();
+  attempt_->reopen(static_cast<std::int32_t>(step));
+}
+
 void OperatingSession::end_step() { attempt_->declare_done(steps_.end_step()); }
 
 // -- the end
@@ -108,15 +130,20 @@ void OperatingSession::ask(Asked what) {
   pause(PausedBy::Person);
 }
 
-void OperatingSession::answer(bool is_agreed, double now_s) {
+void OperatingSession::answer(Decided decided, double now_s) {
   const auto [asked, was_paused] = std::exchange(asking_, {});
-  if (!is_agreed) {
-    if (!was_paused) go_on();
-    return;
+  if (decided != Decided::GoOn && asked != Asked::EndUnfinished) {
+    const bool is_finished = decided == Decided::Finish || asked == Asked::Finish;
+    return end_attempt(!is_finished, now_s);
   }
+  if (decided == Decided::Act) end_step();
+  if (!was_paused) go_on();
+}
+
+void OperatingSession::end_attempt(bool is_abandoned, double now_s) {
   seal(now_s);
-  ending_.is_abandoned = asked == Asked::Abandon;
-  if (ending_.is_abandoned) {
+  ending_.is_abandoned = is_abandoned;
+  if (is_abandoned) {
     attempt_->abandon();
   } else {
     attempt_->finish();

@@ -15,20 +15,32 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "database/records/attempt.h"
 #include "ui/jobs/attempt_controls.h"
-#include "ui/screens/operating/led_saw.h"
+#include "ui/screens/operating/hand/led_saw.h"
 #include "ui/screens/operating/pausing.h"
 #include "ui/screens/operating/step_progress.h"
 
 namespace hallux::ui {
 
 /// A question that nothing else goes on beside.
-enum class Asked { Nothing, Finish, Abandon };
+enum class Asked {
+  Nothing,
+  Finish,
+  Abandon,
+  /// The step is to end though bone still holds in its cut.
+  EndUnfinished,
+  /// The window is to be closed, or the screen left.
+  Leave
+};
+
+/// What a person decides of it.
+enum class Decided { GoOn, Act, Finish };
 
 /// What a frame saw of the person's hands.
 struct HandsSeen {
@@ -91,6 +103,9 @@ class OperatingSession {
   // -- the hands
   void set_saw_on(bool is_on) noexcept { saw_.set_on(is_on && !pausing_.is_paused()); }
   void set_irrigated(bool is_irrigated) noexcept { saw_.set_irrigated(is_irrigated); }
+  /// Takes the hand off the saw, or puts it on again where both are.
+  void lift(bool is_lifted) noexcept;
+  void set_rail(const std::optional<simulator::Rail>& rail) noexcept { saw_.set_rail(rail); }
   /// Moves the saw on; once a frame.
   /// needs   is_led
   void lead(std::span<const simulator::PointerMotion> motions, const Quat& world_from_view,
@@ -106,8 +121,12 @@ class OperatingSession {
   void toggle_pause();
 
   // -- steps
-  /// The button of the step at hand.
-  void press_step(double now_s);
+  /// The button of the step at hand. Where bone still holds in the cut of that step it asks first,
+  /// once.
+  /// is_cut_through  of the step at hand; true where it has no cut
+  void press_step(bool is_cut_through, double now_s);
+  /// A done step is at hand again; nothing where that cannot be.
+  void reopen_step(std::size_t step);
   /// Takes what happened at the bone since the last frame; told are the steps that did not come
   /// off.
   std::vector<StepNotice> apply(std::span<const simulator::CutEvent> events, double now_s);
@@ -115,9 +134,10 @@ class OperatingSession {
   // -- the end
   /// Pauses and asks; nothing but while operating without a question.
   void ask(Asked what);
-  /// `is_agreed`: it is finished or abandoned. Else it goes on as it was, unless a disk filled up
+  /// Acts on what was asked: finishes, abandons, ends the step. To leave may be decided either
+  /// way, finished or (Act) abandoned. Else it goes on as it was, unless a disk filled up
   /// meanwhile.
-  void answer(bool is_agreed, double now_s);
+  void answer(Decided decided, double now_s);
   /// Waits for a disk that is full. True where that changed.
   bool update_storage();
   /// Waits no longer for room: ends as a failure of the disk does.
@@ -138,6 +158,7 @@ class OperatingSession {
   };
 
   void end_step();
+  void end_attempt(bool is_abandoned, double now_s);
   void seal(double now_s) noexcept;
 
   database::AttemptKind kind_;
@@ -146,6 +167,8 @@ class OperatingSession {
   LedSaw saw_;
   Pausing pausing_;
   StepProgress steps_;
+  /// The step of which it was asked whether it ends unfinished.
+  std::optional<std::size_t> asked_of_step_;
   Asking asking_;
   Ending ending_;
   Stop stop_;

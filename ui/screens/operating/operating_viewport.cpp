@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "simulator/record/sample_force.h"
+#include "ui/render/scene/tool_model.h"
 #include "ui/screens/pictures/contact_halo.h"
 #include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/pictures/sight_along_blade.h"
@@ -23,9 +24,38 @@ using simulator::ToolStatus;
 /// The blade's line on the bone: a little wider than the teeth, and faintly on.
 constexpr double beside_teeth_mm = 1.0, faint_line_mm = 8.0;
 
+/// As it is kept.
+constexpr simulator::ShownStereo shown_stereo(StereoMode mode) noexcept {
+  switch (mode) {
+    case StereoMode::SideBySide:
+      return simulator::ShownStereo::SideBySide;
+    case StereoMode::Anaglyph:
+      return simulator::ShownStereo::Anaglyph;
+    case StereoMode::Mono:
+      break;
+  }
+  return simulator::ShownStereo::Mono;
+}
+
 constexpr std::array<const char*, standard_view_count> view_names{
     "operate.key.view.1", "operate.key.view.2", "operate.key.view.3", "operate.key.view.4",
     "operate.key.view.5", "operate.key.view.6", "operate.key.view.7", "operate.key.view.8"};
+
+/// A ball around a part of the saw, on its axis.
+struct BulkOfSaw {
+  double x_mm = 0.0, radius_mm = 0.0;
+};
+
+/// Blade, hub and grip; beyond, it is a cable.
+std::vector<BulkOfSaw> bulks_of_saw(const simulator::Blade& blade) {
+  constexpr double grip_length_mm = 118.0, grip_radius_mm = 9.0;
+  std::vector<BulkOfSaw> bulks;
+  for (double x_mm = 0.0; x_mm > -blade.depth_mm; x_mm -= 0.5 * blade.width_mm)
+    bulks.push_back({x_mm, 0.5 * blade.width_mm});
+  for (double along_mm = 0.0; along_mm < grip_length_mm; along_mm += grip_radius_mm)
+    bulks.push_back({pivot_x_mm(blade) - along_mm, grip_radius_mm});
+  return bulks;
+}
 
 /// The teeth at work; nothing where they cut nothing.
 std::optional<SwarfSource> swarf_of(const OperationInSight& shown) {
@@ -98,17 +128,35 @@ void add_guidance(Scene& scene, const OperationInSight& shown) {
   scene.zones = zones_in_scene(shown.prepared_case.plan, shown.prepared_case.bone.world_from_bone,
                                scene.saw->world_from_tool, scene.saw->blade);
   if (shown.bone != nullptr) shown.bone->add_free_pieces(scene);
-  if (shown.held != nullptr) scene.held.push_back(*shown.held);
-  if (shown.held_deepest_in_world_mm) {
-    scene.marks.push_back({*shown.held_deepest_in_world_mm, 7.0, Ink::Warn, MarkShape::Diamond});
+}
+
+void add_held(Scene& scene, const OperationInSight& shown) {
+  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
+  scene.held = shown.facts->held;
+  for (const scenarios::HeldCut& cut : shown.facts->cuts) {
+    if (!cut.is_begun() || cut.is_through()) continue;
+    scene.marks.push_back({transform_point(world_from_bone, cut.deepest_in_bone_mm), 7.0, Ink::Warn,
+                           MarkShape::Diamond});
   }
 }
 
 }  // namespace
 
-void OperatingViewport::look(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case) {
-  sight_.camera = steering_.looked(area, ui.modifiers(), sight_);
+Steered OperatingViewport::hear(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case,
+                                bool may_lead, const Vec3& tip_in_world_mm) {
+  const Steered steered = steering_.hear(ui, area, sight_, may_lead, tip_in_world_mm);
+  sight_.camera = steered.camera;
   hear_views(ui, prepared_case);
+  hear_eyes(ui);
+  return steered;
+}
+
+void OperatingViewport::release_pointer() noexcept {
+  steering_.release_pointer();
+  steering_.set_down();
+}
+
+void OperatingViewport::hear_eyes(Ui& ui) {
   if (ui.shortcut({Key::F9}, ui.text("operate.key.stereo"))) {
     stereo_.mode = static_cast<StereoMode>((static_cast<int>(stereo_.mode) + 1) % 3);
   }
@@ -133,10 +181,17 @@ Camera OperatingViewport::sight_along_blade() const {
   return seen_along_blade(sight_.camera, drawn_saw_.world_from_tool, hidden_along_blade_);
 }
 
-std::array<simulator::PointerMotion, 2> OperatingViewport::motions(Ui& ui, const AreaResponse& area,
-                                                                   const Vec3& tip_in_world_mm) {
-  return {steering_.motion(area, ui.modifiers(), sight_, tip_in_world_mm),
-          steering_.motion_by_keys(ui)};
+std::vector<ToolPlace> OperatingViewport::tool_places() const {
+  std::vector<ToolPlace> places;
+  const Vec3 right = sight_.camera.world_from_view * Vec3(1.0, 0.0, 0.0);
+  for (const BulkOfSaw& bulk : bulks_of_saw(drawn_saw_.blade)) {
+    const Vec3 middle_mm = transform_point(drawn_saw_.world_from_tool, Vec3(bulk.x_mm, 0.0, 0.0));
+    const std::optional<Point> at = place_of(middle_mm),
+                               edge = place_of(middle_mm + bulk.radius_mm * right);
+    if (!at || !edge) continue;
+    places.push_back({*at, std::hypot(edge->x - at->x, edge->y - at->y)});
+  }
+  return places;
 }
 
 void OperatingViewport::draw(Ui& ui, ScenePainter& painter, const OperationInSight& shown) {
@@ -150,6 +205,13 @@ void OperatingViewport::draw(Ui& ui, ScenePainter& painter, const OperationInSig
   painter.draw_behind(scene, sight_.camera, stereo_);
   if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
   ++pictures_;
+}
+
+simulator::ShownView OperatingViewport::shown_view() const noexcept {
+  simulator::ShownView view =
+      ui::shown_view(sight_.camera, static_cast<double>(sight_.display.w / sight_.display.h));
+  view.stereo = shown_stereo(stereo_.mode);
+  return view;
 }
 
 void OperatingViewport::let_chips_fly(double step_s, const OperationInSight& shown) {
@@ -173,6 +235,7 @@ Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) cons
   scene.halo = contact_halo(surface_of(shown), saw, sight_.eye().eye_in_world_mm);
   if (shown.cut != nullptr) scene.planes.push_back(plane_of(shown));
   if (shown.is_guided) add_guidance(scene, shown);
+  if (shown.facts != nullptr) add_held(scene, shown);
   return scene;
 }
 

@@ -4,13 +4,17 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "simulator/loop/attempt_watch.h"
 #include "ui/render/scene/swarf.h"
 #include "ui/render/scene_painter.h"
-#include "ui/screens/operating/bone_being_cut.h"
-#include "ui/screens/operating/site_picture.h"
-#include "ui/screens/operating/steering.h"
+#include "ui/screens/operating/hand/start_place.h"
+#include "ui/screens/operating/hand/steering.h"
+#include "ui/screens/operating/hud/operating_hud.h"
+#include "ui/screens/operating/site/bone_being_cut.h"
+#include "ui/screens/operating/site/site_picture.h"
+#include "ui/screens/pictures/shown_camera.h"
 
 namespace hallux::ui {
 
@@ -29,12 +33,10 @@ struct OperationInSight {
   /// What stands around the bone; null: nothing.
   const SitePicture* site = nullptr;
   bool is_neighbour_shown = true;
-  /// In practice: danger zones, outlines of free pieces, bone that still holds.
+  /// Bone that still holds, and where it is deepest; null: nobody is to know, or knows.
+  const SiteFacts* facts = nullptr;
+  /// In practice: danger zones, outlines of free pieces.
   bool is_guided = false;
-  /// Drawn only where it is guided; null: nothing holds, or nobody knows.
-  const HeldBone* held = nullptr;
-  /// Where of the bone that holds to go on; nothing where nobody knows.
-  std::optional<Vec3> held_deepest_in_world_mm = std::nullopt;
 };
 
 class OperatingViewport {
@@ -43,14 +45,15 @@ class OperatingViewport {
   void face(const PreparedCase& prepared_case) { sight_.camera = start_camera(prepared_case); }
   void set_display(const Rect& display) noexcept { sight_.display = display; }
 
-  /// Turns camera and eyes as the pointer and the keys of views ask for.
-  void look(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case);
-  /// What pointer and keys ask of the saw in this frame.
-  std::array<simulator::PointerMotion, 2> motions(Ui& ui, const AreaResponse& area,
-                                                  const Vec3& tip_in_world_mm);
-  /// Nobody leads the saw in this frame.
-  void release_pointer() noexcept { steering_.release_pointer(); }
+  /// Hears the pointer and the keys of hand, camera and eyes; the camera follows.
+  /// may_lead         somebody leads the saw
+  /// tip_in_world_mm  what the pointer's way is measured at
+  Steered hear(Ui& ui, const AreaResponse& area, const PreparedCase& prepared_case, bool may_lead,
+               const Vec3& tip_in_world_mm);
+  /// Nobody leads the saw in this frame: the hand is set down where it goes on.
+  void release_pointer() noexcept;
   bool is_led_by_pointer() const noexcept { return steering_.is_led_by_pointer(); }
+  const HandLift& lift() const noexcept { return steering_.lift(); }
   const Quat& world_from_view() const noexcept { return sight_.camera.world_from_view; }
 
   /// Draws behind the widgets of this frame.
@@ -60,13 +63,18 @@ class OperatingViewport {
   std::optional<Point> place_of(const Vec3& point_in_world_mm) const {
     return place_on(sight_, point_in_world_mm);
   }
+  /// The saw as it was drawn last, as places on the window.
+  std::vector<ToolPlace> tool_places() const;
   StereoMode stereo_mode() const noexcept { return stereo_.mode; }
+  /// What is on the screen, as it is kept beside the recording.
+  simulator::ShownView shown_view() const noexcept;
   /// Between two pictures, the slower of the last.
   double frame_ms() const noexcept { return frame_ms_; }
 
  private:
   Camera sight_along_blade() const;
   void hear_views(Ui& ui, const PreparedCase& prepared_case);
+  void hear_eyes(Ui& ui);
   void let_chips_fly(double step_s, const OperationInSight& shown);
   Scene scene(const Ui& ui, const OperationInSight& shown) const;
 

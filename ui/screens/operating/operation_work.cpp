@@ -41,6 +41,16 @@ class NeighbourWork {
   std::future<BoneInView> made_;
 };
 
+std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
+                                                const BonePicture& picture) {
+  std::vector<scenarios::PlannedPasses> passes;
+  for (std::size_t cut = 0; cut < prepared_case.plan.cuts.size(); ++cut) {
+    passes.push_back(planned_passes(prepared_case.scenario, prepared_case.plan, cut,
+                                    picture.mesh->solid, *picture.tree));
+  }
+  return passes;
+}
+
 database::TraineeDesk desk_of(database::Session& session) {
   std::optional<database::TraineeDesk> desk = session.trainee();
   if (!desk) {
@@ -74,6 +84,7 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
     site.neighbour = neighbour.take();
     site.neighbour_tree = std::make_shared<const simulator::Bvh>(site.neighbour.mesh.solid.mesh);
     prepared.site = std::make_shared<const SitePicture>(std::move(site));
+    prepared.passes = passes_of(*prepared.prepared_case, prepared.picture);
   });
   return prepared;
 }
@@ -96,7 +107,7 @@ void score_operation(SignedInSession& signed_in, const database::AttemptId& atte
   const AttemptMaterial material =
       signed_in.in_turn([&](database::Session& session, database::Database& database) {
         database::TraineeDesk desk = desk_of(session);
-        return load_attempt(database, desk, attempt);
+        return load_attempt(database, desk, attempt, database::RecordingPart::Outputs);
       });
   const database::ScoreCard card = score_attempt(material, stages_of(report, 1.0)).card;
   signed_in.in_turn([&](database::Session& session, database::Database&) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "scenarios/site/planned_passes.h"
 #include "ui/jobs/live_attempt.h"
-#include "ui/screens/operating/bone_being_cut.h"
-#include "ui/screens/operating/site_picture.h"
+#include "ui/screens/operating/site/bone_being_cut.h"
+#include "ui/screens/operating/site/site_picture.h"
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/window/shell/background.h"
 
@@ -17,6 +19,8 @@ struct PreparedOperation {
   std::shared_ptr<const PreparedCase> prepared_case;
   BonePicture picture;
   std::shared_ptr<const SitePicture> site;
+  /// By the plan's cuts.
+  std::vector<scenarios::PlannedPasses> passes;
 };
 
 /// Reads the version, makes the patient, its plan and its picture.

@@ -21,7 +21,7 @@ std::optional<StepKind> StepProgress::kind() const noexcept {
 }
 
 bool StepProgress::is_ready() const noexcept {
-  return !is_waiting() && kind() && (*kind() != StepKind::Remove || freed_ > removed_);
+  return !is_waiting() && kind() && (*kind() != StepKind::Remove || has_free_piece());
 }
 
 StepDeed StepProgress::press(double now_s) noexcept {
@@ -69,7 +69,20 @@ std::optional<StepNotice> StepProgress::expire(double now_s) noexcept {
 
 std::int32_t StepProgress::end_step() noexcept {
   waiting_ = Waiting::Nothing;
-  return static_cast<std::int32_t>(step_++);
+  const std::size_t ended = step_;
+  done_[ended] = true;
+  while (step_ < steps_.size() && done_[step_]) ++step_;
+  return static_cast<std::int32_t>(ended);
+}
+
+bool StepProgress::can_reopen(std::size_t step) const noexcept {
+  return is_done(step) && !is_waiting() &&
+         (steps_[step] == StepKind::Verify || steps_[step] == StepKind::Cut);
+}
+
+void StepProgress::reopen(std::size_t step) noexcept {
+  done_[step] = false;
+  step_ = step;
 }
 
 void StepProgress::wait_for(Waiting what, double now_s) noexcept {

@@ -3,11 +3,15 @@
 ///
 ///     at hand --pressed--> done at once
 ///        |   '--pressed--> waits for a piece or the hinge --event of the kernel--> done
-///        '<---refused, or 20 s without an answer----'
+///        |'<---refused, or 20 s without an answer----'                              |
+///        '<-------------- taken up again, where no deed is undone -----------------'
+///
+/// After a step that was taken up again comes the next that is not done.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "scenarios/scenario.h"
@@ -40,15 +44,24 @@ class StepProgress {
   static constexpr double longest_wait_s = 20.0;
 
   StepProgress() = default;
-  explicit StepProgress(std::vector<scenarios::StepKind> steps) : steps_(std::move(steps)) {}
+  explicit StepProgress(std::vector<scenarios::StepKind> steps)
+      : steps_(std::move(steps)), done_(steps_.size(), false) {}
 
   /// Number of the step at hand, from 0; the count of steps after the last.
   std::size_t step() const noexcept { return step_; }
+  bool is_done(std::size_t step) const noexcept { return step < done_.size() && done_[step]; }
+  /// Done by a word alone, and nothing is waited for. What was taken out or closed stays so.
+  bool can_reopen(std::size_t step) const noexcept;
+  /// That step is at hand again.
+  /// needs   can_reopen(step)
+  void reopen(std::size_t step) noexcept;
   /// Nothing after the last step.
   std::optional<scenarios::StepKind> kind() const noexcept;
   bool is_waiting() const noexcept { return waiting_ != Waiting::Nothing; }
   /// Whether the button does anything now: a piece is taken out once one is free.
   bool is_ready() const noexcept;
+  /// A piece lies free and was not taken out.
+  bool has_free_piece() const noexcept { return freed_ > removed_; }
 
   /// The button of the step at hand was pressed; what it asks for may be waited for from now on.
   StepDeed press(double now_s) noexcept;
@@ -66,6 +79,7 @@ class StepProgress {
   StepNews refused(StepNotice notice) noexcept;
 
   std::vector<scenarios::StepKind> steps_;
+  std::vector<bool> done_;
   std::size_t step_ = 0;
   Waiting waiting_ = Waiting::Nothing;
   double waiting_until_s_ = 0.0;

@@ -47,6 +47,21 @@ AttemptRights rights_to(Session& session, const AttemptHeader& header) {
   return rights;
 }
 
+std::vector<database::Note> notes_about(Session& session, const AttemptHeader& header) {
+  if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
+    return desk->notes(header.id);
+  if (auto own = trainee_desk_for(session, Action::ReadNotes, header)) return own->notes(header.id);
+  return {};
+}
+
+std::vector<database::HelpRequest> questions_about(Session& session, const AttemptHeader& header) {
+  if (auto desk = instructor_desk_for(session, Action::ReadHelp, header))
+    return desk->help_requests_about(header.id);
+  if (auto own = trainee_desk_for(session, Action::ReadHelp, header))
+    return own->help_requests_about(header.id);
+  return {};
+}
+
 void reply_to_note(Session& session, const AttemptHeader& header, database::NoteId note,
                    const std::string& text) {
   if (auto desk = instructor_desk_for(session, Action::ReplyToNote, header)) {

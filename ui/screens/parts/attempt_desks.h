@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "database/desks/session.h"
 
@@ -29,6 +30,13 @@ struct AttemptRights {
        may_ask_for_help = false;
 };
 AttemptRights rights_to(database::Session& session, const database::AttemptHeader& header);
+
+/// Notes and questions about an attempt that the person may read, from whichever desk may; none
+/// where none may.
+std::vector<database::Note> notes_about(database::Session& session,
+                                        const database::AttemptHeader& header);
+std::vector<database::HelpRequest> questions_about(database::Session& session,
+                                                   const database::AttemptHeader& header);
 
 /// Answers a note from whichever desk may.
 /// errors  DatabaseError: Refused; as CourseDesk::reply

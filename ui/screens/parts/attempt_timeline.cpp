@@ -33,6 +33,7 @@ constexpr EventText event_texts[] = {
     {CutEventKind::PieceFreed, Meaning::Good, "replay.event.piece_freed"},
     {CutEventKind::PieceRemoved, Meaning::Neutral, "replay.event.piece_removed"},
     {CutEventKind::StepDone, Meaning::Neutral, "replay.event.step_done"},
+    {CutEventKind::StepReopened, Meaning::Neutral, "replay.event.step_reopened"},
     {CutEventKind::Paused, Meaning::Neutral, "replay.event.paused"},
     {CutEventKind::Resumed, Meaning::Neutral, "replay.event.resumed"},
     {CutEventKind::Fault, Meaning::Bad, "replay.event.fault"},
@@ -45,6 +46,19 @@ constexpr EventText event_texts[] = {
     {CutEventKind::BoneNecrosis, Meaning::Bad, "replay.event.bone_necrosis"},
     {CutEventKind::DangerContact, Meaning::Bad, "replay.event.danger_contact"},
     {CutEventKind::DangerLeft, Meaning::Neutral, "replay.event.danger_left"},
+};
+
+constexpr std::pair<TimelineShape, std::string_view> shape_texts[] = {
+    {TimelineShape::Neutral, "timeline.legend.neutral"},
+    {TimelineShape::Info, "timeline.legend.info"},
+    {TimelineShape::Good, "timeline.legend.good"},
+    {TimelineShape::Warn, "timeline.legend.warn"},
+    {TimelineShape::Bad, "timeline.legend.bad"},
+    {TimelineShape::Note, "timeline.legend.note"},
+    {TimelineShape::Question, "timeline.legend.question"},
+    {TimelineShape::Answered, "timeline.legend.answered"},
+    {TimelineShape::Cluster, "timeline.legend.cluster"},
+    {TimelineShape::Aim, "timeline.legend.aim"},
 };
 
 }  // namespace
@@ -73,11 +87,39 @@ std::vector<TimelineStep> steps_of(const Recording& recording, const scenarios::
     next = index + 1;
   };
   for (const CutEvent& event : recording.events) {
-    if (event.kind == CutEventKind::StepDone && event.subject >= 0)
-      add(static_cast<std::size_t>(event.subject), second_from_tick(event.tick));
+    if (event.subject < 0) continue;
+    const auto step = static_cast<std::size_t>(event.subject);
+    if (event.kind == CutEventKind::StepDone) add(step, second_from_tick(event.tick));
+    if (event.kind != CutEventKind::StepReopened) continue;
+    add(next, second_from_tick(event.tick));
+    next = step;
   }
   add(next, duration_s);
   return steps;
+}
+
+std::vector<TimelineEvent> event_marks_of(const Texts& texts,
+                                          const std::vector<AttemptEvent>& events) {
+  std::vector<TimelineEvent> marks;
+  marks.reserve(events.size());
+  for (const AttemptEvent& event : events)
+    marks.push_back({event.time_s, event.meaning, std::string(texts.text(event.words))});
+  return marks;
+}
+
+std::vector<TimelineKey> legend_of(const Texts& texts, std::initializer_list<TimelineShape> more) {
+  std::vector<TimelineKey> legend;
+  const auto add = [&](TimelineShape shape) {
+    const auto* const words = std::find_if(std::begin(shape_texts), std::end(shape_texts),
+                                           [&](const auto& each) { return each.first == shape; });
+    legend.push_back({shape, std::string(texts.text(words->second))});
+  };
+  for (const TimelineShape shape : {TimelineShape::Neutral, TimelineShape::Info,
+                                    TimelineShape::Good, TimelineShape::Warn, TimelineShape::Bad})
+    add(shape);
+  for (const TimelineShape shape : more) add(shape);
+  add(TimelineShape::Cluster);
+  return legend;
 }
 
 double highest_of(const std::vector<ChartPoint>& points, double step) noexcept {

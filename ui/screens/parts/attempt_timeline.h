@@ -1,6 +1,7 @@
 /// What happened in an attempt, as the timelines of result and replay show it.
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,11 @@ std::vector<AttemptEvent> events_of(const simulator::Recording& recording);
 /// A step lasts from the one before it to when it was declared done; the last one to the end.
 std::vector<TimelineStep> steps_of(const simulator::Recording& recording,
                                    const scenarios::Scenario& scenario, double duration_s);
+/// Those events as marks, with their words.
+std::vector<TimelineEvent> event_marks_of(const Texts& texts,
+                                          const std::vector<AttemptEvent>& events);
+/// What the marks mean: of events, then of `more`.
+std::vector<TimelineKey> legend_of(const Texts& texts, std::initializer_list<TimelineShape> more);
 /// The force on the hand; its scale ends above all of it at a round number.
 TimelineTrack force_track(const Texts& texts, std::vector<ChartPoint> newton);
 /// The next multiple of `step` at or above every point; never below `step`. Gaps are passed over.

@@ -4,31 +4,18 @@
 #include <array>
 #include <cctype>
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 
 namespace hallux::ui {
 
 namespace {
 
 constexpr int days_shown = 31;
-
-std::optional<std::chrono::sys_days> day_of(std::string_view utc) noexcept {
-  int year = 0;
-  unsigned month = 0, day = 0;
-  std::array<char, 11> date{};
-  utc.copy(date.data(), 10);
-  if (std::sscanf(date.data(), "%4d-%2u-%2u", &year, &month, &day) != 3) return std::nullopt;
-  const std::chrono::year_month_day found{std::chrono::year{year}, std::chrono::month{month},
-                                          std::chrono::day{day}};
-  if (!found.ok()) return std::nullopt;
-  return std::chrono::sys_days{found};
-}
 
 char small(char letter) noexcept {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
@@ -45,19 +32,13 @@ std::string utc_now_text() {
   return text.data();
 }
 
-int days_between(std::string_view earlier_utc, std::string_view later_utc) noexcept {
-  const auto from = day_of(earlier_utc), to = day_of(later_utc);
-  return from && to ? static_cast<int>((*to - *from).count()) : 0;
-}
-
 std::string ago_text(const Texts& texts, std::string_view utc, std::string_view now_utc) {
   if (utc.empty()) return std::string(texts.text("ago.never"));
   const int days = days_between(utc, now_utc);
   if (days <= 0) return std::string(texts.text("ago.today"));
   if (days == 1) return std::string(texts.text("ago.yesterday"));
   if (days <= days_shown) return texts.say_count("ago.days", days);
-  const std::string moment = moment_text(utc);
-  return moment.substr(0, moment.find(','));
+  return date_text(utc);
 }
 
 std::string operation_text(std::string_view scenario_name) {
@@ -83,6 +64,7 @@ std::string notice_text(const Texts& texts, const database::Notice& notice) {
       {NoticeKind::BackupSkipped, "notice.backup_skipped"},
       {NoticeKind::CodeIssued, "notice.code_issued"},
       {NoticeKind::PasswordSet, "notice.password_set"},
+      {NoticeKind::NameCorrected, "notice.name_corrected"},
       {NoticeKind::ResultOverridden, "notice.result_overridden"},
       {NoticeKind::ResultVoided, "notice.result_voided"}};
   const auto* const found =

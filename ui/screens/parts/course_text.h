@@ -14,10 +14,6 @@ namespace hallux::ui {
 /// The moment now, ISO 8601 in UTC, as the database writes it.
 std::string utc_now_text();
 
-/// Whole days of the calendar (UTC) from one ISO 8601 moment to another; 0 where either is no such
-/// moment.
-int days_between(std::string_view earlier_utc, std::string_view later_utc) noexcept;
-
 /// "today", "yesterday", "5 days ago", beyond a month the date; "never" for "".
 std::string ago_text(const Texts& texts, std::string_view utc, std::string_view now_utc);
 

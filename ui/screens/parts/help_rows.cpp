@@ -4,6 +4,7 @@
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/person_cell.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/controls/row_table.h"
@@ -22,6 +23,7 @@ std::string row_title(const Texts& texts, const HelpRequest& request, bool names
   return texts.say("help.of",
                    {{"person", request.asker_name},
                     {"operation", operation_text(request.scenario_name)},
+                    {"number", grouped(static_cast<long>(request.attempt_number))},
                     {"moment", clock_text(static_cast<double>(request.moment.moment_us) / 1.0e6)}});
 }
 
@@ -35,9 +37,9 @@ void draw_request_cell(Ui& ui, const HelpRequest& request, bool names_asker, con
 
 std::string answered_by(const Texts& texts, const database::HelpAnswer& answer) {
   return answer.by_name.empty()
-             ? texts.say("help.answered_on", {{"moment", moment_text(answer.answered_utc)}})
+             ? texts.say("help.answered_on", {{"moment", full_moment_text(answer.answered_utc)}})
              : texts.say("help.answered_by", {{"person", answer.by_name},
-                                              {"moment", moment_text(answer.answered_utc)}});
+                                              {"moment", full_moment_text(answer.answered_utc)}});
 }
 
 }  // namespace
@@ -45,6 +47,7 @@ std::string answered_by(const Texts& texts, const database::HelpAnswer& answer) 
 std::string help_moment(const Texts& texts, const HelpRequest& request) {
   return texts.say("help.moment",
                    {{"operation", operation_text(request.scenario_name)},
+                    {"number", grouped(static_cast<long>(request.attempt_number))},
                     {"moment", clock_text(static_cast<double>(request.moment.moment_us) / 1.0e6)}});
 }
 
@@ -60,8 +63,9 @@ int help_rows(Ui& ui, const Rect& rect, const HelpRowsSpec& rows,
           draw_request_cell(own, request, rows.names_asker, cell);
         }},
        {{ui.text("help.asked"), 150.0F, 1.0F, Align::Left, roomy_from},
-        [](Request request) { return moment_text(request.asked_utc); },
-        small_cell},
+        [](Ui& own, Request request, const Rect& cell) {
+          draw_moment_cell(own, cell, request.asked_utc, {Type::Small, own.theme().text_secondary});
+        }},
        {{ui.text("help.state"), 96.0F}, [](Ui& own, Request request, const Rect& cell) {
           pill(own, {cell.x, cell.mid_y()},
                own.text(request.answer ? "help.answered" : "help.open"),
@@ -95,7 +99,7 @@ bool draw_help_request(Ui& ui, std::string_view id, Rect& rest, const HelpReques
                       names_asker ? request.asker_name : help_moment(ui.texts(), request), true);
   ui.canvas().text_in(
       take_top(head, 20.0F), {Type::Small, theme.text_secondary},
-      names_asker ? help_moment(ui.texts(), request) : moment_text(request.asked_utc), true);
+      names_asker ? help_moment(ui.texts(), request) : full_moment_text(request.asked_utc), true);
   text_line(ui, rest, Type::Body, theme.text, request.question, 16.0F);
   const ButtonSpec moment{ui.text("help.see_moment"), ButtonLook::Secondary, Icon::Play};
   const bool is_asked = button_in_line(ui, std::string(id) + ".moment",

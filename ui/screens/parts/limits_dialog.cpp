@@ -64,7 +64,7 @@ void draw_form(Ui& ui, Rect rest, LimitsForm& form) {
   number.label = ui.text("limits.number");
   number.hint = ui.text("limits.number.hint");
   number.max_bytes = 4;
-  number.is_enabled = !form.chosen.empty();
+  if (form.chosen.empty()) number.why_off = ui.text("limits.missing.operation");
   if (!form.number.empty() && !number_in(form.number)) number.error = ui.text("limits.number.rule");
   const Rect line = take_top(rest, field_height);
   if (field(ui, "limits.number", {line.x, line.y, std::min(line.w, 240.0F), line.h}, form.number,
@@ -78,6 +78,13 @@ std::optional<LimitChange> change_in(const LimitsForm& form) {
   const auto before = limit_of(form, form.chosen), wanted = number_in(form.number);
   if ((!form.number.empty() && !wanted) || before == wanted) return std::nullopt;
   return LimitChange{form.chosen, wanted};
+}
+
+/// Why nothing would change.
+std::string_view missing_in(const Ui& ui, const LimitsForm& form) {
+  if (form.chosen.empty()) return ui.text("limits.missing.operation");
+  if (!form.number.empty() && !number_in(form.number)) return ui.text("limits.number.rule");
+  return change_in(form) ? std::string_view() : ui.text("limits.missing.change");
 }
 
 /// What is said once it was made.
@@ -104,7 +111,7 @@ void LimitsDialog::draw(Ui& ui, Shell& shell, const Apply& apply, std::function<
   shown.sentence = ui.text("limits.sentence");
   const Answer answer = dialog(ui, "limits", shown, [&](const Rect& rect) {
     draw_form(ui, rect, *form_);
-    return change_in(*form_).has_value();
+    return missing_in(ui, *form_);
   });
   if (answer == Answer::Keep) form_.reset();
   const std::optional<LimitChange> change =

@@ -30,6 +30,7 @@ class Loaded {
  public:
   bool is_new() const noexcept { return state_ == State::New; }
   bool is_ready() const noexcept { return state_ == State::Ready; }
+  bool is_running() const noexcept { return state_ == State::Running; }
   /// Also while it is read anew.
   bool has_value() const noexcept { return value_.has_value(); }
   /// needs   has_value

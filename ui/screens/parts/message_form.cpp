@@ -64,7 +64,7 @@ bool MessageForm::draw(Ui& ui, Shell& shell, const std::shared_ptr<SignedInSessi
     ui.focus_first(id + ".words");
     if (!spec.toggle.empty())
       toggle(ui, id + ".toggle", take_top(rest, toggle_height), spec.toggle, is_on_);
-    return !words_.empty();
+    return words_.empty() ? ui.text("form.missing.words") : std::string_view();
   });
   if (answer == Answer::Keep) is_open_ = false;
   if (answer == Answer::Act && !work_.is_running()) start(shell, signed_in, spec, send);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/marks.h"
 
 namespace hallux::ui {
@@ -108,6 +109,18 @@ void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value
   ui.canvas().text_in(take_left(line, name_width, 8.0F), {Type::Small, ui.theme().text_caption},
                       name);
   ui.canvas().text_in(line, {Type::Small, ui.theme().text}, value, true);
+}
+
+void fact_moment(Ui& ui, Rect& rest, std::string_view name, std::string_view utc) {
+  constexpr float name_width = 96.0F;
+  Rect line = take_top(rest, 28.0F);
+  ui.canvas().text_in(take_left(line, name_width, 8.0F), {Type::Small, ui.theme().text_caption},
+                      name);
+  draw_moment_cell(ui, line, utc, {Type::Small, ui.theme().text});
+}
+
+void draw_moment_cell(Ui& ui, const Rect& cell, std::string_view utc, const TextStyle& style) {
+  ui.canvas().text_in(cell, style, moment_text(utc), true, full_moment_text(utc));
 }
 
 void text_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words, float gap) {

@@ -111,6 +111,11 @@ Rect list_card(Ui& ui, const Rect& rect);
 void fact_line(Ui& ui, Rect& rest, std::string_view name, std::string_view value,
                float name_width = 96.0F);
 
+/// The same with a moment, in local time; its offset is told while the pointer rests on it.
+void fact_moment(Ui& ui, Rect& rest, std::string_view name, std::string_view utc);
+/// A moment in a cell of a table, alike.
+void draw_moment_cell(Ui& ui, const Rect& cell, std::string_view utc, const TextStyle& style);
+
 /// Words over the width of `rest`, whose height they take with `gap` below.
 void text_line(Ui& ui, Rect& rest, Type type, Color color, std::string_view words,
                float gap = 8.0F);

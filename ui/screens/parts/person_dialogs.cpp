@@ -1,6 +1,7 @@
 #include "ui/screens/parts/person_dialogs.h"
 
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
@@ -21,10 +22,12 @@ constexpr float erase_height =
     3.0F * (field_label_height + field_height + field_gap) + field_message_height + checkbox_height;
 
 void draw_add_fields(Ui& ui, Rect rest, NewPersonForm& form) {
-  labelled_field(
-      ui, "people.add.login", rest, form.login,
-      {.label = ui.text("people.login"), .hint = ui.text("people.login.rule"), .max_bytes = 64},
-      field_message_height + field_gap);
+  FieldSpec login{
+      .label = ui.text("people.login"), .hint = ui.text("people.login.rule"), .max_bytes = 64};
+  if (!database::may_become_login(form.login)) login.error = ui.text("people.login.fault");
+  if (labelled_field(ui, "people.add.login", rest, form.login, login,
+                     field_message_height + field_gap))
+    ui.want_frame_in_s(0.0);  // what was said below it was about the frame before
   labelled_field(ui, "people.add.name", rest, form.display_name,
                  {.label = ui.text("people.name.field")}, field_gap);
   checkbox(ui, "people.add.administrator", take_top(rest, checkbox_height),
@@ -32,8 +35,8 @@ void draw_add_fields(Ui& ui, Rect rest, NewPersonForm& form) {
   ui.focus_first("people.add.login");
 }
 
-/// True where all three are there and the new one was written the same twice.
-bool draw_password_fields(Ui& ui, Rect rest, PasswordForm& form) {
+/// What is missing: all three, and the new one written the same twice.
+std::string_view draw_password_fields(Ui& ui, Rect rest, PasswordForm& form) {
   FieldSpec secret{.label = ui.text("account.password.old"), .is_secret = true};
   labelled_field(ui, "account.password.old", rest, form.old_password, secret, field_gap);
   secret.label = ui.text("entry.new_password");
@@ -50,11 +53,13 @@ bool draw_password_fields(Ui& ui, Rect rest, PasswordForm& form) {
                      field_message_height + field_gap);
   if (is_changed) ui.want_frame_in_s(0.0);  // what was said below it was about the frame before
   ui.focus_first("account.password.old");
-  return is_same() && !form.old_password.empty() && !form.new_password.empty();
+  if (form.old_password.empty()) return ui.text("account.password.missing.old");
+  if (form.new_password.empty()) return ui.text("account.password.missing.new");
+  return is_same() ? std::string_view() : ui.text("entry.passwords_differ");
 }
 
-/// True where all is there and the login is theirs.
-bool draw_erase_fields(Ui& ui, Rect rest, EraseForm& form) {
+/// What is missing: all three, and the login must be theirs.
+std::string_view draw_erase_fields(Ui& ui, Rect rest, EraseForm& form) {
   const std::string label = ui.texts().say("people.erase.login", {{"login", form.login}});
   labelled_field(ui, "people.erase.login", rest, form.typed_login,
                  {.label = label, .max_bytes = 64}, field_gap);
@@ -67,7 +72,9 @@ bool draw_erase_fields(Ui& ui, Rect rest, EraseForm& form) {
   checkbox(ui, "people.erase.recordings", take_top(rest, checkbox_height),
            ui.text("people.erase.recordings"), form.with_recordings);
   ui.focus_first("people.erase.login");
-  return form.typed_login == form.login && !form.reason.empty() && !form.password.empty();
+  if (form.typed_login != form.login) return ui.text("people.erase.missing.login");
+  if (form.reason.empty()) return ui.text("people.erase.missing.reason");
+  return form.password.empty() ? ui.text("people.erase.missing.password") : std::string_view();
 }
 
 /// The code, large, and a button beside it. True where it was copied.
@@ -93,7 +100,24 @@ Answer draw_add_dialog(Ui& ui, NewPersonForm& form, const std::string& fault, bo
                                    {fault, is_busy}, add_height);
   return dialog(ui, "people.add", shown, [&](const Rect& rect) {
     draw_add_fields(ui, rect, form);
-    return !form.login.empty();
+    if (form.login.empty()) return ui.text("people.missing.login");
+    return database::is_login(form.login) ? std::string_view() : ui.text("people.login.fault");
+  });
+}
+
+Answer draw_name_dialog(Ui& ui, NameForm& form, const std::string& fault, bool is_busy) {
+  const std::string title = ui.texts().say("people.rename.title", {{"login", form.login}});
+  Dialog shown = form_dialog(ui, title, ui.text("people.rename.act"), {fault, is_busy},
+                             field_label_height + field_height);
+  shown.sentence = ui.text("people.rename.sentence");
+  return dialog(ui, "people.rename", shown, [&](const Rect& rect) {
+    Rect rest = rect;
+    labelled_field(ui, "people.rename.name", rest, form.name,
+                   {.label = ui.text("people.name.field")});
+    ui.focus_first("people.rename.name");
+    if (form.name.find_first_not_of(' ') == std::string::npos)
+      return ui.text("people.missing.name");
+    return form.name != form.before ? std::string_view() : ui.text("people.rename.unchanged");
   });
 }
 
@@ -124,8 +148,8 @@ Answer draw_erase_dialog(Ui& ui, EraseForm& form, const std::string& fault, bool
 
 CodeAnswer draw_code_dialog(Ui& ui, const ShownCode& code) {
   const std::string title = ui.texts().say("people.code.title", {{"login", code.whose}});
-  const std::string words =
-      ui.texts().say("people.code.sentence", {{"moment", moment_text(code.issued.expires_utc)}});
+  const std::string words = ui.texts().say("people.code.sentence",
+                                           {{"moment", full_moment_text(code.issued.expires_utc)}});
   Dialog shown;
   shown.title = title;
   shown.sentence = words;
@@ -135,7 +159,7 @@ CodeAnswer draw_code_dialog(Ui& ui, const ShownCode& code) {
   bool is_copied = false;
   const Answer answer = dialog(ui, "people.code", shown, [&](const Rect& form) {
     is_copied = draw_code(ui, form, code);
-    return true;
+    return std::string_view();
   });
   if (answer != Answer::Waiting) return CodeAnswer::Done;
   return is_copied ? CodeAnswer::Copied : CodeAnswer::Waiting;

@@ -1,5 +1,5 @@
-/// The dialogs about people: adding a person, the one-time code that is shown once, one's own new
-/// password, and the last question before a person is erased.
+/// The dialogs about people: adding a person, correcting a name, the one-time code that is shown
+/// once, one's own new password, and the last question before a person is erased.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,16 @@ struct NewPersonForm {
 
 /// Asks who is added. `fault` says why the last try failed.
 Answer draw_add_dialog(Ui& ui, NewPersonForm& form, const std::string& fault, bool is_busy);
+
+/// A name that is corrected.
+struct NameForm {
+  /// Whose.
+  std::string login;
+  std::string before, name;
+};
+
+/// Asks for the right name. `fault` says why the last try failed.
+Answer draw_name_dialog(Ui& ui, NameForm& form, const std::string& fault, bool is_busy);
 
 /// What is typed to change one's password; wiped when it goes.
 struct PasswordForm {

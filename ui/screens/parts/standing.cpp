@@ -1,6 +1,7 @@
 #include "ui/screens/parts/standing.h"
 
 #include "ui/screens/parts/course_text.h"
+#include "ui/times/local_time.h"
 
 namespace hallux::ui {
 

@@ -10,6 +10,25 @@
 
 namespace hallux::ui {
 
+namespace {
+
+/// Beyond ASCII: punctuation, arrows, pictures, letters for private use. A name may hold them, but
+/// no word of it begins with one.
+constexpr bool is_sign(char32_t letter) noexcept {
+  return letter < 0xC0 || letter == 0xD7 || letter == 0xF7 ||
+         (letter >= 0x2000 && letter < 0x2C00) || (letter >= 0x3000 && letter < 0x3040) ||
+         (letter >= 0xE000 && letter < 0xF900) || (letter >= 0xFE00 && letter < 0xFE10) ||
+         (letter >= 0xFFF0 && letter < 0x10000) || (letter >= 0x1F000 && letter < 0x20000);
+}
+
+/// The name of a file or of something in it stays as it is written: "bad.json", "rubric_item".
+bool begins_with_name(std::string_view sentence) noexcept {
+  const std::string_view word = sentence.substr(0, sentence.find(' '));
+  return word.substr(0, word.size() - 1).find_first_of("./_\\") != std::string_view::npos;
+}
+
+}  // namespace
+
 std::string points_text(std::int64_t milli) {
   const std::int64_t tenths = (milli + (milli < 0 ? -50 : 50)) / 100;
   std::array<char, 32> text{};
@@ -18,26 +37,12 @@ std::string points_text(std::int64_t milli) {
   return text.data();
 }
 
-std::string moment_text(std::string_view utc) {
-  constexpr std::array<const char*, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                               "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0;
-  const std::string whole(utc);
-  if (std::sscanf(whole.c_str(), "%4d-%2d-%2dT%2d:%2d", &year, &month, &day, &hour, &minute) != 5 ||
-      month < 1 || month > 12) {
-    return whole;
-  }
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%d %s %d, %02d:%02d", day,
-                months[static_cast<std::size_t>(month - 1)], year, hour, minute);
-  return text.data();
-}
-
 std::string sentence_of(std::string_view reason) {
   std::string sentence(reason);
   if (sentence.empty()) return sentence;
   const auto first = static_cast<unsigned char>(sentence.front());
-  if (first < 0x80) sentence.front() = static_cast<char>(std::toupper(first));
+  if (first < 0x80 && !begins_with_name(sentence))
+    sentence.front() = static_cast<char>(std::toupper(first));
   if (std::string_view(".?").find(sentence.back()) == std::string_view::npos) sentence += '.';
   return sentence;
 }
@@ -54,7 +59,7 @@ std::string initials_of(std::string_view name) {
   for (std::size_t place = 0; place < name.size();) {
     const char32_t letter = next_code_point(name, place);
     const bool is_plain = letter < 0x80;
-    const bool is_part = !is_plain || std::isalnum(static_cast<int>(letter)) != 0;
+    const bool is_part = is_plain ? std::isalnum(static_cast<int>(letter)) != 0 : !is_sign(letter);
     if (is_part && !is_word_begun) {
       append_code_point(
           beginnings.emplace_back(),

@@ -1,4 +1,4 @@
-/// Values as people read them: points, moments, initials.
+/// Values as people read them: points, sentences, initials.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,8 @@ namespace hallux::ui {
 /// Thousandths of a point with one decimal: 76 830 is "76.8".
 std::string points_text(std::int64_t milli);
 
-/// An ISO 8601 time in UTC as "3 Mar 2026, 14:02"; what is no such time is shown as it is.
-std::string moment_text(std::string_view utc);
-
 /// What an error says, which begins small behind the command's name, as a sentence of its own:
-/// "Could not open it."
+/// "Could not open it." A name at its beginning, of a file or of a part of it, stays as it is.
 std::string sentence_of(std::string_view reason);
 
 /// A name as files write it, as words: "first_metatarsal" is "first metatarsal".

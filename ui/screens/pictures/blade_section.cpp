@@ -221,8 +221,4 @@ BladeSection blade_section(const KerfSection& section, const RigidTransform& bon
   return made;
 }
 
-HeldBone held_in(const KerfSection& section, const RigidTransform& world_from_bone) {
-  return {world_from_bone * section.bone_from_plane, section.bone_mm, section.opened_mm};
-}
-
 }  // namespace hallux::ui

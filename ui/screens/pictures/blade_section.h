@@ -90,7 +90,4 @@ BladeSection blade_section(const KerfSection& section, const RigidTransform& bon
 std::optional<FarEdge> far_edge_of(const std::vector<PlaneLoop>& bone_mm, const Vec2& from_mm,
                                    const Vec2& direction);
 
-/// What of the section still stands, as the renderer draws it.
-HeldBone held_in(const KerfSection& section, const RigidTransform& world_from_bone);
-
 }  // namespace hallux::ui

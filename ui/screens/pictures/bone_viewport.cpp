@@ -89,7 +89,7 @@ bool BoneViewport::hear_pointer(const AreaResponse& area) {
   }
   if (area.wheel != 0.0F)
     camera_ = zoomed(camera_, std::pow(zoom_step, static_cast<double>(area.wheel)));
-  return camera_.target_mm != before.target_mm || camera_.world_from_view != before.world_from_view;
+  return camera_ != before;
 }
 
 bool BoneViewport::hear_keys(Ui& ui) {
@@ -110,10 +110,13 @@ bool BoneViewport::hear_keys(Ui& ui) {
   turn(Key::Right, ui.text("stage.turn_right"), 1.0, 0.0);
   turn(Key::Up, ui.text("stage.turn_up"), 0.0, 1.0);
   turn(Key::Down, ui.text("stage.turn_down"), 0.0, -1.0);
-  if (ui.shortcut({Key::Plus}, ui.text("stage.nearer"))) camera_ = zoomed(camera_, zoom_step);
-  if (ui.shortcut({Key::Minus}, ui.text("stage.farther")))
-    camera_ = zoomed(camera_, 1.0 / zoom_step);
-  if (ui.shortcut({Key::R}, ui.text("stage.back"))) turn_back();
+  const auto zoom = [&](Key key, std::string_view label, double factor) {
+    if (!ui.shortcut({key, {.alt = zooms_with_alt_}}, label)) return;
+    camera_ = zoomed(camera_, factor);
+    was_turned = true;
+  };
+  zoom(Key::Plus, ui.text("stage.nearer"), zoom_step);
+  zoom(Key::Minus, ui.text("stage.farther"), 1.0 / zoom_step);
   return was_turned;
 }
 
@@ -130,6 +133,10 @@ StageResponse BoneViewport::draw(Ui& ui, Shell& shell, const Rect& rect, const S
   }
   response.was_turned = hear_pointer(area);
   if (hears_keys && hear_keys(ui)) response.was_turned = true;
+  if (hears_keys && ui.shortcut({Key::R}, ui.text("stage.back"))) {
+    turn_back();
+    response.was_turned_back = true;
+  }
   if (!is_fitted_) {
     camera_ = fitted(first_, Viewer{}, radius_mm_, aspect);
     is_fitted_ = true;
@@ -143,7 +150,7 @@ StageResponse BoneViewport::draw(Ui& ui, Shell& shell, const Rect& rect, const S
   if (texture == 0) texture = shell.scenes().draw(picture.id, scene, camera_, size);
   drawn_ = wanted;
   if (texture != 0) ui.canvas().picture({texture}, rect_, picture.radius);
-  if (area.was_clicked) {
+  if (area.clicked[0]) {
     response.pointed = ray_through(Vec2(static_cast<double>((area.pointer.x - rect_.x) / rect_.w),
                                         static_cast<double>((area.pointer.y - rect_.y) / rect_.h)));
   }

@@ -37,8 +37,10 @@ struct StageResponse {
   Rect rect;
   /// Clicked without having turned it.
   std::optional<SightRay> pointed;
-  /// By hand or key, in this frame.
+  /// By hand or key, in this frame: turned, moved, nearer or farther.
   bool was_turned = false;
+  /// By key, in this frame, to the view that it was first.
+  bool was_turned_back = false;
 };
 
 /// Which picture is shown: a screen passes another revision where the scene has changed.
@@ -62,6 +64,13 @@ class BoneViewport {
   /// needs   has_blade for AlongBlade
   void turn_to(StandardView view) noexcept;
   void turn_back() noexcept { is_fitted_ = false; }
+  /// That camera from now on.
+  void show(const Camera& camera) noexcept {
+    camera_ = camera;
+    is_fitted_ = true;
+  }
+  /// Plus and minus are the screen's: the view hears them with Alt.
+  void leave_plus_and_minus() noexcept { zooms_with_alt_ = true; }
   bool has_view() const noexcept { return radius_mm_ > 0.0; }
 
   /// Draws the scene where it changed and shows it; hears the pointer and, where `hears_keys`, the
@@ -84,7 +93,7 @@ class BoneViewport {
   Camera camera_, first_;
   std::optional<RigidTransform> world_from_blade_;
   double radius_mm_ = 0.0;
-  bool is_fitted_ = false;
+  bool is_fitted_ = false, zooms_with_alt_ = false;
   Rect rect_{0.0F, 0.0F, 1.0F, 1.0F};
   /// What the picture was drawn from.
   std::uint64_t drawn_ = 0;

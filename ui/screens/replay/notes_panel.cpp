@@ -1,6 +1,7 @@
-// Notes of an attempt with their replies, in the order of their moments. Heights are computed
-// before drawing, because the list scrolls. The line to answer exists only for a note that was
-// chosen and may be answered; what was typed there outlives a change of the choice.
+// Notes of an attempt with their replies and questions with their answers, in the order of their
+// moments. Heights are computed before drawing, because the list scrolls. The line to answer exists
+// only for a note that was chosen and may be answered; what was typed there outlives a change of
+// the choice. A question is answered in the inbox.
 #include "ui/screens/replay/notes_panel.h"
 
 #include <algorithm>
@@ -16,29 +17,36 @@ namespace hallux::ui {
 
 namespace {
 
-using database::Action;
+using database::HelpRequest;
 using database::Note;
 using database::NoteReply;
 
 constexpr float edge = 12.0F, face = 28.0F, line_height = 22.0F, reply_inset = 28.0F,
-                between = 8.0F, badge_radius = 9.0F;
+                between = 8.0F, badge_room = 36.0F, said_foot = 6.0F, pill_height = 26.0F;
 
-std::vector<Note> read_notes(database::Session& session, const database::AttemptId& id) {
+Remarks read_remarks(database::Session& session, const database::AttemptId& id) {
   const database::AttemptHeader header = header_for(session, id);
-  if (auto desk = instructor_desk_for(session, Action::ReadNotes, header))
-    return desk->notes(header.id);
-  if (auto own = trainee_desk_for(session, Action::ReadNotes, header)) return own->notes(header.id);
-  return {};
+  return remarks_of(notes_about(session, header), questions_about(session, header));
 }
 
+/// Somebody's words, with a face and a name.
 struct Said {
   std::string name;
   std::string_view words;
   database::PersonId person;
 };
 
+/// What a remark consists of, top to bottom.
+struct RemarkText {
+  Said first;
+  std::vector<Said> replies;
+  /// A pill below the first; empty: none.
+  std::string_view pill;
+  Meaning pill_meaning = Meaning::Neutral;
+};
+
 float said_height(const Ui& ui, std::string_view words, float width) {
-  return line_height + ui.paragraph_height(Type::Small, words, width - face - edge) + 6.0F;
+  return line_height + ui.paragraph_height(Type::Small, words, width - face - edge) + said_foot;
 }
 
 /// A face, a name and the words below it. `right` is what stands at the end of the name's line and
@@ -54,69 +62,109 @@ void draw_said(Ui& ui, Rect rest, const Said& said, float right) {
   canvas.paragraph(rest, {Type::Small, ui.theme().text_secondary}, said.words);
 }
 
-float note_height(const Ui& ui, const Note& note, float width) {
-  const float inner = width - 2.0F * edge;
-  float height = 2.0F * edge + said_height(ui, note.text, inner);
-  if (note.is_private) height += line_height + 4.0F;
+RemarkText text_of_note(const Ui& ui, const Note& note) {
+  RemarkText text;
+  text.first = {person_name_of(ui.texts(), {}, note.author_name), note.text, note.author};
+  if (note.is_private) text.pill = ui.text("notes.private");
   for (const NoteReply& reply : note.replies)
-    height += between + said_height(ui, reply.text, inner - reply_inset);
+    text.replies.push_back(
+        {person_name_of(ui.texts(), {}, reply.author_name), reply.text, reply.author});
+  return text;
+}
+
+RemarkText text_of_question(const Ui& ui, const HelpRequest& question) {
+  RemarkText text;
+  text.first = {person_name_of(ui.texts(), {}, question.asker_name), question.question,
+                question.asker};
+  text.pill = ui.text(question.answer ? "notes.question.answered" : "notes.question.open");
+  text.pill_meaning = question.answer ? Meaning::Good : Meaning::Info;
+  // Who answered is known by name alone; the face is anybody's.
+  if (question.answer)
+    text.replies.push_back(
+        {person_name_of(ui.texts(), {}, question.answer->by_name), question.answer->text, {}});
+  return text;
+}
+
+RemarkText text_of_remark(const Ui& ui, const Remarks& remarks, const Remark& remark) {
+  const Note* note = remarks.note(remark);
+  return note != nullptr ? text_of_note(ui, *note)
+                         : text_of_question(ui, *remarks.question(remark));
+}
+
+float remark_height(const Ui& ui, const RemarkText& text, float width) {
+  const float inner = width - 2.0F * edge;
+  float height = 2.0F * edge + said_height(ui, text.first.words, inner);
+  if (!text.pill.empty()) height += pill_height;
+  for (const Said& reply : text.replies)
+    height += between + said_height(ui, reply.words, inner - reply_inset);
   return height;
 }
 
-void draw_note(Ui& ui, const Rect& place, const Note& note, std::size_t number) {
+void draw_remark(Ui& ui, const Rect& place, const RemarkText& text, const Remarks& remarks,
+                 const Remark& remark) {
   Rect rest = inset(place, edge);
-  const std::string moment = clock_text(static_cast<double>(note.moment.moment_us) / 1.0e6);
+  const std::string moment = clock_text(second_of(remark));
   const float clock = ui.width_of(Type::SmallMedium, moment);
-  draw_note_badge(ui, {rest.right() - clock - 18.0F, rest.y + line_height / 2.0F}, number);
+  draw_remark_badge(ui, {rest.right() - clock - 18.0F, rest.y + line_height / 2.0F}, remarks,
+                    remark);
   ui.canvas().text({rest.right(), rest.y + line_height / 2.0F},
                    {Type::SmallMedium, ui.theme().accent, Align::Right}, moment);
-  const std::string name = person_name_of(ui.texts(), {}, note.author_name);
-  draw_said(ui, take_top(rest, said_height(ui, note.text, rest.w)), {name, note.text, note.author},
-            clock + 36.0F);
-  if (note.is_private) {
-    const Rect line = take_top(rest, line_height, 4.0F);
-    pill(ui, {line.x + face + edge, line.mid_y()}, ui.text("notes.private"), Meaning::Neutral,
-         false);
+  draw_said(ui, take_top(rest, said_height(ui, text.first.words, rest.w)), text.first,
+            clock + badge_room);
+  if (!text.pill.empty()) {
+    const Rect line = take_top(rest, pill_height);
+    pill(ui, {line.x + face + edge, line.mid_y() - 2.0F}, text.pill, text.pill_meaning,
+         text.pill_meaning != Meaning::Neutral);
   }
   take_left(rest, reply_inset);
-  for (const NoteReply& reply : note.replies) {
+  for (const Said& reply : text.replies) {
     take_top(rest, between);
-    draw_said(ui, take_top(rest, said_height(ui, reply.text, rest.w)),
-              {person_name_of(ui.texts(), {}, reply.author_name), reply.text, reply.author}, 0.0F);
+    draw_said(ui, take_top(rest, said_height(ui, reply.words, rest.w)), reply, 0.0F);
   }
 }
 
 }  // namespace
 
-void draw_note_badge(Ui& ui, Point centre, std::size_t number) {
-  ui.canvas().disc(centre, badge_radius, ui.theme().accent);
-  ui.canvas().text(centre, {Type::CaptionMedium, ui.theme().on_accent, Align::Centre},
-                   std::to_string(number));
+void draw_remark_badge(Ui& ui, Point centre, const Remarks& remarks, const Remark& remark) {
+  const HelpRequest* question = remarks.question(remark);
+  if (question == nullptr) {
+    draw_timeline_shape(ui.canvas(), ui.theme(), TimelineShape::Note, centre,
+                        std::to_string(remark.number));
+  } else {
+    draw_timeline_shape(ui.canvas(), ui.theme(),
+                        question->answer ? TimelineShape::Answered : TimelineShape::Question,
+                        centre);
+  }
 }
 
 void NotesPanel::read(Ui& ui, Shell& shell) {
-  notes_.read(ui, shell, ui.text("notes.reading"), signed_in_,
-              [id = attempt_](database::Session& session) { return read_notes(session, id); });
+  remarks_.read(ui, shell, ui.text("notes.reading"), signed_in_,
+                [id = attempt_](database::Session& session) { return read_remarks(session, id); });
 }
 
-const std::vector<Note>& NotesPanel::notes() const noexcept {
-  return notes_.has_value() ? notes_.value() : none_;
+const Remarks& NotesPanel::remarks() const noexcept {
+  return remarks_.has_value() ? remarks_.value() : none_;
+}
+
+const Note* NotesPanel::chosen_note() const noexcept {
+  return chosen_ && *chosen_ < remarks().order.size() ? remarks().note(remarks().order[*chosen_])
+                                                      : nullptr;
 }
 
 std::optional<double> NotesPanel::draw(Ui& ui, Shell& shell, const Rect& rect,
                                        const database::AttemptHeader& header,
                                        const AttemptRights& rights) {
   Rect rest = rect;
-  if (!notes_.draw_until_ready(ui, "notes.failed", rest, 4)) return std::nullopt;
-  if (notes().empty()) {
+  if (!remarks_.draw_until_ready(ui, "notes.failed", rest, 4)) return std::nullopt;
+  if (remarks().order.empty()) {
     empty_card(ui, "notes.empty", rest,
                {Icon::Note, ui.text("notes.empty"),
                 ui.text(rights.may_read_notes ? "notes.empty.sentence" : "notes.none_here")});
     return std::nullopt;
   }
-  if (chosen_ && *chosen_ >= notes().size()) chosen_.reset();
-  const bool may_reply = chosen_ && rights.may_reply && !notes()[*chosen_].is_private;
-  if (may_reply) {
+  if (chosen_ && *chosen_ >= remarks().order.size()) chosen_.reset();
+  const Note* note = chosen_note();
+  if (note != nullptr && rights.may_reply && !note->is_private) {
     const float height =
         field_height + (work_.fault().empty() ? 0.0F : field_message_height) + field_label_height;
     draw_reply(ui, shell, take_bottom(rest, height, 12.0F), header);
@@ -125,32 +173,36 @@ std::optional<double> NotesPanel::draw(Ui& ui, Shell& shell, const Rect& rect,
 }
 
 std::optional<double> NotesPanel::draw_list(Ui& ui, const Rect& rect) {
+  const std::vector<Remark>& order = remarks().order;
+  const float width = rect.w - 6.0F;
   float height = 0.0F;
-  for (const Note& note : notes()) height += note_height(ui, note, rect.w) + between;
+  std::vector<RemarkText> texts;
+  for (const Remark& remark : order) {
+    texts.push_back(text_of_remark(ui, remarks(), remark));
+    height += remark_height(ui, texts.back(), width) + between;
+  }
   const float offset = ui.begin_scroll("notes.list", ui.text("notes.title"), rect, height);
   std::optional<double> asked_s;
   float y = rect.y - offset;
-  for (std::size_t i = 0; i < notes().size(); ++i) {
-    const Note& note = notes()[i];
-    const Rect place{rect.x, y, rect.w - 6.0F, note_height(ui, note, rect.w - 6.0F)};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Rect place{rect.x, y, width, remark_height(ui, texts[i], width)};
     y = place.bottom() + between;
-    const Response response = ui.control({.id = "notes.note." + std::to_string(i + 1),
-                                          .label = note.text,
+    const char* kind = order[i].is_question ? "notes.question." : "notes.note.";
+    const Response response = ui.control({.id = kind + std::to_string(order[i].number),
+                                          .label = std::string(texts[i].first.words),
                                           .rect = place,
                                           .role = Role::Row,
                                           .is_chosen = chosen_ == i,
                                           .group = "notes.list"});
-    if (chosen_ == i) {
-      ui.canvas().fill(place, ui.theme().accent_soft, radius::control);
-    } else {
-      ui.canvas().fill(place, faded(ui.theme().raise, response.hover), radius::control);
-    }
+    ui.canvas().fill(
+        place, chosen_ == i ? ui.theme().accent_soft : faded(ui.theme().raise, response.hover),
+        radius::control);
     if (response.shows_ring)
       draw_focus_ring(ui.canvas(), ui.theme(), inset(place, 4.0F), radius::control);
-    draw_note(ui, place, note, i + 1);
+    draw_remark(ui, place, texts[i], remarks(), order[i]);
     if (!response.is_pressed()) continue;
     chosen_ = i;
-    asked_s = static_cast<double>(note.moment.moment_us) / 1.0e6;
+    asked_s = second_of(order[i]);
   }
   ui.end_scroll();
   return asked_s;
@@ -162,12 +214,12 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
   take_top(rest, field_label_height);
   Rect line = take_top(rest, field_height);
   ButtonSpec button_spec{ui.text("notes.send"), ButtonLook::Primary, Icon::Send};
-  button_spec.is_enabled = has_reply();
+  if (!has_reply()) button_spec.why_off = ui.text("notes.reply.missing");
   button_spec.is_busy = work_.is_running();
   const Rect place = take_right(line, button_width(ui, button_spec), 8.0F);
   FieldSpec words;
-  const std::string label =
-      ui.texts().say("notes.reply", {{"number", std::to_string(*chosen_ + 1)}});
+  const std::string number = std::to_string(remarks().order[*chosen_].number);
+  const std::string label = ui.texts().say("notes.reply", {{"number", number}});
   words.label = label;
   words.error = work_.fault();
   words.max_bytes = 2000;
@@ -179,7 +231,7 @@ void NotesPanel::draw_reply(Ui& ui, Shell& shell, const Rect& rect,
 }
 
 void NotesPanel::send(Ui& ui, Shell& shell, const database::AttemptHeader& header) {
-  const database::NoteId note = notes()[*chosen_].id;
+  const database::NoteId note = chosen_note()->id;
   work_.change(
       shell, signed_in_, {std::string(ui.text("notes.sending")), {}},
       [header, note, words = reply_](database::Session& session) {
@@ -187,7 +239,7 @@ void NotesPanel::send(Ui& ui, Shell& shell, const database::AttemptHeader& heade
       },
       [this] {
         reply_.clear();
-        notes_.read_again();
+        remarks_.read_again();
       });
 }
 

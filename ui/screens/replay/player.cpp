@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -22,13 +20,6 @@ constexpr std::array<std::string_view, 6> speed_texts{"0.1\xC3\x97", "0.25\xC3\x
 constexpr double sample_s = 0.001, second_s = 1.0, ten_seconds_s = 10.0;
 /// Two moments nearer than this are the same one.
 constexpr double same_s = 0.0005;
-
-std::string tenths_text(double time_s) {
-  std::array<char, 8> tenth{};
-  const double part = time_s - std::floor(time_s);
-  std::snprintf(tenth.data(), tenth.size(), ".%d", static_cast<int>(std::floor(part * 10.0)));
-  return clock_text(time_s) + tenth.data();
-}
 
 }  // namespace
 
@@ -104,19 +95,33 @@ void Player::draw(Ui& ui, const Rect& line) {
   if (icon_button(ui, "replay.play", square(4.0F), play)) play_or_pause();
   if (icon_button(ui, "replay.next", square(16.0F), {ui.text("replay.event_next"), Icon::Next}))
     to_event(true);
-  const std::string now = tenths_text(now_s_);
+  const std::string now = clock_tenths_text(now_s_);
   const std::string of = ui.texts().say("replay.of", {{"duration", clock_text(duration_s_)}});
   // The clock's room does not change with its digits: they are all equally wide.
   const float now_width = ui.width_of(Type::BodyStrong, now) + 2.0F;
   ui.canvas().text_in(take_left(rest, now_width, 8.0F), {Type::BodyStrong, ui.theme().text}, now);
   ui.canvas().text_in(take_left(rest, ui.width_of(Type::Small, of) + 2.0F, 20.0F),
                       {Type::Small, ui.theme().text_caption}, of);
-  const float width = segmented_width(ui, speed_texts);
-  if (rest.w < width) return;
-  const Rect place = take_left(rest, width, 24.0F);
-  segmented(ui, "replay.speed", {place.x, place.mid_y() - 17.0F, place.w, 34.0F}, speed_texts,
-            speed_);
+  draw_speeds(ui, rest);
   draw_keys(ui, rest);
+}
+
+/// Side by side where there is room, else the one that is, pressed for the next.
+void Player::draw_speeds(Ui& ui, Rect& rest) {
+  const float width = segmented_width(ui, speed_texts);
+  if (rest.w >= width) {
+    const Rect place = take_left(rest, width, 24.0F);
+    segmented(ui, "replay.speed", {place.x, place.mid_y() - 17.0F, place.w, 34.0F}, speed_texts,
+              speed_);
+    return;
+  }
+  const ButtonSpec speed{speed_texts[static_cast<std::size_t>(speed_)]};
+  const float one = button_width(ui, speed);
+  if (rest.w < one) return;
+  const Rect place = take_left(rest, one, 24.0F);
+  if (!button(ui, "replay.speed", {place.x, place.mid_y() - 17.0F, place.w, 34.0F}, speed)) return;
+  speed_ = (speed_ + 1) % static_cast<int>(speeds.size());
+  ui.want_frame_in_s(0.0);
 }
 
 void Player::draw_keys(Ui& ui, const Rect& room) const {

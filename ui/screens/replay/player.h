@@ -32,6 +32,7 @@ class Player {
   void to_event(bool is_forwards) noexcept;
   void change_speed(int by) noexcept;
   void hear_keys(Ui& ui);
+  void draw_speeds(Ui& ui, Rect& rest);
   void draw_keys(Ui& ui, const Rect& room) const;
 
   double duration_s_ = 0.001, now_s_ = 0.0, last_frame_s_ = 0.0;

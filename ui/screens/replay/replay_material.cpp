@@ -57,24 +57,6 @@ ToPlan to_plan(const scenarios::Plan& plan, const RigidTransform& bone_from_tool
   return std::abs(nearest.distance_mm) <= near_plan_mm ? nearest : ToPlan{};
 }
 
-void thin_out(ReplayMaterial& material) {
-  const std::size_t step = std::max<std::size_t>(1, material.samples.size() / track_points);
-  const RigidTransform bone_from_world = inverse(material.world_from_bone);
-  for (std::size_t i = 0; i < material.samples.size(); i += step) {
-    const std::size_t end = std::min(i + step, material.samples.size());
-    double force = 0.0;
-    for (std::size_t j = i; j < end; ++j)
-      force = std::max(force, simulator::force_size_newton(material.samples[j]));
-    const ToolSample& sample = material.samples[i];
-    const double time_s = second_from_tick(sample.tick);
-    const ToPlan plan =
-        to_plan(material.plan, bone_from_world * transform_from(sample.world_from_tool),
-                material.scenario.saw.blade.kerf_mm);
-    material.force_newton.push_back({time_s, force});
-    material.to_plan_mm.push_back({time_s, std::abs(plan.distance_mm)});
-  }
-}
-
 void measure_bone(ReplayMaterial& material, const simulator::Bone& bone) {
   material.world_from_bone = bone.world_from_bone;
   Vec3 low = bone.outer.points_mm.front(), high = low;
@@ -89,6 +71,7 @@ void measure_bone(ReplayMaterial& material, const simulator::Bone& bone) {
 struct LoadedAttempt {
   AttemptMaterial attempt;
   std::optional<database::StoredScore> score;
+  std::vector<simulator::DisplayFact> display_facts;
   AttemptRights rights;
   std::filesystem::path directory;
 };
@@ -97,7 +80,8 @@ LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     const database::AttemptHeader header = header_for(session, id);
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, header.id);
-    return LoadedAttempt{load_attempt(database, *desk, header.id), desk->score(header.id),
+    return LoadedAttempt{load_attempt(database, *desk, header.id, database::RecordingPart::Whole),
+                         desk->score(header.id), desk->display_facts(header.id),
                          rights_to(session, header), database.directory()};
   });
 }
@@ -113,6 +97,7 @@ std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
   material->header = attempt.header;
   material->rights = loaded.rights;
   if (loaded.score) material->card = loaded.score->card;
+  material->seen = SeenViews(std::move(loaded.display_facts));
   material->plan = plan_on(attempt.scenario, attempt.bone);
   measure_bone(*material, attempt.bone);
   const std::string name =
@@ -139,8 +124,39 @@ std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
   material->steps = steps_of(attempt.recording, attempt.scenario, material->duration_s);
   material->samples = std::move(attempt.recording.samples);
   material->scenario = std::move(attempt.scenario);
-  thin_out(*material);
+  material->curves = curves_of(*material, {0.0, material->duration_s});
   return material;
+}
+
+Curves curves_of(const ReplayMaterial& material, const TimeRange& range) {
+  const std::vector<ToolSample>& samples = material.samples;
+  const auto at_or_after = [&](double time_s) {
+    const auto tick = static_cast<std::int64_t>(std::floor(time_s / step_s));
+    const auto found = std::lower_bound(
+        samples.begin(), samples.end(), tick,
+        [](const ToolSample& sample, std::int64_t wanted) { return sample.tick < wanted; });
+    return static_cast<std::size_t>(found - samples.begin());
+  };
+  // One beyond each end, so that a curve leaves through the edge.
+  const std::size_t first =
+      at_or_after(range.begin_s) - std::min<std::size_t>(at_or_after(range.begin_s), 1);
+  const std::size_t last = std::min(at_or_after(range.end_s) + 2, samples.size());
+  const std::size_t step = std::max<std::size_t>(1, (last - std::min(first, last)) / track_points);
+  const RigidTransform bone_from_world = inverse(material.world_from_bone);
+  Curves curves;
+  for (std::size_t i = first; i < last; i += step) {
+    const std::size_t end = std::min(i + step, last);
+    double force = 0.0;
+    for (std::size_t j = i; j < end; ++j)
+      force = std::max(force, simulator::force_size_newton(samples[j]));
+    const double time_s = second_from_tick(samples[i].tick);
+    const ToPlan plan =
+        to_plan(material.plan, bone_from_world * transform_from(samples[i].world_from_tool),
+                material.scenario.saw.blade.kerf_mm);
+    curves.force_newton.push_back({time_s, force});
+    curves.to_plan_mm.push_back({time_s, std::abs(plan.distance_mm)});
+  }
+  return curves;
 }
 
 HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept {

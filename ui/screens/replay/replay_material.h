@@ -13,6 +13,7 @@
 #include "ui/screens/parts/signed_in_session.h"
 #include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/replay/history_picture.h"
+#include "ui/screens/replay/seen_views.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/window/shell/background.h"
 
@@ -29,6 +30,11 @@ struct HandAtMoment {
   double tilt_rad = 0.0;
 };
 
+/// Along the time, x in seconds; no more points than a wide window has pixels.
+struct Curves {
+  std::vector<ChartPoint> force_newton, to_plan_mm;
+};
+
 struct ReplayMaterial {
   database::AttemptHeader header;
   AttemptRights rights;
@@ -43,8 +49,9 @@ struct ReplayMaterial {
   std::vector<simulator::ToolSample> samples;
   std::vector<AttemptEvent> events;
   std::vector<TimelineStep> steps;
-  /// Thinned out, x in seconds.
-  std::vector<ChartPoint> force_newton, to_plan_mm;
+  /// Of all of it.
+  Curves curves;
+  SeenViews seen;
   double duration_s = 0.001;
   std::shared_ptr<const HistoryPicture> bone;
 };
@@ -54,6 +61,9 @@ struct ReplayMaterial {
 std::shared_ptr<const ReplayMaterial> load_replay(SignedInSession& signed_in,
                                                   const database::AttemptId& id,
                                                   WorkReport& report);
+
+/// Of the samples in that range, as fine as they are where it is short.
+Curves curves_of(const ReplayMaterial& material, const TimeRange& range);
 
 /// The hand at the sample of that moment, or at the last one before it.
 HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept;

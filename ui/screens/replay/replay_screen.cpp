@@ -11,9 +11,9 @@
 #include "simulator/base/units.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/pictures/planned_frame.h"
+#include "ui/screens/pictures/shown_camera.h"
 #include "ui/screens/result/result_cards.h"
 #include "ui/widgets/controls/card.h"
-#include "ui/widgets/controls/chart_view.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
@@ -22,19 +22,21 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float head_height = 64.0F, panel_width = 352.0F, edge = 20.0F, time_edge = 12.0F;
+constexpr float head_height = 64.0F, panel_width = 352.0F, edge = 20.0F, time_edge = 12.0F,
+                legend_gap = 8.0F;
 constexpr float row_height = 36.0F;
 /// Of the section beside the view along the blade.
 constexpr float inset_width = 240.0F, inset_height = 220.0F;
 constexpr CellStyle moment_cell{Type::SmallMedium, &Theme::accent};
-constexpr float two_tracks_from = 720.0F, one_track_from = 560.0F;
 constexpr double swings_per_second = 9.0;  ///< as it is drawn: the true rate is a blur
-/// A click on the timeline this near to a note means the note.
-constexpr double note_reach_px = 10.0;
 
 constexpr std::array<StandardView, 5> views{StandardView::Operator, StandardView::Dorsal,
                                             StandardView::Medial, StandardView::Plantar,
                                             StandardView::AlongBlade};
+
+/// Of these, the one that follows what was on the screen; where it was not recorded, the
+/// operator's.
+constexpr int as_seen = 0, turned_by_hand = -1;
 
 std::string fixed_text(double value, int decimals) {
   if (!std::isfinite(value)) return "\xE2\x80\x93";
@@ -78,6 +80,7 @@ void ReplayScreen::open(Ui& ui) {
   std::vector<double> event_s;
   for (const AttemptEvent& event : material().events) event_s.push_back(event.time_s);
   player_.open(material().duration_s, std::move(event_s), first_moment_s_);
+  stage_.leave_plus_and_minus();
   stage_.look_at(transform_point(material().world_from_bone, material().middle_in_bone_mm),
                  0.9 * material().radius_mm, views.front());
   ui.want_frame_in_s(0.0);
@@ -86,9 +89,9 @@ void ReplayScreen::open(Ui& ui) {
 void ReplayScreen::draw_replay(Ui& ui, const Rect& content, Shell& shell) {
   Rect rest = content;
   draw_head(ui, take_top(rest, head_height));
-  const Timeline shown = timeline_of(ui, content.h);
-  const float time_height = Player::height + timeline_height(shown) + 2.0F * time_edge;
-  draw_time(ui, take_bottom(rest, time_height));
+  const Timeline shown =
+      timeline_.shown(ui.texts(), material(), notes_.remarks(), player_.now_s(), ui.display().h);
+  draw_time(ui, take_bottom(rest, time_height(ui, shown, rest.w)), shown);
   const float width = std::clamp(0.3F * content.w, 216.0F, panel_width);
   draw_panel(ui, take_right(rest, width), shell);
   draw_view(ui, rest, shell);
@@ -114,7 +117,7 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar) {
   const database::AttemptHeader& header = material().header;
   std::string where =
       ui.texts().say("replay.crumb", {{"operation", material().scenario.title},
-                                      {"number", grouped(static_cast<long>(header.order))}});
+                                      {"number", grouped(static_cast<long>(header.number))}});
   if (header.begun.person != signed_in_->person().id && !header.login.empty())
     where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
   canvas.text_in(take_top(rest, 20.0F), {Type::Small, ui.theme().text_caption}, where, true);
@@ -164,10 +167,13 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
                                                       fixed_text(picked_in_bone_mm_->y, 6)
                                                 : std::string());
   stage_.set_blade(hand.world_from_tool);
+  look_as_seen(rect);
   const StageResponse response =
       stage_.draw(ui, shell, rect, scene_of(ui, hand),
                   {"replay.view", ui.text("replay.view"), picture_id(state), 0.0F});
   if (response.pointed) pick(*response.pointed);
+  if (response.was_turned) view_ = turned_by_hand;
+  if (response.was_turned_back) view_ = as_seen;
   draw_pins(ui);
   draw_view_choices(ui, rect);
   draw_hand(ui, rect, hand);
@@ -178,6 +184,27 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
     inset_.draw(ui, shell, corner, material_.value(), *bone_, hand, shows_plan_);
 }
 
+void ReplayScreen::look_as_seen(const Rect& rect) {
+  if (view_ != as_seen) return;
+  const SeenView seen = material().seen.at(player_.now_s());
+  if (seen.seen == Seen::Recorded) {
+    stage_.show(camera_of(seen.view, static_cast<double>(rect.w / std::max(rect.h, 1.0F))));
+  } else if (seen.seen == Seen::Unusable) {
+    stage_.turn_back();
+  }
+}
+
+/// What is meant by it here, below the choice.
+void ReplayScreen::draw_seen(Ui& ui, const Rect& rect) const {
+  const std::string words = seen_text(ui.texts(), material().seen.at(player_.now_s()));
+  const float width = ui.width_of(Type::Small, words) + 24.0F;
+  if (width > rect.w - 2.0F * edge || rect.h < 180.0F) return;
+  const Rect panel{rect.x + edge, rect.y + edge + segmented_height + 8.0F, width, 28.0F};
+  draw_hud_panel(ui.canvas(), ui.theme(), panel, 14.0F);
+  ui.canvas().text({panel.x + 12.0F, panel.mid_y()}, {Type::Small, ui.theme().text_secondary},
+                   words);
+}
+
 void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
   const std::array<std::string_view, views.size()> labels{
       ui.text("replay.view.operator"), ui.text("replay.view.dorsal"), ui.text("replay.view.medial"),
@@ -186,8 +213,14 @@ void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
   const float room = rect.w - 2.0F * edge;
   if (width <= room &&
       segmented(ui, "replay.views", {rect.x + edge, rect.y + edge, width, segmented_height}, labels,
-                view_))
-    stage_.turn_to(views[static_cast<std::size_t>(view_)]);
+                view_)) {
+    if (view_ == as_seen) {
+      stage_.turn_back();
+    } else {
+      stage_.turn_to(views[static_cast<std::size_t>(view_)]);
+    }
+  }
+  if (view_ == as_seen) draw_seen(ui, rect);
   const std::string_view plan = ui.text("replay.plan");
   const float plan_width = 44.0F + ui.width_of(Type::Body, plan) + 24.0F;
   if (width + plan_width + 16.0F > room) return;
@@ -232,15 +265,16 @@ void ReplayScreen::draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand)
 }
 
 void ReplayScreen::draw_pins(Ui& ui) {
-  const std::vector<database::Note>& notes = notes_.notes();
-  for (std::size_t i = 0; i < notes.size(); ++i) {
-    if (!notes[i].moment.place) continue;
-    const auto& place = notes[i].moment.place->point_in_bone_mm;
+  const Remarks& remarks = notes_.remarks();
+  for (std::size_t i = 0; i < remarks.order.size(); ++i) {
+    const database::AttemptMoment& moment = remarks.moment(remarks.order[i]);
+    if (!moment.place) continue;
+    const auto& place = moment.place->point_in_bone_mm;
     const Vec3 now = bone_->moved_place(Vec3(place[0], place[1], place[2]));
     const auto seen = stage_.seen_at(transform_point(material().world_from_bone, now));
     if (!seen) continue;
     if (notes_.chosen() == i) ui.canvas().ring(*seen, 12.0F, ui.theme().text, 2.0F);
-    draw_note_badge(ui, *seen, i + 1);
+    draw_remark_badge(ui, *seen, remarks, remarks.order[i]);
   }
 }
 
@@ -323,52 +357,44 @@ void ReplayScreen::draw_events(Ui& ui, const Rect& rect) {
   player_.look_at(events[static_cast<std::size_t>(*response.opened)].time_s);
 }
 
-Timeline ReplayScreen::timeline_of(const Ui& ui, float height) const {
-  Timeline shown{.duration_s = material().duration_s,
-                 .now_s = player_.now_s(),
-                 .steps_name = std::string(ui.text("replay.steps")),
-                 .events_name = std::string(ui.text("replay.events")),
-                 .steps = material().steps};
-  for (const AttemptEvent& event : material().events)
-    shown.events.push_back({event.time_s, event.meaning});
-  const std::vector<database::Note>& notes = notes_.notes();
-  for (std::size_t i = 0; i < notes.size(); ++i)
-    shown.notes.push_back(
-        {static_cast<double>(notes[i].moment.moment_us) / 1.0e6, std::to_string(i + 1)});
-  if (height >= one_track_from)
-    shown.tracks.push_back(force_track(ui.texts(), material().force_newton));
-  if (height >= two_tracks_from) {
-    TimelineTrack plan{.name = std::string(ui.text("replay.to_plan")),
-                       .unit = std::string(ui.text("replay.to_plan.unit")),
-                       .samples = material().to_plan_mm};
-    plan.high = highest_of(plan.samples, 2.0);
-    shown.tracks.push_back(std::move(plan));
-  }
-  return shown;
+float ReplayScreen::time_height(const Ui& ui, const Timeline& shown, float width) const {
+  const float legend = timeline_.shows_legend(ui.display().h)
+                           ? timeline_legend_height(ui, shown, width - 2.0F * edge) + legend_gap
+                           : 0.0F;
+  return Player::height + timeline_height(shown) + legend + 2.0F * time_edge;
 }
 
-void ReplayScreen::draw_time(Ui& ui, const Rect& rect) {
+void ReplayScreen::draw_time(Ui& ui, const Rect& rect, const Timeline& shown) {
   ui.canvas().fill(rect, ui.theme().side);
   ui.canvas().hairline_across(rect.x, rect.y, rect.w, ui.theme().line);
   Rect rest = inset(rect, edge, time_edge);
-  player_.draw(ui, take_top(rest, Player::height));
-  const Timeline shown = timeline_of(ui, ui.display().h);
-  const auto asked_s = timeline(ui, "replay.timeline", rest, shown);
-  if (!asked_s) return;
-  player_.look_at(*asked_s);
-  const double pixels_per_s = 1.0 / std::max(1.0e-9, time_at(rest, shown, rest.mid_x() + 1.0F) -
-                                                         time_at(rest, shown, rest.mid_x()));
-  const std::vector<database::Note>& notes = notes_.notes();
-  for (std::size_t i = 0; i < notes.size(); ++i) {
-    const double note_s = static_cast<double>(notes[i].moment.moment_us) / 1.0e6;
-    if (std::abs(note_s - *asked_s) * pixels_per_s > note_reach_px) continue;
-    notes_.choose(i);
-    player_.look_at(note_s);
-    break;
+  Rect line = take_top(rest, Player::height);
+  const bool has_legend = timeline_.shows_legend(ui.display().h);
+  const float bar = timeline_bar_width(ui, shown, timeline_.state());
+  timeline_bar(ui, "replay.time", take_right(line, bar, edge), shown, timeline_.state(),
+               has_legend);
+  player_.draw(ui, line);
+  if (has_legend) {
+    const Rect foot = take_bottom(rest, timeline_legend_height(ui, shown, rest.w), legend_gap);
+    draw_timeline_legend(ui, foot, shown);
   }
+  hear_timeline(timeline(ui, "replay.timeline", rest, shown, timeline_.state()));
+}
+
+void ReplayScreen::hear_timeline(const TimelineAnswer& answer) {
+  if (!answer.asked_s) return;
+  player_.look_at(*answer.asked_s);
+  if (!answer.note) return;
+  notes_.choose(*answer.note);
+  tab_ = 0;
 }
 
 void ReplayScreen::hear_keys(Ui& ui) {
+  hear_timeline_keys(ui,
+                     {.duration_s = material().duration_s,
+                      .range = timeline_.state().range,
+                      .now_s = player_.now_s()},
+                     timeline_.state());
   if (ui.shortcut({Key::G}, ui.text("replay.plan"))) shows_plan_ = !shows_plan_;
   // What a click picks, for those without a mouse: turn the place to the middle, then mark it.
   if (ui.shortcut({Key::M}, ui.text("replay.mark"))) pick(stage_.ray_through(Vec2(0.5, 0.5)));
@@ -401,7 +427,7 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
   };
   const std::string asked = about("replay.ask.placed", "replay.ask.unplaced");
   const database::AttemptHeader& header = material().header;
-  ask_.draw(
+  const bool was_asked = ask_.draw(
       ui, shell, signed_in_, question_form(ui, ui.text("replay.flag"), asked),
       [header, moment = moment_now()](database::Session& session, const std::string& words, bool) {
         ask_for_help(session, header, {header.id, moment, words});
@@ -425,7 +451,7 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
                                   "notes on this attempt are not yours to write")
                       .add_note({header.id, moment, is_private, words});
                 });
-  if (!was_pinned) return;
+  if (!was_pinned && !was_asked) return;
   picked_in_bone_mm_.reset();
   tab_ = 0;
   notes_.read_again();

@@ -14,6 +14,7 @@
 #include "ui/screens/replay/notes_panel.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
+#include "ui/screens/replay/replay_timeline.h"
 #include "ui/widgets/controls/row_table.h"
 #include "ui/window/shell/shell.h"
 
@@ -38,6 +39,9 @@ class ReplayScreen : public Screen {
   void draw_head(Ui& ui, const Rect& bar);
   void draw_view(Ui& ui, const Rect& rect, Shell& shell);
   void draw_view_choices(Ui& ui, const Rect& rect);
+  /// Shows what was on the screen at this moment, where that is chosen.
+  void look_as_seen(const Rect& rect);
+  void draw_seen(Ui& ui, const Rect& rect) const;
   void draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand) const;
   void draw_pins(Ui& ui);
   Scene scene_of(const Ui& ui, const HandAtMoment& hand) const;
@@ -45,8 +49,10 @@ class ReplayScreen : public Screen {
   void draw_panel(Ui& ui, const Rect& rect, Shell& shell);
   void draw_ledger(Ui& ui, const Rect& rect);
   void draw_events(Ui& ui, const Rect& rect);
-  void draw_time(Ui& ui, const Rect& rect);
-  Timeline timeline_of(const Ui& ui, float height) const;
+  /// The height that the timeline takes, and with it the legend.
+  float time_height(const Ui& ui, const Timeline& shown, float width) const;
+  void draw_time(Ui& ui, const Rect& rect, const Timeline& shown);
+  void hear_timeline(const TimelineAnswer& answer);
   void hear_keys(Ui& ui);
   void draw_forms(Ui& ui, Shell& shell);
   database::AttemptMoment moment_now() const;
@@ -60,11 +66,14 @@ class ReplayScreen : public Screen {
   BoneViewport stage_;
   BladeInset inset_;
   Player player_;
+  ReplayTimeline timeline_;
   NotesPanel notes_;
   MessageForm ask_, pin_;
   TableState ledger_, events_;
   std::optional<Vec3> picked_in_bone_mm_;
-  int tab_ = 0, view_ = 0;
+  int tab_ = 0;
+  /// Of the views, 0 as it was seen; none once somebody has turned it.
+  int view_ = 0;
   bool shows_plan_ = true;
 };
 

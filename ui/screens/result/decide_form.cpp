@@ -45,7 +45,7 @@ void DecideForm::open(const ResultFacts& facts) {
   work_.forget_fault();
 }
 
-bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
+std::string_view DecideForm::draw_fields(Ui& ui, const Rect& form) {
   Rect rest = form;
   const std::array<std::string_view, 3> labels{ui.text("result.decide.confirm.short"),
                                                ui.text("result.decide.override.short"),
@@ -66,8 +66,9 @@ bool DecideForm::draw_fields(Ui& ui, const Rect& form) {
   reason.max_bytes = 2000;
   field(ui, "decide.reason", take_top(rest, reason_height), reason_, reason);
   ui.focus_first("decide.reason");
-  const bool has_score = kind() != DecisionKind::Overridden || score_from(score_).has_value();
-  return has_score && !reason_.empty();
+  if (kind() == DecisionKind::Overridden && !score_from(score_))
+    return ui.text("result.decide.missing.score");
+  return reason_.empty() ? ui.text("result.decide.missing.reason") : std::string_view();
 }
 
 void DecideForm::start(Ui& ui, Shell& shell, const ResultFacts& facts) {

@@ -30,7 +30,8 @@ class DecideForm {
     return static_cast<database::DecisionKind>(chosen_);
   }
   /// False where something is missing.
-  bool draw_fields(Ui& ui, const Rect& form);
+  /// What is still missing; empty: nothing.
+  std::string_view draw_fields(Ui& ui, const Rect& form);
   void start(Ui& ui, Shell& shell, const ResultFacts& facts);
   void draw_question(Ui& ui, Shell& shell, const ResultFacts& facts);
 

@@ -23,7 +23,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float two_columns_from = 780.0F, column_gap = 32.0F, shape_room = 22.0F,
-                moment_room = 56.0F, least_row = 32.0F, empty_height = 180.0F;
+                moment_room = 56.0F, least_row = 32.0F, empty_height = 180.0F, legend_gap = 8.0F;
 /// The scale of heat begins at a round number below any bone, and ends at one.
 constexpr double coolest_celsius = 20.0, celsius_step = 20.0;
 
@@ -34,6 +34,9 @@ struct EffectRow {
   std::string name, value;
   std::optional<double> moment_s;
 };
+
+/// Beside the curves.
+float facts_width(float width) noexcept { return std::min(400.0F, 0.42F * width); }
 
 /// When the bone was hottest; nothing where it was never warm.
 std::optional<double> hottest_moment_s(const Traces& traces) {
@@ -154,8 +157,7 @@ Timeline timeline_of(const Ui& ui, const EffectFacts& effects, std::optional<dou
                  .steps_name = std::string(ui.text("replay.steps")),
                  .events_name = std::string(ui.text("replay.events")),
                  .steps = effects.steps};
-  for (const AttemptEvent& event : effects.events)
-    shown.events.push_back({event.time_s, event.meaning});
+  shown.events = event_marks_of(ui.texts(), effects.events);
   std::vector<ChartPoint> newton;
   TimelineTrack heat;
   for (const TracePoint& point : effects.traces.points) {
@@ -168,7 +170,37 @@ Timeline timeline_of(const Ui& ui, const EffectFacts& effects, std::optional<dou
   heat.high = std::max(highest_of(heat.samples, celsius_step), 3.0 * celsius_step);
   heat.aim = simulator::hot_celsius;
   shown.tracks = {force_track(ui.texts(), std::move(newton)), std::move(heat)};
+  shown.legend = legend_of(ui.texts(), {TimelineShape::Aim});
   return shown;
+}
+
+/// Closed until somebody asks what the marks mean.
+bool shows_legend(const TimelineState& state) noexcept {
+  return state.shows_legend.value_or(false);
+}
+
+float curves_width(float width) noexcept {
+  return width >= two_columns_from ? width - facts_width(width) - column_gap : width;
+}
+
+float curves_height(const Ui& ui, const Timeline& shown, const TimelineState& state, float width) {
+  const float legend = shows_legend(state)
+                           ? timeline_legend_height(ui, shown, curves_width(width)) + legend_gap
+                           : 0.0F;
+  return timeline_bar_height + timeline_height(shown) + legend;
+}
+
+/// The curves with what zooms them above and what they mean below; returns the moment whose mark
+/// was pressed.
+std::optional<double> draw_curves(Ui& ui, Rect rest, const Timeline& shown, TimelineState& state) {
+  timeline_bar(ui, "result.effects.time", take_top(rest, timeline_bar_height), shown, state,
+               shows_legend(state));
+  if (shows_legend(state))
+    draw_timeline_legend(
+        ui, take_bottom(rest, timeline_legend_height(ui, shown, rest.w), legend_gap), shown);
+  // The wheel turns the page.
+  const TimelineAnswer answer = timeline(ui, "result.effects.timeline", rest, shown, state, false);
+  return answer.is_mark ? answer.asked_s : std::nullopt;
 }
 
 /// Facts beside the curves, or above them where the card is narrow.
@@ -179,7 +211,7 @@ struct EffectsPanes {
 EffectsPanes panes_in(const Ui& ui, const Rect& rect, const EffectFacts& effects,
                       float curves_height) {
   if (rect.w >= two_columns_from) {
-    const float facts = std::min(400.0F, 0.42F * rect.w);
+    const float facts = facts_width(rect.w);
     const float x = rect.x + facts + column_gap;
     return {{rect.x, rect.y, facts, facts_height(ui, effects, facts)},
             {x, rect.y, rect.right() - x, curves_height}};
@@ -191,15 +223,16 @@ EffectsPanes panes_in(const Ui& ui, const Rect& rect, const EffectFacts& effects
 
 }  // namespace
 
-float effects_height(const Ui& ui, const EffectFacts& effects, float width) {
+float effects_height(const Ui& ui, const EffectFacts& effects, float width,
+                     const TimelineState& state) {
   if (effects.traces.points.empty()) return empty_height;
-  const float curves = timeline_height(timeline_of(ui, effects, {}));
+  const float curves = curves_height(ui, timeline_of(ui, effects, {}), state, width);
   const EffectsPanes panes = panes_in(ui, {0.0F, 0.0F, width, 0.0F}, effects, curves);
   return std::max(panes.facts.bottom(), panes.curves.bottom());
 }
 
 std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& effects,
-                                   std::optional<double> moment_s) {
+                                   std::optional<double> moment_s, TimelineState& state) {
   if (effects.traces.points.empty()) {
     empty_card(
         ui, "result.effects.empty", rect,
@@ -207,9 +240,10 @@ std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& 
     return std::nullopt;
   }
   const Timeline shown = timeline_of(ui, effects, moment_s);
-  const EffectsPanes panes = panes_in(ui, rect, effects, timeline_height(shown));
-  draw_timeline(ui.canvas(), ui.theme(), panes.curves, shown);
-  return draw_facts(ui, panes.facts, effects);
+  const EffectsPanes panes = panes_in(ui, rect, effects, curves_height(ui, shown, state, rect.w));
+  const std::optional<double> marked_s = draw_curves(ui, panes.curves, shown, state);
+  const std::optional<double> linked_s = draw_facts(ui, panes.facts, effects);
+  return linked_s ? linked_s : marked_s;
 }
 
 float effects_marks_width(const Ui& ui) {

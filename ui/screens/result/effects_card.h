@@ -5,16 +5,18 @@
 #include <optional>
 
 #include "ui/screens/result/result_material.h"
+#include "ui/widgets/controls/timeline_view.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {
 
 /// Draws the card's content into `rect`, below its title; `moment_s` is marked in the curves.
-/// Returns the moment whose link was pressed.
+/// Returns the moment whose link or mark was pressed.
 std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& effects,
-                                   std::optional<double> moment_s);
+                                   std::optional<double> moment_s, TimelineState& state);
 /// The height that the content takes at this width.
-float effects_height(const Ui& ui, const EffectFacts& effects, float width);
+float effects_height(const Ui& ui, const EffectFacts& effects, float width,
+                     const TimelineState& state);
 
 /// That nothing of it is scored, and no surgeon has reviewed it: from the right end of `line` where
 /// the title leaves room.

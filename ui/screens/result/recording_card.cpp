@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/screens/operating/operating_health.h"
+#include "ui/screens/operating/hud/operating_health.h"
 #include "ui/widgets/controls/card.h"
 
 namespace hallux::ui {

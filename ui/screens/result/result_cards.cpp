@@ -9,6 +9,7 @@
 
 #include "assessment/pass_mark.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/marks.h"
@@ -199,10 +200,8 @@ MessageRow decision_row(const Texts& texts, const Decision& decision, const std:
 }
 
 std::string decided_text(const Texts& texts, const Decision& decision) {
-  const std::string name = decision.decided_by.empty()
-                               ? std::string(texts.text("result.decision.nobody"))
-                               : decision.decided_by;
-  const std::string when = moment_text(decision.decided_utc);
+  const std::string name = decider_text(texts, decision);
+  const std::string when = full_moment_text(decision.decided_utc);
   if (!decision.score_milli)
     return texts.say("result.decision.by", {{"person", name}, {"moment", when}});
   return texts.say(
@@ -222,8 +221,10 @@ float score_card_height(const ResultFacts& facts) noexcept {
 void draw_score_card(Ui& ui, const Rect& rect, const ResultFacts& facts) {
   Rect rest = card(ui, rect, {}, space::side_card);
   if (!facts.score) {
+    const bool is_never = facts.is_unfinished();
     empty_card(ui, "result.unscored", rest,
-               {Icon::Ratings, ui.text("result.unscored"), ui.text("result.unscored.sentence")});
+               {Icon::Ratings, ui.text(is_never ? "result.not_scored" : "result.unscored"),
+                ui.text(is_never ? "result.not_scored.sentence" : "result.unscored.sentence")});
     return;
   }
   Rect head = take_top(rest, ring_block);
@@ -254,8 +255,9 @@ std::optional<std::size_t> draw_sentences_card(Ui& ui, const Rect& rect, const R
   Rect rest = card(ui, rect, ui.text("result.takeaways"));
   const std::vector<Takeaway> taken = takeaways_of(ui.texts(), facts);
   if (taken.empty()) {
-    ui.canvas().paragraph(rest, {Type::Body, ui.theme().text_secondary},
-                          ui.text("result.takeaways.none"));
+    ui.canvas().paragraph(
+        rest, {Type::Body, ui.theme().text_secondary},
+        ui.text(facts.is_unfinished() ? "result.takeaways.not_scored" : "result.takeaways.none"));
     return std::nullopt;
   }
   std::optional<std::size_t> asked;

@@ -64,7 +64,8 @@ LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     database::AttemptDesk desk = desk_or_refused(session.desk_for(Action::ViewAttempt, id),
                                                  "this account may not see attempts any more");
-    return LoadedAttempt{load_attempt(database, desk, id), database.directory()};
+    return LoadedAttempt{load_attempt(database, desk, id, database::RecordingPart::Outputs),
+                         database.directory()};
   });
 }
 
@@ -190,6 +191,10 @@ EffectFacts effects_of(const AttemptMaterial& material, const Examination& exami
 }
 
 }  // namespace
+
+bool ResultFacts::is_unfinished() const noexcept {
+  return !score && !header.seal && header.state != AttemptState::Recording;
+}
 
 const database::Decision* ResultFacts::decision() const noexcept {
   const bool has_one = !decisions.empty() && decisions.front().is_in_force;

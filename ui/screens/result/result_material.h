@@ -33,6 +33,8 @@ struct ResultFacts {
   /// Of the recording; nothing: it was not closed.
   std::optional<Quality> quality;
 
+  /// It ended before it was finished, and is never scored.
+  bool is_unfinished() const noexcept;
   /// The decision in force, or null.
   const database::Decision* decision() const noexcept;
   /// The score that stands: an instructor's, else the machine's; nothing where there is none.

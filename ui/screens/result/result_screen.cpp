@@ -11,6 +11,7 @@
 #include "ui/screens/result/effects_card.h"
 #include "ui/screens/result/recording_card.h"
 #include "ui/screens/result/result_cards.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/marks.h"
@@ -24,7 +25,8 @@ using database::LedgerLine;
 
 constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height = 66.0F,
                 row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F, title_height = 52.0F,
-                unseen_effects_height = 220.0F;
+                unseen_effects_height = 220.0F, head_above = 24.0F, head_below = 16.0F,
+                fixed_head_from = 480.0F;
 
 constexpr CellStyle item_cell{Type::Body, &Theme::text};
 
@@ -63,22 +65,34 @@ void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   if (is_waiting && examined_.is_ready() && examined_.value()->was_stored) facts_.read_again();
   if (facts_.has_value() && facts_.value().score && examined_.has_value())
     adopt_texts(facts_.value().score->card, examined_.value()->card);
-  Rect page = inset(content, space::page, 0.0F);
   if (!facts_.draw_until_ready(ui, "result.failed", inset(content, space::page), 10)) return;
-  const float height = std::max(page_height_, content.h);
-  const float offset = ui.begin_scroll("result.page", ui.text("result.page"), content, height);
+  Rect view = content;
+  const bool has_fixed_head = content.h >= fixed_head_from;
+  if (has_fixed_head) {
+    Rect head = inset(content, space::page, 0.0F);
+    head.y += head_above;
+    take_top(view, head_above + draw_head(ui, head) + head_below - 4.0F);
+  }
+  const float height = std::max(page_height_, view.h);
+  const float offset = ui.begin_scroll("result.page", ui.text("result.page"), view, height);
+  Rect page = inset(view, space::page, 0.0F);
   page.y -= offset;
-  page.h = content.h;
-  draw_page(ui, page, shell);
+  draw_page(ui, page, has_fixed_head, shell);
   ui.end_scroll();
   draw_forms(ui, shell);
 }
 
-void ResultScreen::draw_page(Ui& ui, Rect page, Shell& shell) {
+// Who reads on keeps the way to the replay and to a question: the head stays, but where the window
+// is too low for it.
+void ResultScreen::draw_page(Ui& ui, Rect page, bool has_fixed_head, Shell& shell) {
   const float top = page.y, view = page.h;
   page.h = 100000.0F;
-  take_top(page, 24.0F);
-  take_top(page, draw_head(ui, page), 16.0F);
+  if (has_fixed_head) {
+    take_top(page, 4.0F);
+  } else {
+    take_top(page, head_above);
+    take_top(page, draw_head(ui, page), head_below);
+  }
   take_top(page, draw_notices(ui, page));
   take_top(page, draw_reading_cards(ui, page), space::between_cards);
   const float effects = effects_card_height(ui, page.w);
@@ -110,7 +124,7 @@ float ResultScreen::draw_head(Ui& ui, const Rect& place) {
   std::string where = scenario() != nullptr ? scenario()->title : header.scenario_name;
   if (header.begun.person != signed_in_->person().id && !header.login.empty())
     where = ui.texts().say("result.of_person", {{"operation", where}, {"person", header.login}});
-  std::string when = moment_text(header.started_utc);
+  std::string when = full_moment_text(header.started_utc);
   if (header.duration_ticks)
     when = ui.texts().say(
         "result.when",
@@ -122,7 +136,7 @@ float ResultScreen::draw_head(Ui& ui, const Rect& place) {
                  {Type::Small, ui.theme().text_caption, Align::Right}, when, true);
   canvas.text_in(crumb, {Type::Small, ui.theme().text_caption}, where, true);
   const std::string title =
-      ui.texts().say("result.title", {{"number", grouped(static_cast<long>(header.order))}});
+      ui.texts().say("result.title", {{"number", grouped(static_cast<long>(header.number))}});
   Rect line = take_top(rest, 40.0F, 8.0F);
   const float title_width =
       canvas.text_on_baseline({line.x, line.y + 30.0F}, {Type::Title, ui.theme().text}, title);
@@ -174,18 +188,24 @@ float ResultScreen::draw_marks(Ui& ui, const Rect& place) const {
 std::vector<std::pair<Meaning, std::string>> ResultScreen::notices(const Texts& texts) const {
   std::vector<std::pair<Meaning, std::string>> found;
   const database::Decision* decision = facts().decision();
+  const std::string who = decision != nullptr ? decider_text(texts, *decision) : std::string();
   if (decision != nullptr && decision->kind == database::DecisionKind::Voided) {
-    found.emplace_back(Meaning::Bad,
-                       texts.say("result.notice.void", {{"reason", decision->reason}}));
+    found.emplace_back(Meaning::Bad, texts.say("result.notice.void",
+                                               {{"person", who}, {"reason", decision->reason}}));
   }
   if (decision != nullptr && decision->kind == database::DecisionKind::Overridden &&
       facts().score) {
     found.emplace_back(Meaning::Info,
                        texts.say("result.notice.overridden",
-                                 {{"points", points_text(facts().score->card.score_milli)},
+                                 {{"person", who},
+                                  {"points", points_text(facts().score->card.score_milli)},
                                   {"reason", decision->reason}}));
   }
-  if (!examined_.has_value()) return found;
+  if (facts().is_unfinished())
+    found.emplace_back(Meaning::Info, texts.text("result.notice.interrupted"));
+  if (facts().header.state == database::AttemptState::Recording)
+    found.emplace_back(Meaning::Info, texts.text("result.notice.recording"));
+  if (!examined_.has_value() || !facts().header.seal) return found;
   const database::ScoreCard& now = examined_.value()->card;
   if (!facts().score) {
     found.emplace_back(Meaning::Warn, texts.say("result.notice.not_stored",
@@ -268,9 +288,10 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
   }
   Rect inside = card(ui, rect, title);
   if (!facts().score || facts().score->card.ledger.empty()) {
-    empty_card(
-        ui, "result.ledger.empty", inside,
-        {Icon::Ratings, ui.text("result.ledger.empty"), ui.text("result.ledger.empty.sentence")});
+    empty_card(ui, "result.ledger.empty", inside,
+               {Icon::Ratings, ui.text("result.ledger.empty"),
+                ui.text(facts().is_unfinished() ? "result.ledger.not_scored"
+                                                : "result.ledger.empty.sentence")});
     return;
   }
   const Rect foot = take_bottom(inside, foot_height, 8.0F);
@@ -360,7 +381,7 @@ float ResultScreen::effects_card_height(const Ui& ui, float width) const {
       ui.width_of(Type::CardTitle, ui.text("result.effects")) + 20.0F + effects_marks_width(ui) <=
       inside;
   const float content = examined_.has_value()
-                            ? effects_height(ui, examined_.value()->effects, inside)
+                            ? effects_height(ui, examined_.value()->effects, inside, effects_time_)
                             : unseen_effects_height;
   return title_height + (has_room_for_marks ? 0.0F : pill_step) + content + space::card;
 }
@@ -375,7 +396,8 @@ void ResultScreen::draw_effects_card(Ui& ui, const Rect& rect) {
     draw_effects_marks(ui, {line.x, line.y, effects_marks_width(ui), 22.0F});
   }
   if (!examined_.draw_until_ready(ui, "result.effects.unseen", inside, 6)) return;
-  const auto asked_s = draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s());
+  const auto asked_s =
+      draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s(), effects_time_);
   if (asked_s) navigator_.show_replay(facts().header.id, *asked_s);
 }
 

@@ -14,6 +14,7 @@
 #include "ui/screens/result/plan_card.h"
 #include "ui/screens/result/result_material.h"
 #include "ui/widgets/controls/row_table.h"
+#include "ui/widgets/controls/timeline_view.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
@@ -32,7 +33,7 @@ class ResultScreen : public Screen {
 
  private:
   void read(Ui& ui, Shell& shell);
-  void draw_page(Ui& ui, Rect page, Shell& shell);
+  void draw_page(Ui& ui, Rect page, bool has_fixed_head, Shell& shell);
   float draw_head(Ui& ui, const Rect& place);
   /// From the right end of the line; the width that they take.
   float draw_actions(Ui& ui, Rect line);
@@ -68,6 +69,7 @@ class ResultScreen : public Screen {
   DecideForm decide_;
   MessageForm ask_;
   TableState ledger_;
+  TimelineState effects_time_;
   std::optional<std::size_t> chosen_line_;
   float page_height_ = 0.0F;
 };

@@ -103,6 +103,11 @@ std::string possible_text(const assessment::ShownGroup& shown) {
   return assessment::points_text(shown.possible_milli);
 }
 
+std::string decider_text(const Texts& texts, const database::Decision& decision) {
+  return decision.decided_by.empty() ? std::string(texts.text("result.decision.nobody"))
+                                     : decision.decided_by;
+}
+
 std::optional<std::size_t> cut_of(const LedgerLine& line, const Scenario* scenario) {
   const RubricItem* item = find_item(line, scenario);
   if (item == nullptr) return std::nullopt;

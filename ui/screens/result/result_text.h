@@ -27,6 +27,9 @@ std::string loss_text(const database::LedgerLine& line, const assessment::ShownL
 /// What a group could have given, without needless decimals: "100", "86.2".
 std::string possible_text(const assessment::ShownGroup& shown);
 
+/// Who decided, by the name that is shown; somebody where it was erased.
+std::string decider_text(const Texts& texts, const database::Decision& decision);
+
 /// Of which planned cut the line is; nothing where it is about none or several.
 std::optional<std::size_t> cut_of(const database::LedgerLine& line,
                                   const scenarios::Scenario* scenario);

@@ -1,36 +1,22 @@
 // One's own account. What a person may not change is a line; what they may is a button that opens a
 // dialog. Passwords leave the screen only as secrets that are wiped, and what was typed stays where
-// it is refused. The export asks for the whole path of a folder, because this machine may be a
-// laboratory's.
+// it is refused.
 #include "ui/screens/sign_in/account_screen.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
+#include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
 #include "ui/widgets/controls/choice.h"
-#include "ui/widgets/controls/dialog.h"
-#include "ui/widgets/controls/field.h"
 
 namespace hallux::ui {
 
 namespace {
-
-/// The home of whoever sits at this machine; the person adds the name of a new folder, or writes
-/// another place.
-std::string home_folder() {
-  const char* home = std::getenv("HOME");
-  return std::string(home != nullptr ? home : "") + "/";
-}
-
-bool names_a_folder(const std::string& text) {
-  const std::filesystem::path path(text);
-  return path.is_absolute() && path.has_filename();
-}
 
 constexpr float side_width = 440.0F, person_height = 366.0F, row_height = 44.0F;
 constexpr std::array<std::int32_t, 5> lock_choices_min{5, 10, 20, 30, 60};
@@ -64,7 +50,7 @@ void AccountScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
   panes.side.h = cohorts_height;
   draw_person(ui, card(ui, panes.main, ui.text("account.person")), shell);
   draw_cohorts(ui, card(ui, panes.side, ui.text("account.cohorts"), space::side_card));
-  if (folder_) draw_export(ui, shell);
+  if (exporting_.is_open()) draw_export(ui, shell);
   if (!typed_) return;
   const Answer answer =
       draw_password_dialog(ui, *typed_, changing_.fault(), changing_.is_running());
@@ -115,13 +101,14 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
             person.display_name.empty() ? person.login : person.display_name);
   fact_line(ui, rest, ui.text("account.role"),
             ui.text(person.is_administrator ? "role.administrator" : "account.member"));
-  fact_line(ui, rest, ui.text("account.since"), moment_text(person.created_utc));
+  fact_moment(ui, rest, ui.text("account.since"), person.created_utc);
+  if (const std::optional<LocalTime> now = local_time(utc_now_text()))
+    fact_line(ui, rest, ui.text("account.times"),
+              ui.texts().say("account.times.value", {{"offset", offset_text(now->offset_min)}}));
   draw_lock(ui, rest, shell);
   const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
-  if (button_in_line(ui, "account.export", take_bottom(rest, button_height, 12.0F), take)) {
-    folder_ = home_folder();
-    exporting_.forget_fault();
-  }
+  if (button_in_line(ui, "account.export", take_bottom(rest, button_height, 12.0F), take))
+    exporting_.open();
   const ButtonSpec change{ui.text("account.password.act"), ButtonLook::Secondary, Icon::Lock};
   if (!button_in_line(ui, "account.change_password", take_bottom(rest, button_height), change))
     return;
@@ -165,35 +152,11 @@ void AccountScreen::change_password(Ui& ui, Shell& shell) {
 }
 
 void AccountScreen::draw_export(Ui& ui, Shell& shell) {
-  Dialog shown = form_dialog(ui, ui.text("account.export.title"), ui.text("account.export.act"),
-                             {exporting_.fault(), exporting_.is_running()},
-                             field_label_height + field_height + field_message_height);
-  shown.sentence = ui.text("account.export.sentence");
-  const Answer answer = dialog(ui, "account.export", shown, [&](Rect form) {
-    labelled_field(ui, "account.export.folder", form, *folder_,
-                   {.label = ui.text("account.export.folder"),
-                    .hint = ui.text("account.export.rule"),
-                    .max_bytes = 4096});
-    ui.focus_first("account.export.folder");
-    return names_a_folder(*folder_);
-  });
-  if (answer == Answer::Keep) folder_.reset();
-  if (answer == Answer::Act) export_own(ui, shell);
-}
-
-void AccountScreen::export_own(Ui& ui, Shell& shell) {
-  if (exporting_.is_running()) return;
-  exporting_.start<database::PersonExport>(
-      shell, signed_in_, {std::string(ui.text("account.export.running")), {}},
-      [folder = std::filesystem::path(*folder_)](database::Session& session, WorkReport& report) {
-        return trainee_of(session).export_own(
-            folder, [&report](double share) { return report.reached(share); });
-      },
-      [this, &shell,
-       said = std::string(ui.text("account.export.done"))](database::PersonExport& made) {
-        folder_.reset();
-        shell.say({Meaning::Good, said, made.directory.string()});
-      });
+  exporting_.draw(
+      ui, shell, signed_in_,
+      {"account.export", ui.text("account.export.title"), ui.text("account.export.sentence")},
+      [](database::Session& session, const std::filesystem::path& folder,
+         const Progress& progress) { return trainee_of(session).export_own(folder, progress); });
 }
 
 }  // namespace hallux::ui

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/screens/parts/desk_work.h"
+#include "ui/screens/parts/export_dialog.h"
 #include "ui/screens/parts/person_dialogs.h"
 
 namespace hallux::ui {
@@ -27,7 +28,6 @@ class AccountScreen : public Screen {
   void draw_cohorts(Ui& ui, Rect rest) const;
   void change_password(Ui& ui, Shell& shell);
   void draw_export(Ui& ui, Shell& shell);
-  void export_own(Ui& ui, Shell& shell);
   /// When windows lock: a fact, and for administrators a choice.
   void draw_lock(Ui& ui, Rect& rest, Shell& shell);
   void set_lock(Ui& ui, Shell& shell, std::int32_t minutes);
@@ -36,9 +36,8 @@ class AccountScreen : public Screen {
   database::PasswordCost cost_;
   /// While the dialog is open.
   std::optional<PasswordForm> typed_;
-  /// Typed while the dialog of the export is open.
-  std::optional<std::string> folder_;
-  DeskWork changing_, setting_, exporting_;
+  DeskWork changing_, setting_;
+  ExportDialog exporting_;
   /// Of the choices; below 0: as it was at the sign-in.
   int lock_choice_ = -1;
 };

@@ -48,14 +48,16 @@ void LockScreen::draw_form(Ui& ui, Rect column, Shell& shell) {
   ui.canvas().text_in(take_top(column, 40.0F, 4.0F), {Type::Title, theme.text},
                       ui.text("lock.title"));
   text_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
-  labelled_field(
-      ui, "lock.password", column, password_,
-      {.label = ui.text("entry.password"), .is_secret = true, .is_enabled = !work_.is_running()},
-      entry_field_gap);
+  labelled_field(ui, "lock.password", column, password_,
+                 {.label = ui.text("entry.password"),
+                  .is_secret = true,
+                  .why_off = work_.is_running() ? ui.text("button.busy") : std::string_view()},
+                 entry_field_gap);
   ui.focus_first("lock.password");
   wait_.draw_fault(ui, column, fault_);
   ButtonSpec open_it{ui.text("lock.open"), ButtonLook::Primary, Icon::Lock};
-  open_it.is_enabled = !password_.empty() && wait_.left_s(ui) == 0;
+  if (password_.empty()) open_it.why_off = ui.text("entry.missing.password");
+  if (wait_.left_s(ui) > 0) open_it.why_off = ui.text("entry.missing.wait");
   open_it.is_busy = work_.is_running();
   if (button(ui, "lock.open", take_top(column, large_button_height, 20.0F), open_it)) {
     open(ui, shell);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "database/records/code_form.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/button.h"
@@ -56,6 +57,8 @@ SignInScreen::SignInScreen(std::filesystem::path data_directory, Entered entered
   if (pictures_ != nullptr) pictured_ = scenarios::load_shipped_scenario(pictured_scenario);
 }
 
+SignInScreen::~SignInScreen() { forget_secrets(); }
+
 // The ground is there from the first frame on, so that nothing but the bone appears.
 void SignInScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
   ui.canvas().fill(side, ui.theme().side);
@@ -75,15 +78,19 @@ void SignInScreen::draw_bone(Ui& ui, const Rect& side, Shell& shell) {
   ui.canvas().picture(still_picture(ui, shell, name, side, scene, camera), side);
 }
 
+// A code that was written as the password is not written again.
 void SignInScreen::show(Form form) {
   form_ = form;
   is_login_known_ = !login_.empty();
   fault_.clear();
-  forget_secrets();
+  if (!is_code_told_ || form != Form::Code) return forget_secrets();
+  code_.swap(password_);
+  is_code_told_ = false;
 }
 
 void SignInScreen::forget_secrets() {
   for (std::string* secret : {&code_, &password_, &password_again_}) wipe(*secret);
+  is_code_told_ = false;
 }
 
 void SignInScreen::open(Ui& ui, Shell& shell) {
@@ -147,11 +154,11 @@ void SignInScreen::draw_head(Ui& ui, Rect& column, std::string_view title,
   text_line(ui, column, Type::Body, theme.text_secondary, sentence, 24.0F);
 }
 
-void SignInScreen::draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
+bool SignInScreen::draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
                               FieldSpec spec) const {
-  spec.is_enabled = !is_busy_;
-  labelled_field(ui, id, column, text, spec,
-                 entry_field_gap + (spec.hint.empty() ? 0.0F : field_message_height));
+  if (is_busy_) spec.why_off = ui.text("button.busy");
+  return labelled_field(ui, id, column, text, spec,
+                        entry_field_gap + (spec.hint.empty() ? 0.0F : field_message_height));
 }
 
 void SignInScreen::draw_fault(Ui& ui, Rect& column) {
@@ -163,24 +170,33 @@ void SignInScreen::draw_fault(Ui& ui, Rect& column) {
 }
 
 bool SignInScreen::draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                               bool is_ready) {
+                               std::string_view missing) {
   take_top(column, 6.0F);
   ButtonSpec spec{label, ButtonLook::Primary};
-  spec.is_enabled = is_ready && wait_.left_s(ui) == 0;
+  spec.why_off = wait_.left_s(ui) > 0 ? ui.text("entry.missing.wait") : missing;
   spec.is_busy = is_busy_;
   return button(ui, id, take_top(column, large_button_height, 20.0F), spec);
+}
+
+std::string_view SignInScreen::missing(const Ui& ui) const {
+  if (login_.empty()) return ui.text("entry.missing.login");
+  if (form_ == Form::FirstAdministrator && !database::is_login(login_))
+    return ui.text("entry.login.fault");
+  if (form_ == Form::Code && code_.empty()) return ui.text("entry.missing.code");
+  return password_.empty() ? ui.text("entry.missing.password") : std::string_view();
 }
 
 void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.sign_in"), ui.text("entry.sign_in.sentence"));
   draw_field(ui, column, "entry.login", login_, {.label = ui.text("entry.login")});
-  draw_field(ui, column, "entry.password", password_,
-             {.label = ui.text("entry.password"), .is_secret = true});
+  if (draw_field(ui, column, "entry.password", password_,
+                 {.label = ui.text("entry.password"), .is_secret = true}) &&
+      std::exchange(is_code_told_, false))
+    fault_.clear();
   ui.focus_first(is_login_known_ ? "entry.password" : "entry.login");
   draw_fault(ui, column);
-  if (draw_button(ui, column, "entry.sign_in", ui.text("entry.sign_in"),
-                  !login_.empty() && !password_.empty())) {
-    come_in(ui, shell, sign_in);
+  if (draw_button(ui, column, "entry.sign_in", ui.text("entry.sign_in"), missing(ui))) {
+    sign_in_or_tell_of_code(ui, shell);
   }
   if (link(ui, "entry.to_code", {column.x, column.y + 10.0F}, ui.text("entry.to_code")) &&
       !is_busy_) {
@@ -190,6 +206,15 @@ void SignInScreen::draw_sign_in(Ui& ui, Rect& column, Shell& shell) {
   const Rect foot{column.x, column.y + 48.0F, column.w,
                   ui.paragraph_height(Type::Small, shared, column.w)};
   ui.canvas().paragraph(foot, {Type::Small, ui.theme().text_caption}, shared);
+}
+
+// A code that is sent as a password would be refused, counted and told as a refused sign-in. A
+// password that only looks like one is sent at the second press.
+void SignInScreen::sign_in_or_tell_of_code(Ui& ui, Shell& shell) {
+  if (is_code_told_ || !database::looks_like_code(password_)) return come_in(ui, shell, sign_in);
+  is_code_told_ = true;
+  fault_ = ui.text("entry.password_is_code");
+  ui.want_frame_in_s(0.0);
 }
 
 void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
@@ -204,8 +229,7 @@ void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
              {.label = ui.text("entry.password_again"), .is_secret = true});
   ui.focus_first(is_login_known_ ? "entry.code" : "entry.login");
   draw_fault(ui, column);
-  if (draw_button(ui, column, "entry.redeem", ui.text("entry.redeem"),
-                  !login_.empty() && !code_.empty() && !password_.empty())) {
+  if (draw_button(ui, column, "entry.redeem", ui.text("entry.redeem"), missing(ui))) {
     come_in_with_new_password(ui, shell, redeem);
   }
   if (link(ui, "entry.to_sign_in", {column.x, column.y + 10.0F}, ui.text("entry.to_sign_in")) &&
@@ -216,8 +240,9 @@ void SignInScreen::draw_code(Ui& ui, Rect& column, Shell& shell) {
 
 void SignInScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) {
   draw_head(ui, column, ui.text("entry.first.title"), ui.text("entry.first.sentence"));
-  draw_field(ui, column, "entry.login", login_,
-             {.label = ui.text("entry.login"), .hint = ui.text("entry.login.rule")});
+  FieldSpec login{.label = ui.text("entry.login"), .hint = ui.text("entry.login.rule")};
+  if (!database::may_become_login(login_)) login.error = ui.text("entry.login.fault");
+  if (draw_field(ui, column, "entry.login", login_, login)) ui.want_frame_in_s(0.0);
   draw_field(ui, column, "entry.name", name_, {.label = ui.text("entry.name")});
   draw_field(ui, column, "entry.password", password_,
              {.label = ui.text("entry.password"),
@@ -227,8 +252,7 @@ void SignInScreen::draw_first_administrator(Ui& ui, Rect& column, Shell& shell) 
              {.label = ui.text("entry.password_again"), .is_secret = true});
   ui.focus_first("entry.login");
   draw_fault(ui, column);
-  if (draw_button(ui, column, "entry.begin", ui.text("entry.begin"),
-                  !login_.empty() && !password_.empty())) {
+  if (draw_button(ui, column, "entry.begin", ui.text("entry.begin"), missing(ui))) {
     come_in_with_new_password(ui, shell, begin_course);
   }
 }
@@ -238,13 +262,26 @@ void SignInScreen::come_in_with_new_password(Ui& ui, Shell& shell, Work work) {
   fault_ = ui.text("entry.passwords_differ");
 }
 
+namespace {
+
+/// What is typed stays where it is: what is refused is mended, not written anew.
+database::SecretText secret_of(const std::string& typed) {
+  std::string copy;
+  copy.reserve(typed.size());
+  copy = typed;
+  return database::SecretText::take(copy);
+}
+
+}  // namespace
+
 /// The words are kept by the screen until the work ends, and a screen stays until its work ended.
+/// Of a new password nothing is wiped before somebody came in with it; a wrong one is.
 void SignInScreen::come_in(Ui& ui, Shell& shell, Work work) {
   words_.login = login_;
   words_.display_name = name_;
-  words_.code = database::SecretText::take(code_);
-  words_.password = database::SecretText::take(password_);
-  forget_secrets();
+  words_.code = secret_of(code_);
+  words_.password = secret_of(password_);
+  if (form_ == Form::SignIn) forget_secrets();
   fault_.clear();
   is_busy_ = true;
   shell.background().start(
@@ -256,7 +293,10 @@ void SignInScreen::come_in(Ui& ui, Shell& shell, Work work) {
         is_busy_ = false;
         waiting_login_ = std::exchange(words_, {}).login;
         wait_ = std::exchange(told_, {});
-        if (end == WorkEnd::Done) return entered_(shell, std::move(signed_in_));
+        if (end == WorkEnd::Done) {
+          forget_secrets();
+          return entered_(shell, std::move(signed_in_));
+        }
         signed_in_.reset();
         fault_ = sentence_of(reason);
       });

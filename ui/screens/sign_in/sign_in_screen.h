@@ -20,6 +20,8 @@ class SignInScreen : public Screen {
   /// `pictures`, where there are any, outlive the screen: the bone beside the form comes from them.
   SignInScreen(std::filesystem::path data_directory, Entered entered,
                database::PasswordCost cost = {}, PatientPictures* pictures = nullptr);
+  /// Wipes what was typed.
+  ~SignInScreen() override;
 
   WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
@@ -38,11 +40,15 @@ class SignInScreen : public Screen {
   void draw_code(Ui& ui, Rect& column, Shell& shell);
   void draw_first_administrator(Ui& ui, Rect& column, Shell& shell);
   void draw_head(Ui& ui, Rect& column, std::string_view title, std::string_view sentence) const;
-  void draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
+  /// True where the text changed.
+  bool draw_field(Ui& ui, Rect& column, std::string_view id, std::string& text,
                   FieldSpec spec) const;
+  void sign_in_or_tell_of_code(Ui& ui, Shell& shell);
   void draw_fault(Ui& ui, Rect& column);
   bool draw_button(Ui& ui, Rect& column, std::string_view id, std::string_view label,
-                   bool is_ready);
+                   std::string_view missing);
+  /// What the form that is shown still needs; empty: nothing.
+  std::string_view missing(const Ui& ui) const;
   void come_in(Ui& ui, Shell& shell, Work work);
   void come_in_with_new_password(Ui& ui, Shell& shell, Work work);
   void forget_secrets();
@@ -60,6 +66,8 @@ class SignInScreen : public Screen {
   /// When the form appeared: then the next field has the focus.
   bool is_login_known_ = false;
   bool is_busy_ = false;
+  /// That the password looks like a one-time code.
+  bool is_code_told_ = false;
   std::string login_, name_, code_, password_, password_again_;
   /// Why it did not go; a sentence.
   std::string fault_;

@@ -179,7 +179,8 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
   const Rect foot = take_bottom(inside, button_height, 14.0F);
   ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, choice_text(ui));
   const ButtonSpec begin{ui.text(kind_ == 0 ? "brief.begin.practice" : "brief.begin.assessment"),
-                         ButtonLook::Primary, Icon::None, may_begin()};
+                         ButtonLook::Primary, Icon::None,
+                         may_begin() ? std::string_view() : ui.text("brief.begin.none_left")};
   const float width = std::min(foot.w, std::max(160.0F, button_width(ui, begin)));
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
     // What was chosen for a practice means nothing for an assessment.

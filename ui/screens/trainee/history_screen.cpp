@@ -15,6 +15,8 @@
 #include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/times/local_time.h"
+#include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/marks.h"
@@ -53,13 +55,13 @@ std::string duration_text(const database::AttemptHeader& attempt) {
                                 : std::string();
 }
 
-/// The points; where there are none, that an attempt with a number has no score.
-void draw_score(Ui& ui, const JudgedAttempt& attempt, bool has_number, const Rect& cell) {
+/// The points; where there are none, that an attempt which counts has no score.
+void draw_score(Ui& ui, const JudgedAttempt& attempt, const Rect& cell) {
   const Theme& theme = ui.theme();
   if (attempt.score_milli) {
     ui.canvas().text_in(cell, {Type::BodyMedium, theme.text, Align::Right},
                         points_text(*attempt.score_milli));
-  } else if (has_number) {
+  } else if (attempt.header.state != database::AttemptState::Void) {
     ui.canvas().text_in(cell, {Type::Small, theme.text_caption, Align::Right},
                         ui.text("attempts.not_scored"));
   }
@@ -72,12 +74,13 @@ std::vector<RowColumn<std::size_t>> columns_of(const Ui& ui, const OperationHist
   };
   return {
       {{ui.text("attempts.number"), 48.0F, 1.0F, Align::Right},
-       [&history](std::size_t row) {
-         return history.numbers[row] > 0 ? grouped(history.numbers[row]) : "\u2013";
-       },
+       [header](std::size_t row) { return grouped(static_cast<long>(header(row).number)); },
        caption_cell},
       {{ui.text("attempts.started"), 0.0F, 1.4F},
-       [header](std::size_t row) { return moment_text(header(row).started_utc); }},
+       [header](Ui& own, std::size_t row, const Rect& cell) {
+         draw_moment_cell(own, cell, header(row).started_utc,
+                          {Type::Body, own.theme().text_secondary});
+       }},
       {{ui.text("attempts.kind")},
        [header, &ui](std::size_t row) { return std::string(kind_text(ui, header(row))); }},
       {{ui.text("attempts.state")},
@@ -88,7 +91,7 @@ std::vector<RowColumn<std::size_t>> columns_of(const Ui& ui, const OperationHist
        [header](std::size_t row) { return duration_text(header(row)); }},
       {{ui.text("attempts.score"), 88.0F, 1.0F, Align::Right},
        [&history](Ui& own, std::size_t row, const Rect& cell) {
-         draw_score(own, history.attempts[row], history.numbers[row] > 0, cell);
+         draw_score(own, history.attempts[row], cell);
        }},
   };
 }
@@ -261,7 +264,8 @@ void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
   chart.y_unit = ui.text("history.points");
   chart.x_name = ui.text("history.attempt_axis");
   chart.x_low = 0.5;
-  chart.x_high = std::max(fewest_places, static_cast<int>(shown.counted.size())) + 0.5;
+  chart.x_high = 0.5 + fewest_places;
+  for (const ChartPoint& point : shown.scores) chart.x_high = std::max(chart.x_high, point.x + 0.5);
   chart.series = {
       {SeriesRole::You, std::string(ui.text("history.series.you")), shown.scores, false, true},
       {SeriesRole::Median, std::string(ui.text("history.series.median")), shown.medians}};
@@ -273,7 +277,7 @@ void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
     return std::pair(
         ui.texts().say("history.point", {{"points", points_text(*attempt.score_milli)}}),
         ui.texts().say("history.point.context",
-                       {{"number", std::to_string(point + 1)},
+                       {{"number", std::to_string(attempt.header.number)},
                         {"moment", moment_text(attempt.header.started_utc)},
                         {"kind", std::string(kind_text(ui, attempt.header))}}));
   };

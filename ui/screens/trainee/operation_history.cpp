@@ -41,14 +41,13 @@ class RunningMedians {
 void count(OperationHistory& history) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   RunningMedians medians;
-  for (const JudgedAttempt& attempt : history.attempts) {
-    const bool counts = attempt.header.state != database::AttemptState::Void;
-    history.numbers.push_back(counts ? static_cast<int>(history.counted.size()) + 1 : 0);
-    if (!counts) continue;
-    const auto place = static_cast<double>(history.counted.size() + 1);
-    history.counted.push_back(history.numbers.size() - 1);
-    history.scores.push_back({place, nothing});
-    history.medians.push_back({place, nothing});
+  for (std::size_t row = 0; row < history.attempts.size(); ++row) {
+    const JudgedAttempt& attempt = history.attempts[row];
+    if (attempt.header.state == database::AttemptState::Void) continue;
+    const auto number = static_cast<double>(attempt.header.number);
+    history.counted.push_back(row);
+    history.scores.push_back({number, nothing});
+    history.medians.push_back({number, nothing});
     if (!attempt.score_milli) continue;
     const double score = static_cast<double>(*attempt.score_milli) / 1000.0;
     history.scores.back().y = score;
@@ -79,13 +78,12 @@ std::vector<OperationHistory> histories_of(const std::vector<JudgedAttempt>& att
 
 std::string csv_of(const OperationHistory& history) {
   std::string csv = "attempt,begun_utc,for,device,guidance,score,median_of_5\n";
-  for (std::size_t number = 0; number < history.counted.size(); ++number) {
-    const database::AttemptHeader& header = history.attempts[history.counted[number]].header;
-    csv += std::to_string(number + 1) + "," + header.started_utc + "," +
+  for (std::size_t point = 0; point < history.counted.size(); ++point) {
+    const database::AttemptHeader& header = history.attempts[history.counted[point]].header;
+    csv += std::to_string(header.number) + "," + header.started_utc + "," +
            std::string(name_of(header.begun.kind)) + "," + header.begun.device_class + "," +
            std::string(database::name_of(header.begun.guidance)) + "," +
-           csv_number(history.scores[number].y) + "," + csv_number(history.medians[number].y) +
-           "\n";
+           csv_number(history.scores[point].y) + "," + csv_number(history.medians[point].y) + "\n";
   }
   return csv;
 }

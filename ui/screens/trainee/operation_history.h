@@ -11,17 +11,15 @@
 
 namespace hallux::ui {
 
-/// The attempts at one operation, and what the chart shows of them. Void attempts do not count and
-/// have no number.
+/// The attempts at one operation, and what the chart shows of them. Void attempts do not count: the
+/// chart leaves their numbers out.
 struct OperationHistory {
   std::string scenario_name;
   /// Oldest first, the void ones too.
   std::vector<JudgedAttempt> attempts;
-  /// Of each attempt, from 1; 0: void.
-  std::vector<int> numbers;
-  /// Those with a number, in their order.
+  /// Those that count, in their order.
   std::vector<std::size_t> counted;
-  /// Of the counted ones; a gap where there is none.
+  /// Of the counted ones, by number; a gap where there is none.
   std::vector<ChartPoint> scores;
   /// Of the last five by the same device class; a gap where there is no score and where the planned
   /// plane guided the hand.

@@ -238,6 +238,13 @@ Picture OperationsScreen::picture_of(Ui& ui, const Rect& card, const OwnOperatio
       camera_of(*view, PatientPicture::Card, static_cast<double>(rect.w / rect.h)));
 }
 
+std::string OperationsScreen::picture_note(const Ui& ui, const OwnOperation& operation) const {
+  if (!operation.scenario) return std::string(ui.text("operations.picture.none"));
+  const std::string fault = pictures_.fault(*operation.scenario);
+  if (fault.empty()) return std::string(ui.text("operations.picture.coming"));
+  return ui.texts().say("operations.picture.failed", {{"reason", fault}});
+}
+
 bool OperationsScreen::draw_card(Ui& ui, const Rect& rect, const OwnOperation& operation,
                                  Shell& shell) {
   const std::string what = what_text(ui.texts(), operation);
@@ -250,6 +257,8 @@ bool OperationsScreen::draw_card(Ui& ui, const Rect& rect, const OwnOperation& o
   const std::string best = best_milli ? points_text(*best_milli) : std::string();
   PictureCardSpec spec{
       .name = operation.title(), .what = what, .picture = picture_of(ui, rect, operation, shell)};
+  const std::string note = picture_note(ui, operation);
+  spec.picture_note = note;
   say_difficulty(ui, operation, spec);
   spec.competence = competence_of(operation, now_utc_);
   spec.progress = progress_of(operation.published.standing, operation.learning);

@@ -41,6 +41,8 @@ class OperationsScreen : public Screen {
   bool has_operations() const { return operations_.has_value() && !operations_.value().empty(); }
   bool draw_card(Ui& ui, const Rect& rect, const OwnOperation& operation, Shell& shell);
   Picture picture_of(Ui& ui, const Rect& card, const OwnOperation& operation, Shell& shell);
+  /// What stands in the place of the picture until it is there.
+  std::string picture_note(const Ui& ui, const OwnOperation& operation) const;
   std::vector<const OwnOperation*> shown() const;
 
   std::shared_ptr<SignedInSession> signed_in_;

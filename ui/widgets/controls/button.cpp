@@ -37,7 +37,7 @@ ButtonColors colors_of(const Theme& theme, const ButtonSpec& spec, const Control
   ButtonColors colors = resting(theme, spec.look);
   const bool is_primary = spec.look == ButtonLook::Primary,
              is_ghost = spec.look == ButtonLook::Ghost;
-  if (!spec.is_enabled)
+  if (!spec.why_off.empty())
     return {is_ghost ? rgb(0, 0) : theme.raise, is_ghost ? rgb(0, 0) : theme.line,
             faded(theme.text_caption, 0.62F)};
   const Color towards = theme.is_dark() ? rgb(0xFFFFFF) : rgb(0x14202A);
@@ -52,6 +52,10 @@ ButtonColors colors_of(const Theme& theme, const ButtonSpec& spec, const Control
     if (is_ghost) colors.ink = mixed(colors.ink, theme.text, state.hover);
   }
   return colors;
+}
+
+std::string_view why_off(const Ui& ui, const ButtonSpec& spec) {
+  return spec.is_busy ? ui.text("button.busy") : spec.why_off;
 }
 
 }  // namespace
@@ -80,12 +84,15 @@ void draw_button(Ui& ui, const Rect& rect, const ButtonSpec& spec, const Control
 }
 
 bool button(Ui& ui, std::string_view id, const Rect& rect, const ButtonSpec& spec) {
+  const std::string_view why = why_off(ui, spec);
   const Response response = ui.control({.id = std::string(id),
                                         .label = std::string(spec.label),
                                         .rect = rect,
-                                        .is_enabled = spec.is_enabled && !spec.is_busy,
+                                        .is_enabled = why.empty(),
+                                        .why_off = std::string(why),
                                         .is_primary = spec.look == ButtonLook::Primary});
   draw_button(ui, rect, spec, {response.hover, response.is_held, response.shows_ring});
+  if (!why.empty()) tooltip_when_resting(ui, id, rect, why);
   return response.is_pressed();
 }
 
@@ -98,7 +105,9 @@ bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButton
   const Response response = ui.control({.id = std::string(id),
                                         .label = std::string(spec.label),
                                         .rect = rect,
-                                        .is_enabled = spec.is_enabled});
+                                        .is_enabled = spec.why_off.empty(),
+                                        .why_off = std::string(spec.why_off),
+                                        .comes_late = spec.comes_late});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   if (spec.is_on)
@@ -107,11 +116,13 @@ bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButton
     canvas.fill(rect, faded(theme.raise, response.is_held ? 1.0F : response.hover),
                 radius::control);
   if (response.shows_ring) draw_focus_ring(canvas, theme, rect, radius::control);
-  const Color ink = !spec.is_enabled ? faded(theme.text_caption, 0.5F)
-                    : spec.is_on     ? theme.accent
-                                     : mixed(theme.text_secondary, theme.text, response.hover);
+  const Color ink = !spec.why_off.empty() ? faded(theme.text_caption, 0.5F)
+                    : spec.is_on          ? theme.accent
+                                          : mixed(theme.text_secondary, theme.text, response.hover);
   canvas.icon(rect.centre(), spec.icon, IconSize::Control, ink);
-  tooltip_when_resting(ui, id, rect, spec.label);
+  std::string words(spec.label);
+  if (!spec.why_off.empty()) words.append(": ").append(spec.why_off);
+  tooltip_when_resting(ui, id, rect, words);
   return response.is_pressed();
 }
 

@@ -13,7 +13,8 @@ struct ButtonSpec {
   std::string_view label = {};
   ButtonLook look = ButtonLook::Secondary;
   Icon icon = Icon::None;
-  bool is_enabled = true;
+  /// Why it is off: not empty turns it off, is shown on hover and told.
+  std::string_view why_off = {};
   /// What it started still runs: a spinner stands for the icon, pressing does nothing.
   bool is_busy = false;
 };
@@ -41,7 +42,11 @@ struct IconButtonSpec {
   /// Read out and shown as a tooltip.
   std::string_view label = {};
   Icon icon = Icon::None;
-  bool is_on = false, is_enabled = true;
+  bool is_on = false;
+  /// Why it is off, as of a button.
+  std::string_view why_off = {};
+  /// Tab comes to it last.
+  bool comes_late = false;
 };
 /// 36 x 36.
 bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButtonSpec& spec);

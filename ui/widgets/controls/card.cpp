@@ -1,5 +1,7 @@
 #include "ui/widgets/controls/card.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ui/widgets/shapes.h"
@@ -36,11 +38,16 @@ Point mark_of(const Ui& ui, const Rect& content, std::string_view sentence,
   return {content.mid_x(), content.mid_y() - height / 2.0F + 16.0F};
 }
 
+// The width of what stands at the right: a name in it may be long.
+float message_side(const Ui& ui, const MessageRow& row, float width) {
+  const float needed = std::max(ui.width_of(Type::SmallMedium, row.right),
+                                ui.width_of(Type::SmallMedium, row.action));
+  return std::min(std::ceil(needed) + 1.0F, 0.5F * width);
+}
+
 // The width that head and body have beside the shape and what stands at the right.
 float message_room(const Ui& ui, const MessageRow& row, float width) {
-  const float side = std::max(ui.width_of(Type::SmallMedium, row.right),
-                              ui.width_of(Type::SmallMedium, row.action));
-  return std::max(1.0F, width - 32.0F - side - 24.0F);
+  return std::max(1.0F, width - 32.0F - message_side(ui, row, width) - 24.0F);
 }
 
 }  // namespace
@@ -89,7 +96,9 @@ bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow
                  row.head);
   canvas.paragraph({rect.x + 32.0F, rect.y + message_body_top, room, rect.h - message_body_top},
                    {Type::Small, theme.text_secondary}, row.body);
-  canvas.text({rect.right(), middle}, {Type::SmallMedium, theme.text, Align::Right}, row.right);
+  const float side = message_side(ui, row, rect.w);
+  canvas.text_in({rect.right() - side, middle - 12.0F, side, 24.0F},
+                 {Type::SmallMedium, theme.text, Align::Right}, row.right, true);
   if (row.action.empty()) return false;
   return link(ui, std::string(id) + ".action", {rect.right(), middle + 24.0F}, row.action,
               Align::Right, Type::SmallMedium);

@@ -42,12 +42,4 @@ std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& r
   return pressed;
 }
 
-std::optional<double> timeline(Ui& ui, std::string_view id, const Rect& rect,
-                               const Timeline& shown) {
-  const AreaResponse area = ui.area(id, shown.steps_name, rect);
-  draw_timeline(ui.canvas(), ui.theme(), rect, shown);
-  if (!area.is_down[0] && !area.was_clicked) return std::nullopt;
-  return time_at(rect, shown, area.pointer.x);
-}
-
 }  // namespace hallux::ui

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "ui/widgets/charts/line_chart.h"
-#include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {
@@ -21,10 +20,5 @@ using PointWords = std::function<std::pair<std::string, std::string>(std::size_t
 /// with a tooltip. Each point is a control `id.0`, `id.1` ... Returns the point that was pressed.
 std::optional<std::size_t> line_chart(Ui& ui, std::string_view id, const Rect& rect,
                                       LineChart chart, const PointWords& words);
-
-/// Shows the timeline as the area `id`. Returns the moment that the pointer was pressed or dragged
-/// to.
-std::optional<double> timeline(Ui& ui, std::string_view id, const Rect& rect,
-                               const Timeline& timeline);
 
 }  // namespace hallux::ui

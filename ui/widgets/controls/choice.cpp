@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "ui/widgets/controls/tooltip.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -41,12 +42,14 @@ std::vector<Rect> segments_of(const Ui& ui, const Rect& rect,
 }
 
 bool switch_control(Ui& ui, std::string_view id, const Rect& rect, std::string_view label,
-                    bool& is_on, bool is_enabled, Response& response) {
+                    bool& is_on, std::string_view why_off, Response& response) {
   response = ui.control({.id = std::string(id),
                          .label = std::string(label),
                          .rect = rect,
                          .role = Role::Checkbox,
-                         .is_enabled = is_enabled});
+                         .is_enabled = why_off.empty(),
+                         .why_off = std::string(why_off)});
+  if (!why_off.empty()) tooltip_when_resting(ui, id, rect, why_off);
   if (response.is_pressed()) is_on = !is_on;
   return response.is_pressed();
 }
@@ -145,27 +148,27 @@ void draw_toggle(Ui& ui, const Rect& track, bool is_on, bool is_enabled,
 }
 
 bool checkbox(Ui& ui, std::string_view id, const Rect& rect, std::string_view label, bool& is_on,
-              bool is_label_shown, bool is_enabled) {
+              bool is_label_shown, std::string_view why_off) {
   Response response;
-  const bool is_changed = switch_control(ui, id, rect, label, is_on, is_enabled, response);
-  draw_checkbox(ui, {rect.x, rect.mid_y() - 9.0F, 18.0F, 18.0F}, is_on, is_enabled,
+  const bool is_changed = switch_control(ui, id, rect, label, is_on, why_off, response);
+  draw_checkbox(ui, {rect.x, rect.mid_y() - 9.0F, 18.0F, 18.0F}, is_on, why_off.empty(),
                 {response.hover, response.is_held, response.shows_ring});
   if (is_label_shown)
     ui.canvas().text_in({rect.x + 28.0F, rect.y, rect.w - 28.0F, rect.h},
-                        {Type::Small, is_enabled ? ui.theme().text : ui.theme().text_caption},
+                        {Type::Small, why_off.empty() ? ui.theme().text : ui.theme().text_caption},
                         label);
   return is_changed;
 }
 
 bool toggle(Ui& ui, std::string_view id, const Rect& rect, std::string_view label, bool& is_on,
-            bool is_label_shown, bool is_enabled) {
+            bool is_label_shown, std::string_view why_off) {
   Response response;
-  const bool is_changed = switch_control(ui, id, rect, label, is_on, is_enabled, response);
-  draw_toggle(ui, {rect.x, rect.mid_y() - 10.0F, 36.0F, 20.0F}, is_on, is_enabled,
+  const bool is_changed = switch_control(ui, id, rect, label, is_on, why_off, response);
+  draw_toggle(ui, {rect.x, rect.mid_y() - 10.0F, 36.0F, 20.0F}, is_on, why_off.empty(),
               {response.hover, response.is_held, response.shows_ring});
   if (is_label_shown)
     ui.canvas().text_in({rect.x + 46.0F, rect.y, rect.w - 46.0F, rect.h},
-                        {Type::Small, is_enabled ? ui.theme().text : ui.theme().text_caption},
+                        {Type::Small, why_off.empty() ? ui.theme().text : ui.theme().text_caption},
                         label);
   return is_changed;
 }

@@ -23,12 +23,13 @@ float segmented_width(const Ui& ui, std::span<const std::string_view> labels);
 bool tabs(Ui& ui, std::string_view id, const Rect& rect, std::span<const std::string_view> labels,
           int& chosen);
 
-/// 18 x 18 with its words to the right, all of it to press. True where `is_on` changed.
+/// 18 x 18 with its words to the right, all of it to press; `why_off` as of a button. True where
+/// `is_on` changed.
 bool checkbox(Ui& ui, std::string_view id, const Rect& rect, std::string_view label, bool& is_on,
-              bool is_label_shown = true, bool is_enabled = true);
+              bool is_label_shown = true, std::string_view why_off = {});
 /// 36 x 20 with its words to the right: takes effect at once.
 bool toggle(Ui& ui, std::string_view id, const Rect& rect, std::string_view label, bool& is_on,
-            bool is_label_shown = true, bool is_enabled = true);
+            bool is_label_shown = true, std::string_view why_off = {});
 
 /// A pill to press, 24 high: chosen in the accent. Returns its width in `width` where given.
 bool filter_pill(Ui& ui, std::string_view id, Point left_middle, std::string_view label,

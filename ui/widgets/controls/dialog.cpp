@@ -52,10 +52,11 @@ void draw_text(Ui& ui, const Dialog& shown, const Layout& layout, Rect& rest) {
                    {Type::Small, theme.bad_text}, shown.error);
 }
 
-Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, bool is_ready, Rect line) {
+Answer draw_buttons(Ui& ui, std::string_view id, const Dialog& shown, std::string_view missing,
+                    Rect line) {
   const std::string prefix = std::string(id) + ".";
   ButtonSpec act{shown.act, shown.is_dangerous ? ButtonLook::Danger : ButtonLook::Primary};
-  act.is_enabled = is_ready;
+  act.why_off = missing;
   act.is_busy = shown.is_busy;
   Answer answer = Answer::Waiting;
   const Rect act_place = take_right(line, button_width(ui, act) + 24.0F, 12.0F);
@@ -80,7 +81,7 @@ Dialog form_dialog(const Ui& ui, std::string_view title, std::string_view act,
 }
 
 Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
-              const std::function<bool(const Rect& form)>& draw_form) {
+              const std::function<std::string_view(const Rect& form)>& draw_form) {
   Canvas& canvas = ui.canvas();
   const LayerScope layer(canvas, Layer::Modal);
   canvas.fill(ui.display(), ui.theme().scrim);
@@ -95,9 +96,9 @@ Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
                       layout.content + 2.0F * ring_room);
   Rect rest{layout.view.x, layout.view.y - offset, layout.view.w, layout.content};
   draw_text(ui, shown, layout, rest);
-  const bool is_ready = draw_form(rest);
+  const std::string_view missing = draw_form(rest);
   ui.end_scroll();
-  const Answer answer = draw_buttons(ui, id, shown, is_ready, layout.buttons);
+  const Answer answer = draw_buttons(ui, id, shown, missing, layout.buttons);
   canvas.pop_room();
   if (answer != Answer::Waiting) ui.want_frame_in_s(0.0);
   return answer;

@@ -4,7 +4,7 @@
 ///                                      {fault, is_busy}, field_label_height + field_height);
 ///     const Answer answer = dialog(ui, "cohorts.new", shown, [&](const Rect& form) {
 ///       field(ui, "cohorts.new.name", inset(form, ...), name_, spec);
-///       return !name_.empty();
+///       return name_.empty() ? ui.text("people.missing.name") : std::string_view();
 ///     });
 #pragma once
 
@@ -46,11 +46,12 @@ struct FormState {
 Dialog form_dialog(const Ui& ui, std::string_view title, std::string_view act,
                    const FormState& state, float form_height);
 
-/// Draws it with the fields that `draw_form` draws into the place it is given; it answers false
-/// where something is still missing, so that the verb cannot be pressed. Buttons are named
+/// Draws it with the fields that `draw_form` draws into the place it is given; it answers what is
+/// still missing, in words of the catalogue: while it is anything, the verb is off for that reason.
+/// Buttons are named
 /// `id.act`, which Enter presses (Ctrl+Enter in a field of several lines), and `id.keep`, which Esc
 /// presses. Where the window is too low all between title and buttons scrolls, named `id.form`.
 Answer dialog(Ui& ui, std::string_view id, const Dialog& shown,
-              const std::function<bool(const Rect& form)>& draw_form);
+              const std::function<std::string_view(const Rect& form)>& draw_form);
 
 }  // namespace hallux::ui

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "ui/widgets/controls/tooltip.h"
 #include "ui/widgets/shapes.h"
 #include "ui/widgets/texts/text_layout.h"
 #include "ui/widgets/texts/wipe.h"
@@ -84,8 +85,8 @@ Layout lay_out(Ui& ui, std::string_view text, const FieldSpec& spec, float width
 
 Rect room_of(const Rect& rect, const FieldSpec& spec) {
   Rect room = inset(rect, padding, spec.lines > 1 ? 9.0F : 0.0F);
-  if (spec.icon != Icon::None || !spec.is_enabled) room.x += icon_room, room.w -= icon_room;
-  if (spec.is_secret && spec.is_enabled) room.w -= eye_room - padding;
+  if (spec.icon != Icon::None || !spec.why_off.empty()) room.x += icon_room, room.w -= icon_room;
+  if (spec.is_secret && spec.why_off.empty()) room.w -= eye_room - padding;
   return room;
 }
 
@@ -151,7 +152,7 @@ void follow_caret(TextEdit& edit, const Layout& layout, std::size_t caret, const
 
 Color border_of(const Theme& theme, const FieldSpec& spec, const ControlState& state,
                 bool has_focus) {
-  if (!spec.is_enabled) return theme.line;
+  if (!spec.why_off.empty()) return theme.line;
   if (!spec.error.empty()) return theme.bad;
   if (has_focus) return theme.accent;
   return mixed(theme.border, theme.text_caption, state.hover);
@@ -174,11 +175,11 @@ void draw_box(Ui& ui, const Rect& rect, const FieldSpec& spec, const ControlStat
   const Theme& theme = ui.theme();
   if (spec.is_label_shown)
     canvas.text_on_baseline({rect.x, rect.y - 9.0F}, {Type::SmallMedium, theme.text}, spec.label);
-  canvas.fill(rect, spec.is_enabled ? theme.field : theme.raise, radius::control);
-  const bool is_strong = spec.is_enabled && (has_focus || !spec.error.empty());
+  canvas.fill(rect, spec.why_off.empty() ? theme.field : theme.raise, radius::control);
+  const bool is_strong = spec.why_off.empty() && (has_focus || !spec.error.empty());
   canvas.outline(rect, border_of(theme, spec, state, has_focus), radius::control,
                  is_strong ? 2.0F : 1.0F);
-  const Icon icon = spec.is_enabled ? spec.icon : Icon::Lock;
+  const Icon icon = spec.why_off.empty() ? spec.icon : Icon::Lock;
   canvas.icon({rect.x + padding + 6.0F, rect.mid_y()}, icon, IconSize::Control, theme.text_caption);
   draw_message(ui, rect, spec);
 }
@@ -204,7 +205,7 @@ void draw_letters(Ui& ui, const Rect& room, const Layout& layout, const TextEdit
                    x_in_line(cursor.end()) - x_in_line(cursor.begin()), 20.0F},
                   theme.accent_soft, 2.0F);
     canvas.text({left, y + layout.line_step / 2.0F},
-                {Type::Body, spec.is_enabled ? theme.text : theme.text_caption}, letters);
+                {Type::Body, spec.why_off.empty() ? theme.text : theme.text_caption}, letters);
     if (has_focus && layout.line_of(cursor.caret) == line)
       canvas.fill({x_in_line(cursor.caret) + 0.5F, y + 3.0F, caret_width, 18.0F}, theme.accent);
   }
@@ -223,13 +224,21 @@ void draw_content(Ui& ui, const Rect& room, std::string_view shown, const Layout
   canvas.set_noting(true);
   const Rect seen = intersection(room, canvas.clip());
   if (!spec.is_secret && !shown.empty() && !seen.is_empty())
-    canvas.note_text({std::string(shown), seen, room, canvas.layer(), false, true, {}});
+    canvas.note_text({.text = std::string(shown),
+                      .rect = seen,
+                      .room = room,
+                      .visible = seen,
+                      .layer = canvas.layer(),
+                      .may_be_shortened = true});
 }
 
+// Tab goes on from the letters to what comes next, not to the eye: whoever types a phrase there by
+// mistake would show it.
 bool draw_eye(Ui& ui, const std::string& id, const Rect& rect, bool is_open) {
   const std::string eye = id + ".eye";
   IconButtonSpec spec{.label = ui.text(is_open ? "field.hide" : "field.show"),
-                      .icon = is_open ? Icon::EyeOff : Icon::Eye};
+                      .icon = is_open ? Icon::EyeOff : Icon::Eye,
+                      .comes_late = true};
   return icon_button(ui, eye, {rect.right() - eye_room, rect.mid_y() - 18.0F, 36.0F, 36.0F}, spec);
 }
 
@@ -242,8 +251,10 @@ bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
                                         .label = std::string(spec.label),
                                         .rect = rect,
                                         .role = Role::Field,
-                                        .is_enabled = spec.is_enabled,
-                                        .takes_new_line = spec.lines > 1});
+                                        .is_enabled = spec.why_off.empty(),
+                                        .why_off = std::string(spec.why_off),
+                                        .takes_new_line = spec.lines > 1,
+                                        .takes_tab = spec.takes_tab});
   draw_box(ui, rect, spec, {response.hover, false, response.shows_ring}, response.has_focus);
   TextEdit& edit = ui.text_edit(name);
   keep_cursor_inside(edit, text);
@@ -252,13 +263,14 @@ bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
     const Shown before(text, spec.is_secret && !edit.is_revealed);
     apply_pointer(ui, response, edit, text, before, lay_out(ui, before.view(), spec, room.w), room);
   }
-  const bool is_changed = spec.is_enabled && apply_events(ui, name, edit, text, spec, room.w);
+  const bool is_changed = spec.why_off.empty() && apply_events(ui, name, edit, text, spec, room.w);
   const Shown shown(text, spec.is_secret && !edit.is_revealed);
   const Layout layout = lay_out(ui, shown.view(), spec, room.w);
   const TextCursor cursor{shown.to_shown(edit.cursor.caret), shown.to_shown(edit.cursor.anchor)};
   follow_caret(edit, layout, cursor.caret, room, spec.lines > 1);
   draw_content(ui, room, shown.view(), layout, edit, cursor, spec, response.has_focus);
-  if (spec.is_secret && spec.is_enabled && draw_eye(ui, name, rect, edit.is_revealed)) {
+  if (!spec.why_off.empty()) tooltip_when_resting(ui, id, rect, spec.why_off);
+  if (spec.is_secret && spec.why_off.empty() && draw_eye(ui, name, rect, edit.is_revealed)) {
     edit.is_revealed = !edit.is_revealed;
     ui.want_frame_in_s(0.0);
   }

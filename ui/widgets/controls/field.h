@@ -23,7 +23,10 @@ struct FieldSpec {
   bool is_label_shown = true;
   /// Dots stand for letters; an eye shows them while it is on.
   bool is_secret = false;
-  bool is_enabled = true;
+  /// Tab completes what is typed, by whoever reads `Ui::field_events`; else it goes on.
+  bool takes_tab = false;
+  /// Why it is off, as of a button.
+  std::string_view why_off = {};
   /// More: Enter makes a new line, Ctrl+Enter is the primary action.
   int lines = 1;
   std::size_t max_bytes = 200;

@@ -1,4 +1,4 @@
-// What lies over a page: menus, questions, toasts, running work. A menu takes a press beside it
+// What lies over a page: menus and questions. A menu takes a press beside it
 // with a control as large as the window, so that nothing below hears it. Of a question the safe
 // answer has the focus and Esc; the verb has to be meant.
 #include "ui/widgets/controls/menu.h"
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/tooltip.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -29,10 +30,10 @@ void draw_row(Ui& ui, const Rect& place, const MenuItem& item, float raised) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   canvas.fill(inset(place, 0.0F, 1.0F), faded(theme.popup_raise, raised), radius::row);
-  const Color ink = !item.is_enabled    ? faded(theme.text_caption, 0.62F)
-                    : item.is_dangerous ? theme.bad_text
-                                        : theme.text;
-  const bool is_plain = item.is_enabled && !item.is_dangerous;
+  const Color ink = !item.why_off.empty() ? faded(theme.text_caption, 0.62F)
+                    : item.is_dangerous   ? theme.bad_text
+                                          : theme.text;
+  const bool is_plain = item.why_off.empty() && !item.is_dangerous;
   canvas.icon({place.x + 20.0F, place.mid_y()}, item.icon, IconSize::Control,
               is_plain ? theme.text_secondary : ink);
   const float key_room = item.key.empty() ? 8.0F : key_chip_width(ui, item.key) + 16.0F;
@@ -58,13 +59,6 @@ bool pressed_beside(Ui& ui, std::string_view id) {
   beside.rect = ui.display();
   beside.is_focusable = false;
   return ui.control(std::move(beside)).is_pressed();
-}
-
-// The width that title and detail share beside the shape, the action and the close.
-float toast_room(const Ui& ui, const Toast& shown, float width) {
-  const float action =
-      shown.action.empty() ? 0.0F : ui.width_of(Type::BodyMedium, shown.action) + 16.0F;
-  return std::max(1.0F, width - 44.0F - 48.0F - action);
 }
 
 Rect inside_display(const Ui& ui, Rect rect) {
@@ -101,12 +95,15 @@ int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> it
                   .label = std::string(items[number].label),
                   .rect = rows[number],
                   .role = Role::Option,
-                  .is_enabled = items[number].is_enabled,
+                  .is_enabled = items[number].why_off.empty(),
+                  .why_off = std::string(items[number].why_off),
                   .group = std::string(id)};
     const std::string name = widget.id;
     const Response response = ui.control(std::move(widget));
     if (number == 0) ui.focus_first(name);
     draw_row(ui, rows[number], items[number], response.has_focus ? 1.0F : response.hover);
+    if (!items[number].why_off.empty())
+      tooltip_when_resting(ui, name, rows[number], items[number].why_off);
     if (response.is_pressed()) answer = static_cast<int>(number);
   }
   if (ui.shortcut({Key::Escape}, ui.text("menu.close"))) answer = menu_closed;
@@ -137,67 +134,16 @@ Answer question(Ui& ui, std::string_view id, const Question& asked) {
   Answer answer = Answer::Waiting;
   if (button(ui, keep_id, take_right(line, button_width(ui, keep), 12.0F), keep))
     answer = Answer::Keep;
+  const ButtonSpec other{asked.other, ButtonLook::Secondary};
+  if (!other.label.empty() && button(ui, std::string(id) + ".other",
+                                     take_right(line, button_width(ui, other), 12.0F), other))
+    answer = Answer::Other;
   if (button(ui, act_id, take_right(line, button_width(ui, act)), act)) answer = Answer::Act;
   ui.focus_first(keep_id);
   if (ui.shortcut({Key::Escape}, asked.keep)) answer = Answer::Keep;
   canvas.pop_room();
   if (answer != Answer::Waiting) ui.want_frame_in_s(0.0);
   return answer;
-}
-
-float toast_height_for(const Ui& ui, const Toast& shown, float width) {
-  const float room = toast_room(ui, shown, width);
-  const float words =
-      ui.paragraph_height(Type::BodyMedium, shown.title, room) +
-      (shown.detail.empty() ? 0.0F : ui.paragraph_height(Type::Small, shown.detail, room));
-  return std::max(toast_height, words + 20.0F);
-}
-
-ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& shown) {
-  Canvas& canvas = ui.canvas();
-  const Theme& theme = ui.theme();
-  draw_popup(canvas, theme, rect);
-  draw_meaning(canvas, theme, shown.meaning, {rect.x + 24.0F, rect.mid_y()}, 8.0F);
-  const float room = toast_room(ui, shown, rect.w), x = rect.x + 44.0F;
-  const float title = ui.paragraph_height(Type::BodyMedium, shown.title, room);
-  const float detail =
-      shown.detail.empty() ? 0.0F : ui.paragraph_height(Type::Small, shown.detail, room);
-  const float top = rect.mid_y() - (title + detail) / 2.0F;
-  canvas.paragraph({x, top, room, title}, {Type::BodyMedium, theme.text}, shown.title);
-  if (!shown.detail.empty())
-    canvas.paragraph({x, top + title, room, detail}, {Type::Small, theme.text_secondary},
-                     shown.detail);
-  ToastAnswer answer = ToastAnswer::Waiting;
-  if (!shown.action.empty() &&
-      link(ui, std::string(id) + ".action", {rect.right() - 44.0F, rect.mid_y()}, shown.action,
-           Align::Right, Type::BodyMedium))
-    answer = ToastAnswer::Action;
-  if (icon_button(ui, std::string(id) + ".close",
-                  {rect.right() - 36.0F, rect.mid_y() - 16.0F, 32.0F, 32.0F},
-                  {ui.text("toast.close"), Icon::Close}))
-    answer = ToastAnswer::Closed;
-  return answer;
-}
-
-bool progress(Ui& ui, std::string_view id, const Rect& rect, const RunningWork& shown) {
-  Canvas& canvas = ui.canvas();
-  const Theme& theme = ui.theme();
-  draw_shadow(canvas, theme, rect, radius::control, Elevation::Card);
-  canvas.fill(rect, theme.card, radius::control);
-  canvas.outline(rect, theme.line, radius::control);
-  const float y = rect.mid_y() - 8.0F;
-  const std::string_view cancel = ui.text("progress.cancel");
-  const float cancel_width = ui.width_of(Type::SmallMedium, cancel);
-  const float time_width =
-      shown.time_left.empty() ? 0.0F : ui.width_of(Type::Small, shown.time_left) + 16.0F;
-  canvas.text_in({rect.x + 20.0F, y - 10.0F, rect.w - 56.0F - cancel_width - time_width, 20.0F},
-                 {Type::Small, theme.text}, shown.label);
-  canvas.text({rect.right() - 36.0F - cancel_width, y},
-              {Type::Small, theme.text_caption, Align::Right}, shown.time_left);
-  const bool is_cancelled = link(ui, std::string(id) + ".cancel", {rect.right() - 20.0F, y}, cancel,
-                                 Align::Right, Type::SmallMedium);
-  bar(ui, {rect.x + 20.0F, rect.mid_y() + 8.0F, rect.w - 40.0F, 6.0F}, shown.share);
-  return is_cancelled;
 }
 
 }  // namespace hallux::ui

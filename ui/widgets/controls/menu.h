@@ -1,4 +1,4 @@
-/// Menus, toasts, the question before what cannot be undone, and running work with its Cancel.
+/// Menus, and the question before what cannot be undone.
 #pragma once
 
 #include <span>
@@ -16,7 +16,8 @@ struct MenuItem {
   std::string_view key = {};
   /// Last, behind a hairline.
   bool is_dangerous = false;
-  bool is_enabled = true;
+  /// Why it is off, as of a button.
+  std::string_view why_off = {};
 };
 
 /// -1 while it is open, `menu_closed` where it was closed by Esc or a press beside it, else the
@@ -40,29 +41,11 @@ struct Question {
   /// The safe one: "Keep them".
   std::string_view keep = {};
   bool is_dangerous = true;
+  /// A third way, between the two; empty: none.
+  std::string_view other = {};
 };
-enum class Answer : std::uint8_t { Waiting, Keep, Act };
-/// Buttons are named `id.act` and `id.keep`.
+enum class Answer : std::uint8_t { Waiting, Keep, Act, Other };
+/// Buttons are named `id.act`, `id.keep` and `id.other`.
 Answer question(Ui& ui, std::string_view id, const Question& question);
-
-/// A toast, 400 wide and at least 64 high: what happened, its detail, an action (may be empty) and
-/// a close.
-struct Toast {
-  Meaning meaning = Meaning::Good;
-  std::string_view title = {}, detail = {}, action = {};
-};
-enum class ToastAnswer : std::uint8_t { Waiting, Action, Closed };
-inline constexpr float toast_width = 400.0F, toast_height = 64.0F;
-/// The height in which title and detail have room for all their lines.
-float toast_height_for(const Ui& ui, const Toast& toast, float width);
-ToastAnswer toast(Ui& ui, std::string_view id, const Rect& rect, const Toast& toast);
-
-/// Work that runs: its name, a thin bar and Cancel. `time_left` is empty below ten seconds.
-struct RunningWork {
-  std::string_view label = {}, time_left = {};
-  float share = 0.0F;
-};
-/// 48 high. True where Cancel was pressed, named `id.cancel`.
-bool progress(Ui& ui, std::string_view id, const Rect& rect, const RunningWork& work);
 
 }  // namespace hallux::ui

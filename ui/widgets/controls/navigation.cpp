@@ -10,7 +10,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float row_height = 40.0F, row_step = 44.0F, side_inset = 12.0F, first_row = 84.0F;
-constexpr float narrow = 1180.0F;
+constexpr float narrow = 1180.0F, help_above_foot = 132.0F, gap_edge = 8.0F;
 
 // Below this height the rows move together, so that the person at the foot stays visible.
 float step_of(const Rect& display, std::size_t items) {
@@ -111,6 +111,15 @@ float navigation_width(const Ui& ui, bool is_rail) noexcept {
   return is_rail || wants_rail(ui) ? space::rail : space::side_navigation;
 }
 
+Rect navigation_gap(const Ui& ui, std::size_t items, bool is_rail) noexcept {
+  if (is_rail || wants_rail(ui)) return {};
+  const Rect display = ui.display();
+  const float top = first_row + step_of(display, items) * static_cast<float>(items) + gap_edge;
+  const float bottom = display.h - help_above_foot - gap_edge;
+  return {side_inset, top, space::side_navigation - 2.0F * side_inset,
+          std::max(0.0F, bottom - top)};
+}
+
 NavigationResponse side_navigation(Ui& ui, const NavigationSpec& spec) {
   const bool is_rail = spec.is_rail || wants_rail(ui);
   const Rect display = ui.display();
@@ -130,7 +139,7 @@ NavigationResponse side_navigation(Ui& ui, const NavigationSpec& spec) {
     if (draw_item(ui, place, spec.items[number], spec.chosen == static_cast<int>(number), is_rail))
       response = {NavigationAction::Item, static_cast<int>(number), {}};
   }
-  if (draw_help(ui, {row.x, display.h - 132.0F, row.w, row_height}, is_rail))
+  if (draw_help(ui, {row.x, display.h - help_above_foot, row.w, row_height}, is_rail))
     response.action = NavigationAction::Help;
   if (!is_rail) canvas.hairline_across(side_inset, display.h - 84.0F, row.w, ui.theme().line);
   response.person = {row.x, display.h - 70.0F, row.w, 52.0F};

@@ -43,6 +43,10 @@ struct NavigationResponse {
 /// Draws the whole height of the display's left edge; Help is `nav.help`, the person `nav.person`.
 NavigationResponse side_navigation(Ui& ui, const NavigationSpec& spec);
 
+/// The place that is free between the places and the help at its foot, for what is told in passing;
+/// empty on a rail.
+Rect navigation_gap(const Ui& ui, std::size_t items, bool is_rail) noexcept;
+
 /// Its width at this size of the window: the rail below 1180.
 float navigation_width(const Ui& ui, bool is_rail) noexcept;
 /// True where the window is too narrow for the words.

@@ -16,12 +16,15 @@ int pager(Ui& ui, std::string_view id, const Rect& line, const PagerSpec& spec) 
   const float width = ui.width_of(Type::Small, spec.words) + 1.0F;
   const Rect words_place = take_right(rest, width, 4.0F);
   const Rect back_place = take_right(rest, pager_height);
-  const bool goes_back =
-      icon_button(ui, prefix + ".back", back_place, {spec.back, Icon::Left, false, spec.first > 0});
+  const std::string_view at_first = spec.first > 0 ? std::string_view() : ui.text("pager.at_first");
+  const std::string_view at_last =
+      spec.first < last ? std::string_view() : ui.text("pager.at_last");
+  const bool goes_back = icon_button(ui, prefix + ".back", back_place,
+                                     {.label = spec.back, .icon = Icon::Left, .why_off = at_first});
   ui.canvas().text_in(words_place, {Type::Small, ui.theme().text_secondary, Align::Right},
                       spec.words);
-  const bool goes_on =
-      icon_button(ui, prefix + ".on", on_place, {spec.on, Icon::Right, false, spec.first < last});
+  const bool goes_on = icon_button(ui, prefix + ".on", on_place,
+                                   {.label = spec.on, .icon = Icon::Right, .why_off = at_last});
   if (!goes_back && !goes_on) return std::clamp(spec.first, 0, last);
   ui.want_frame_in_s(0.0);
   const int first = std::clamp(spec.first + (goes_on ? spec.shown : -spec.shown), 0, last);

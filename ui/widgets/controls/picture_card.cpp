@@ -16,6 +16,14 @@ void draw_mark(Ui& ui, const Rect& rect, std::string_view mark) {
   ui.canvas().text({chip.x + 28.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, mark);
 }
 
+/// In the place of the picture: why there is none.
+void draw_note(Ui& ui, const Rect& picture, const PictureCardSpec& spec) {
+  const float room = picture.w - 2.0F * padding;
+  const float height = ui.paragraph_height(Type::Small, spec.picture_note, room);
+  ui.canvas().paragraph({picture.x + padding, picture.mid_y() - height / 2.0F, room, height},
+                        {Type::Small, ui.theme().text_caption, Align::Centre}, spec.picture_note);
+}
+
 void draw_state(Ui& ui, const Rect& line, const PictureCardSpec& spec) {
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
@@ -50,6 +58,7 @@ bool picture_card(Ui& ui, std::string_view id, const Rect& place, const PictureC
   const Rect picture{rect.x, rect.y, rect.w, rect.h - (picture_card_height - picture_height)};
   canvas.fill(picture, theme.raise, radius::picture, Corners::Top);
   canvas.picture(spec.picture, picture, radius::picture, Corners::Top);
+  if (spec.picture.texture == 0 && !spec.picture_note.empty()) draw_note(ui, picture, spec);
   canvas.hairline_across(rect.x, picture.bottom(), rect.w, theme.line);
   canvas.outline(rect, mixed(theme.line, theme.accent, response.hover), radius::picture,
                  response.hover > 0.5F ? 2.0F : 1.0F);

@@ -12,8 +12,10 @@ inline constexpr float picture_card_width = 275.0F, picture_card_height = 332.0F
 
 struct PictureCardSpec {
   std::string_view name = {}, what = {};
-  /// Nothing where none was drawn yet: a skeleton stands for it.
+  /// Nothing where none was drawn yet.
   Picture picture = {};
+  /// In its place while there is none; "": nothing.
+  std::string_view picture_note = {};
   /// 1-5; 0: not known.
   int difficulty = 1;
   std::string_view difficulty_word = {};

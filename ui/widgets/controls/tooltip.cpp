@@ -6,6 +6,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr double resting_s = 0.5;
+constexpr float longest_line = 400.0F;
 constexpr float padding = 12.0F, distance = 14.0F;
 
 }  // namespace
@@ -42,6 +43,7 @@ void tooltip_when_resting(Ui& ui, std::string_view id, const Rect& rect, std::st
   const LayerScope layer(canvas, Layer::Tooltip);
   const Rect display = ui.display();
   const float width = canvas.width_of(Type::Caption, label) + 2.0F * padding;
+  if (width > longest_line) return draw_told_words(canvas, ui.theme(), rect, label);
   Rect popup{rect.mid_x() - width / 2.0F, rect.bottom() + 6.0F, width, 30.0F};
   popup.x = std::clamp(popup.x, 4.0F, std::max(4.0F, display.right() - width - 4.0F));
   if (popup.bottom() > display.bottom() - 4.0F) popup.y = rect.y - 36.0F;

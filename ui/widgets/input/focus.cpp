@@ -24,6 +24,8 @@ std::vector<const Widget*> tab_stops(const FrameContent& content, const std::str
     else if (widget.id == focus || (widget.is_chosen && (*same)->id != focus))
       *same = &widget;
   }
+  std::stable_partition(stops.begin(), stops.end(),
+                        [](const Widget* stop) { return !stop->comes_late; });
   return stops;
 }
 

@@ -10,7 +10,7 @@ namespace hallux::ui {
 
 /// The id after (or before) `focus` in Tab order; the first (or last) where `focus` is nowhere, ""
 /// where nothing can have the focus. A group is visited once, at its chosen widget; disabled ones
-/// are left out.
+/// are left out, and those that come late come behind all others.
 std::string next_in_tab_order(const FrameContent& content, const std::string& focus,
                               bool is_backwards);
 

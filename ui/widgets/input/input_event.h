@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "ui/widgets/look/geometry.h"
 
@@ -101,6 +102,8 @@ inline constexpr int mouse_button_count = 3;
 
 enum class EventKind : std::uint8_t {
   PointerMoved,
+  /// A captured pointer's way: `position` says how far, not where.
+  CapturedMoved,
   /// The pointer is no longer over the window.
   PointerLeft,
   ButtonPressed,
@@ -113,11 +116,13 @@ enum class EventKind : std::uint8_t {
   Character,
   /// The window no longer gets keys: every held key counts as released.
   FocusLost,
+  /// Files or folders of the desktop, let go over the window.
+  FilesDropped,
 };
 
 struct InputEvent {
   EventKind kind = EventKind::PointerMoved;
-  /// Of the pointer, for all its events.
+  /// Of the pointer, for all its events; of a captured one it means nothing but its way.
   Point position = {};
   MouseButton button = MouseButton::Left;
   Key key = Key::None;
@@ -126,6 +131,8 @@ struct InputEvent {
   char32_t character = 0;
   /// Notches, positive away from the person.
   float wheel = 0.0F;
+  /// The path of the first one that was dropped.
+  std::string text = {};
 };
 
 }  // namespace hallux::ui

@@ -64,7 +64,8 @@ const Widget* primary_of(const FrameContent& content) {
 
 void Interaction::forget_frame() {
   pressed.clear();
-  clicked_area.clear();
+  clicked_areas = {};
+  captured_way = {};
   wheel_target.clear();
   pressed_by = PressedBy::Nothing;
   is_double = is_focus_extended = has_focus_moved = false;
@@ -73,6 +74,7 @@ void Interaction::forget_frame() {
   edits.clear();
   dragged = {};
   has_pointer_left = has_lost_keys = false;
+  dropped.reset();
 }
 
 // Stops behind the event that may change the screen, and leaves the next frame without events: it
@@ -93,7 +95,8 @@ void Interaction::take_events(EventQueue& queue, const FrameContent& shown, doub
     if (key) take_repeats(queue);
   }
   has_waiting_events = !queue.is_empty();
-  const Widget* under = is_pointer_inside ? widget_at(*shown_, pointer) : nullptr;
+  const bool is_somewhere = is_pointer_inside && capture.empty();
+  const Widget* under = is_somewhere ? widget_at(*shown_, pointer) : nullptr;
   const std::string id = under == nullptr ? std::string() : under->id;
   if (id != hovered) {
     hovered = id;
@@ -118,6 +121,9 @@ bool Interaction::apply(const InputEvent& event) {
   switch (event.kind) {
     case EventKind::PointerMoved:
       move_pointer(event.position);
+      return false;
+    case EventKind::CapturedMoved:
+      move_captured(event.position);
       return false;
     case EventKind::PointerLeft:
       is_pointer_inside = false;
@@ -145,7 +151,11 @@ bool Interaction::apply(const InputEvent& event) {
         edits.push_back({focus, {event.character, {}}});
       return false;
     }
+    case EventKind::FilesDropped:
+      dropped = event.text;
+      return true;
     case EventKind::FocusLost:
+      capture.clear();
       held = {};
       modifiers = {};
       has_lost_keys = true;
@@ -157,6 +167,7 @@ bool Interaction::apply(const InputEvent& event) {
 
 void Interaction::move_pointer(Point position) {
   const Point device{position.x / scale_, position.y / scale_};
+  if (device != pointer) pointer_still_since_s = time_s_;
   for (std::size_t button = 0; button < held.size(); ++button) {
     HeldButton& own = held[button];
     if (!own.is_down) continue;
@@ -169,12 +180,42 @@ void Interaction::move_pointer(Point position) {
   is_pointer_inside = true;
 }
 
+// The pointer itself stays where it was caught: there it is again once it is free.
+void Interaction::move_captured(Point way) {
+  const Point device{way.x / scale_, way.y / scale_};
+  captured_way.x += device.x;
+  captured_way.y += device.y;
+  for (std::size_t button = 0; button < held.size(); ++button) {
+    HeldButton& own = held[button];
+    if (!own.is_down) continue;
+    dragged[button].x += device.x;
+    dragged[button].y += device.y;
+    own.way.x += device.x;
+    own.way.y += device.y;
+    own.has_moved = own.has_moved || std::hypot(own.way.x, own.way.y) > drag_threshold;
+  }
+}
+
+bool Interaction::press_captured(const InputEvent& event) {
+  held[static_cast<std::size_t>(event.button)] = {capture, true, false, pointer, {}};
+  is_ring_shown = false;
+  return false;
+}
+
+bool Interaction::release_captured(const InputEvent& event) {
+  const auto button = static_cast<std::size_t>(event.button);
+  const HeldButton was = std::exchange(held[button], {});
+  if (was.is_down && was.id == capture && !was.has_moved) clicked_areas[button] = capture;
+  return false;
+}
+
 bool Interaction::press_button(const InputEvent& event) {
+  if (!capture.empty()) return press_captured(event);
   move_pointer(event.position);
   is_ring_shown = false;
   HeldButton& own = held[static_cast<std::size_t>(event.button)];
   const Widget* under = widget_at(*shown_, pointer);
-  own = {under == nullptr ? std::string() : under->id, true, false, pointer};
+  own = {under == nullptr ? std::string() : under->id, true, false, pointer, {}};
   if (under == nullptr || event.button != MouseButton::Left) return false;
   if (under->role == Role::Area) focus.clear();
   if (can_have_focus(*shown_, *under)) focus = under->id;
@@ -188,28 +229,40 @@ bool Interaction::press_button(const InputEvent& event) {
 }
 
 bool Interaction::release_button(const InputEvent& event) {
+  if (!capture.empty()) return release_captured(event);
   move_pointer(event.position);
-  HeldButton& own = held[static_cast<std::size_t>(event.button)];
-  const HeldButton was = std::exchange(own, {});
-  if (!was.is_down || was.id.empty() || event.button != MouseButton::Left) return false;
+  const auto button = static_cast<std::size_t>(event.button);
+  const HeldButton was = std::exchange(held[button], {});
+  if (!was.is_down || was.id.empty()) return false;
   const Widget* under = widget_at(*shown_, pointer);
   if (under == nullptr || under->id != was.id || !under->is_enabled) return false;
   if (under->role == Role::Area) {
-    if (!was.has_moved) clicked_area = was.id;
-    return !was.has_moved;
+    if (!was.has_moved) {
+      clicked_areas[button] = was.id;
+      if (event.button == MouseButton::Left) note_click(was.id);
+    }
+    return !was.has_moved && event.button == MouseButton::Left;
   }
+  if (event.button != MouseButton::Left) return false;
   if (!is_pressable(*under)) return false;
   pressed = was.id;
   pressed_by = PressedBy::Mouse;
-  is_double = last_pressed_ == was.id && time_s_ - last_press_s_ < double_click_s;
-  last_pressed_ = is_double ? std::string() : was.id;
-  last_press_s_ = time_s_;
+  note_click(was.id);
   return true;
 }
 
+void Interaction::note_click(const std::string& id) {
+  is_double = last_pressed_ == id && time_s_ - last_press_s_ < double_click_s;
+  last_pressed_ = is_double ? std::string() : id;
+  last_press_s_ = time_s_;
+}
+
 void Interaction::turn_wheel(const InputEvent& event) {
-  move_pointer(event.position);
-  const Widget* target = scrolled_at(*shown_, pointer);
+  if (capture.empty()) move_pointer(event.position);
+  // A button under which the wheel is turned holds for it: letting it go is no click.
+  for (HeldButton& own : held) own.has_moved = own.has_moved || own.is_down;
+  const Widget* target =
+      capture.empty() ? turned_at(*shown_, pointer, event.wheel) : find_widget(*shown_, capture);
   if (target == nullptr) return;
   if (wheel_target != target->id) wheel = 0.0F;
   wheel_target = target->id;
@@ -239,7 +292,12 @@ bool Interaction::edit_key(const Widget& field, Chord chord) {
 
 bool Interaction::move_focus(const Widget* focused, Chord chord) {
   std::string next = focus;
-  if (chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt) {
+  const bool is_tab = chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt;
+  if (is_tab && !chord.modifiers.shift && focused != nullptr && focused->takes_tab) {
+    edits.push_back({focus, {0, chord}});
+    return true;
+  }
+  if (is_tab) {
     next = next_in_tab_order(*shown_, focus, chord.modifiers.shift);
   } else if (is_arrow(chord.key) && focused != nullptr && !focused->group.empty() &&
              !chord.modifiers.control) {

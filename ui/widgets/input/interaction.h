@@ -28,6 +28,8 @@ struct Interaction {
     std::string id;
     bool is_down = false, has_moved = false;
     Point pressed_at;
+    /// Of a captured pointer, since it was pressed.
+    Point way;
   };
   struct Edit {
     std::string id;
@@ -47,14 +49,23 @@ struct Interaction {
 
   Point pointer;
   bool is_pointer_inside = false;
+  /// Since when it lies where it is.
+  double pointer_still_since_s = 0.0;
   /// In this frame.
   bool has_pointer_left = false, has_lost_keys = false;
   Modifiers modifiers;
   std::array<HeldButton, mouse_button_count> held;
   /// Since the last frame.
   std::array<Point, mouse_button_count> dragged{};
+  /// The area that has captured the pointer: buttons and wheel are its own, wherever the pointer
+  /// was. Empty: none.
+  std::string capture;
+  /// Of the captured pointer, since the last frame.
+  Point captured_way;
   /// Ids of controls.
-  std::string hovered, pressed, clicked_area, wheel_target;
+  std::string hovered, pressed, wheel_target;
+  /// Areas that a button pressed and let go without being dragged away.
+  std::array<std::string, mouse_button_count> clicked_areas;
   double hovered_since_s = 0.0;
   PressedBy pressed_by = PressedBy::Nothing;
   bool is_double = false;
@@ -70,6 +81,8 @@ struct Interaction {
   /// By a shortcut: the character that the key writes is no text.
   bool is_letter_taken = false;
   std::vector<Edit> edits;
+  /// A file or folder dropped on the window that no field took yet.
+  std::optional<std::string> dropped;
 
   std::string focus;
   bool is_ring_shown = false, is_focus_extended = false, has_focus_moved = false;
@@ -78,12 +91,17 @@ struct Interaction {
   void take_repeats(EventQueue& queue);
   bool apply(const InputEvent& event);
   void move_pointer(Point position);
+  void move_captured(Point way);
+  bool press_captured(const InputEvent& event);
+  bool release_captured(const InputEvent& event);
   bool press_button(const InputEvent& event);
   bool release_button(const InputEvent& event);
   bool press_key(Chord chord);
   bool edit_key(const Widget& field, Chord chord);
   bool press_by_key(const Widget* focused, Chord chord);
   bool move_focus(const Widget* focused, Chord chord);
+  /// The second of two quick ones is a double click.
+  void note_click(const std::string& id);
   void turn_wheel(const InputEvent& event);
 
   // While events are taken.

@@ -36,10 +36,20 @@ const Widget* widget_at(const FrameContent& content, Point point) noexcept {
   return topmost(content, point, [](const Widget& widget) { return widget.role != Role::Scroll; });
 }
 
-const Widget* scrolled_at(const FrameContent& content, Point point) noexcept {
-  return topmost(content, point, [](const Widget& widget) {
-    return widget.role == Role::Scroll || widget.role == Role::Area;
+const Widget* turned_at(const FrameContent& content, Point point, float notches) noexcept {
+  const Widget* innermost = topmost(content, point, [](const Widget& widget) {
+    return widget.role == Role::Scroll || widget.takes_wheel;
   });
+  const auto is_at_end = [&](const Widget& region) {
+    constexpr float least = 0.5F;
+    return region.role == Role::Scroll &&
+           (notches > 0.0F ? region.room_above : region.room_below) < least;
+  };
+  const Widget* turned = innermost;
+  while (turned != nullptr && is_at_end(*turned))
+    turned =
+        turned->scroll < 0 ? nullptr : &content.widgets[static_cast<std::size_t>(turned->scroll)];
+  return turned != nullptr ? turned : innermost;
 }
 
 }  // namespace hallux::ui

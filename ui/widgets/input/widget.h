@@ -29,6 +29,8 @@ struct Widget {
   Role role = Role::Button;
   Layer layer = Layer::Page;
   bool is_enabled = true;
+  /// Of what is not enabled: why, as people are told it.
+  std::string why_off = {};
   bool is_focusable = true;
   /// What Enter does on this screen.
   bool is_primary = false;
@@ -42,6 +44,14 @@ struct Widget {
   bool is_in_sequence = false;
   /// The scroll region it lies in, as an index of the frame's widgets.
   int scroll = -1;
+  /// An area that a wheel turns; else the wheel is of the region it lies in.
+  bool takes_wheel = false;
+  /// Of a scroll region: how far it can still be scrolled up and down.
+  float room_above = 0.0F, room_below = 0.0F;
+  /// A field that has something to complete: Tab is for it, and not for the focus.
+  bool takes_tab = false;
+  /// Tab visits it after all that do not come late.
+  bool comes_late = false;
 };
 
 /// A text as it was drawn.
@@ -51,17 +61,31 @@ struct SeenText {
   Rect rect = {};
   /// What it had to stay inside.
   Rect room = {};
+  /// The part of it inside every clip around it.
+  Rect visible = {};
   Layer layer = Layer::Page;
   /// An ellipsis stands for the rest.
   bool is_shortened = false;
   bool may_be_shortened = false;
   /// The text before it was shortened; empty where it was not.
   std::string whole = {};
+  /// What is told of it while the pointer rests on it, in place of the whole; or "".
+  std::string hint = {};
+};
+
+/// What a person reads off the screen, or is told to do: a measured value, a reason, a hint.
+struct ReadOut {
+  /// "operate.force"; unique in its frame.
+  std::string id = {};
+  std::string text = {};
+  Rect rect = {};
+  Layer layer = Layer::Page;
 };
 
 struct FrameContent {
   /// In the order of drawing, which is the order of Tab.
   std::vector<Widget> widgets = {};
+  std::vector<ReadOut> read_outs = {};
   std::vector<SeenText> texts = {};
   /// The widget that keys go to; "" for none.
   std::string focus = {};
@@ -74,9 +98,10 @@ const Widget* find_widget(const FrameContent& content, std::string_view id) noex
 /// that can be reached; null where there is none.
 const Widget* widget_at(const FrameContent& content, Point point) noexcept;
 
-/// The innermost scroll region or area under `point`, which a wheel turns; null where there is
-/// none.
-const Widget* scrolled_at(const FrameContent& content, Point point) noexcept;
+/// The innermost scroll region or area under `point` that a wheel turns by so many notches
+/// (positive: upwards): a region that is at its end passes them on to the one around it. Null where
+/// there is none.
+const Widget* turned_at(const FrameContent& content, Point point, float notches) noexcept;
 
 /// The lowest layer that can be reached: Page, unless a menu or a question lies above it.
 Layer reachable_layer(const FrameContent& content) noexcept;

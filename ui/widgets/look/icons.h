@@ -57,6 +57,10 @@ enum class Icon : unsigned {
   Stop = 0xF04D,
   Note = 0xF24A,
   Check = 0xF00C,
+  Folder = 0xF07B,
+  File = 0xF15B,
+  Up = 0xF062,
+  Less = 0xF068,
 };
 
 /// Every icon but None: what the atlas must hold.
@@ -70,7 +74,8 @@ inline constexpr std::array all_icons{
     Icon::Clock,     Icon::Drill,      Icon::Irrigation, Icon::Eye,      Icon::EyeOff,
     Icon::Lock,      Icon::Dark,       Icon::Light,      Icon::Language, Icon::Close,
     Icon::Delete,    Icon::SortUp,     Icon::SortDown,   Icon::Left,     Icon::Right,
-    Icon::SignOut,   Icon::Settings,   Icon::Stop,       Icon::Note,     Icon::Check};
+    Icon::SignOut,   Icon::Settings,   Icon::Stop,       Icon::Note,     Icon::Check,
+    Icon::Folder,    Icon::File,       Icon::Up,         Icon::Less};
 
 /// Icon heights by use, in logical pixels of the font: 13, 16, 20, 30.
 enum class IconSize { Inline, Control, Tile, Empty };

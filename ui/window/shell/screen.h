@@ -33,6 +33,9 @@ class Screen {
   /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded.
   /// Finish or abandon it."); "" where it may.
   virtual std::string_view why_not_leave() const { return {}; }
+  /// Asked to be left while it may not be: true where it asks the person itself what to do, else
+  /// why_not_leave() is said.
+  virtual bool ask_before_leaving(Ui&) { return false; }
   /// Called when it becomes the screen that is shown: for the first time, and when the one above it
   /// went.
   virtual void enter(Shell&) {}

@@ -18,15 +18,10 @@
 namespace hallux::ui {
 namespace {
 
-constexpr double message_s = 6.0, work_shown_after_s = 0.3, work_frame_s = 0.1;
-constexpr float corner = 24.0F, message_gap = 12.0F, badge_inset = 0.06F;
+constexpr float badge_inset = 0.06F, badge_share = 0.25F, badge_name_most = 220.0F;
 constexpr float scale_step = 0.1F;
 constexpr float largest_display_scale =
     3.0F;  // beyond, the fonts' picture outgrows common textures
-
-bool stays(const Message& message) {
-  return message.meaning == Meaning::Bad || message.meaning == Meaning::Warn;
-}
 
 }  // namespace
 
@@ -43,17 +38,15 @@ void Shell::set_visitor(std::optional<Visitor> visitor) {
   messages_.clear();
 }
 
-// What is said again takes the place of what it repeats.
-void Shell::say(Message message) {
-  std::erase_if(messages_, [&](const ShownMessage& shown) {
-    return shown.message.title == message.title && shown.message.detail == message.detail;
-  });
-  messages_.push_back({std::move(message), "message." + std::to_string(next_message_++)});
-  if (messages_.size() > 4) messages_.erase(messages_.begin());
+void Shell::set_badge(std::string_view place, int badge) {
+  if (!visitor_) return;
+  for (Visitor::Place& each : visitor_->places)
+    if (each.id == place) each.badge = badge;
 }
 
 bool Shell::may_leave(Ui& ui) {
   if (top() == nullptr || top()->why_not_leave().empty()) return true;
+  if (top()->ask_before_leaving(ui)) return false;
   say({Meaning::Info, std::string(ui.text("leave.refused")), std::string(top()->why_not_leave())});
   ui.want_frame_in_s(0.0);
   return false;
@@ -137,14 +130,18 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
   }
   if (top() == nullptr || top()->surround() != WindowChrome::Badge)
     ui.canvas().fill(ui.display(), ui.theme().page);
+  const float strip = messages_.plan(ui, background_, message_room(ui));
   if (top() != nullptr) {
-    const Rect content = draw_surround(ui);
+    Rect content = draw_surround(ui);
+    content.h -= strip;
     top()->draw(ui, content, *this);
     if (top()->surround() == WindowChrome::Badge) draw_badge(ui);
   }
   draw_person_menu(ui);
   if (is_help_shown_ && draw_shortcut_list(ui)) is_help_shown_ = false;
-  draw_messages(ui);
+  messages_.draw(ui, background_);
+  if (const std::optional<std::string> dropped = ui.take_dropped())
+    say({Meaning::Info, std::string(ui.text("drop.refused")), *dropped});
   hear_shortcuts(ui);
   watch_idle(ui);
   tell_preferences();
@@ -157,11 +154,21 @@ void Shell::draw(Ui& ui) {
   draw(ui, no_scenes);
 }
 
+bool Shell::has_navigation() const noexcept {
+  if (top() == nullptr || !visitor_) return false;
+  return top()->surround() == WindowChrome::Navigation || top()->surround() == WindowChrome::Rail;
+}
+
+MessageRoom Shell::message_room(const Ui& ui) const {
+  if (!has_navigation()) return {};
+  const bool is_rail = top()->surround() == WindowChrome::Rail;
+  const float width = navigation_width(ui, is_rail);
+  return {navigation_gap(ui, visitor_->places.size(), is_rail),
+          {width, 0.0F, ui.display().w - width, ui.display().h}};
+}
+
 Rect Shell::draw_surround(Ui& ui) {
-  const Screen& screen = *top();
-  const bool has_navigation =
-      screen.surround() == WindowChrome::Navigation || screen.surround() == WindowChrome::Rail;
-  return has_navigation && visitor_ ? draw_navigation(ui, screen) : ui.display();
+  return has_navigation() ? draw_navigation(ui, *top()) : ui.display();
 }
 
 // Where a screen belongs nowhere by itself, it belongs where it was opened from.
@@ -194,12 +201,14 @@ Rect Shell::draw_navigation(Ui& ui, const Screen& screen) {
 void Shell::draw_badge(Ui& ui) {
   if (!visitor_) return;
   const Rect display = ui.display();
-  const float width = 46.0F + ui.width_of(Type::Small, visitor_->name) + 16.0F;
+  const float name = std::min({std::ceil(ui.width_of(Type::Small, visitor_->name)) + 1.0F,
+                               badge_name_most, badge_share * display.w});
+  const float width = 46.0F + name + 16.0F;
   const Rect badge{display.w * badge_inset, display.h * badge_inset + 56.0F, width, 36.0F};
   draw_hud_panel(ui.canvas(), ui.theme(), badge, 18.0F);
   avatar(ui, {badge.x + 22.0F, badge.mid_y()}, 12.0F, visitor_->initials, visitor_->hue);
-  ui.canvas().text({badge.x + 42.0F, badge.mid_y()}, {Type::Small, ui.theme().text},
-                   visitor_->name);
+  ui.canvas().text_in({badge.x + 42.0F, badge.y, name, badge.h}, {Type::Small, ui.theme().text},
+                      visitor_->name, true);
 }
 
 void Shell::draw_person_menu(Ui& ui) {
@@ -221,62 +230,6 @@ void Shell::draw_person_menu(Ui& ui) {
   if (chosen == 2 && may_leave(ui) && on_account_) on_account_();
   if (chosen == 3) sign_out(ui);
   if (chosen == 4 && on_idle_) on_idle_();
-}
-
-// Work that runs stands below the messages, in the same corner. Returns the height it takes.
-float Shell::draw_work(Ui& ui) {
-  const Rect display = ui.display();
-  const float width = std::min(toast_width, display.w - 2.0F * corner);
-  float y = display.bottom() - corner;
-  for (const Background::Running& work : background_.running()) {
-    if (work.label.empty()) continue;
-    if (work.elapsed_s < work_shown_after_s) {
-      ui.want_frame_in_s(work_shown_after_s - work.elapsed_s);
-      continue;
-    }
-    y -= 48.0F;
-    std::string left;
-    if (work.share > 0.05 && work.elapsed_s / work.share - work.elapsed_s > 10.0)
-      left = ui.texts().say_count("work.left",
-                                  std::lround(work.elapsed_s / work.share - work.elapsed_s));
-    if (progress(ui, work.id, {display.right() - corner - width, y, width, 48.0F},
-                 {work.label, left, static_cast<float>(work.share)}))
-      background_.cancel(work.id);
-    y -= message_gap;
-    ui.want_frame_in_s(work_frame_s);
-  }
-  return display.bottom() - corner - y;
-}
-
-void Shell::draw_messages(Ui& ui) {
-  const LayerScope layer(ui.canvas(), Layer::Toast);
-  const Rect display = ui.display();
-  const float width = std::min(toast_width, display.w - 2.0F * corner);
-  float y = display.bottom() - corner - draw_work(ui);
-  std::string closed;
-  std::function<void()> action;
-  for (auto shown = messages_.rbegin(); shown != messages_.rend(); ++shown) {
-    if (shown->since_s < 0.0) shown->since_s = ui.time_s();
-    const double left_s = message_s - (ui.time_s() - shown->since_s);
-    if (!stays(shown->message)) {
-      if (left_s <= 0.0) closed = shown->id;
-      ui.want_frame_in_s(left_s);
-    }
-    const Toast words{shown->message.meaning, shown->message.title, shown->message.detail,
-                      shown->message.action};
-    const float height = toast_height_for(ui, words, width);
-    y -= height;
-    const float rise = 8.0F * (1.0F - ui.eased(shown->id + ".rise", true, 0.16F));
-    const ToastAnswer answer =
-        toast(ui, shown->id, {display.right() - corner - width, y + rise, width, height}, words);
-    y -= message_gap;
-    if (answer != ToastAnswer::Waiting) closed = shown->id;
-    if (answer == ToastAnswer::Action) action = shown->message.on_action;
-  }
-  if (closed.empty()) return;
-  std::erase_if(messages_, [&](const ShownMessage& shown) { return shown.id == closed; });
-  ui.want_frame_in_s(0.0);
-  if (action) action();
 }
 
 void Shell::hear_shortcuts(Ui& ui) {

@@ -10,19 +10,12 @@
 
 #include "ui/widgets/controls/navigation.h"
 #include "ui/window/shell/background.h"
+#include "ui/window/shell/messages.h"
 #include "ui/window/shell/screen.h"
 
 namespace hallux::ui {
 
 class ScenePainter;
-
-/// A message in the corner. It goes after six seconds; with Bad or Warn it stays until it is
-/// closed.
-struct Message {
-  Meaning meaning = Meaning::Good;
-  std::string title = {}, detail = {}, action = {};
-  std::function<void()> on_action = {};
-};
 
 /// Who is signed in, and where they may go.
 struct Visitor {
@@ -44,6 +37,10 @@ struct Preferences {
   bool is_full_screen = false;
   bool is_motion_reduced = false;
   bool is_saw_heard = true;
+  /// While somebody operates the mouse is the saw's alone.
+  bool captures_pointer = true;
+  /// Panels that a right hand would cover change sides.
+  bool is_left_handed = false;
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };
@@ -70,6 +67,8 @@ class Shell {
   /// What was said to somebody else goes.
   void set_visitor(std::optional<Visitor> visitor);
   const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
+  /// How much waits at a place of the navigation; nothing where it is not there.
+  void set_badge(std::string_view place, int badge);
   /// Called when a place of the navigation was chosen, with its id.
   void on_navigate(std::function<void(const std::string&)> action) {
     on_navigate_ = std::move(action);
@@ -95,7 +94,7 @@ class Shell {
   bool is_locked() const noexcept { return lock_ != nullptr; }
 
   // -- messages and work
-  void say(Message message);
+  void say(Message message) { messages_.say(std::move(message)); }
   Background& background() noexcept { return background_; }
 
   Preferences& preferences() noexcept { return preferences_; }
@@ -119,24 +118,19 @@ class Shell {
   ScenePainter& scenes() noexcept { return *scenes_; }
 
  private:
-  struct ShownMessage {
-    Message message;
-    std::string id;
-    double since_s = -1.0;
-  };
   enum class Change { Push, Pop, ReplaceAll };
   struct Request {
     Change change;
     std::unique_ptr<Screen> screen;
   };
 
+  bool has_navigation() const noexcept;
+  MessageRoom message_room(const Ui& ui) const;
   Rect draw_surround(Ui& ui);
   std::string_view chosen_place() const noexcept;
   Rect draw_navigation(Ui& ui, const Screen& screen);
   void draw_badge(Ui& ui);
   void draw_person_menu(Ui& ui);
-  void draw_messages(Ui& ui);
-  float draw_work(Ui& ui);
   void hear_shortcuts(Ui& ui);
   void navigate(Ui& ui, const std::string& id);
   void sign_out(Ui& ui);
@@ -154,8 +148,7 @@ class Shell {
   double idle_s_ = 0.0;
   std::unique_ptr<Screen> lock_;
   bool is_unlocking_ = false;
-  std::vector<ShownMessage> messages_;
-  int next_message_ = 0;
+  Messages messages_;
   Preferences preferences_, told_preferences_;
   std::function<void(const Preferences&)> on_preferences_;
   float display_scale_ = 1.0F;

@@ -61,6 +61,33 @@ TEST(Course, TellsWhatHappenedMeanwhileUntilItWasSeen) {
   EXPECT_TRUE(actions_in(third.driver()).empty());
 }
 
+TEST(Course, NamesWhoOverrodeAResultAndCountsTheAttemptAlikeForBoth) {
+  database::SomeCourse course("Bob Wire");
+  course.scored_by("bob", 40'000);
+  course.recorded_by_robot();
+  course.scored_by("eve", 50'000);
+  const database::AttemptId second = course.scored_by("bob", 60'000);
+  course.instructor("kim", course.autumn())
+      .decide({second, database::DecisionKind::Overridden, 70'000, "the station slipped"});
+  AtWindow trainee(course);
+  trainee.sign_in("bob");
+  EXPECT_THAT(words_in(trainee.driver()), testing::HasSubstr("kim overrode"));
+  trainee.driver().click("nav.history");
+  trainee.window.finish_work();
+  AtWindow instructor(course);
+  instructor.sign_in("kim");
+  instructor.driver().click("nav.attempts");
+  instructor.window.finish_work();
+  const std::string newest = std::to_string(course.trainee("bob").header(second).order);
+  trainee.driver().click("history.list." + newest);
+  instructor.driver().click("attempts." + newest);
+  for (AtWindow* at : {&trainee, &instructor}) {
+    at->window.finish_work();
+    EXPECT_TRUE(at->driver().sees("Attempt 2"));
+    EXPECT_THAT(words_in(at->driver()), testing::HasSubstr("kim set this score"));
+  }
+}
+
 TEST(Course, LocksWhenNobodyTouchesItAndOpensWhereItWas) {
   database::SomeCourse course;
   AtWindow at(course);

@@ -69,6 +69,7 @@ class Walker {
       come_in();
       act();
       if (one_in(3)) window_.finish_work();
+      if (one_in(4)) say_something();
       read_frame();
       if (step % steps_between_ways_home != steps_between_ways_home - 1) continue;
       open_lock();
@@ -249,7 +250,29 @@ class Walker {
     driver().settle();
   }
 
+  // Of each kind and length, as something may happen on every screen.
+  void say_something() {
+    static const std::array<const char*, 3> details{
+        "", "What was recorded is kept.",
+        "The backup was written to /srv/courses/autumn/backups/hallux-20260303-140210"};
+    window_.shell().say({one_in(2) ? Meaning::Good : Meaning::Warn, "Something was said",
+                         details[static_cast<std::size_t>(below(details.size()))],
+                         one_in(3) ? "Seen" : ""});
+    for (int frame = 0; frame < 2; ++frame) driver().frame();
+    driver().settle();
+  }
+
+  // A window in which a message finds no room anywhere is no place to work in.
+  void look_under_messages() {
+    const Rect display = driver().ui().display();
+    if (display.w < 1000.0F || display.h < 600.0F) return;
+    for (const std::string& covered : driver().covered_by_messages()) throw Fault(covered);
+  }
+
   void read_frame() {
+    look_under_messages();
+    for (const std::string& id : driver().off_without_reason())
+      throw Fault("off without a reason: " + id);
     for (const std::string& text : driver().texts()) {
       if (text == "[missing text]") throw Fault("a text is missing");
       for (const std::string& word : walk_.forbidden)

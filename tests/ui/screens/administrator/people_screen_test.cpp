@@ -165,6 +165,67 @@ TEST(PeopleScreen, AWrongPasswordErasesNobodyAndWhatWasTypedStays) {
   EXPECT_TRUE(database::known_person(course.database(), "ada"));
 }
 
+TEST(PeopleScreen, CorrectsANameOfWhichThePersonIsTold) {
+  database::SomeCourse course("Bbo");
+  Office office(course);
+  office.choose("bob");
+  office.press("people.rename");
+  EXPECT_FALSE(office.driver().widget("people.rename.act").is_enabled) << "nothing was changed yet";
+  office.driver().press(Key::A, {.control = true});
+  office.driver().type("Bob Žižka");
+  office.press("people.rename.act");
+  EXPECT_EQ(office.person("bob").display_name, "Bob Žižka");
+  EXPECT_TRUE(office.driver().sees("bob is called Bob Žižka now"));
+  office.visitor.finish_work();
+  EXPECT_TRUE(office.driver().sees("Bob Žižka"));
+  EXPECT_EQ(course.sign_in_as("bob").notices().at(0).kind, database::NoticeKind::NameCorrected);
+}
+
+TEST(PeopleScreen, ANameThatIsRefusedStaysWritten) {
+  database::SomeCourse course;
+  Office office(course);
+  office.choose("ada");
+  office.press("people.rename");
+  office.driver().press(Key::A, {.control = true});
+  office.driver().type("a\u202Eda");
+  office.press("people.rename.act");
+  EXPECT_THAT(all_text(office.driver()), HasSubstr("letters that nobody sees"));
+  EXPECT_TRUE(office.driver().has("people.rename.name"));
+  EXPECT_EQ(office.person("ada").display_name, "ada");
+}
+
+TEST(PeopleScreen, ExportsWhatIsKeptOfSomebody) {
+  database::SomeCourse course;
+  Office office(course);
+  office.choose("ada");
+  office.press("people.export");
+  const std::filesystem::path folder = course.database().directory().parent_path() / "of-ada";
+  office.driver().press(Key::A, {.control = true});
+  office.driver().type(folder.string());
+  office.press("people.export.act");
+  EXPECT_TRUE(std::filesystem::exists(folder / "explanation.txt"));
+  EXPECT_EQ(course.last_audit().action, "person_exported");
+}
+
+TEST(PeopleScreen, NamesOfEveryLengthAndScriptAreShown) {
+  database::SomeCourse course;
+  const std::string name = "Ґалаґан 漢字 שלום \U0001F600 " + std::string(140, 'W');
+  course.administrator().correct_name("ada", name);
+  const auto make = [&] { return std::make_unique<PeopleScreen>(visit_of(course, "root"), cheap); };
+  EXPECT_THAT(faults_at_every_size(
+                  make, [](SomeVisitor& visitor) { visitor.driver().click("people.row.ada"); }),
+              IsEmpty());
+}
+
+TEST(PeopleScreen, ALoginThatIsNotAllowedIsToldAtOnce) {
+  database::SomeCourse course;
+  Office office(course);
+  office.press("people.add");
+  office.driver().type("Trainee");
+  EXPECT_TRUE(office.driver().sees("with a letter first"));
+  EXPECT_FALSE(office.driver().widget("people.add.act").is_enabled);
+}
+
 TEST(PeopleScreen, NobodyErasesThemselves) {
   database::SomeCourse course;
   Office office(course);

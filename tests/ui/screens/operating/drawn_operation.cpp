@@ -50,10 +50,7 @@ void DrawnOperation::click(std::string_view id) {
 }
 
 void DrawnOperation::move_to(Point place) {
-  InputEvent moved;
-  moved.kind = EventKind::PointerMoved;
-  moved.position = place;
-  person_.driver().send({moved});
+  person_.driver().send({person_.driver().moved_to(place)});
   frame();
   frame();
 }

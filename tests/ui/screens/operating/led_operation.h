@@ -17,6 +17,7 @@ class NotedAttempt final : public AttemptControls {
   void pause() override { told.emplace_back("pause"); }
   void resume() override { told.emplace_back("resume"); }
   void declare_done(std::int32_t step) override { told.push_back("done " + std::to_string(step)); }
+  void reopen(std::int32_t step) override { told.push_back("reopen " + std::to_string(step)); }
   void pick_up_freed() override { told.emplace_back("pick up"); }
   void close_hinge() override { told.emplace_back("close hinge"); }
   void finish() override { told.emplace_back("finish"); }
@@ -32,9 +33,10 @@ class NotedAttempt final : public AttemptControls {
 /// Keeps where it was led last.
 class NotedDevice final : public simulator::SteeredDevice {
  public:
-  void aim(const RigidTransform& world_from_target, std::uint32_t wanted) noexcept override {
-    place_mm = world_from_target.translation_mm;
-    switches = wanted;
+  void aim(const Aim& aim) noexcept override {
+    place_mm = aim.world_from_target.translation_mm;
+    switches = aim.switches;
+    unyielding = aim.unyielding_in_world;
     ++aims;
   }
   simulator::DeviceDescription description() const override { return {"Noted", "mouse"}; }
@@ -43,6 +45,7 @@ class NotedDevice final : public simulator::SteeredDevice {
   }
 
   Vec3 place_mm{0.0, 0.0, 0.0};
+  Vec3 unyielding{0.0, 0.0, 0.0};
   std::uint32_t switches = 0;
   int aims = 0;
 };

@@ -1,4 +1,4 @@
-#include "ui/screens/operating/led_saw.h"
+#include "ui/screens/operating/hand/led_saw.h"
 
 #include <gtest/gtest.h>
 

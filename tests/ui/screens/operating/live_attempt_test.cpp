@@ -4,6 +4,7 @@
 
 #include "tests/ui/screens/operating/some_operation.h"
 #include "ui/screens/operating/operation_work.h"
+#include "ui/screens/pictures/shown_camera.h"
 
 namespace hallux::ui {
 namespace {
@@ -90,6 +91,29 @@ TEST_F(LiveAttempts, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
   EXPECT_TRUE(replay_attempt(material, no_progress)->is_identical);
   material.header.begun.guidance = simulator::Guidance::None;
   EXPECT_FALSE(replay_attempt(material, no_progress)->is_identical);
+}
+
+TEST_F(LiveAttempts, KeepWhatWasOnTheScreen) {
+  const std::unique_ptr<LiveAttempt> live =
+      begin_operation(*signed_in_, prepared_case_, what_,
+                      std::make_unique<LooseCable>(start_pose(*prepared_case_)));
+  ASSERT_TRUE(soon([&] { return live->view().lines > 0; }));
+  Camera camera = start_camera(*prepared_case_);
+  simulator::ShownView last;
+  ASSERT_TRUE(soon([&] {
+    camera = orbited(camera, 0.05, 0.0);
+    last = shown_view(camera, 1.6);
+    const std::int64_t tick = live->view().sample.tick;
+    live->note_view(last, tick);
+    return tick > lost_tick;
+  }));
+  live->finish();
+  ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
+  const auto facts = course_.course().trainee("ada").display_facts(live->attempt());
+  ASSERT_GE(facts.size(), 2U);
+  EXPECT_EQ(live->end()->recorder.display_facts, static_cast<std::int64_t>(facts.size()));
+  for (const simulator::DisplayFact& fact : facts) EXPECT_TRUE(is_view(fact) && is_known(fact));
+  EXPECT_TRUE(is_noticeably_other(shown_view_of(facts.front()), shown_view_of(facts.back())));
 }
 
 TEST_F(LiveAttempts, OfAnAssessmentIsNotBegunWithAGuide) {

@@ -1,5 +1,5 @@
 // The health panel with an arm: the modelled one stands where a driver stands.
-#include "ui/screens/operating/operating_health.h"
+#include "ui/screens/operating/hud/operating_health.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "simulator/device/force_output.h"
 #include "simulator/device/modelled/modelled_arm.h"
 #include "tests/ui/screens/operating/some_operation.h"
-#include "ui/screens/operating/operating_hud.h"
+#include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/screens/result/recording_card.h"
 
@@ -24,7 +24,7 @@ struct Panels {
   explicit Panels(float scale = 1.0F, Point size = {1440.0F, 900.0F})
       : driver(texts, [this](Ui& ui) { draw_operating_hud(ui, hud); }, {size.x, size.y, scale}) {
     hud.is_health_open = true;
-    hud.steps = {"Verify the case"};
+    hud.steps = {{.title = "Verify the case"}};
   }
 
   void show(const OperatingHealth& health) {

@@ -24,7 +24,7 @@ TEST(OperatingPicture, SideBySideEachEyeSeesThePointerInItsHalf) {
   operation.press(Key::F9);
   const Color ink = operation.person().driver().ui().theme().text;
   // Nothing lies there: neither bone nor saw nor panel.
-  constexpr int x = 1100, y = 300, half = 640;
+  constexpr int x = 1100, y = 440, half = 640;
   // A little below the tip, squeezed to half the width.
   constexpr int in_left = x / 2 + 2, below = y + 9;
   operation.move_to({x, y});
@@ -32,7 +32,7 @@ TEST(OperatingPicture, SideBySideEachEyeSeesThePointerInItsHalf) {
   EXPECT_LT(distance(with, in_left, below, ink), 30);
   EXPECT_LT(distance(with, half + in_left, below, ink), 30);
   EXPECT_GT(distance(with, x + 4, below, ink), 200) << "not where the desktop would show it";
-  operation.move_to({x, 500.0F});
+  operation.move_to({x, 540.0F});
   const Pixels without = operation.picture();
   EXPECT_GT(distance(without, in_left, below, ink), 200);
   EXPECT_GT(distance(without, half + in_left, below, ink), 200);

@@ -8,6 +8,7 @@
 #include "database/recording/recordings.h"
 #include "simulator/base/progress.h"
 #include "tests/ui/screens/operating/some_operation.h"
+#include "ui/screens/pictures/shown_camera.h"
 
 namespace hallux::ui {
 namespace {
@@ -155,9 +156,11 @@ TEST(Operating, ItCannotBeLeftWhileItIsRecorded) {
   EXPECT_TRUE(person.shell().top()->why_not_leave().empty()) << "nothing is recorded yet";
   person.begin();
   EXPECT_FALSE(person.shell().top()->why_not_leave().empty());
+  EXPECT_FALSE(person.shell().may_leave(person.driver().ui())) << "it asks first";
+  answer(person, "operate.ask_leave.keep");
   person.press(Key::Escape);
   EXPECT_FALSE(person.is_gone());
-  EXPECT_TRUE(person.driver().sees("still being recorded"));
+  EXPECT_TRUE(person.driver().sees("Paused")) << "Escape frees the pointer";
 }
 
 TEST(Operating, AnAbandonedAttemptIsKeptAsInterruptedAndNotScored) {
@@ -182,12 +185,19 @@ TEST(Operating, AWindowClosedInTheMiddleLosesNothing) {
   Operator person(course, AttemptKind::Practice);
   person.begin();
   saw_into_the_bone(person);
+  const Camera seen_last = person.scenes.camera;
   person.close();
   const database::AttemptHeader header = course.attempt();
   EXPECT_EQ(header.state, AttemptState::Interrupted);
   const simulator::Recording recording = course.course().trainee("ada").recording(header.id);
   EXPECT_GT(recording.samples.size(), 200U);
   EXPECT_EQ(recording.samples.size(), recording.tape.size());
+  // What was on the screen is kept, too: at last the view from medial.
+  const auto facts = course.course().trainee("ada").display_facts(header.id);
+  ASSERT_FALSE(facts.empty());
+  const Camera kept = camera_of(shown_view_of(facts.back()), 1440.0 / 900.0);
+  EXPECT_NEAR(std::abs(glm::dot(kept.world_from_view, seen_last.world_from_view)), 1.0, 1.0e-4);
+  EXPECT_NEAR(kept.magnification, seen_last.magnification, 0.02 * seen_last.magnification);
 }
 
 TEST(Operating, APauseHoldsTheClockOfTheSawAndThePicture) {
@@ -227,37 +237,27 @@ TEST(Operating, ThePointerLeadsTheSawAndAMiddleDragTurnsTheView) {
   Operator person(course, AttemptKind::Practice);
   person.begin();
   const Vec3 before = person.scenes.saw->world_from_tool.translation_mm;
-  InputEvent moved;
-  moved.kind = EventKind::PointerMoved;
-  moved.position = {600.0F, 500.0F};
-  person.driver().send({moved});
-  person.make_frames(3);
-  moved.position = {640.0F, 500.0F};
-  person.driver().send({moved});
+  person.move_to({600.0F, 500.0F});
+  person.move_to({640.0F, 500.0F});
   ASSERT_TRUE(person.until([&] {
     return glm::length(person.scenes.saw->world_from_tool.translation_mm - before) > 1.0;
   })) << "40 pixels at 7 millimetres a millimetre are about 2 mm";
   const Quat seen = person.scenes.camera.world_from_view;
-  InputEvent press = moved;
+  InputEvent press;
   press.kind = EventKind::ButtonPressed;
   press.button = MouseButton::Middle;
   person.driver().send({press});
   person.make_frames(2);
-  moved.position = {700.0F, 520.0F};
-  person.driver().send({moved});
-  person.make_frames(2);
+  person.move_to({700.0F, 520.0F});
   EXPECT_NE(person.scenes.camera.world_from_view, seen);
 }
 
-/// Where the pointer is a pointer, and where the saw stands for it.
+/// Where the pointer is a pointer, and where the saw stands for it: in a window that catches none.
 class PointerOfAnOperation : public testing::Test {
  protected:
+  PointerOfAnOperation() { person_.shell().preferences().captures_pointer = false; }
   PointerShape shape_at(Point place) {
-    InputEvent moved;
-    moved.kind = EventKind::PointerMoved;
-    moved.position = place;
-    person_.driver().send({moved});
-    person_.make_frames(3);
+    person_.move_to(place);
     return person_.driver().ui().pointer_shape();
   }
   Point middle_of(std::string_view id) { return person_.driver().widget(id).visible.centre(); }
@@ -280,6 +280,38 @@ TEST_F(PointerOfAnOperation, TheSawStandsForItOverTheBoneWhileItIsLed) {
   EXPECT_EQ(shape_at(over_the_bone), PointerShape::Hidden);
   person_.press(Key::End);
   EXPECT_EQ(shape_at({300.0F, 300.0F}), PointerShape::Arrow) << "a question lies over it";
+}
+
+TEST_F(PointerOfAnOperation, CaughtItIsFreeWhileTheHandIsLiftedAndInAPause) {
+  person_.begin();
+  person_.press(Key::C);
+  person_.make_frames(3);
+  const auto is_caught = [&] { return !person_.driver().ui().captured_by().empty(); };
+  EXPECT_TRUE(is_caught());
+  for (const Key key : {Key::L, Key::P}) {
+    person_.press(key);
+    person_.make_frames(3);
+    EXPECT_FALSE(is_caught());
+    EXPECT_EQ(shape_at(middle_of("operate.pause")), PointerShape::Hand);
+    person_.press(key);
+    person_.make_frames(3);
+    EXPECT_TRUE(is_caught());
+  }
+}
+
+TEST_F(PointerOfAnOperation, ARightClickLiftsTheHandAndAnotherSetsItDown) {
+  person_.begin();
+  person_.press(Key::C);
+  person_.make_frames(3);
+  const auto click_right = [&] {
+    person_.driver().send(click_events(over_the_bone, MouseButton::Right));
+    person_.make_frames(4);
+  };
+  click_right();
+  EXPECT_TRUE(person_.driver().sees("The hand is lifted"));
+  shape_at(over_the_bone);
+  click_right();
+  EXPECT_FALSE(person_.driver().sees("The hand is lifted"));
 }
 
 TEST_F(PointerOfAnOperation, OverAPanelItDoesNotLeadTheSaw) {
@@ -326,9 +358,9 @@ TEST(Operating, AKeyThatIsHeldLeadsOnAndEndsWithItAndTurnsNothingOnAndOffAgain) 
   const auto is_there = [&](const Vec3& place_mm) {
     return glm::length(person.scenes.saw->world_from_tool.translation_mm - place_mm) < 0.1;
   };
-  // Away from the bone.
-  const Vec3 nearer = person.scenes.camera.world_from_view * Vec3(0.0, 0.0, 1.0);
-  const Vec3 wanted_mm = person.scenes.saw->world_from_tool.translation_mm + 12.0 * nearer;
+  // Away from the bone, along the blade.
+  const RigidTransform& begun = person.scenes.saw->world_from_tool;
+  const Vec3 wanted_mm = begun.translation_mm - 12.0 * axis_x(begun);
   hold(Key::PageDown, 12);
   EXPECT_TRUE(person.until([&] { return is_there(wanted_mm); }))
       << "twelve repeats that waited for three slow frames are twelve millimetres";
@@ -381,8 +413,10 @@ TEST(Operating, StepsAreDeclaredByEnterAndAPieceThatIsNotFreeIsNotTaken) {
   person.press(Key::Enter);
   EXPECT_TRUE(person.driver().sees("Cut the eminence"));
   person.press(Key::Enter);
+  answer(person, "operate.ask_unfinished.act");
   EXPECT_TRUE(person.driver().sees("Take it out"));
   EXPECT_FALSE(person.driver().widget("operate.step").is_enabled);
+  EXPECT_TRUE(person.until([&] { return person.driver().sees("the cut was not begun"); })) << "why";
 }
 
 TEST(Operating, NothingIsCutOffAtAnyScale) {

@@ -77,6 +77,16 @@ TEST(OperatingSession, SteersTheDeviceThatItWasGiven) {
   EXPECT_THAT(operation.attempt.told, IsEmpty());
 }
 
+TEST(OperatingSession, ALiftedHandMovesWithoutTheSaw) {
+  LedOperation operation;
+  operation.session.lift(true);
+  operation.lead({5.0, 0.0}, 1.0);
+  EXPECT_EQ(operation.device.place_mm, start_mm);
+  operation.session.lift(false);
+  operation.lead({1.0, 0.0}, 1.1);
+  EXPECT_EQ(operation.device.place_mm, start_mm + Vec3(1.0, 0.0, 0.0)) << "no jump";
+}
+
 TEST(OperatingSession, APauseTakesTheSawFromTheHandAndGoingOnDoesNotGiveItBack) {
   LedOperation operation;
   operation.session.set_irrigated(true);
@@ -129,17 +139,17 @@ TEST(OperatingSession, TheCauseOfAPauseIsTheFirst) {
 TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
   LedOperation operation;
   OperatingSession& session = operation.session;
-  session.press_step(1.0);
-  session.press_step(2.0);
-  session.press_step(3.0);
-  session.press_step(3.1);
+  session.press_step(true, 1.0);
+  session.press_step(true, 2.0);
+  session.press_step(true, 3.0);
+  session.press_step(true, 3.1);
   EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up"))
       << "a step that waits is not pressed again";
   session.apply(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
-  session.press_step(5.0);
+  session.press_step(true, 5.0);
   session.apply(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
   EXPECT_EQ(session.steps().step(), 4U);
-  session.press_step(7.0);
+  session.press_step(true, 7.0);
   EXPECT_EQ(session.asked(), Asked::Finish);
   EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up", "done 2",
                                                   "close hinge", "done 3", "pause"));
@@ -150,12 +160,39 @@ TEST(OperatingSession, TellsWhatDidNotComeOff) {
   OperatingSession& session = operation.session;
   EXPECT_THAT(session.apply(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
               ElementsAre(StepNotice::KerfRefused));
-  session.press_step(1.0);
-  session.press_step(1.0);
-  session.press_step(1.0);
+  session.press_step(true, 1.0);
+  session.press_step(true, 1.0);
+  session.press_step(true, 1.0);
   EXPECT_THAT(session.apply({}, 20.9), IsEmpty());
   EXPECT_THAT(session.apply({}, 21.0), ElementsAre(StepNotice::NothingFree));
   EXPECT_THAT(session.apply({}, 50.0), IsEmpty()) << "said once";
+}
+
+TEST(OperatingSession, AsksOnceWhetherAStepEndsWhoseCutStillHolds) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.press_step(true, 1.0);
+  session.press_step(false, 2.0);
+  EXPECT_EQ(session.asked(), Asked::EndUnfinished);
+  session.answer(Decided::GoOn, 2.5);
+  EXPECT_EQ(session.steps().step(), 1U) << "one saws on";
+  session.press_step(false, 3.0);
+  EXPECT_EQ(session.asked(), Asked::Nothing) << "once";
+  EXPECT_EQ(session.steps().step(), 2U);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "pause", "resume", "done 1"));
+}
+
+TEST(OperatingSession, TakesAStepUpAgainAndGoesOnAfterIt) {
+  LedOperation operation;
+  OperatingSession& session = operation.session;
+  session.press_step(true, 1.0);
+  session.press_step(true, 2.0);
+  session.reopen_step(1);
+  EXPECT_EQ(session.steps().step(), 1U);
+  EXPECT_FALSE(session.steps().is_done(1));
+  session.press_step(true, 3.0);
+  EXPECT_EQ(session.steps().step(), 2U);
+  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "reopen 1", "done 1"));
 }
 
 // -- questions
@@ -168,11 +205,11 @@ TEST(OperatingSession, AsksInAPauseAndGoesOnAsItWas) {
   EXPECT_FALSE(session.is_open());
   session.ask(Asked::Finish);
   EXPECT_EQ(session.asked(), Asked::Abandon) << "one question at a time";
-  session.answer(false, 1.0);
+  session.answer(Decided::GoOn, 1.0);
   EXPECT_TRUE(session.is_led());
   session.pause(PausedBy::Person);
   session.ask(Asked::Abandon);
-  session.answer(false, 2.0);
+  session.answer(Decided::GoOn, 2.0);
   EXPECT_TRUE(session.pausing().is_paused()) << "it was paused before";
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "resume", "pause"));
 }
@@ -183,7 +220,7 @@ TEST(OperatingSession, ThatIsFinishedIsSealedAndScored) {
   LedOperation operation;
   OperatingSession& session = operation.session;
   session.ask(Asked::Finish);
-  session.answer(true, 5.0);
+  session.answer(Decided::Act, 5.0);
   EXPECT_EQ(session.phase(), Phase::Sealing);
   EXPECT_EQ(session.ended_s(), 5.0);
   EXPECT_EQ(session.take_end(), Onward::Nowhere);
@@ -200,12 +237,26 @@ TEST(OperatingSession, ThatIsFinishedIsSealedAndScored) {
 TEST(OperatingSession, ThatIsAbandonedIsOverWithoutAScore) {
   LedOperation operation;
   operation.session.ask(Asked::Abandon);
-  operation.session.answer(true, 5.0);
+  operation.session.answer(Decided::Act, 5.0);
   operation.end_with({});
   EXPECT_EQ(operation.session.take_end(), Onward::Abandoned);
   EXPECT_EQ(operation.session.phase(), Phase::Over);
   EXPECT_EQ(operation.session.staying(), Staying::No);
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "abandon"));
+}
+
+TEST(OperatingSession, ThatIsLeftIsFinishedOrAbandonedAsThePersonDecides) {
+  const auto told_after = [](Decided decided) {
+    LedOperation operation;
+    operation.saw(1.0);
+    operation.session.ask(Asked::Leave);
+    EXPECT_FALSE(operation.session.saw().is_on()) << "a question stops the saw";
+    operation.session.answer(decided, 2.0);
+    return operation.attempt.told;
+  };
+  EXPECT_THAT(told_after(Decided::Finish), ElementsAre("pause", "finish"));
+  EXPECT_THAT(told_after(Decided::Act), ElementsAre("pause", "abandon"));
+  EXPECT_THAT(told_after(Decided::GoOn), ElementsAre("pause", "resume"));
 }
 
 TEST(OperatingSession, ThatRanToItsLastTickIsScored) {
@@ -258,7 +309,7 @@ TEST(OperatingSession, ADiskThatFillsUpBesideAQuestionKeepsItPaused) {
   session.ask(Asked::Abandon);
   operation.attempt.is_full = true;
   session.update_storage();
-  session.answer(false, 1.0);
+  session.answer(Decided::GoOn, 1.0);
   EXPECT_TRUE(session.pausing().is_storage_full());
   EXPECT_THAT(operation.attempt.told, ElementsAre("pause"));
 }
@@ -281,7 +332,7 @@ TEST(OperatingSession, ADiskThatFillsUpWhileSealingIsWaitedForToo) {
   LedOperation operation;
   OperatingSession& session = operation.session;
   session.ask(Asked::Finish);
-  session.answer(true, 1.0);
+  session.answer(Decided::Act, 1.0);
   operation.attempt.is_full = true;
   EXPECT_TRUE(session.update_storage());
   EXPECT_TRUE(session.pausing().is_storage_full());

@@ -1,4 +1,4 @@
-#include "ui/screens/operating/plan_reading.h"
+#include "ui/screens/operating/hud/plan_reading.h"
 
 #include <gtest/gtest.h>
 

@@ -149,10 +149,19 @@ void Operator::press(Key key, Modifiers modifiers) {
 }
 
 void Operator::click(std::string_view id) {
+  if (!driver_->ui().captured_by().empty()) {
+    press(Key::L);
+    make_frames(2);
+  }
   const Rect place = driver_->widget(id).visible;
   driver_->send(
       click_events({place.mid_x() * driver_->ui().scale(), place.mid_y() * driver_->ui().scale()}));
   make_frames(6);
+}
+
+void Operator::move_to(Point place) {
+  driver_->send({driver_->moved_to(place)});
+  make_frames(3);
 }
 
 void Operator::begin() {

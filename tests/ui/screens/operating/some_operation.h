@@ -76,7 +76,10 @@ class Operator {
   void make_frames(int count);
   /// Presses a key once without waiting: a running operation never settles.
   void press(Key key, Modifiers modifiers = {});
+  /// Lifts the hand first where the saw has the pointer, as a person does.
   void click(std::string_view id);
+  /// Leads the saw where it has the pointer, else moves that.
+  void move_to(Point place);
   bool is_gone() const noexcept { return shell().depth() == 1; }
   /// Takes the screen away as the end of the window does.
   void close() { shell_.reset(); }

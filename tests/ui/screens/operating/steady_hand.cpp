@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "simulator/device/mouse.h"
-#include "ui/screens/operating/steering.h"
+#include "ui/screens/operating/hand/steering.h"
 
 namespace hallux::ui {
 
 namespace {
 
-/// Of the screen: a right drag's turn, a notch's depth, a key's turn.
-constexpr double turn_rad_per_pixel = 0.0045, depth_mm_per_notch = 1.0, key_turn_rad = 0.0175;
+/// Of the screen: a left drag's turn, a notch's depth.
+constexpr double turn_rad_per_pixel = 0.0045, depth_mm_per_notch = 1.0;
 constexpr double near_mm = 1.5, near_rad = 0.06;  ///< from where Shift is held
 constexpr double good_mm = 0.12, good_rad = 0.005;
 constexpr int rounds_at_most = 16;
 constexpr double settling_s = 0.35;
+constexpr float wide_pixels = 20.0F;
 
 /// The way from one attitude to another as axis times angle.
 Vec3 turn_between(const Quat& from, const Quat& to) {
@@ -28,9 +29,7 @@ Vec3 turn_between(const Quat& from, const Quat& to) {
 
 SteadyHand::SteadyHand(Operator& person)
     : person_(person), pointer_(person.driver().ui().display().centre()) {
-  InputEvent moved;
-  moved.kind = EventKind::PointerMoved;
-  send(moved);
+  point();
 }
 
 const RigidTransform& SteadyHand::world_from_tool() const {
@@ -41,8 +40,9 @@ EyeView SteadyHand::eye() const {
   return Sight{person_.scenes.camera, Viewer{}, person_.driver().ui().display()}.eye();
 }
 
+void SteadyHand::point() { send(person_.driver().moved_to(pointer_)); }
+
 void SteadyHand::send(InputEvent event) {
-  event.position = pointer_;
   event.modifiers = modifiers_;
   person_.driver().send({event});
   person_.make_frames(2);
@@ -71,18 +71,20 @@ bool SteadyHand::lead_to(const RigidTransform& world_from_wanted) {
   return false;
 }
 
-/// About the view's y and x by a right drag, about its z by keys.
+/// About the view's y and x by a left drag, about its z by keys.
 void SteadyHand::turn(const Vec3& turn_in_view_rad) {
   const double share = modifiers_.shift ? simulator::fine_share : 1.0;
   InputEvent event;
-  event.button = MouseButton::Right;
+  event.button = MouseButton::Left;
   event.kind = EventKind::ButtonPressed;
   send(event);
+  // Out and back again: a press that hardly moves is a click.
+  pointer_.x += wide_pixels;
+  point();
   const double pixel_rad = share * turn_rad_per_pixel;
-  pointer_.x += static_cast<float>(std::round(turn_in_view_rad.y / pixel_rad));
+  pointer_.x += static_cast<float>(std::round(turn_in_view_rad.y / pixel_rad)) - wide_pixels;
   pointer_.y += static_cast<float>(std::round(turn_in_view_rad.x / pixel_rad));
-  event.kind = EventKind::PointerMoved;
-  send(event);
+  point();
   event.kind = EventKind::ButtonReleased;
   send(event);
   const auto presses = std::lround(std::abs(turn_in_view_rad.z) / (share * key_turn_rad));
@@ -91,8 +93,7 @@ void SteadyHand::turn(const Vec3& turn_in_view_rad) {
                   {.shift = modifiers_.shift, .control = true});
   }
   // What was held with the keys is held no more.
-  event.kind = EventKind::PointerMoved;
-  send(event);
+  point();
 }
 
 void SteadyHand::nudge(const Vec3& way_in_world_mm) {
@@ -114,13 +115,14 @@ void SteadyHand::nudge(const Vec3& way_in_world_mm) {
   if (pixels != Vec2(0.0, 0.0)) {
     pointer_.x += static_cast<float>(pixels.x);
     pointer_.y -= static_cast<float>(pixels.y);
-    event.kind = EventKind::PointerMoved;
-    send(event);
+    point();
   }
   if (notches == 0.0) return;
   event.kind = EventKind::Wheel;
   event.wheel = static_cast<float>(notches);
+  modifiers_.alt = true;
   send(event);
+  modifiers_.alt = false;
 }
 
 }  // namespace hallux::ui

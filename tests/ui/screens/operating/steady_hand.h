@@ -12,7 +12,7 @@ class SteadyHand {
   /// needs  the operation runs; the person sees what NotedScenes notes
   explicit SteadyHand(Operator& person);
 
-  /// Leads the saw there through the air, by pointer, wheel, right drag and keys. False where it
+  /// Leads the saw there through the air, by pointer, wheel, left drag and keys. False where it
   /// does not come to rest within 0.12 mm (half a notch of the wheel) and 0.3 degrees of it.
   bool lead_to(const RigidTransform& world_from_tool);
   /// Where the saw is led, moved on, whatever holds the saw.
@@ -23,6 +23,8 @@ class SteadyHand {
  private:
   EyeView eye() const;
   void wait(double seconds);
+  /// The pointer goes where it is to be.
+  void point();
   void send(InputEvent event);
   void turn(const Vec3& turn_in_view_rad);
 

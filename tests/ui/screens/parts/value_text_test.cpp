@@ -13,15 +13,13 @@ TEST(Words, PointsHaveOneDecimal) {
   EXPECT_EQ(points_text(-1250), "-1.3");
 }
 
-TEST(Words, AMomentIsADayAndATime) {
-  EXPECT_EQ(moment_text("2026-03-03T14:02:59Z"), "3 Mar 2026, 14:02");
-  EXPECT_EQ(moment_text("2026-13-03T14:02:59Z"), "2026-13-03T14:02:59Z");
-  EXPECT_EQ(moment_text("soon"), "soon");
-}
-
 TEST(Words, AReasonBecomesASentence) {
   EXPECT_EQ(sentence_of("could not open it"), "Could not open it.");
   EXPECT_EQ(sentence_of("Really?"), "Really?");
+  EXPECT_EQ(sentence_of("bad.json: line 3 has no end"), "bad.json: line 3 has no end.")
+      << "a file is called as it is";
+  EXPECT_EQ(sentence_of("/tmp/x: is no folder"), "/tmp/x: is no folder.");
+  EXPECT_EQ(sentence_of("stopped."), "Stopped.");
   EXPECT_EQ(sentence_of(""), "");
 }
 
@@ -33,6 +31,8 @@ TEST(Words, InitialsAreOfTheFirstAndTheLastWord) {
       << "letters beyond ASCII stay as they are written";
   EXPECT_EQ(initials_of(""), "");
   EXPECT_EQ(initials_of(" - "), "");
+  EXPECT_EQ(initials_of("Zed \U0001F600"), "Z") << "no word begins with a picture";
+  EXPECT_EQ(initials_of("漢字 かな"), "漢か");
 }
 
 TEST(Words, NamesOfFilesAreRead) {

@@ -15,12 +15,13 @@ struct Played {
   explicit Played(double now_s = 0.0)
       : driver(texts, [this](Ui& ui) {
           player.advance(ui);
-          player.draw(ui, {20.0F, 20.0F, 1200.0F, Player::height});
+          player.draw(ui, {20.0F, 20.0F, width, Player::height});
         }) {
     player.open(10.0, {2.0, 5.0}, now_s);
     driver.settle();
   }
 
+  float width = 1200.0F;
   const Texts texts = english_texts();
   Player player;
   Driver driver;
@@ -45,6 +46,19 @@ TEST(Player, BracketsChangeTheSpeed) {
   played.driver.send(key_events(Key::Space));
   for (int frame = 0; frame < 60; ++frame) played.driver.frame();
   EXPECT_NEAR(played.player.now_s(), 4.0, 0.3);
+}
+
+TEST(Player, InANarrowWindowTheSpeedIsOneButton) {
+  Played played;
+  EXPECT_TRUE(played.driver.has("replay.speed.3"));
+  played.width = 400.0F;
+  played.driver.frame();
+  EXPECT_FALSE(played.driver.has("replay.speed.3"));
+  for (const char* next : {"2\xC3\x97", "4\xC3\x97", "0.1\xC3\x97"}) {
+    played.driver.click("replay.speed");
+    EXPECT_TRUE(played.driver.sees(next));
+  }
+  EXPECT_THAT(played.driver.faults(), IsEmpty());
 }
 
 TEST(Player, StepsBySampleSecondAndTenSeconds) {

@@ -183,6 +183,74 @@ TEST(SignInScreen, AOneTimeCodeChoosesAPassword) {
   EXPECT_EQ(arrival.signed_in->person().login, "trainee-9");
 }
 
+TEST(SignInScreen, ACodeWrittenAsThePasswordIsToldAndCountsAsNoRefusal) {
+  database::SomeCourse course;
+  const auto added = course.administrator().add_person_with_code({"trainee-9", "", false}, cheap);
+  const std::int64_t acts = course.administrator().audit_page({}).total;
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "trainee-9");
+  arrival.fill("entry.password", added.issued.code.view());
+  arrival.press("entry.sign_in");
+  EXPECT_TRUE(arrival.driver().sees("looks like a one-time code"));
+  EXPECT_EQ(course.administrator().audit_page({}).total, acts + 1) << "of the administrator alone";
+  arrival.press("entry.to_code");
+  arrival.fill("entry.password", good_password);
+  arrival.fill("entry.password_again", good_password);
+  arrival.press("entry.redeem");
+  ASSERT_NE(arrival.signed_in, nullptr) << "the code went along";
+  EXPECT_TRUE(arrival.signed_in->notices().empty());
+}
+
+TEST(SignInScreen, APasswordThatLooksLikeACodeIsSentAtTheSecondPress) {
+  database::SomeCourse course;
+  course.administrator().set_password("ada", database::secret("k7m2-qwer-90zx"), cheap);
+  Arrival arrival(course.database().directory());
+  arrival.fill("entry.login", "ada");
+  arrival.fill("entry.password", "k7m2-qwer-90zx");
+  arrival.press("entry.sign_in");
+  EXPECT_EQ(arrival.signed_in, nullptr);
+  arrival.press("entry.sign_in");
+  EXPECT_NE(arrival.signed_in, nullptr);
+}
+
+TEST(SignInScreen, ALoginThatIsNotAllowedIsToldAtTheFieldAndWipesNothing) {
+  const database::TemporaryDirectory temporary;
+  Arrival arrival(temporary.data());
+  arrival.fill("entry.login", "Admin");
+  EXPECT_TRUE(arrival.driver().sees("with a letter first"));
+  arrival.fill("entry.password", good_password);
+  arrival.fill("entry.password_again", "another long phrase");
+  EXPECT_FALSE(arrival.driver().widget("entry.begin").is_enabled);
+  arrival.driver().click("entry.login");
+  arrival.driver().press(Key::A, {.control = true});
+  arrival.driver().type("admin-1");
+  EXPECT_FALSE(arrival.driver().sees("with a letter first"));
+  arrival.press("entry.begin");
+  EXPECT_TRUE(arrival.driver().sees("differ"));
+  arrival.driver().click("entry.password_again");
+  arrival.driver().press(Key::A, {.control = true});
+  arrival.driver().type(good_password);
+  arrival.press("entry.begin");
+  EXPECT_NE(arrival.signed_in, nullptr) << "the first password was still there";
+}
+
+TEST(SignInScreen, WhatIsRefusedStaysInTheFieldsOfANewPassword) {
+  const database::TemporaryDirectory temporary;
+  Arrival arrival(temporary.data());
+  arrival.fill("entry.login", "admin-1");
+  arrival.fill("entry.password", "short");
+  arrival.fill("entry.password_again", "short");
+  arrival.press("entry.begin");
+  EXPECT_EQ(arrival.signed_in, nullptr);
+  for (const char* field : {"entry.password", "entry.password_again"}) {
+    arrival.driver().click(field);
+    arrival.driver().press(Key::End);
+    arrival.driver().type(" becomes a phrase");
+  }
+  arrival.press("entry.begin");
+  EXPECT_NE(arrival.signed_in, nullptr);
+}
+
 TEST(SignInScreen, ACourseThatCannotBeOpenedSaysWhyAndTriesAgain) {
   const database::TemporaryDirectory temporary;
   std::ofstream(temporary.data()) << "a file stands where the folder should be";

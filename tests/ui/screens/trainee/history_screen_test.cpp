@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/support/time_zone.h"
 #include "tests/ui/screens/some_navigator.h"
 #include "tests/ui/screens/some_published.h"
 #include "tests/ui/screens/some_visitor.h"
@@ -73,8 +74,10 @@ TEST(History, VoidAttemptsDoNotCountAndUnscoredOnesAreGaps) {
   ASSERT_EQ(histories.size(), 1U);
   const OperationHistory& history = histories.front();
   EXPECT_EQ(history.attempts.size(), 4U);
-  EXPECT_THAT(history.numbers, ElementsAre(1, 0, 2, 3));
+  EXPECT_THAT(history.counted, ElementsAre(0U, 2U, 3U));
   ASSERT_EQ(history.scores.size(), 3U);
+  EXPECT_EQ(history.scores[0].x, 1.0);
+  EXPECT_EQ(history.scores[1].x, 3.0) << "the number that everybody calls it by";
   EXPECT_EQ(history.scores[0].y, 40.0);
   EXPECT_TRUE(std::isnan(history.scores[1].y));
   EXPECT_EQ(history.scores[2].y, 50.0);
@@ -265,6 +268,28 @@ TEST(HistoryScreen, CopiesTheChartsNumbersByButtonAndByKey) {
   looker.driver().clipboard().write("");
   looker.driver().click("history.copy");
   EXPECT_EQ(looker.driver().clipboard().read(), csv);
+}
+
+TEST(HistoryScreen, TimesAreLocalAndTheirOffsetIsToldOnHover) {
+  const TimeZone nepal("NPT-5:45");
+  SomePublished published;
+  published.course().database().pretend_it_is("2026-03-03T14:02:59.000Z");
+  published.scored_by("ada", 76830);
+  published.course().database().pretend_it_is("");
+  Looker looker(published, "ada");
+  const auto place_of = [&](std::string_view words) {
+    for (const SeenText& seen : looker.driver().content().texts)
+      if (seen.text == words && !seen.hint.empty()) return seen.rect.centre();
+    return Point{};
+  };
+  const Point moment = place_of("3 Mar 2026, 19:47");
+  ASSERT_NE(moment, Point{});
+  looker.driver().move_to(moment);
+  looker.driver().wait(1.0);
+  EXPECT_TRUE(looker.driver().sees("3 Mar 2026, 19:47 +05:45"));
+  looker.driver().click("history.copy");
+  EXPECT_THAT(looker.driver().clipboard().read(), HasSubstr("2026-03-03T14:02:59.000Z"))
+      << "what other programs read stays UTC";
 }
 
 TEST(HistoryScreen, NothingIsCutOffAtAnyScaleAndSize) {

@@ -35,7 +35,7 @@ struct Asked {
       ui.focus_first("pin.words");
       button(ui, "pin.last", {form.x, form.bottom() - button_height, 120.0F, button_height},
              {"Last field"});
-      return !words.empty();
+      return std::string_view(words.empty() ? "Write a note first" : "");
     });
   }
 
@@ -53,6 +53,7 @@ TEST(Dialog, TakesTheFocusAndActsByControlEnter) {
   Asked asked;
   asked.driver.press(Key::Enter, {.control = true});
   EXPECT_EQ(asked.answer, Answer::Waiting) << "nothing was written yet";
+  EXPECT_EQ(asked.driver.widget("pin.act").why_off, "Write a note first");
   asked.driver.type("Look along the blade");
   asked.driver.press(Key::Enter, {.control = true});
   EXPECT_EQ(asked.answer, Answer::Act);

@@ -1,0 +1,114 @@
+// The kernel took a piece as its last job of pieces knew it: as the kerfs stood at the tick of that
+// job's request. Mostly nothing was sawn since, and the pieces that the whole recording leaves are
+// those; else the recording is rebuilt up to that tick.
+#include "assessment/rebuild/taken_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "simulator/jobs/recorded_jobs.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::Bvh;
+using simulator::CutEvent;
+using simulator::CutEventKind;
+using simulator::Recording;
+using simulator::ToolStatus;
+
+constexpr std::int32_t first_engine_with_places = 7;
+
+/// The tick whose kerfs the last job of pieces before a removal saw; the removal's own without one.
+std::int64_t seen_tick(const Recording& recording, std::int64_t removal_tick) {
+  std::int64_t seen = -1;
+  for (const simulator::RecordedJob& job : recorded_jobs(recording)) {
+    if (job.request.kind == simulator::JobKind::Pieces && job.applied_tick <= removal_tick)
+      seen = job.request.tick;
+  }
+  return seen >= 0 ? seen : removal_tick;
+}
+
+bool is_sawn_after(const Recording& recording, std::int64_t tick) {
+  const auto first = std::partition_point(
+      recording.samples.begin(), recording.samples.end(),
+      [tick](const simulator::ToolSample& sample) { return sample.tick <= tick; });
+  return std::any_of(first, recording.samples.end(), [](const simulator::ToolSample& sample) {
+    return sample.kerf >= 0 && has(sample.status, ToolStatus::SawOn);
+  });
+}
+
+Recording begin_of(const Recording& recording, std::int64_t last_tick) {
+  Recording begin;
+  begin.engine = recording.engine;
+  const auto is_within = [last_tick](const auto& row) { return row.tick <= last_tick; };
+  std::copy_if(recording.samples.begin(), recording.samples.end(),
+               std::back_inserter(begin.samples), is_within);
+  std::copy_if(recording.events.begin(), recording.events.end(), std::back_inserter(begin.events),
+               is_within);
+  return begin;
+}
+
+std::int64_t volume_thousandths(const Recording& recording, std::int32_t piece) {
+  for (const CutEvent& event : recording.events) {
+    if (event.kind == CutEventKind::PieceFreed && event.subject == piece) return event.value;
+  }
+  return 0;
+}
+
+/// The largest piece is the bone, which nobody takes out.
+std::unique_ptr<const Bvh> body_at(const RebuiltBone& rebuilt, const Vec3& inside_mm) {
+  for (std::size_t piece = 1; piece < rebuilt.pieces.size(); ++piece) {
+    auto body = std::make_unique<const Bvh>(rebuilt.pieces[piece].mesh);
+    if (body->contains(inside_mm)) return body;
+  }
+  return nullptr;
+}
+
+/// The piece of nearly that volume.
+std::unique_ptr<const Bvh> body_of_volume(const RebuiltBone& rebuilt, std::int64_t thousandths) {
+  std::optional<std::size_t> nearest;
+  double least_mm3 = std::numeric_limits<double>::infinity();
+  for (std::size_t piece = 1; piece < rebuilt.pieces.size(); ++piece) {
+    const double off_mm3 =
+        std::abs(rebuilt.piece_volumes_mm3[piece] - 1.0e-3 * static_cast<double>(thousandths));
+    if (off_mm3 >= least_mm3) continue;
+    least_mm3 = off_mm3;
+    nearest = piece;
+  }
+  if (!nearest) return nullptr;
+  return std::make_unique<const Bvh>(rebuilt.pieces[*nearest].mesh);
+}
+
+std::unique_ptr<const Bvh> body_of(const RebuiltBone& rebuilt, const Recording& recording,
+                                   const CutEvent& removal) {
+  if (recording.engine >= first_engine_with_places)
+    return body_at(rebuilt, transform_from(removal.pose).translation_mm);
+  return body_of_volume(rebuilt, volume_thousandths(recording, removal.subject));
+}
+
+}  // namespace
+
+std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, const simulator::Bone& bone,
+                                       const Recording& recording, const Progress& progress) {
+  std::vector<TakenOut> taken;
+  for (const CutEvent& event : recording.events) {
+    if (event.kind != CutEventKind::PieceRemoved) continue;
+    const std::int64_t seen = seen_tick(recording, event.tick);
+    std::unique_ptr<const Bvh> body;
+    if (is_sawn_after(recording, seen)) {
+      const RebuiltBone then =
+          rebuild(bone, rebuilt.fields.blade(), begin_of(recording, seen), progress);
+      body = body_of(then, recording, event);
+    } else {
+      body = body_of(rebuilt, recording, event);
+    }
+    if (body != nullptr) taken.push_back({event.tick, std::move(body)});
+  }
+  return taken;
+}
+
+}  // namespace hallux::assessment

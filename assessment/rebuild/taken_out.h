@@ -1,0 +1,30 @@
+/// The pieces that an attempt took out of the wound. Inside this room only.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "assessment/rebuild/rebuild.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bvh.h"
+#include "simulator/record/record.h"
+
+namespace hallux::assessment {
+
+struct TakenOut {
+  std::int64_t tick = 0;
+  /// As the piece was when its place was worked out last before it was taken.
+  std::unique_ptr<const simulator::Bvh> body;
+};
+
+/// By time. A piece is known by the point that its event carries; in recordings of engine 6 and
+/// older, which carry none, by the volume with which it came free.
+/// needs   rebuilt is of this recording, bone and blade
+/// errors  Cancelled; a removal whose piece is nowhere gives none
+/// thread  any; seconds where the blade went on in bone after a piece was taken
+std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, const simulator::Bone& bone,
+                                       const simulator::Recording& recording,
+                                       const Progress& progress = {});
+
+}  // namespace hallux::assessment

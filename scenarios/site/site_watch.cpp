@@ -1,0 +1,129 @@
+#include "scenarios/site/site_watch.h"
+
+#include <optional>
+#include <utility>
+
+#include "scenarios/site/bone_words.h"
+#include "scenarios/site/kerf_of_cut.h"
+#include "scenarios/site/planned_window.h"
+
+namespace hallux::scenarios {
+
+namespace {
+
+using simulator::Contour;
+using simulator::CutEventKind;
+using simulator::HeldSection;
+using simulator::KerfPlane;
+using simulator::PlaneLimit;
+
+/// A middle nearer to the section's own than this share of the section's size is no side.
+constexpr double least_lean = 0.12;
+
+/// The window in the coordinates of a kerf's plane.
+PlaneLimit limit_in(const KerfPlane& plane, const PlannedWindow& window) {
+  const RigidTransform& bone_from_kerf = plane.bone_from_kerf;
+  return {{glm::dot(window.outward, axis_x(bone_from_kerf)),
+           glm::dot(window.outward, axis_y(bone_from_kerf))},
+          window.limit_mm - glm::dot(window.outward, bone_from_kerf.translation_mm)};
+}
+
+/// A contour as far as it lies within the limit (Sutherland and Hodgman 1974).
+Contour within(const Contour& contour, const PlaneLimit& limit) {
+  Contour kept;
+  const auto beyond = [&](const Vec2& corner) {
+    return glm::dot(limit.outward, corner) - limit.limit_mm;
+  };
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const Vec2 &from = contour[i], &to = contour[(i + 1) % contour.size()];
+    const double from_mm = beyond(from), to_mm = beyond(to);
+    if (from_mm <= 0.0) kept.push_back(from);
+    if ((from_mm <= 0.0) != (to_mm <= 0.0))
+      kept.push_back(from + from_mm / (from_mm - to_mm) * (to - from));
+  }
+  return kept;
+}
+
+std::vector<Contour> contours_of(const simulator::Section& section,
+                                 const std::vector<std::size_t>& regions,
+                                 const std::optional<PlaneLimit>& limit) {
+  std::vector<Contour> contours;
+  for (const std::size_t region : regions) {
+    for (const Contour& contour : section.regions[region].contours) {
+      Contour kept = limit ? within(contour, *limit) : contour;
+      if (kept.size() > 2) contours.push_back(std::move(kept));
+    }
+  }
+  return contours;
+}
+
+double size_mm_of(const std::vector<Contour>& contours) {
+  Vec2 low = contours.front().front(), high = low;
+  for (const Contour& contour : contours) {
+    for (const Vec2& corner : contour) {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+  }
+  return length_of(high - low);
+}
+
+std::string side_of(const HeldSection& section, const HeldCut& held) {
+  const Vec2 lean_mm = section.middle_mm - section.section_middle_mm;
+  if (held.bone_mm.empty() || length_of(lean_mm) < least_lean * size_mm_of(held.bone_mm)) return {};
+  const RigidTransform& bone_from_kerf = held.bone_from_kerf;
+  return direction_text(transform_direction(bone_from_kerf, Vec3(lean_mm, 0.0)));
+}
+
+}  // namespace
+
+SiteWatch::SiteWatch(const Scenario& scenario, const Plan& plan)
+    : scenario_(scenario), plan_(plan) {}
+
+void SiteWatch::apply(const simulator::CutEvent& event, const simulator::KerfSet& kerfs) {
+  if (event.kind == CutEventKind::StepDone) step_ = static_cast<std::size_t>(event.subject + 1);
+  if (event.kind == CutEventKind::StepReopened) step_ = static_cast<std::size_t>(event.subject);
+  if (event.kind == CutEventKind::PlaneFrozen)
+    kerfs_.push_back({cut_of(kerfs.plane(event.subject)), {}, false});
+}
+
+std::size_t SiteWatch::cut_of(const KerfPlane& plane) const {
+  if (step_ < scenario_.steps.size() && scenario_.steps[step_].kind == StepKind::Cut)
+    return index_of_cut(plan_, scenario_.steps[step_].cut);
+  return nearest_cut(plane, plan_);
+}
+
+HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
+                           const simulator::SolidWithTree& whole) {
+  KerfOfCut& known = kerfs_[static_cast<std::size_t>(kerf)];
+  const KerfPlane& plane = kerfs.plane(kerf);
+  if (!known.has_section) {
+    known.section = slice_section(whole.solid, whole.bvh, plane);
+    known.has_section = true;
+  }
+  std::optional<PlaneLimit> limit;
+  if (const PlannedHinge* hinge = find_hinge(plan_, plan_.cuts[known.cut].hinge))
+    limit = limit_in(plane, window_before(*hinge, plane.thickness_mm));
+  const HeldSection section = held_section(known.section, kerfs, kerf, limit);
+  HeldCut held;
+  held.kerf = kerf;
+  held.share = section.share < held_share_min ? 0.0 : section.share;
+  held.bone_from_kerf = plane.bone_from_kerf;
+  held.bone_mm = contours_of(known.section, section.regions, limit);
+  held.side = side_of(section, held);
+  held.deepest_in_bone_mm = transform_point(plane.bone_from_kerf, Vec3(section.deepest_mm, 0.0));
+  return held;
+}
+
+std::vector<HeldCut> SiteWatch::held(const simulator::KerfSet& kerfs,
+                                     const simulator::SolidWithTree& whole) {
+  std::vector<HeldCut> held(plan_.cuts.size());
+  for (std::size_t kerf = 0; kerf < kerfs_.size(); ++kerf) {
+    HeldCut made = held_of(static_cast<std::int32_t>(kerf), kerfs, whole);
+    HeldCut& of_cut = held[kerfs_[kerf].cut];
+    if (!of_cut.is_begun() || made.share < of_cut.share) of_cut = std::move(made);
+  }
+  return held;
+}
+
+}  // namespace hallux::scenarios

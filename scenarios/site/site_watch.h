@@ -1,0 +1,72 @@
+/// What holds of each planned cut while somebody saws: the kerf that was meant for it, and the part
+/// of its section that stands.
+///
+/// A kerf belongs to the cut of the step at hand when its plane was frozen; in a step of another
+/// kind to the cut whose plan it lies nearest to. Of several kerfs the one that leaves least
+/// counts.
+/// For displays: it follows the events and asks the fields, and feeds nothing back.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenarios/plan.h"
+#include "simulator/bone/cut_bone.h"
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/record/record.h"
+#include "simulator/sight/held_section.h"
+
+namespace hallux::scenarios {
+
+struct HeldCut {
+  /// The kerf that counts; -1: none was begun.
+  std::int32_t kerf = -1;
+  /// Of what the cut is to open: to the far side, or to its hinge. 1 where none was begun.
+  double share = 1.0;
+  /// The side of the section on which it holds, "plantar-distal"; empty where it holds all over.
+  std::string side = {};
+  Vec3 deepest_in_bone_mm{0.0, 0.0, 0.0};
+  /// Outlines of the bone that is to be sawn, in the kerf's plane; holes likewise.
+  std::vector<simulator::Contour> bone_mm = {};
+  RigidTransform bone_from_kerf = {};
+
+  bool is_begun() const noexcept { return kerf >= 0; }
+  bool is_through() const noexcept { return is_begun() && share == 0.0; }
+};
+
+/// Less than this of a section is nothing: a grid's edge, and crumbs.
+inline constexpr double held_share_min = 0.004;
+
+class SiteWatch {
+ public:
+  /// Borrows both.
+  SiteWatch(const Scenario& scenario, const Plan& plan);
+
+  /// Steps and frozen planes, in their order.
+  /// needs   of each PlaneFrozen, `kerfs` froze it before
+  void apply(const simulator::CutEvent& event, const simulator::KerfSet& kerfs);
+
+  /// One entry for each of the plan's cuts.
+  /// whole  the bone as it was
+  /// thread  the one that applies; a millisecond for each kerf that grew
+  std::vector<HeldCut> held(const simulator::KerfSet& kerfs, const simulator::SolidWithTree& whole);
+
+ private:
+  struct KerfOfCut {
+    std::size_t cut = 0;
+    simulator::Section section;
+    bool has_section = false;
+  };
+
+  std::size_t cut_of(const simulator::KerfPlane& plane) const;
+  HeldCut held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
+                  const simulator::SolidWithTree& whole);
+
+  const Scenario& scenario_;
+  const Plan& plan_;
+  std::size_t step_ = 0;
+  std::vector<KerfOfCut> kerfs_;
+};
+
+}  // namespace hallux::scenarios

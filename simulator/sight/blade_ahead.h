@@ -1,0 +1,43 @@
+/// The bone that stands ahead of the teeth: how far to it, and how far until they are through.
+///
+///     teeth |     to bone     |############| to the far side
+///
+/// For displays, never fed back.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/mesh/bvh.h"
+#include "simulator/tool/saw.h"
+
+namespace hallux::simulator {
+
+/// What stands of a bone; all borrowed.
+struct StandingBone {
+  /// Over the bone as it was, its canal with it.
+  const Bvh& whole;
+  const KerfSet& kerfs;
+  /// Bodies that were taken out.
+  std::span<const Bvh* const> taken_out;
+};
+
+struct BladeAhead {
+  /// Along the feed, of the tooth that meets bone first; 0: it stands in bone. Nothing where no
+  /// tooth has bone ahead.
+  std::optional<double> to_bone_mm;
+  /// Along the feed, until the last tooth has no bone ahead.
+  std::optional<double> to_far_side_mm;
+  /// From the nearest tooth to the bone as it was, in any direction; 0 inside.
+  double beside_mm = 0.0;
+};
+
+/// How far ahead bone is looked for.
+inline constexpr double looked_ahead_mm = 80.0;
+
+/// thread  any; about a millisecond
+BladeAhead look_ahead(const RigidTransform& bone_from_tool, const Blade& blade,
+                      const StandingBone& bone);
+
+}  // namespace hallux::simulator

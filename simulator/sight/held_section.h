@@ -1,0 +1,47 @@
+/// The part of a kerf's section that still stands: how much holds, where, and where it is deepest.
+///
+///     section of the bone          opened by the blade        stands: share 0.4, its middle o,
+///     in the kerf's plane                                     its deepest place x
+///        .--------.                   .----####.                 .----.
+///       (          )                 (    #####)                (  x o |
+///        '--------'                   '---#####'                 '-----'
+///
+/// For displays: on a grid, never fed back. What other kerfs have opened does not hold either.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "simulator/cutting/field/kerf_set.h"
+#include "simulator/cutting/slice/section.h"
+
+namespace hallux::simulator {
+
+struct HeldSection {
+  /// Of the section's area that was asked about [0, 1]; 0: nothing holds.
+  double share = 0.0;
+  /// In the kerf's plane; of the whole section, and of what stands of it.
+  Vec2 section_middle_mm{0.0, 0.0}, middle_mm{0.0, 0.0};
+  /// The place that stands furthest from air and kerf, and how far that is.
+  Vec2 deepest_mm{0.0, 0.0};
+  double depth_mm = 0.0;
+  /// Of the section: those that were asked about.
+  std::vector<std::size_t> regions;
+};
+
+/// Points of a kerf's plane with outward . p <= limit: a cut that is to stop at a hinge holds
+/// beyond it by intent.
+struct PlaneLimit {
+  Vec2 outward{1.0, 0.0};
+  double limit_mm = 0.0;
+};
+
+/// Of the regions of the section that the blade has touched; of the largest where it touched none.
+/// needs   the section is of this kerf's plane, of the bone as it was
+/// errors  none: a plane that misses the bone holds nothing
+/// thread  any; about a millisecond
+HeldSection held_section(const Section& section, const KerfSet& kerfs, std::int32_t kerf,
+                         const std::optional<PlaneLimit>& limit = {});
+
+}  // namespace hallux::simulator

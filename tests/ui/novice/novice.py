@@ -1,0 +1,246 @@
+"""A person who has read no guide and operates by what the screen says. It knows no operation: it looks at the map of the
+window, does what the hint says, and looks again."""
+
+import random
+import re
+import time
+
+from hint import read_hint
+
+LOOK_S = 0.25
+# After an input nothing that the hint names came nearer for so long: a wrong turn.
+WRONG_TURN_S = 5.0
+AT_ONCE = 8
+# Until an input is seen, and until it has come to rest.
+SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
+# How often a hand slips.
+SLIPS_SHARE = 0.04
+
+KEYS = {"Left": "Left", "Right": "Right", "Up": "Up", "Down": "Down", "Page up": "Prior", "Page down": "Next",
+        "Space": "space", "Enter": "Return", "Backspace": "BackSpace", "Ctrl": "ctrl", "Shift": "shift", "Alt": "alt"}
+
+
+def chord_of(words):
+    """"Shift+Ctrl+Page up" as xdotool says it."""
+    return "+".join(KEYS[part] for part in words.split("+"))
+
+
+class Screen:
+    """What can be read."""
+
+    def __init__(self, person):
+        self.person = person
+        self.look()
+
+    def look(self):
+        seen = self.person.map()
+        self.widgets = {each["id"]: each for each in seen["widgets"]}
+        self.read_outs = {each["id"]: each["text"] for each in seen.get("read_outs", [])}
+        return self
+
+    def text(self, name):
+        return self.read_outs.get(name, "")
+
+    def says_lifted(self):
+        return "A right click sets it down" in self.text("operate.foot")
+
+    def is_asked(self):
+        return any(name.endswith(".keep") for name in self.widgets)
+
+    def look_until(self, is_so):
+        """What was done is soon seen, or was not heard."""
+        end = time.monotonic() + SEEN_S
+        while time.monotonic() < end and not (self.look() and is_so()):
+            time.sleep(0.05)
+
+
+class WrongTurns:
+    """Counts inputs that led nowhere."""
+
+    def __init__(self):
+        self.count, self.kind, self.best, self.since = 0, None, None, None
+
+    def acted(self, now):
+        if self.since is None:
+            self.since = now
+
+    def seen(self, hint, now):
+        distance = hint.distance if hint else None
+        if hint is None or hint.kind != self.kind:
+            self.kind, self.best, self.since = hint and hint.kind, distance, None
+        elif distance is not None and (self.best is None or distance < self.best - 1e-6):
+            self.best, self.since = distance, None
+        elif self.since is not None and now - self.since > WRONG_TURN_S:
+            self.count += 1
+            self.best, self.since = distance, None
+
+
+class KeyboardHand:
+    """Presses what the hint says, a few times at once."""
+
+    def __init__(self, person):
+        self.person = person
+
+    def do(self, hint, _screen):
+        self.person.press_slowly(*[chord_of(hint.keys)] * max(1, min(hint.times, AT_ONCE)))
+
+    def slip(self, chance):
+        self.person.press_slowly(chance.choice(["Left", "Right", "Up", "Down", "Next", "ctrl+Left", "ctrl+Up"]))
+
+
+class MouseHand:
+    """Moves, drags, clicks and turns the wheel as the hint says; how far a pixel goes it learns by looking."""
+
+    # Where it begins to learn: pixels of a millimetre or a degree, notches of a millimetre or a newton.
+    PIXELS, NOTCHES = 3.5, 1.0
+    WAYS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
+    AWAY, TOWARDS = "4", "5"
+
+    def __init__(self, person):
+        self.person = person
+        self.gain, self.last = {}, None
+
+    def do(self, hint, screen):
+        words = hint.mouse
+        if "lift the hand" in words:
+            return self.press_button(words, screen)
+        if screen.says_lifted():
+            return self.set_down(screen)
+        if words.startswith("click"):
+            return self.person.xdotool("click", "1")
+        amount = self.amount(hint)
+        if "wheel" in words:
+            return self.turn_wheel(words, max(1, min(AT_ONCE, round(amount))))
+        way = next(self.WAYS[each] for each in words.split() if each in self.WAYS)
+        self.move(way, max(1, min(150, round(amount))), is_dragged="drag" in words)
+
+    def amount(self, hint):
+        """What is left by the hint's words, in pixels or notches as the same movement went the last time."""
+        start = self.NOTCHES if "wheel" in hint.mouse else self.PIXELS
+        left = hint.greatest if hint.greatest is not None else 1.0
+        gain = self.gain.get(hint.mouse, start)
+        if self.last and self.last[0] == (hint.mouse, hint.kind):
+            gone = self.last[1] - left
+            gain *= min(1.5, max(0.6, self.last[1] / gone)) if gone > 0.05 else 1.0
+            gain = min(8.0 * start, max(start / 8.0, gain))
+        self.gain[hint.mouse] = gain
+        self.last = ((hint.mouse, hint.kind), left)
+        return left * gain
+
+    def move(self, way, pixels, is_dragged):
+        if is_dragged:
+            self.person.xdotool("mousedown", "1")
+            # Out and back: what hardly moves is a click.
+            for step in (12, -12):
+                self.glide(way, step)
+        self.glide(way, pixels)
+        if is_dragged:
+            self.person.xdotool("mouseup", "1")
+
+    def glide(self, way, pixels):
+        """As a hand does, not at a bound."""
+        while pixels:
+            step = max(-15, min(15, pixels))
+            self.person.xdotool("mousemove_relative", "--", str(way[0] * step), str(way[1] * step))
+            pixels -= step
+
+    def turn_wheel(self, words, notches):
+        is_held = "left button" in words
+        if is_held:
+            self.person.xdotool("mousedown", "1")
+        self.person.xdotool("click", "--repeat", str(notches), "--delay", "25", self.AWAY if "away" in words else self.TOWARDS)
+        if is_held:
+            self.person.xdotool("mouseup", "1")
+
+    def press_button(self, words, screen):
+        """The step's button, or the number of a step that can be taken up again; then the hand is put on the saw again."""
+        numbers = sorted(name for name in screen.widgets if re.fullmatch(r"operate\.step\.\d+", name))
+        name = numbers[-1] if "number" in words and numbers else "operate.step"
+        if not screen.says_lifted():
+            self.person.xdotool("click", "3")
+            screen.look_until(screen.says_lifted)
+        told = screen.text("operate.hint")
+        self.person.click(name)
+        screen.look_until(lambda: screen.text("operate.hint") != told)
+        if not screen.is_asked():
+            self.set_down(screen)
+
+    def set_down(self, screen):
+        """A right click over the picture, as the line at the foot says."""
+        view = screen.widgets["operate.view"]
+        self.person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
+        time.sleep(LOOK_S)
+        self.person.xdotool("click", "3")
+        screen.look_until(lambda: not screen.says_lifted())
+
+    def slip(self, chance):
+        self.move(chance.choice(list(self.WAYS.values())), chance.randint(5, 20), is_dragged=False)
+
+
+class Novice:
+    """With a seed it slips now and then: a movement that nobody asked for. `retell` changes what it reads."""
+
+    def __init__(self, person, hand, seed=None, retell=lambda text: text, say=print):
+        self.person, self.hand, self.retell, self.say = person, hand, retell, say
+        self.screen = Screen(person)
+        self.chance = random.Random(seed) if seed is not None else None
+        self.last_clock_s = 0
+        self.wrong_turns = WrongTurns()
+
+    def hint_words(self):
+        return self.retell(self.screen.text("operate.hint"))
+
+    def slip_now_and_then(self):
+        if self.chance and self.chance.random() < SLIPS_SHARE:
+            self.hand.slip(self.chance)
+
+    def clock_s(self):
+        match = re.match(r"(\d+):(\d+)", self.screen.text("operate.time"))
+        if match:
+            self.last_clock_s = 60 * int(match[1]) + int(match[2])
+        return self.last_clock_s
+
+    def answer_question(self):
+        """A question that nobody meant to raise is answered by its safe side, which has the focus."""
+        if not self.screen.is_asked():
+            return False
+        self.person.press("Escape")
+        time.sleep(LOOK_S)
+        return True
+
+    def watch(self, text):
+        """Until what was done is seen and has come to rest; nobody does the next thing before."""
+        self.screen.look_until(lambda: self.screen.text("operate.hint") != text)
+        end, still_since = time.monotonic() + REST_S, time.monotonic()
+        while time.monotonic() < min(end, still_since + STILL_S):
+            text = self.screen.text("operate.hint")
+            time.sleep(0.05)
+            if self.screen.look().text("operate.hint") != text:
+                still_since = time.monotonic()
+
+    def operate(self, is_over, limit_s, patience_s):
+        """Does what is hinted until is_over(screen). True where that was within `limit_s` of the attempt's clock; it waits no
+        longer than `patience_s`."""
+        end = time.monotonic() + patience_s
+        last = ""
+        while time.monotonic() < end and self.clock_s() < limit_s:
+            self.screen.look()
+            if is_over(self.screen):
+                return True
+            words = self.hint_words()
+            hint = read_hint(words)
+            if words != last:
+                self.say(f"{self.clock_s():4d} s  {words}")
+                last = words
+            self.wrong_turns.seen(hint, self.clock_s())
+            if self.answer_question():
+                continue
+            if hint and hint.keys:
+                self.slip_now_and_then()
+                told = self.screen.text("operate.hint")
+                self.hand.do(hint, self.screen)
+                self.wrong_turns.acted(self.clock_s())
+                self.watch(told)
+            else:
+                time.sleep(LOOK_S)
+        return False

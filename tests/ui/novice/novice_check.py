@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""A person who never read the guide operates in the command's window under Xvfb: from signing in to the end, by the hints alone,
+with mouse or keyboard. Time on the attempt's clock and wrong turns are printed.
+
+usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--retell blank|exchanged]
+                       [--pictures FOLDER]
+
+With hints blanked, or two of them exchanged, the person must fail.
+"""
+
+import argparse
+import pathlib
+import sys
+import time
+
+from novice import KeyboardHand, MouseHand, Novice
+from operate_check import come_in, events
+from window_check import opened_course, wait_until
+
+HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
+LIMIT_S, MOST_WRONG_TURNS, PATIENCE_S = 240, 3, 150.0
+# A machine without a GPU that does much else is slower than the attempt's clock.
+SLOWEST = 4.0
+OPPOSITES = (("Page up", "Page down"), ("away from you", "towards you"))
+
+
+def blank(_words):
+    return ""
+
+
+def exchanged(words):
+    """To push and to draw back mean each other."""
+    for one, other in OPPOSITES:
+        words = words.replace(one, "\0").replace(other, one).replace("\0", other)
+    return words
+
+
+RETELLINGS = {"": lambda words: words, "blank": blank, "exchanged": exchanged}
+
+
+def begin(person, number):
+    """The operation of that card, as practice: by what can be pressed on each page."""
+    wait_until("the operations", lambda: person.widgets().get("nav.operations", {}).get("enabled"), PATIENCE_S)
+    person.click("nav.operations")
+    cards = wait_until("cards", lambda: sorted(name for name in person.widgets() if name.startswith("operations.card.")), PATIENCE_S)
+    for name in (cards[number], "brief.begin"):
+        wait_until(name, lambda name=name: person.widgets().get(name, {}).get("enabled"), PATIENCE_S)
+        person.click(name)
+    wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
+    view = person.widgets()["operate.view"]
+    person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
+    person.press("Return")
+    wait_until("the running operation", lambda: "operate.pause" in person.widgets(), PATIENCE_S)
+
+
+def attempt(options, seed):
+    """(whether it came to its end, seconds on the attempt's clock, wrong turns)"""
+    with opened_course(options.hallux, pictures=options.pictures) as course:
+        come_in(course.person)
+        begin(course.person, options.card)
+        novice = Novice(course.person, HANDS[options.hand](course.person), seed, RETELLINGS[options.retell])
+
+        def is_over(screen):
+            if options.to_first_cut:
+                return events(course.place) >= 4
+            return "operate.ask_finish.act" in screen.widgets
+
+        begun = time.monotonic()
+        has_ended = novice.operate(is_over, LIMIT_S, SLOWEST * LIMIT_S)
+        course.take_picture(f"{options.hand}-{options.card}-{seed}")
+        print(f"novice check: card {options.card}, {options.hand}, seed {seed}: {'over' if has_ended else 'not over'} after"
+              f" {novice.clock_s()} s on the clock ({time.monotonic() - begun:.0f} s), {novice.wrong_turns.count} wrong turns")
+        return has_ended and novice.wrong_turns.count <= MOST_WRONG_TURNS
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("hallux")
+    parser.add_argument("--card", type=int, default=0)
+    parser.add_argument("--hand", choices=HANDS, default="keyboard")
+    parser.add_argument("--to-first-cut", action="store_true")
+    parser.add_argument("--seeds", default="")
+    parser.add_argument("--retell", choices=RETELLINGS, default="")
+    parser.add_argument("--pictures", type=pathlib.Path)
+    options = parser.parse_args()
+    seeds = [int(each) for each in options.seeds.split(",") if each] or [None]
+    failed = [seed for seed in seeds if attempt(options, seed) == bool(options.retell)]
+    if failed:
+        sys.exit(f"novice check: {'came to the end by wrong hints' if options.retell else 'failed'}, seeds {failed}")
+    print("novice check: passed")
+
+
+if __name__ == "__main__":
+    main()

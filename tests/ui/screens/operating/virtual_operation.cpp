@@ -1,0 +1,135 @@
+#include "tests/ui/screens/operating/virtual_operation.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "scenarios/scenario.h"
+#include "scenarios/simulation_setup.h"
+#include "simulator/record/sample_force.h"
+#include "ui/screens/operating/hand/start_place.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr int ticks_per_frame = 20;
+
+PreparedCase coarse_case(const std::string& scenario, double edge_mm) {
+  scenarios::Scenario parsed = scenarios::load_shipped_scenario(scenario);
+  parsed.patient.edge_mm = edge_mm;
+  return prepare_case(parsed, [](const std::string&) { return Progress(); });
+}
+
+std::vector<scenarios::StepKind> kinds_of(const scenarios::Scenario& scenario) {
+  std::vector<scenarios::StepKind> kinds;
+  for (const scenarios::OperationStep& step : scenario.steps) kinds.push_back(step.kind);
+  return kinds;
+}
+
+}  // namespace
+
+VirtualOperation::VirtualOperation(const std::string& scenario, double edge_mm)
+    : prepared_(coarse_case(scenario, edge_mm)),
+      setup_(simulation_setup(prepared_.scenario, prepared_.bone, prepared_.plan,
+                              simulator::Guidance::None)),
+      tissue_(prepared_.bone),
+      simulation_(tissue_, setup_),
+      jobs_(prepared_.bone, setup_.saw.blade, setup_.bridge),
+      cut_(prepared_.bone, setup_.saw.blade, setup_.bridge),
+      survey_(prepared_),
+      mouse_(start_pose(prepared_)) {
+  const simulator::CutSolid whole = simulator::uncut_solid(solid_of(prepared_.bone));
+  const simulator::Bvh tree(whole.mesh);
+  for (std::size_t cut = 0; cut < prepared_.plan.cuts.size(); ++cut)
+    passes_.push_back(planned_passes(prepared_.scenario, prepared_.plan, cut, whole, tree));
+  world_from_view = start_camera(prepared_).world_from_view;
+  session_.make_ready(kinds_of(prepared_.scenario),
+                      LedSaw(start_pose(prepared_), start_camera(prepared_).target_mm));
+  session_.begin();
+  session_.run(*this, mouse_);
+  say({simulator::CommandKind::Start, 0, 0});
+}
+
+HudSources VirtualOperation::sources() const {
+  return {.texts = texts_,
+          .session = session_,
+          .prepared_case = prepared_,
+          .passes = passes_,
+          .loop = loop,
+          .site = site(),
+          .cut = nullptr,
+          .world_from_view = world_from_view};
+}
+
+void VirtualOperation::press_step() {
+  const CoachView view = coach_view(sources());
+  const scenarios::PlannedCut* const cut = cut_of_step(view);
+  const bool is_through =
+      cut != nullptr && site_ && site_->cuts[index_of_cut(prepared_.plan, cut->name)].is_through();
+  session_.press_step(is_through, time_s());
+}
+
+void VirtualOperation::advance(int ticks, const simulator::PointerMotion& motion) {
+  simulator::PointerMotion due = motion;
+  for (int i = 0; i < ticks; ++i) {
+    if (i % ticks_per_frame == 0) {
+      if (session_.is_led()) session_.lead(std::array{due}, world_from_view, time_s());
+      due = {};
+      static_cast<void>(session_.apply(new_events_, time_s()));
+      new_events_.clear();
+      survey();
+    }
+    step_once();
+  }
+}
+
+void VirtualOperation::step_once() {
+  simulator::RawDeviceState raw;
+  EXPECT_TRUE(mouse_.exchange(force_newton_, tick_, raw));
+  simulator::TapeLine line;
+  line.tick = tick_;
+  line.ticks = 1;
+  line.device.world_from_handle = simulator::quantise(raw.world_from_handle);
+  line.device.switches = raw.switches;
+  std::array<const simulator::JobResult*, simulator::commands_per_tick> results{};
+  while (line.command_count < simulator::commands_per_tick && !commands_.empty()) {
+    line.commands[line.command_count++] = commands_.front();
+    commands_.pop_front();
+  }
+  while (line.command_count < simulator::commands_per_tick) {
+    const simulator::JobResult* result = jobs_.take_ready();
+    if (result == nullptr) break;
+    results[line.command_count] = result;
+    line.commands[line.command_count++] = {simulator::CommandKind::ApplyJob, result->request.id,
+                                           result->request.tick};
+  }
+  const simulator::StepOutput output = simulation_.step({line, results});
+  EXPECT_TRUE(jobs_.apply(output));
+  for (const simulator::CutEvent& event : output.events) {
+    cut_.apply(event);
+    survey_.apply(event, cut_);
+    events_.push_back(event);
+    new_events_.push_back(event);
+  }
+  cut_.apply(output.sample);
+  survey_.apply(output.sample);
+  for (const simulator::JobRequest& request : output.requests) {
+    cut_.apply(request);
+    survey_.apply(request);
+  }
+  force_newton_ = simulator::force_newton(output.sample);
+  loop.sample = output.sample;
+  loop.engaged = output.engaged;
+  ++loop.lines;
+  ++tick_;
+}
+
+/// On the operation's own clock.
+void VirtualOperation::survey() {
+  const SiteSurvey::Time now{std::chrono::milliseconds(tick_ + 1'000'000)};
+  if (cut_.closed_hinge() != nullptr) return site_.reset();
+  if (std::optional<SiteFacts> facts = survey_.renew(cut_, now)) site_ = std::move(facts);
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,82 @@
+/// An operation in virtual time, without window, loop or database: the step, its jobs at once, the
+/// site as the picture's thread surveys it, and a session that leads a mouse.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "simulator/contact/tissue.h"
+#include "simulator/device/mouse.h"
+#include "simulator/jobs/live_cut.h"
+#include "simulator/loop/jobs.h"
+#include "simulator/step/simulation.h"
+#include "ui/jobs/live_attempt.h"
+#include "ui/screens/operating/hud_facts.h"
+#include "ui/screens/operating/operating_session.h"
+#include "ui/screens/operating/site/site_survey.h"
+
+namespace hallux::ui {
+
+class VirtualOperation final : private AttemptControls {
+ public:
+  /// A coarse patient of a shipped scenario; practice, with the clock running.
+  explicit VirtualOperation(const std::string& scenario, double edge_mm = 1.0);
+
+  /// So much time, with these motions of the hand in the first frame of it.
+  void advance(int ticks, const simulator::PointerMotion& motion = {});
+  void press_step();
+
+  OperatingSession& session() noexcept { return session_; }
+  const PreparedCase& prepared_case() const noexcept { return prepared_; }
+  double time_s() const noexcept { return static_cast<double>(tick_) * step_s; }
+  const std::vector<simulator::CutEvent>& events() const noexcept { return events_; }
+  const SiteFacts* site() const noexcept { return site_ ? &*site_ : nullptr; }
+  /// As the screen tells from it; borrows this.
+  HudSources sources() const;
+
+  /// Of whoever looks.
+  Quat world_from_view{1.0, 0.0, 0.0, 0.0};
+  simulator::LoopView loop;
+
+ private:
+  void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
+  void resume() override {
+    say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0});
+  }
+  void declare_done(std::int32_t step) override {
+    say({simulator::CommandKind::StepDone, step, 0});
+  }
+  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
+  void pick_up_freed() override {
+    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
+  }
+  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
+  void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
+  void abandon() override {}
+  bool is_storage_full() const noexcept override { return false; }
+  const LiveEnd* end() const noexcept override { return nullptr; }
+
+  void say(const simulator::Command& command) { commands_.push_back(command); }
+  void step_once();
+  void survey();
+
+  const Texts texts_ = english_texts();
+  const PreparedCase prepared_;
+  const simulator::SimulationSetup setup_;
+  const simulator::TissueMap tissue_;
+  simulator::Simulation simulation_;
+  simulator::ImmediateJobs jobs_;
+  simulator::LiveCut cut_;
+  SiteSurvey survey_;
+  simulator::MouseDevice mouse_;
+  OperatingSession session_{database::AttemptKind::Practice};
+  std::vector<scenarios::PlannedPasses> passes_;
+  std::deque<simulator::Command> commands_;
+  std::vector<simulator::CutEvent> events_, new_events_;
+  std::optional<SiteFacts> site_;
+  Vec3 force_newton_{0.0, 0.0, 0.0};
+  std::int64_t tick_ = 0;
+};
+
+}  // namespace hallux::ui

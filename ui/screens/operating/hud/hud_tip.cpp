@@ -1,0 +1,84 @@
+// Force and distances where one looks: beside the teeth. A bar for the push on one side, a label
+// with the ways to bone, far side, hinge and plan on the other, tied to the tip by a line.
+#include "ui/screens/operating/hud/hud_tip.h"
+
+#include <algorithm>
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr double high_force_newton = 15.0, force_scale_newton = 30.0;
+constexpr float label_way = 130.0F, label_rise = 60.0F, line_height = 20.0F, label_pad = 12.0F;
+
+/// The push as a bar beside the teeth.
+void draw_force_at_blade(Hud& in) {
+  if (in.hud.force_newton < 0.2) return;
+  const Point tip = *in.hud.tip;
+  const Rect track{tip.x - 76.0F, tip.y - 40.0F, 8.0F, 80.0F};
+  if (!in.room.encloses(track)) return;
+  Canvas& canvas = in.canvas();
+  canvas.line({track.right() + 4.0F, track.mid_y()}, {tip.x - 14.0F, tip.y},
+              faded(in.theme().text, 0.5F), 1.5F);
+  canvas.fill(inset(track, -3.0F, -3.0F), in.theme().hud, 7.0F);
+  canvas.fill(track, in.theme().chip, 4.0F);
+  const double share = std::clamp(in.hud.force_newton / force_scale_newton, 0.0, 1.0);
+  const float height = std::max(4.0F, track.h * static_cast<float>(share));
+  const bool is_high = in.hud.force_newton > high_force_newton;
+  canvas.fill({track.x, track.bottom() - height, track.w, height},
+              is_high ? in.theme().warn : in.theme().accent, 4.0F);
+  const float mark =
+      track.bottom() - track.h * static_cast<float>(high_force_newton / force_scale_newton);
+  canvas.fill({track.x - 4.0F, mark - 1.0F, 16.0F, 2.0F}, in.theme().text);
+}
+
+/// The side of the tip on which the label hides least of the saw.
+Rect place_label(const Hud& in, float width, float height) {
+  const Point tip = *in.hud.tip;
+  const std::array<Rect, 4> places{
+      {{tip.x + label_way, tip.y + label_rise - height, width, height},
+       {tip.x + label_way, tip.y - label_rise, width, height},
+       {tip.x - label_way - width, tip.y + label_rise - height, width, height},
+       {tip.x - label_way - width, tip.y - label_rise, width, height}}};
+  const auto best = std::find_if(places.begin(), places.end(), [&](const Rect& place) {
+    return in.room.encloses(place) && !in.has_tool_behind(place);
+  });
+  if (best != places.end()) return *best;
+  Rect kept = places.front();
+  kept.x = std::clamp(kept.x, in.room.x, std::max(in.room.x, in.room.right() - width));
+  kept.y = std::clamp(kept.y, in.room.y + hud_bar_height,
+                      std::max(in.room.y, in.room.bottom() - hud_panel_height - height - 8.0F));
+  return kept;
+}
+
+void draw_label(Hud& in) {
+  if (in.hud.tip_lines.empty()) return;
+  float width = 0.0F;
+  for (const std::string& line : in.hud.tip_lines)
+    width = std::max(width, in.ui.width_of(Type::SmallMedium, line));
+  width += 2.0F * label_pad;
+  const float height = line_height * static_cast<float>(in.hud.tip_lines.size()) + label_pad;
+  const Rect label = place_label(in, width, height);
+  const float edge = label.x > in.hud.tip->x ? label.x : label.right();
+  in.canvas().line(*in.hud.tip, {edge, label.mid_y()}, faded(in.theme().text, 0.5F), 1.5F);
+  draw_hud_panel(in.canvas(), in.theme(), label, radius::control);
+  float y = label.y + 0.5F * label_pad;
+  for (const std::string& line : in.hud.tip_lines) {
+    in.canvas().text_in({label.x + label_pad, y, width - 2.0F * label_pad + 1.0F, line_height},
+                        {Type::SmallMedium, in.theme().text}, line);
+    y += line_height;
+  }
+  std::string told;
+  for (const std::string& line : in.hud.tip_lines) told += (told.empty() ? "" : ". ") + line;
+  in.ui.tell("operate.ahead", told, label);
+}
+
+}  // namespace
+
+void draw_hud_tip(Hud& in) {
+  if (!in.hud.tip) return;
+  draw_force_at_blade(in);
+  draw_label(in);
+}
+
+}  // namespace hallux::ui

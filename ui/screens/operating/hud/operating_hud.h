@@ -1,0 +1,93 @@
+/// The panels over the picture of an operation: mode and time, steps, tool, force, how the blade
+/// stands to the plan, what to do next, health. Inside this room only.
+///
+/// All of it lies within an inset of 6 %, and the middle stays free. What does not fit a small
+/// window goes in this order: the reading of the plan, the tool, the titles of steps. A panel that
+/// the tool passes behind fades while it does. Each value is told to who reads the screen's map.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/screens/operating/hud/cut_bands.h"
+#include "ui/screens/operating/hud/operating_health.h"
+#include "ui/screens/operating/hud/plan_reading.h"
+#include "ui/screens/pictures/blade_section.h"
+#include "ui/widgets/ui.h"
+
+namespace hallux::ui {
+
+/// Of the window, around everything that lies over the picture.
+inline constexpr float hud_inset_share = 0.06F;
+
+struct HudStep {
+  std::string title;
+  bool is_done = false, can_reopen = false;
+};
+
+/// The blade against the plan, as practice shows it.
+struct HudPlan {
+  PlanReading blade;
+  PassReading pass;
+  CutBands bands;
+};
+
+/// A place of the saw on the window, and how far around it the saw reaches there.
+struct ToolPlace {
+  Point at;
+  float radius = 0.0F;
+};
+
+/// How the hand is on the saw.
+enum class HandState { Led, LedFree, Lifted, Off };
+
+struct OperatingHud {
+  bool is_practice = true, is_paused = false, is_reviewed = false, is_simulated = false;
+  bool is_left_handed = false;
+  std::int64_t tick = 0;
+  std::vector<HudStep> steps;
+  /// At which one is.
+  std::size_t step = 0;
+  /// What its button says; "" for none.
+  std::string_view step_action;
+  /// It was pressed, and its work is under way.
+  bool is_step_busy = false;
+  /// Why it does nothing yet; empty: it does.
+  std::string why_step_off;
+  /// What to do next; empty: nothing to tell.
+  std::string hint;
+  simulator::Saw saw;
+  bool is_saw_on = false, is_irrigated = false;
+  double force_newton = 0.0;
+  /// Of the hottest bone, where it is told while operating.
+  std::optional<double> bone_celsius;
+  /// Of the blade, on the window; and all of the saw.
+  std::optional<Point> tip;
+  std::vector<ToolPlace> tool;
+  /// Beside the tip: how far to the bone, through it, to the hinge, and off the plan.
+  std::vector<std::string> tip_lines;
+  std::optional<HudPlan> plan;
+  /// In the blade's plane; null: it is not shown.
+  const BladeSection* inset = nullptr;
+  HandState hand = HandState::Off;
+  OperatingHealth health;
+  bool is_health_open = false;
+};
+
+/// What was pressed.
+struct HudAnswer {
+  bool step = false, pause = false, health = false, finish = false, abandon = false;
+  bool saw = false, irrigation = false;
+  /// A done step that is to be taken up again.
+  std::optional<std::size_t> reopen;
+};
+
+HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud);
+
+/// One decimal with the true minus: "−2.4".
+std::string signed_text(double value);
+/// One decimal.
+std::string decimal_text(double value);
+
+}  // namespace hallux::ui

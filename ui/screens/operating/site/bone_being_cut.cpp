@@ -1,0 +1,251 @@
+// The bone while it is cut, on a thread that may fall behind and never holds anything up. It takes
+// the loop's feed, runs the same jobs at the same places, and hands the window the newest picture.
+// A growing kerf is a patch on a mesh that stands still; whatever changes the mesh itself is made
+// anew. Where that fails for want of memory, the attempt goes on without a new picture.
+#include "ui/screens/operating/site/bone_being_cut.h"
+
+#include <cmath>
+#include <utility>
+
+#include "ui/screens/pictures/bone_viewport.h"
+#include "ui/screens/pictures/cached_look.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using namespace simulator;
+
+/// A patch for each frame that a display may show.
+constexpr std::chrono::milliseconds between_patches{15};
+constexpr std::chrono::milliseconds between_sections{50};
+/// A plane that moved less, out of itself, has the same section.
+constexpr double same_section_mm = 0.1, same_section_rad = 0.0035;
+
+}  // namespace
+
+BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_directory,
+                       const Progress& progress) {
+  BonePicture picture;
+  picture.look = cached_look_of(data_directory, bone, progress);
+  // The same bone has the same picture, whoever shows it.
+  const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
+  picture.mesh =
+      std::make_shared<const BoneMesh>(mesh_of(id, uncut_solid(solid_of(bone)), picture.look));
+  picture.tree = std::make_shared<const Bvh>(picture.mesh->solid.mesh);
+  return picture;
+}
+
+BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
+    : BoneBeingCut(attempt.attempt().text, attempt.prepared_case(), attempt.watch(),
+                   std::move(picture)) {}
+
+BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
+                           simulator::AttemptWatch& watch, BonePicture picture)
+    : name_(std::move(name)),
+      world_from_bone_(prepared_case.bone.world_from_bone),
+      picture_(std::move(picture)),
+      watch_(watch),
+      cut_(prepared_case.bone, prepared_case.scenario.saw.blade,
+           scenarios::planned_bridge(prepared_case.plan)),
+      survey_(prepared_case) {
+  base_ = {picture_.mesh, picture_.tree, world_from_bone_};
+  newest_.bodies = {base_};
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+BoneBeingCut::~BoneBeingCut() = default;
+
+void BoneBeingCut::add_to(Scene& scene) {
+  {
+    const std::scoped_lock turn(turn_);
+    drawn_.bodies = newest_.bodies;
+    drawn_.free_pieces = newest_.free_pieces;
+    if (drawn_.patch_revision != newest_.patch_revision) {
+      std::swap(drawn_.patch, newest_.patch);
+      drawn_.patch_revision = newest_.patch_revision;
+    }
+  }
+  for (const Body& body : drawn_.bodies) {
+    BoneInScene bone;
+    bone.mesh = body.mesh.get();
+    bone.look = &picture_.look;
+    bone.world_from_bone = body.world_from_body;
+    if (&body == &drawn_.bodies.front() && drawn_.patch_revision != 0) {
+      bone.patch = &drawn_.patch;
+      bone.patch_revision = drawn_.patch_revision;
+    }
+    scene.bones.push_back(bone);
+  }
+}
+
+void BoneBeingCut::add_free_pieces(Scene& scene) const {
+  for (const std::shared_ptr<const BoneMesh>& piece : drawn_.free_pieces) {
+    scene.free_pieces.push_back({piece.get(), world_from_bone_});
+  }
+}
+
+std::shared_ptr<const KerfSection> BoneBeingCut::section() {
+  const std::scoped_lock turn(turn_);
+  return section_;
+}
+
+std::shared_ptr<const SiteFacts> BoneBeingCut::site() {
+  const std::scoped_lock turn(turn_);
+  return site_;
+}
+
+std::vector<CutEvent> BoneBeingCut::take_events() {
+  const std::scoped_lock turn(turn_);
+  return std::exchange(events_, {});
+}
+
+/// Without a picture the attempt goes on: then the feed is only kept from filling.
+void BoneBeingCut::run(const std::stop_token& stop) {
+  try {
+    show_feed(stop);
+  } catch (const std::exception&) {
+    has_failed_.store(true, std::memory_order_release);
+  }
+  GeometryFeed dropped;
+  while (!stop.stop_requested() && !watch_.closed.load(std::memory_order_acquire)) {
+    while (watch_.feed.pop(dropped)) continue;
+    std::this_thread::sleep_for(between_patches);
+  }
+}
+
+void BoneBeingCut::show_feed(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    const bool is_closed = watch_.closed.load(std::memory_order_acquire);
+    if (take_feed()) is_up_to_date_.store(false, std::memory_order_release);
+    bring_up_to_date();
+    renew_section();
+    renew_site();
+    if (!cut_.is_due()) is_up_to_date_.store(true, std::memory_order_release);
+    if (is_closed && watch_.feed.size() == 0) return;
+    std::this_thread::sleep_for(between_patches);
+  }
+}
+
+/// True where there was anything that may change the bone.
+bool BoneBeingCut::take_feed() {
+  GeometryFeed feed;
+  const std::size_t waiting = watch_.feed.size();
+  for (std::size_t i = 0; i < waiting && watch_.feed.pop(feed); ++i) {
+    std::visit([this](const auto& value) { cut_.apply(value); }, feed);
+    if (const auto* event = std::get_if<CutEvent>(&feed)) note(*event);
+    if (const auto* request = std::get_if<simulator::JobRequest>(&feed)) survey_.apply(*request);
+    if (const auto* sample = std::get_if<ToolSample>(&feed)) {
+      bone_from_tool_ = inverse(world_from_bone_) * transform_from(sample->world_from_tool);
+      survey_.apply(*sample);
+    }
+  }
+  return cut_.is_due();
+}
+
+void BoneBeingCut::note(const CutEvent& event) {
+  survey_.apply(event, cut_);
+  if (event.kind == CutEventKind::HingeClosed && cut_.closed_hinge() != nullptr) {
+    show_hinge(*cut_.closed_hinge(), transform_from(event.pose));
+  }
+  const std::scoped_lock turn(turn_);
+  events_.push_back(event);
+}
+
+void BoneBeingCut::bring_up_to_date() {
+  if (const std::optional<PatchBase> base = cut_.take_base()) {
+    base_ = base->is_uncut ? Body{picture_.mesh, picture_.tree, world_from_bone_}
+                           : lit_body(base->solid, world_from_bone_);
+  }
+  // A frame whose outline is not simple shows the patch before it.
+  if (cut_.build_patch(patch_)) show_patch();
+  if (const std::optional<CutSolid> whole = cut_.take_whole()) {
+    base_ = lit_body(*whole, world_from_bone_);
+    publish({base_});
+  }
+  if (const auto pieces = cut_.take_free_pieces()) show_free_pieces(*pieces);
+}
+
+void BoneBeingCut::show_free_pieces(const std::vector<CutSolid>& solids) {
+  std::vector<std::shared_ptr<const BoneMesh>> meshes;
+  for (const CutSolid& solid : solids) {
+    meshes.push_back(
+        std::make_shared<const BoneMesh>(mesh_of(next_mesh_id(), solid, picture_.look)));
+  }
+  const std::scoped_lock turn(turn_);
+  newest_.free_pieces = std::move(meshes);
+}
+
+/// In the kerf's plane while the blade lies in it, else in the blade's own, where nothing is open.
+void BoneBeingCut::renew_section() {
+  if (!bone_from_tool_ || cut_.closed_hinge() != nullptr) return;
+  std::optional<KerfPlane> kerf = cut_.plane_at_hand();
+  const bool is_in_kerf = kerf && is_in_plane(kerf->bone_from_kerf, *bone_from_tool_);
+  const RigidTransform plane = is_in_kerf ? kerf->bone_from_kerf : *bone_from_tool_;
+  const std::uint64_t opened = is_in_kerf ? next_revision_ : 0;
+  if (!section_clock_.is_due(plane, opened, std::chrono::steady_clock::now())) return;
+  const KerfOpening opening = is_in_kerf ? *cut_.kerf_at_hand() : KerfOpening{{plane}, {}};
+  auto section =
+      std::make_shared<const KerfSection>(kerf_section(base_.mesh->solid, *base_.tree, opening));
+  const std::scoped_lock turn(turn_);
+  section_ = std::move(section);
+}
+
+/// After the hinge has closed the bone is no longer where its kerfs were opened.
+void BoneBeingCut::renew_site() {
+  if (!bone_from_tool_ || cut_.closed_hinge() != nullptr) return;
+  std::optional<SiteFacts> facts = survey_.renew(cut_, std::chrono::steady_clock::now());
+  if (!facts) return;
+  auto site = std::make_shared<const SiteFacts>(std::move(*facts));
+  const std::scoped_lock turn(turn_);
+  site_ = std::move(site);
+}
+
+bool SectionClock::is_due(const RigidTransform& bone_from_plane, std::uint64_t opened, Time now) {
+  if (bone_from_plane_ && now - last_ < between_sections) return false;
+  if (bone_from_plane_ && opened == opened_) {
+    const RigidTransform moved = inverse(*bone_from_plane_) * bone_from_plane;
+    const Vec3 normal = moved.rotation * Vec3(0.0, 0.0, 1.0);
+    if (std::abs(moved.translation_mm.z) < same_section_mm &&
+        glm::length(Vec2(normal.x, normal.y)) < same_section_rad)
+      return false;
+  }
+  bone_from_plane_ = bone_from_plane;
+  opened_ = opened;
+  last_ = now;
+  return true;
+}
+
+void BoneBeingCut::show_patch() {
+  const std::scoped_lock turn(turn_);
+  newest_.bodies = {base_};
+  std::swap(newest_.patch, patch_);
+  newest_.patch_revision = next_revision_++;
+}
+
+void BoneBeingCut::show_hinge(const ClosedHinge& hinge, const RigidTransform& bone_from_moved) {
+  publish({lit_body(hinge.fixed, world_from_bone_),
+           lit_body(hinge.moved, world_from_bone_ * bone_from_moved)});
+  const std::scoped_lock turn(turn_);
+  site_.reset();
+  section_.reset();
+}
+
+std::uint64_t BoneBeingCut::next_mesh_id() { return picture_id(name_ + std::to_string(meshes_++)); }
+
+BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid,
+                                          const RigidTransform& world_from_body) {
+  auto tree = std::make_shared<const Bvh>(solid.mesh);
+  BoneMesh mesh = mesh_of(next_mesh_id(), solid, picture_.look);
+  const Occluder own{tree.get(), {}};
+  light_cut_faces(mesh, std::span(&own, 1));
+  return {std::make_shared<const BoneMesh>(std::move(mesh)), std::move(tree), world_from_body};
+}
+
+void BoneBeingCut::publish(std::vector<Body> bodies) {
+  const std::scoped_lock turn(turn_);
+  newest_.bodies = std::move(bodies);
+  newest_.patch_revision = 0;
+}
+
+}  // namespace hallux::ui

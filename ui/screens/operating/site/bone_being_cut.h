@@ -1,0 +1,154 @@
+/// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
+/// feeds anything back. Inside this room only.
+///
+///     feed of the loop --> LiveCut --> patch of the kerf at hand --> newest picture
+///                             |        on a mesh that stands still
+///                             |--> another kerf, the whole, a closed hinge: another mesh
+///                             |--> pieces that came free: meshes for their outlines
+///                             '--> the section in the blade's plane, at most 20 times a second
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "simulator/base/progress.h"
+#include "simulator/jobs/live_cut.h"
+#include "ui/jobs/live_attempt.h"
+#include "ui/render/scene/scene.h"
+#include "ui/screens/operating/site/site_survey.h"
+#include "ui/screens/pictures/blade_section.h"
+#include "ui/screens/pictures/contact_halo.h"
+
+namespace hallux::ui {
+
+/// The picture of a bone before anything was cut; a job's work.
+struct BonePicture {
+  BoneLook look;
+  std::shared_ptr<const BoneMesh> mesh;
+  /// Over the mesh's solid.
+  std::shared_ptr<const simulator::Bvh> tree;
+};
+
+/// errors  Cancelled
+BonePicture picture_of(const simulator::Bone& bone, const std::filesystem::path& data_directory,
+                       const Progress& progress = {});
+
+/// When a section is to be made anew: often enough to be live, not more often than its plane moved
+/// or its kerf grew.
+class SectionClock {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// `opened` is another where the kerf has opened more.
+  bool is_due(const RigidTransform& bone_from_plane, std::uint64_t opened, Time now);
+
+ private:
+  std::optional<RigidTransform> bone_from_plane_;
+  std::uint64_t opened_ = 0;
+  Time last_;
+};
+
+class BoneBeingCut {
+ public:
+  /// Borrows the attempt; nobody else may take its feed.
+  BoneBeingCut(LiveAttempt& attempt, BonePicture picture);
+  /// The bone of any loop that is watched. Borrows the watch alone.
+  /// name    of the attempt, for the names of its pictures
+  BoneBeingCut(std::string name, const PreparedCase& prepared_case, simulator::AttemptWatch& watch,
+               BonePicture picture);
+  ~BoneBeingCut();
+  BoneBeingCut(const BoneBeingCut&) = delete;
+  BoneBeingCut& operator=(const BoneBeingCut&) = delete;
+
+  /// Adds the bone to the scene as it is known now; borrowed until the next call.
+  /// thread  window
+  void add_to(Scene& scene);
+  /// Adds the pieces that came free and lie in the wound; borrowed likewise.
+  /// needs   add_to was called in this frame
+  /// thread  window
+  void add_free_pieces(Scene& scene) const;
+  /// What lies in the plane of the kerf at hand, or of the blade while it is away from it; null
+  /// before the loop's first step.
+  /// thread  window
+  std::shared_ptr<const KerfSection> section();
+  /// What is known of the site; null before the loop's first step.
+  /// thread  window
+  std::shared_ptr<const SiteFacts> site();
+  /// The bone as rays find it, without what the kerf at hand takes; borrowed likewise.
+  /// needs   add_to was called in this frame
+  /// thread  window
+  BoneSurface surface() const {
+    return {*drawn_.bodies.front().tree, drawn_.bodies.front().world_from_body};
+  }
+  /// What happened since the last call.
+  /// thread  window
+  std::vector<simulator::CutEvent> take_events();
+  /// Whether the bone is shown as the last of the feed left it, with nothing waiting.
+  bool is_up_to_date() const noexcept { return is_up_to_date_.load(std::memory_order_acquire); }
+  /// The picture stands still, for want of memory; the attempt does not.
+  bool has_failed() const noexcept { return has_failed_.load(std::memory_order_acquire); }
+
+ private:
+  struct Body {
+    std::shared_ptr<const BoneMesh> mesh;
+    std::shared_ptr<const simulator::Bvh> tree;
+    RigidTransform world_from_body;
+  };
+  /// The newest picture; a patch lies on the first body.
+  struct Shown {
+    std::vector<Body> bodies;
+    simulator::SolidPatch patch;
+    /// 0: no patch.
+    std::uint64_t patch_revision = 0;
+    std::vector<std::shared_ptr<const BoneMesh>> free_pieces;
+  };
+
+  void run(const std::stop_token& stop);
+  void show_feed(const std::stop_token& stop);
+  bool take_feed();
+  void note(const simulator::CutEvent& event);
+  void bring_up_to_date();
+  void show_patch();
+  void show_hinge(const simulator::ClosedHinge& hinge, const RigidTransform& bone_from_moved);
+  Body lit_body(const simulator::CutSolid& solid, const RigidTransform& world_from_body);
+  std::uint64_t next_mesh_id();
+  void show_free_pieces(const std::vector<simulator::CutSolid>& solids);
+  void renew_section();
+  void renew_site();
+  void publish(std::vector<Body> bodies);
+
+  const std::string name_;
+  const RigidTransform world_from_bone_;
+  const BonePicture picture_;
+  simulator::AttemptWatch& watch_;
+  // the thread's
+  simulator::LiveCut cut_;
+  /// What the patch at hand lies on, or what stands without one.
+  Body base_;
+  simulator::SolidPatch patch_;
+  std::uint64_t next_revision_ = 1;
+  int meshes_ = 0;
+  /// Of the newest sample; nothing before the first.
+  std::optional<RigidTransform> bone_from_tool_;
+  SectionClock section_clock_;
+  SiteSurvey survey_;
+  // between the two
+  std::mutex turn_;
+  Shown newest_;
+  std::vector<simulator::CutEvent> events_;
+  std::shared_ptr<const KerfSection> section_;
+  std::shared_ptr<const SiteFacts> site_;
+  std::atomic<bool> is_up_to_date_{true}, has_failed_{false};
+  // the window's
+  Shown drawn_;
+  /// Last: joined before any of it goes.
+  std::jthread thread_;
+};
+
+}  // namespace hallux::ui

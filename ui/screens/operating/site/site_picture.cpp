@@ -1,0 +1,22 @@
+#include "ui/screens/operating/site/site_picture.h"
+
+#include "scenarios/neighbour.h"
+#include "ui/screens/pictures/bone_viewport.h"
+#include "ui/screens/pictures/cached_look.h"
+
+namespace hallux::ui {
+
+BoneInView neighbour_picture(const scenarios::Scenario& scenario,
+                             const std::filesystem::path& data_directory,
+                             const Progress& progress) {
+  const simulator::Bone bone = scenarios::neighbour_of(scenario);
+  report(progress, 0.0);
+  BoneInView neighbour;
+  neighbour.look = cached_look_of(data_directory, bone, progress);
+  neighbour.mesh = mesh_of(picture_id("neighbour " + std::to_string(neighbour.look.id)),
+                           simulator::uncut_solid(solid_of(bone)), neighbour.look);
+  neighbour.world_from_bone = bone.world_from_bone;
+  return neighbour;
+}
+
+}  // namespace hallux::ui

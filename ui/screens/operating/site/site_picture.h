@@ -1,0 +1,32 @@
+/// What stands around the bone that is operated on, made before the operation: the bone beside it,
+/// and the planned faces as far as they lie in the bone. For the picture alone.
+/// Inside this room only.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "simulator/base/progress.h"
+#include "ui/jobs/live_attempt.h"
+#include "ui/screens/pictures/patient_view.h"
+#include "ui/screens/pictures/planned_frame.h"
+
+namespace hallux::ui {
+
+/// The bone beside a scenario's, ready to be drawn; its look is kept like every bone's.
+/// errors  Cancelled
+/// thread  any but the window's; a second the first time
+BoneInView neighbour_picture(const scenarios::Scenario& scenario,
+                             const std::filesystem::path& data_directory,
+                             const Progress& progress = {});
+
+struct SitePicture {
+  BoneInView neighbour;
+  /// Over its solid.
+  std::shared_ptr<const simulator::Bvh> neighbour_tree;
+  /// By cut, in the order of the plan.
+  std::vector<PlannedFace> faces;
+};
+
+}  // namespace hallux::ui
