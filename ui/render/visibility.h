@@ -21,8 +21,8 @@ namespace hallux::ui {
 using SightPlace = std::array<Vec3, 2>;
 
 struct SightSamples {
-  /// Along the tooth line; of teeth in or beyond bone, which nobody can see, where their part of the
-  /// blade goes in.
+  /// Along the tooth line; of teeth in or beyond bone, which nobody can see, where their part of
+  /// the blade goes in.
   std::vector<SightPlace> teeth_mm;
   /// Along the mouth of what is open, its two rims.
   std::vector<SightPlace> kerf_mm;

@@ -1,4 +1,5 @@
 /// What is to be seen of a saw at work: places of its tooth line, and of the mouth of its kerf.
+/// Inside this corner only.
 #pragma once
 
 #include "simulator/cutting/slice/section.h"

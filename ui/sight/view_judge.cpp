@@ -10,7 +10,6 @@
 
 #include "scenarios/hands/planned_strokes.h"
 #include "scenarios/neighbour.h"
-#include "simulator/base/check.h"
 #include "simulator/base/units.h"
 #include "simulator/cutting/field/kerf.h"
 #include "ui/render/scene/tool_model.h"
@@ -23,8 +22,8 @@ namespace {
 /// Before the bone, at first touch, and at shares of the way through it.
 constexpr std::array<double, 4> stroke_shares{0.02, 0.35, 0.7, 1.0};
 constexpr double approach_mm = 6.0;
-/// Of the picture, at each side.
-constexpr double rim_share = 0.04;
+/// Of the picture: a rim at the sides, and what panels take above and below in the smallest window.
+constexpr double side_share = 0.04, top_share = 0.13, bottom_share = 0.20;
 constexpr double hub_mm = 9.0;
 
 /// A bone that is all skin.
@@ -94,8 +93,8 @@ bool is_inside(const EyeView& view, const RigidTransform& world_from_tool,
                const simulator::Blade& blade) {
   return std::ranges::all_of(saw_corners(blade), [&](const Vec3& corner_mm) {
     const Vec3 place = place_in_picture(view, transform_point(world_from_tool, corner_mm));
-    return place.x > rim_share && place.x < 1.0 - rim_share && place.y > rim_share &&
-           place.y < 1.0 - rim_share && std::abs(place.z) < 1.0;
+    return place.x > side_share && place.x < 1.0 - side_share && place.y > top_share &&
+           place.y < 1.0 - bottom_share && std::abs(place.z) < 1.0;
   });
 }
 
@@ -122,6 +121,13 @@ BoneInScene bone_in_scene(const BoneMesh& mesh, const BoneLook& look,
   return bone;
 }
 
+void add(Hiders& sum, const Hiders& more) {
+  sum.bone += more.bone;
+  sum.blade += more.blade;
+  sum.handpiece += more.handpiece;
+  sum.outside_picture += more.outside_picture;
+}
+
 }  // namespace
 
 bool holds_start(const ViewJudgement& judgement, const ViewLimits& limits) noexcept {
@@ -130,15 +136,18 @@ bool holds_start(const ViewJudgement& judgement, const ViewLimits& limits) noexc
          judgement.is_from_lower_corner;
 }
 
-bool is_good(const ViewJudgement& judgement, const ViewLimits& limits) noexcept {
-  return holds_start(judgement, limits) && judgement.mean.tooth_line_share >= limits.least_share &&
+bool shows_cut(const ViewJudgement& judgement, const ViewLimits& limits) noexcept {
+  return judgement.mean.tooth_line_share >= limits.least_share &&
          judgement.mean.kerf_share >= limits.least_share;
+}
+
+bool is_good(const ViewJudgement& judgement, const ViewLimits& limits) noexcept {
+  return holds_start(judgement, limits) && shows_cut(judgement, limits);
 }
 
 struct ViewJudge::Parts {
   simulator::Blade blade;
   RigidTransform world_from_bone, world_from_neighbour;
-  Vec3 site_in_bone_mm{0.0, 0.0, 0.0};
   BoneLook look = plain_look();
   BoneMesh bone, neighbour;
   simulator::Bvh tree;
@@ -149,7 +158,6 @@ struct ViewJudge::Parts {
         const scenarios::Plan& plan, PixelSize size);
   EyeView view_from(const Camera& camera) const;
   SightSamples samples_of(const WorkMoment& moment) const;
-  Visibility seen_over(const Camera& camera, const std::vector<WorkMoment>& over, Hiders& hiders);
 };
 
 ViewJudge::Parts::Parts(const scenarios::Scenario& scenario, const simulator::Bone& patient,
@@ -164,9 +172,6 @@ ViewJudge::Parts::Parts(const scenarios::Scenario& scenario, const simulator::Bo
   neighbour = mesh_of(2, simulator::uncut_solid(solid_of(beside)), look);
   const std::vector<scenarios::PlannedStroke> strokes = planned_strokes(scenario, patient, plan);
   moments = moments_of(strokes, blade, world_from_bone);
-  CHECK(!plan.cuts.empty());
-  const scenarios::PlannedCut& first = plan.cuts[strokes.empty() ? 0 : strokes.front().cut];
-  site_in_bone_mm = 0.5 * (first.entry_point_in_bone_mm + first.exit_point_in_bone_mm);
 }
 
 EyeView ViewJudge::Parts::view_from(const Camera& camera) const {
@@ -178,31 +183,6 @@ EyeView ViewJudge::Parts::view_from(const Camera& camera) const {
 SightSamples ViewJudge::Parts::samples_of(const WorkMoment& moment) const {
   const WholeBone whole{bone.solid, tree, world_from_bone};
   return {tooth_places(whole, moment.world_from_tool, blade), mouth_places(whole, moment.kerf)};
-}
-
-Visibility ViewJudge::Parts::seen_over(const Camera& camera, const std::vector<WorkMoment>& over,
-                                       Hiders& hiders) {
-  const EyeView view = view_from(camera);
-  Visibility sum{0.0, 0.0};
-  Scene scene;
-  scene.bones = {bone_in_scene(bone, look, world_from_bone),
-                 bone_in_scene(neighbour, look, world_from_neighbour)};
-  for (const WorkMoment& moment : over) {
-    SawInScene saw;
-    saw.world_from_tool = moment.world_from_tool;
-    saw.blade = blade;
-    scene.saw = saw;
-    const Visibility seen = meter.measure(scene, view, samples_of(moment));
-    sum.tooth_line_share += seen.tooth_line_share;
-    sum.kerf_share += seen.kerf_share;
-    hiders.bone += meter.hiders().bone;
-    hiders.blade += meter.hiders().blade;
-    hiders.handpiece += meter.hiders().handpiece;
-    hiders.outside_picture += meter.hiders().outside_picture;
-  }
-  if (over.empty()) return {};
-  const auto count = static_cast<double>(over.size());
-  return {sum.tooth_line_share / count, sum.kerf_share / count};
 }
 
 ViewJudge::ViewJudge(const scenarios::Scenario& scenario, const simulator::Bone& bone,
@@ -224,17 +204,35 @@ ViewJudgement ViewJudge::judge_start(const Camera& camera,
 
 ViewJudgement ViewJudge::judge(const Camera& camera, const RigidTransform& world_from_start) {
   ViewJudgement judgement = judge_start(camera, world_from_start);
-  judgement.mean = parts_->seen_over(camera, parts_->moments, judgement.hiders);
+  const SeenOver seen = seen_over(camera, moments());
+  judgement.mean = seen.mean;
+  judgement.hiders = seen.hiders;
   return judgement;
 }
 
-Visibility ViewJudge::seen_over(const Camera& camera, const std::vector<WorkMoment>& moments) {
-  Hiders hiders;
-  return parts_->seen_over(camera, moments, hiders);
+SeenOver ViewJudge::seen_over(const Camera& camera, const std::vector<WorkMoment>& over) {
+  SeenOver all;
+  if (over.empty()) return all;
+  const EyeView view = parts_->view_from(camera);
+  Visibility sum{0.0, 0.0};
+  Scene scene;
+  scene.bones = {bone_in_scene(parts_->bone, parts_->look, parts_->world_from_bone),
+                 bone_in_scene(parts_->neighbour, parts_->look, parts_->world_from_neighbour)};
+  for (const WorkMoment& moment : over) {
+    SawInScene saw;
+    saw.world_from_tool = moment.world_from_tool;
+    saw.blade = parts_->blade;
+    scene.saw = saw;
+    const Visibility seen = parts_->meter.measure(scene, view, parts_->samples_of(moment));
+    sum.tooth_line_share += seen.tooth_line_share;
+    sum.kerf_share += seen.kerf_share;
+    add(all.hiders, parts_->meter.hiders());
+  }
+  const auto count = static_cast<double>(over.size());
+  all.mean = {sum.tooth_line_share / count, sum.kerf_share / count};
+  return all;
 }
 
 const std::vector<WorkMoment>& ViewJudge::moments() const noexcept { return parts_->moments; }
-
-Vec3 ViewJudge::site_in_bone_mm() const noexcept { return parts_->site_in_bone_mm; }
 
 }  // namespace hallux::ui

@@ -1,5 +1,5 @@
 /// Judges from where an operation is seen: what `scenario check` says of a start view, and what a
-/// start view is searched with.
+/// start view is searched with. Inside this corner only.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "scenarios/plan.h"
-#include "ui/render/scene/start_view.h"
 #include "ui/render/visibility.h"
 
 namespace hallux::ui {
@@ -21,7 +20,7 @@ struct ViewLimits {
 struct ViewJudgement {
   /// Between the line of sight and the plane of the blade where it starts.
   double blade_angle_rad = 0.0;
-  /// Blade and hub, where they start, in the picture with a rim.
+  /// Blade and hub, where they start, in the part of the picture that no panel covers.
   bool is_saw_inside = false;
   /// Its handle leads to a lower corner: 20 to 70 degrees down from level.
   bool is_from_lower_corner = false;
@@ -33,7 +32,15 @@ struct ViewJudgement {
 
 /// Whether the first picture holds what it must, and whether all of it does.
 bool holds_start(const ViewJudgement& judgement, const ViewLimits& limits = {}) noexcept;
+/// Enough of teeth and kerf.
+bool shows_cut(const ViewJudgement& judgement, const ViewLimits& limits = {}) noexcept;
 bool is_good(const ViewJudgement& judgement, const ViewLimits& limits = {}) noexcept;
+
+/// Over some moments.
+struct SeenOver {
+  Visibility mean;
+  Hiders hiders;
+};
 
 /// A saw at work at one moment.
 struct WorkMoment {
@@ -59,11 +66,9 @@ class ViewJudge {
   /// Only what the first picture says: the angle, and where the saw is; a thousandth of the time.
   ViewJudgement judge_start(const Camera& camera, const RigidTransform& world_from_start) const;
   /// The means over other moments than the plan's, as a recording's.
-  Visibility seen_over(const Camera& camera, const std::vector<WorkMoment>& moments);
+  SeenOver seen_over(const Camera& camera, const std::vector<WorkMoment>& moments);
   /// Those of the plan.
   const std::vector<WorkMoment>& moments() const noexcept;
-  /// Middle of the first planned cut.
-  Vec3 site_in_bone_mm() const noexcept;
 
  private:
   struct Parts;

@@ -1,13 +1,13 @@
-// Draws a start view into a file, for eyes: show_start_view SCENARIO FILE [AZIMUTH ELEVATION ROLL
-// RADIUS], degrees and millimetres; without numbers the one that the search found.
+// Draws the start view of a scenario into a file, for eyes: show_start_view SCENARIO_FILE PICTURE.
 #include <cstdio>
 #include <cstdlib>
 
 #include "scenarios/neighbour.h"
 #include "simulator/cutting/pieces/cut_solid.h"
-#include "tests/ui/sight/start_views.h"
 #include "ui/render/gl/headless_context.h"
 #include "ui/render/picture.h"
+#include "ui/sight/start_place.h"
+#include "ui/sight/view_judge.h"
 
 namespace {
 
@@ -36,23 +36,18 @@ struct DrawnBone {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 3 && count != 7) {
-    std::fprintf(stderr, "usage: show_start_view SCENARIO FILE [AZIMUTH ELEVATION ROLL RADIUS]\n");
+  if (count != 3) {
+    std::fprintf(stderr, "usage: show_start_view SCENARIO_FILE PICTURE\n");
     return 2;
   }
-  scenarios::Scenario scenario = scenarios::load_shipped_scenario(words[1]);
+  scenarios::Scenario scenario = scenarios::read_scenario(words[1]);
   scenario.patient.edge_mm = 0.6;
   const simulator::Bone bone = make_patient(scenario);
   const scenarios::Plan plan = plan_on(scenario, bone);
   const HeadlessContext context;
   ViewJudge judge(scenario, bone, plan);
-  StartView view = start_view_of(words[1]);
-  if (count == 7) {
-    view = {radian_from_degree(std::atof(words[3])), radian_from_degree(std::atof(words[4])),
-            radian_from_degree(std::atof(words[5])), std::atof(words[6])};
-  }
   const DrawnBone shown(11, bone), beside(12, scenarios::neighbour_of(scenario));
-  const RigidTransform start = start_of(judge);
+  const RigidTransform start = start_pose(scenario, bone, plan);
   Scene scene;
   scene.bones = {shown.in_scene(1.0), beside.in_scene(0.45)};
   SawInScene saw;
@@ -60,10 +55,8 @@ int main(int count, char** words) {
   saw.blade = scenario.saw.blade;
   scene.saw = saw;
   scene.lines = {{.world_from_plane = start, .half_mm = Vec2(0.0, 7.0), .faint_mm = 8.0}};
-  scene.halo = ContactHalo{HaloKind::Before, start, 0.5 * saw.blade.width_mm, stand_off_mm};
   Renderer renderer;
-  const Camera camera =
-      camera_of(view, bone.world_from_bone, judge.site_in_bone_mm(), Viewer{}, 1.6);
+  const Camera camera = start_camera(scenario, bone, plan);
   write_png(words[2], render_picture(renderer, scene, camera, {1280, 800}));
   const ViewJudgement judgement = judge.judge(camera, start);
   std::printf("plane %.1f deg, saw %s, %s a lower corner, teeth %.3f, kerf %.3f\n",

@@ -5,8 +5,9 @@
 
 #include "tests/scenarios/hands/scripted_attempt.h"
 #include "tests/ui/sight/recorded_moments.h"
-#include "tests/ui/sight/start_views.h"
 #include "ui/render/gl/headless_context.h"
+#include "ui/sight/start_place.h"
+#include "ui/sight/view_judge.h"
 
 namespace hallux::ui {
 namespace {
@@ -19,15 +20,14 @@ TEST_P(ExpertSeen, ShowsFourFifthsOfTeethAndKerf) {
   const scenarios::Plan plan = plan_on(scenario, bone);
   const HeadlessContext context;
   ViewJudge judge(scenario, bone, plan);
-  const Camera camera = camera_of(start_view_of(GetParam()), bone.world_from_bone,
-                                  judge.site_in_bone_mm(), Viewer{}, 1.6);
+  const Camera camera = start_camera(scenario, bone, plan);
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const simulator::Recording recording =
         tests::run_hand(scenario, bone, "expert", seed).recording;
     const std::vector<WorkMoment> moments =
         moments_of(recording, scenario.saw.blade, bone.world_from_bone, 500);
     ASSERT_GT(moments.size(), 20U);
-    const Visibility seen = judge.seen_over(camera, moments);
+    const Visibility seen = judge.seen_over(camera, moments).mean;
     std::printf("%s, seed %d: teeth %.3f, kerf %.3f over %zu moments\n", GetParam(),
                 static_cast<int>(seed), seen.tooth_line_share, seen.kerf_share, moments.size());
     EXPECT_GE(seen.tooth_line_share, 0.80) << seed;
