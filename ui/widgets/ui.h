@@ -68,6 +68,8 @@ struct AreaResponse {
 struct Shortcut {
   Chord chord;
   std::string label = {};
+
+  bool operator==(const Shortcut&) const = default;
 };
 
 /// What the mouse does on a screen besides pressing controls, in words.

@@ -19,6 +19,8 @@ from window_check import opened_course, wait_until
 
 HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
 LIMIT_S, MOST_WRONG_TURNS, PATIENCE_S = 240, 3, 150.0
+# So long somebody is misled.
+MISLED_S = 90
 # A machine without a GPU that does much else is slower than the attempt's clock.
 SLOWEST = 4.0
 OPPOSITES = (("Page up", "Page down"), ("away from you", "towards you"))
@@ -66,7 +68,8 @@ def attempt(options, seed):
             return "operate.ask_finish.act" in screen.widgets
 
         begun = time.monotonic()
-        has_ended = novice.operate(is_over, LIMIT_S, SLOWEST * LIMIT_S)
+        limit_s = MISLED_S if options.retell else LIMIT_S
+        has_ended = novice.operate(is_over, limit_s, SLOWEST * limit_s)
         course.take_picture(f"{options.hand}-{options.card}-{seed}")
         print(f"novice check: card {options.card}, {options.hand}, seed {seed}: {'over' if has_ended else 'not over'} after"
               f" {novice.clock_s()} s on the clock ({time.monotonic() - begun:.0f} s), {novice.wrong_turns.count} wrong turns")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Operates Silver in the command's window under Xvfb, with mouse and keyboard, and looks into the database for what was kept.
+"""Operates Silver in the command's window under Xvfb, by keyboard, and looks into the database for what was kept.
 
 usage: operate_check.py HALLUX [PICTURE_FOLDER]
 """
@@ -9,6 +9,7 @@ import pathlib
 import sys
 import time
 
+from novice import KeyboardHand, Novice
 from window_check import rows_of, use_course_window, wait_until
 
 PASSWORD = "a long enough phrase"
@@ -42,7 +43,6 @@ def begin(person, take_picture, scenario="silver"):
         person.click(name)
     wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
     take_picture("ready")
-    # From here on the pointer leads the saw: it waits in the middle.
     view = person.widgets()["operate.view"]
     person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
     person.press("Return")
@@ -61,11 +61,10 @@ def events(place):
 
 
 def saw(person, place, _take_picture):
-    """Seen from medial: away from the person, over the head; the saw started; down into the bone; led by the pointer too."""
-    person.press_slowly("3", *["Prior"] * 7, "space", *["Down"] * 44)
-    for step in range(1, 6):
-        person.xdotool("mousemove_relative", "0", "3")
-    wait_until("a kerf on the record", lambda: events(place) >= 4, PATIENCE_S)
+    """As the hints say, until teeth are in bone for a second."""
+    novice = Novice(person, KeyboardHand(person))
+    if not novice.operate(lambda _screen: events(place) >= 4, PATIENCE_S, PATIENCE_S):
+        sys.exit("the hints led to no kerf")
     so_far = recorded_ticks(place)
     wait_until("another second on the record", lambda: recorded_ticks(place) >= so_far + 1000, PATIENCE_S)
 
@@ -99,21 +98,21 @@ def check_record(place):
     print(f"operate check: {ticks} ticks, score {scores[0][0]} of {scores[0][1]} measured, {quality}")
 
 
-def run_check(scenario, saw, check_record):
-    """From the first administrator to a scored attempt: `saw` operates, `check_record` looks at what was kept."""
+def operate(person, place, take_picture):
+    come_in(person)
+    begin(person, take_picture)
+    saw(person, place, take_picture)
+    finish(person, place, take_picture)
+    check_record(place)
+    take_picture("after")
 
-    def operate(person, place, take_picture):
-        come_in(person)
-        begin(person, take_picture, scenario)
-        saw(person, place, take_picture)
-        finish(person, place, take_picture)
-        check_record(place)
-        take_picture("after")
 
+def main():
+    """From the first administrator to a scored attempt."""
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     use_course_window(sys.argv[1], pictures, operate)
     print("operate check: passed")
 
 
 if __name__ == "__main__":
-    run_check("silver", saw, check_record)
+    main()

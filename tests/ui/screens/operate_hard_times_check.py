@@ -22,7 +22,7 @@ def is_shown(person, name):
 
 
 def start_the_saw(person, place):
-    person.press_slowly("3", *["Prior"] * 3, "space")
+    person.press_slowly("space", *["Prior"] * 3)
     so_far = recorded_ticks(place)
     wait_until("a second with the saw on", lambda: recorded_ticks(place) >= so_far + 1000, PATIENCE_S)
 
@@ -64,10 +64,10 @@ def send_close(display_name, number):
 
 
 def ask_to_close(person, window, number, take_picture):
-    """As the desktop does for its cross: the window stays, and says why."""
+    """As the desktop does for its cross: the window stays, and asks."""
     send_close(person.environment["DISPLAY"], int(number))
-    wait_until("the reason", lambda: any(name.startswith("message.") for name in person.widgets()), PATIENCE_S)
-    take_picture("close-refused")
+    wait_until("the question", is_shown(person, "operate.ask_leave.keep"), PATIENCE_S)
+    take_picture("close-asked")
     if window.poll() is not None:
         sys.exit(f"the window ended with {window.returncode} while an attempt was recorded")
 

@@ -42,7 +42,7 @@ def operate_and_kill(course, window, after_s):
     begin(course.person, course.take_picture)
     number = len(rows_of(course.place, "SELECT attempt_id FROM attempt"))
     wait_until("the beginning of the record", lambda: len(rows_of(course.place, TICKS_OF_EACH)) == number, PATIENCE_S)
-    course.person.press_slowly("3", *["Prior"] * 7, "space", *["Down"] * 20)
+    course.person.press_slowly("space", *["Prior"] * 20)
     time.sleep(after_s)
     before = rows_of(course.place, TICKS_OF_EACH)
     window.kill()

@@ -7,6 +7,7 @@
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/field.h"
+#include "ui/window/shell/help.h"
 
 namespace hallux::ui {
 namespace {
@@ -178,6 +179,9 @@ TEST_F(ShellJourney, AScreenThatMustStayRefusesWithItsReason) {
   home_->reason = "The attempt is still being recorded. Finish or abandon it.";
   driver_.click("nav.history");
   EXPECT_TRUE(driver_.sees("still being recorded"));
+  driver_.press(Key::F1);
+  EXPECT_FALSE(driver_.sees("Ctrl+1")) << "a way that leads nowhere is not offered";
+  driver_.press(Key::Escape);
   driver_.click("nav.person");
   driver_.click("person.3");
   EXPECT_THAT(events_, ElementsAre("enter first"));
@@ -225,6 +229,27 @@ TEST_F(ShellJourney, WhatWasSaidToOnePersonIsNotSaidToTheNext) {
   shell_.set_visitor(std::nullopt);
   driver_.frame();
   EXPECT_FALSE(driver_.sees("Note saved"));
+}
+
+TEST(Help, ListsEachThingOnceWithAllItsKeysAndTheMouse) {
+  const Texts texts = english_texts();
+  const std::vector<Shortcut> shortcuts{{{Key::Left}, "Lead the saw"},
+                                        {with_shift(Key::Left), "Lead the saw"},
+                                        {{Key::Space}, "Saw on or off"},
+                                        {{Key::Right}, "Lead the saw"},
+                                        {with_shift(Key::F9), "Swap the eyes"}};
+  const std::vector<HelpRow> rows =
+      help_rows(texts, shortcuts, {{"Move", "Lead the saw"}, {"Middle drag", "Turn the view"}});
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].label, "Lead the saw");
+  EXPECT_THAT(rows[0].keys, ElementsAre("\xE2\x86\x90", "\xE2\x86\x92"))
+      << "finer is no other thing";
+  EXPECT_EQ(rows[0].mouse, "Move");
+  EXPECT_THAT(rows[1].keys, ElementsAre("Space"));
+  EXPECT_EQ(rows[1].mouse, "");
+  EXPECT_THAT(rows[2].keys, ElementsAre("Shift+F9"));
+  EXPECT_THAT(rows[3].keys, IsEmpty());
+  EXPECT_EQ(rows[3].mouse, "Middle drag");
 }
 
 TEST_F(ShellJourney, HelpListsTheKeysAndCloses) {

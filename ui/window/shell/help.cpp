@@ -10,7 +10,8 @@
 namespace hallux::ui {
 namespace {
 
-constexpr float panel_width = 460.0F, row_height = 34.0F, head_height = 60.0F, foot_height = 78.0F;
+constexpr float panel_width = 460.0F, mouse_panel_width = 860.0F;
+constexpr float row_height = 34.0F, head_height = 60.0F, foot_height = 78.0F;
 
 constexpr std::pair<Key, std::string_view> signs[] = {
     {Key::Left, "\xE2\x86\x90"}, {Key::Up, "\xE2\x86\x91"}, {Key::Right, "\xE2\x86\x92"},
@@ -56,37 +57,87 @@ std::string chord_text(const Texts& texts, Chord chord) {
   return result + key_text(texts, chord.key);
 }
 
+std::vector<HelpRow> help_rows(const Texts& texts, const std::vector<Shortcut>& shortcuts,
+                               const std::vector<MouseGesture>& gestures) {
+  std::vector<HelpRow> rows;
+  const auto row_of = [&](const std::string& label) -> HelpRow& {
+    const auto found = std::ranges::find(rows, label, &HelpRow::label);
+    return found != rows.end() ? *found : rows.emplace_back(HelpRow{label, {}, {}});
+  };
+  for (const Shortcut& shortcut : shortcuts) {
+    // With Shift the same thing, more finely: one rule, not a row of its own.
+    const bool is_finer = shortcut.chord.modifiers.shift && [&] {
+      Shortcut plain = shortcut;
+      plain.chord.modifiers.shift = false;
+      return std::ranges::find(shortcuts, plain) != shortcuts.end();
+    }();
+    if (!is_finer) row_of(shortcut.label).keys.push_back(chord_text(texts, shortcut.chord));
+  }
+  for (const MouseGesture& gesture : gestures) row_of(gesture.label).mouse = gesture.input;
+  return rows;
+}
+
+namespace {
+
+/// The keys of a row as chips from the right; a few at most, the last of many stand for a range.
+void draw_keys(Ui& ui, const Rect& place, const std::vector<std::string>& keys) {
+  float x = place.right();
+  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+    const float chip = key_chip_width(ui, *key);
+    if (x - chip < place.x) return;
+    key_chip(ui, {x - chip, place.mid_y()}, *key);
+    x -= chip + 6.0F;
+  }
+}
+
+void draw_row(Ui& ui, const Rect& row, const HelpRow& shown, bool has_mouse) {
+  Canvas& canvas = ui.canvas();
+  const Theme& theme = ui.theme();
+  const float label_share = has_mouse ? 0.36F : 0.5F, keys_share = has_mouse ? 0.36F : 0.5F;
+  canvas.text_in({row.x, row.y, label_share * row.w - 12.0F, row.h},
+                 {Type::Body, theme.text_secondary}, shown.label, true);
+  draw_keys(ui, {row.x + label_share * row.w, row.y, keys_share * row.w - 10.0F, row.h},
+            shown.keys);
+  if (!has_mouse) return;
+  const float x = row.x + (label_share + keys_share) * row.w + 10.0F;
+  canvas.text_in({x, row.y, row.right() - x, row.h}, {Type::Body, theme.text}, shown.mouse, true);
+}
+
+}  // namespace
+
 bool draw_shortcut_list(Ui& ui) {
   Canvas& canvas = ui.canvas();
   const LayerScope layer(canvas, Layer::Modal);
   const Theme& theme = ui.theme();
-  const std::vector<Shortcut> shortcuts = ui.shortcuts();
+  const std::vector<HelpRow> shown = help_rows(ui.texts(), ui.shortcuts(), ui.gestures());
+  const bool has_mouse = !ui.gestures().empty();
   const Rect display = ui.display();
-  const float rows = row_height * static_cast<float>(shortcuts.size());
+  const float rows = row_height * static_cast<float>(shown.size());
   const float height = std::min(head_height + rows + foot_height, display.h - 16.0F);
-  const Rect panel = centred(display, std::min(panel_width, display.w - 16.0F), height);
+  const float wished = has_mouse ? mouse_panel_width : panel_width;
+  const Rect panel = centred(display, std::min(wished, display.w - 16.0F), height);
   canvas.fill(display, theme.scrim);
   draw_popup(canvas, theme, panel, radius::picture);
   const float x = panel.x + space::card, width = panel.w - 2.0F * space::card;
-  canvas.text({x, panel.y + 34.0F}, {Type::CardTitle, theme.text}, ui.text("help.title"));
+  canvas.text({x, panel.y + 34.0F}, {Type::CardTitle, theme.text},
+              ui.text(has_mouse ? "help.title_mouse" : "help.title"));
   const Rect list{x, panel.y + head_height, width, height - head_height - foot_height};
   float y = list.y - ui.begin_scroll("help.list", ui.text("help.title"), list, rows);
-  for (const Shortcut& shortcut : shortcuts) {
-    const std::string keys = chord_text(ui.texts(), shortcut.chord);
-    const float chip = key_chip_width(ui, keys);
-    canvas.text_in({x, y, width - chip - 24.0F, row_height}, {Type::Body, theme.text_secondary},
-                   shortcut.label, true);
-    key_chip(ui, {list.right() - chip - 10.0F, y + row_height / 2.0F}, keys);
+  for (const HelpRow& row : shown) {
+    draw_row(ui, {x, y, width - 10.0F, row_height}, row, has_mouse);
     y += row_height;
   }
   ui.end_scroll();
   const ButtonSpec close{ui.text("help.close"), ButtonLook::Primary};
   const float button_w = button_width(ui, close);
+  const float foot_y = panel.bottom() - space::card - button_height;
+  if (has_mouse) {
+    canvas.text_in({x, foot_y, width - button_w - 16.0F, button_height},
+                   {Type::Small, theme.text_caption}, ui.text("help.finer"), true);
+  }
   const bool is_pressed =
       button(ui, "help.close",
-             {panel.right() - space::card - button_w, panel.bottom() - space::card - button_height,
-              button_w, button_height},
-             close);
+             {panel.right() - space::card - button_w, foot_y, button_w, button_height}, close);
   ui.focus_first("help.close");
   return is_pressed || ui.shortcut({Key::Escape}, ui.text("help.close"));
 }

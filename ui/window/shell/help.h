@@ -1,7 +1,9 @@
-/// F1: every shortcut that works on the screen, with its key. Inside this corner only.
+/// F1: every movement and shortcut that works on the screen, with its mouse and its keys, from what
+/// the screen has bound. Inside this corner only.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ui/widgets/ui.h"
 
@@ -9,6 +11,18 @@ namespace hallux::ui {
 
 /// The keys as they are printed: "Ctrl+Shift+Z".
 std::string chord_text(const Texts& texts, Chord chord);
+
+/// One thing that can be done, with all ways to do it.
+struct HelpRow {
+  std::string label;
+  std::vector<std::string> keys;
+  /// What the mouse does for it; "" where it does nothing.
+  std::string mouse;
+};
+
+/// In the order in which the screen bound them; what only the mouse does comes last.
+std::vector<HelpRow> help_rows(const Texts& texts, const std::vector<Shortcut>& shortcuts,
+                               const std::vector<MouseGesture>& gestures);
 
 /// A panel over the screen. True where it was closed, by its button `help.close` or Esc.
 bool draw_shortcut_list(Ui& ui);

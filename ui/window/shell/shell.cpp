@@ -233,7 +233,8 @@ void Shell::draw_person_menu(Ui& ui) {
 }
 
 void Shell::hear_shortcuts(Ui& ui) {
-  if (visitor_ && top() != nullptr && top()->surround() != WindowChrome::Nothing)
+  const bool may_go = top() != nullptr && top()->why_not_leave().empty();
+  if (visitor_ && may_go && top()->surround() != WindowChrome::Nothing)
     for (std::size_t number = 0; number < std::min<std::size_t>(visitor_->places.size(), 6);
          ++number) {
       const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + static_cast<int>(number));

@@ -92,13 +92,13 @@ void VirtualOperation::step_once() {
   line.ticks = 1;
   line.device.world_from_handle = simulator::quantise(raw.world_from_handle);
   line.device.switches = raw.switches;
-  std::array<const simulator::JobResult*, simulator::commands_per_tick> results{};
+  std::array<simulator::JobResult*, simulator::commands_per_tick> results{};
   while (line.command_count < simulator::commands_per_tick && !commands_.empty()) {
     line.commands[line.command_count++] = commands_.front();
     commands_.pop_front();
   }
   while (line.command_count < simulator::commands_per_tick) {
-    const simulator::JobResult* result = jobs_.take_ready();
+    simulator::JobResult* const result = jobs_.take_ready();
     if (result == nullptr) break;
     results[line.command_count] = result;
     line.commands[line.command_count++] = {simulator::CommandKind::ApplyJob, result->request.id,
