@@ -1,5 +1,5 @@
 /// The gestures of the mouse while somebody operates: one table, by which the saw and the camera
-/// are moved, and which is what people are told. Inside this room only.
+/// are moved, and which is what people are told.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
 /// The saw as a person leads it: its target and its switches, told to the device that is steered.
-/// Inside this room only.
 ///
 ///     pointer, keys --> hand --placing--> target --rail, reach--> device
 ///

@@ -1,4 +1,4 @@
-/// The plane in which a hand that is led like in a slot is kept. Inside this room only.
+/// The plane in which a hand that is led like in a slot is kept.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
 /// Motion of the saw and of the camera by mouse and keys; plain functions of what was done.
-/// Inside this room only.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 /// The rubric's bands of the cut at hand, as live read-outs show them: where full points end, and
-/// where none are left. Inside this room only.
+/// where none are left.
 #pragma once
 
 #include <optional>

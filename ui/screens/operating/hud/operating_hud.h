@@ -1,5 +1,5 @@
 /// The panels over the picture of an operation: mode and time, steps, tool, force, how the blade
-/// stands to the plan, what to do next, health. Inside this room only.
+/// stands to the plan, what to do next, health.
 ///
 /// All of it lies within an inset of 6 %, and the middle stays free. What does not fit a small
 /// window goes in this order: the reading of the plan, the tool, the titles of steps. A panel that

@@ -1,5 +1,5 @@
 /// The blade against a planned face: tilt, distance, place along the cut, and the way to the hinge.
-/// Shown in practice and not in an assessment. Inside this room only.
+/// Shown in practice and not in an assessment.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 /// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
-/// feeds anything back. Inside this room only.
+/// feeds anything back.
 ///
 ///     feed of the loop --> LiveCut --> patch of the kerf at hand --> newest picture
 ///                             |        on a mesh that stands still

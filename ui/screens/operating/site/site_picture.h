@@ -1,6 +1,5 @@
 /// What stands around the bone that is operated on, made before the operation: the bone beside it,
 /// and the planned faces as far as they lie in the bone. For the picture alone.
-/// Inside this room only.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,5 @@
 /// What is known of the site while somebody operates: what holds of each cut, and what lies ahead
 /// of the teeth. Read off the geometry some times a second, on its thread.
-/// Inside this room only.
 #pragma once
 
 #include <chrono>
