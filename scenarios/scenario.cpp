@@ -97,12 +97,27 @@ Vec3 read_direction(const JsonNode& node) {
   return direction / length;
 }
 
+/// Dorsal is up where nothing is said; to an eye that looks straight down, distal.
+Vec3 read_up(const JsonNode& node, const Vec3& eye_in_bone) {
+  constexpr double straight = 0.999;
+  if (!node.has("up_in_bone")) {
+    return std::abs(eye_in_bone.y) > straight ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+  }
+  const Vec3 up = read_direction(node.at("up_in_bone"));
+  if (std::abs(glm::dot(up, eye_in_bone)) > straight) {
+    node.at("up_in_bone").refuse_value("give a direction that is not the eye's");
+  }
+  return up;
+}
+
 /// A blade's normal is square to its feed: what rounding of the numbers leaves is taken off.
 StartingPlace read_start(const JsonNode& node) {
-  node.expect_keys({"eye_in_bone", "radius_mm", "tip_from_entry_mm", "feed_in_bone",
-                    "normal_in_bone", "origin"});
+  node.expect_keys(
+      {"eye_in_bone", "radius_mm", "tip_from_entry_mm", "feed_in_bone", "normal_in_bone", "origin"},
+      {"up_in_bone"});
   StartingPlace start;
   start.eye_in_bone = read_direction(node.at("eye_in_bone"));
+  start.up_in_bone = read_up(node, start.eye_in_bone);
   start.radius_mm = node.at("radius_mm").number(5.0, 100.0);
   start.tip_from_entry_mm = node.at("tip_from_entry_mm").vector(-60.0, 60.0);
   start.feed_in_bone = read_direction(node.at("feed_in_bone"));

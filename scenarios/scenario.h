@@ -175,6 +175,8 @@ struct DangerZone {
 struct StartingPlace {
   /// From the site of the first cut towards the eye.
   Vec3 eye_in_bone{0.0, 1.0, 0.0};
+  /// Up on the picture, as far as the eye lets it; not along eye_in_bone.
+  Vec3 up_in_bone{0.0, 1.0, 0.0};
   /// Around the site, what the picture shows wholly.
   double radius_mm = 30.0;
   /// Of the middle of the tooth line, from the first cut's entry.

@@ -1,5 +1,5 @@
 /// The parametric first proximal phalanx: as the first metatarsal, with a base facet that is square
-/// to the shaft.
+/// to the shaft. Inside this room only.
 #pragma once
 
 #include "scenarios/foot/make_bone.h"

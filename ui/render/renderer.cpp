@@ -30,35 +30,6 @@ namespace {
 /// How long bones stay with the card that no picture shows, and what a passing one was drawn in.
 constexpr std::uint64_t pictures_with_bones = 300, pictures_with_passing_room = 10;
 
-/// Drawing begins from a state that is said, not from the one that somebody left.
-void begin_drawing(PixelSize size) {
-  glViewport(0, 0, size.width, size.height);
-  glEnable(GL_SCISSOR_TEST);
-  set_scissor(all_of(size));
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthMask(GL_TRUE);
-  glStencilMask(0xff);
-  glDisable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glEnable(GL_CULL_FACE);
-  glCullFace(GL_BACK);
-  glFrontFace(GL_CCW);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  glClearDepth(1.0);
-  glClearStencil(0);
-}
-
-void end_drawing() {
-  glBindVertexArray(0);
-  glUseProgram(0);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-}
-
 }  // namespace
 
 RenderQuality live_quality() {

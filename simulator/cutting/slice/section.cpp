@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "simulator/cutting/field/region_outline.h"
 #include "simulator/cutting/pieces/edge_uses.h"
 #include "simulator/cutting/slice/nesting.h"
 #include "simulator/cutting/slice/plane_slice.h"
@@ -197,6 +198,10 @@ Section slice_section(const CutSolid& solid, const Bvh& bvh, const KerfPlane& pl
                      std::pair(-b.area_mm2, b.triangles.front());
             });
   return section;
+}
+
+KerfOpening opening_of(const KerfPlane& plane, const KerfField& field) {
+  return {plane, loops_of(outline_of(field))};
 }
 
 }  // namespace hallux::simulator

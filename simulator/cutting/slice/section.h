@@ -42,6 +42,9 @@ struct KerfOpening {
   std::vector<Contour> opened_mm;
 };
 
+/// What a field has open in a plane.
+KerfOpening opening_of(const KerfPlane& plane, const KerfField& field);
+
 /// The contact slice.
 /// needs   solid is closed; bvh was built over solid.mesh
 /// errors  none: a plane that misses gives no regions

@@ -59,6 +59,30 @@ class Scenarios(CommandTest):
         file = self.write("beside.json", coarse_silver(offset_mm=20))
         self.expect_refusal(BAD_INPUT, ["silver", "eminence"], "scenario", "check", file)
 
+    def test_check_measures_what_the_start_view_shows(self):
+        for name in ("silver", "akin"):
+            file = SILVER.with_name(f"{name}.json")
+            seen = self.ask("scenario", "check", file)["start_view"]
+            for share in ("tooth_line_share", "kerf_share"):
+                self.assertGreaterEqual(seen[share], 0.8, name)
+            self.assertTrue(25 <= seen["blade_angle_deg"] <= 45, name)
+            self.assertIs(seen["saw_inside"], True, name)
+            self.assertIs(seen["saw_from_lower_corner"], True, name)
+            self.assertIs(seen["good"], True, name)
+        self.assertIn("Its start view shows ", self.hallux("scenario", "check", SILVER).out)
+
+    def test_a_start_view_that_hides_its_own_cut_is_refused(self):
+        scenario = coarse_silver()
+        scenario["start"]["eye_in_bone"] = [-part for part in scenario["start"]["eye_in_bone"]]
+        file = self.write("behind.json", scenario)
+        self.expect_refusal(BAD_INPUT, ["behind.json: start: this view hides its own cut", "the bone hides the most",
+                                        "eye_in_bone"], "scenario", "check", file)
+
+    def test_a_scenario_without_a_start_has_no_view_to_check(self):
+        scenario = coarse_silver()
+        del scenario["start"]
+        self.assertIsNone(self.ask("scenario", "check", self.write("plain.json", scenario))["start_view"])
+
     def test_a_file_that_is_no_scenario_is_refused(self):
         for name, text in (("empty.json", ""), ("prose.json", "a saw and a bone"), ("list.json", "[]")):
             self.expect_refusal(BAD_INPUT, [name], "scenario", "check", self.write(name, text))

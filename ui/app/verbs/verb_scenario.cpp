@@ -1,12 +1,15 @@
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "simulator/base/units.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/jobs/course/scenario_jobs.h"
+#include "ui/sight/check_start_view.h"
 
 namespace hallux::ui {
 namespace {
@@ -39,9 +42,32 @@ ordered_json planned_json(const scenarios::PlannedCut& cut) {
           {"depth_mm", cut.depth_mm}};
 }
 
+ordered_json seen_json(const ViewJudgement& seen) {
+  return {{"tooth_line_share", seen.mean.tooth_line_share},
+          {"kerf_share", seen.mean.kerf_share},
+          {"blade_angle_deg", degree_from_radian(seen.blade_angle_rad)},
+          {"saw_inside", seen.is_saw_inside},
+          {"saw_from_lower_corner", seen.is_from_lower_corner},
+          {"good", is_good(seen)}};
+}
+
+/// Of a start that the scenario says.
+void print_seen(std::ostream& out, const StartViewCheck& view) {
+  if (!view.why_not_drawn.empty()) {
+    out << "Its start view was not looked at: " << view.why_not_drawn << ".\n";
+  }
+  if (!view.judgement) return;
+  const auto percent = [](double share) { return std::lround(std::floor(100.0 * share)); };
+  out << "Its start view shows " << percent(view.judgement->mean.tooth_line_share)
+      << " % of the teeth and " << percent(view.judgement->mean.kerf_share)
+      << " % of the kerf over the planned strokes.\n";
+}
+
 ExitCode check_on(const VerbContext& context, const std::filesystem::path& file) {
   const CheckedScenario checked = check_scenario_file(file);
   const Scenario& scenario = checked.scenario;
+  const StartViewCheck view =
+      check_start_view(scenario, checked.bone, checked.plan, file.filename().string());
   if (context.json) {
     ordered_json answer = summary_json(scenario);
     answer["file"] = file.string();
@@ -49,6 +75,7 @@ ExitCode check_on(const VerbContext& context, const std::filesystem::path& file)
     for (const scenarios::PlannedCut& cut : checked.plan.cuts) {
       answer["cuts"].push_back(planned_json(cut));
     }
+    answer["start_view"] = view.judgement ? seen_json(*view.judgement) : ordered_json();
     write_json(context.out, answer);
     return ExitCode::Done;
   }
@@ -57,6 +84,7 @@ ExitCode check_on(const VerbContext& context, const std::filesystem::path& file)
               << scenario.version << " can be used: " << cut_count
               << (cut_count == 1 ? " cut meets" : " cuts meet") << " the bone; "
               << scenarios::review_label(scenario) << ".\n";
+  print_seen(context.out, view);
   return ExitCode::Done;
 }
 

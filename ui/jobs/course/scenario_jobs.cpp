@@ -223,7 +223,8 @@ CheckedScenario check_scenario_file(const std::filesystem::path& file) {
   checked.scenario = read_scenario(file);
   Scenario coarse = checked.scenario;
   coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, check_edge_mm);
-  checked.plan = plan_on(coarse, make_patient(coarse));
+  checked.bone = make_patient(coarse);
+  checked.plan = plan_on(coarse, checked.bone);
   return checked;
 }
 

@@ -21,7 +21,8 @@ scenarios::Scenario load_scenario(const std::string& name_or_file);
 
 struct CheckedScenario {
   scenarios::Scenario scenario;
-  /// On the patient at a coarse edge length: where the planes lie, not what is cut.
+  /// The patient at a coarse edge length, and on it where the planes lie, not what is cut.
+  simulator::Bone bone;
   scenarios::Plan plan;
 };
 

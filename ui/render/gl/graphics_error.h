@@ -1,5 +1,5 @@
 /// What goes wrong with graphics outside our hands: no driver, no context, a shader that this
-/// driver refuses. Inside this corner only.
+/// driver refuses.
 #pragma once
 
 #include <stdexcept>

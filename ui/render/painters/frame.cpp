@@ -5,6 +5,7 @@
 #include <array>
 
 #include "simulator/base/check.h"
+#include "ui/render/painters/pixel_box.h"
 
 namespace hallux::ui {
 
@@ -29,6 +30,34 @@ Frame frame_of(const Scene& scene, const EyeView& view, const PictureBuffers& bu
           buffers.shapes(),
           buffers.place_texture(),
           buffers.normal_texture()};
+}
+
+void begin_drawing(PixelSize size) {
+  glViewport(0, 0, size.width, size.height);
+  glEnable(GL_SCISSOR_TEST);
+  set_scissor(all_of(size));
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glStencilMask(0xff);
+  glDisable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  glFrontFace(GL_CCW);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glClearDepth(1.0);
+  glClearStencil(0);
+}
+
+void end_drawing() {
+  glBindVertexArray(0);
+  glUseProgram(0);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
 }
 
 void set_boxes(ShaderProgram& program, std::span<const PixelBox> boxes, PixelSize size) {

@@ -35,6 +35,11 @@ struct Frame {
 Frame frame_of(const Scene& scene, const EyeView& view, const PictureBuffers& buffers,
                double pixel_scale) noexcept;
 
+/// Drawing begins from a state that is said, not from the one that somebody left, and ends with
+/// nothing bound, tested or culled.
+void begin_drawing(PixelSize size);
+void end_drawing();
+
 /// Sets the boxes that part.vert draws.
 /// needs   at most boxes_at_most, of a picture of this size
 void set_boxes(ShaderProgram& program, std::span<const PixelBox> boxes, PixelSize size);

@@ -144,34 +144,45 @@ void SawPainter::draw_ghost(const Frame& frame, const ToolView& part,
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void SawPainter::draw_handpiece(const Frame& frame, const ToolView& part,
-                                bool is_translucent_part) {
+void SawPainter::draw_handpiece(const Frame& frame, const ToolView& view, HandpiecePart part) {
   const SawInScene& saw = *frame.scene.saw;
+  const bool is_seen_through = part == HandpiecePart::SeenThrough;
   seen_through_.use();
   seen_through_.set("teeth_mm", to_float(saw.world_from_tool.translation_mm));
   seen_through_.set("reach_mm", to_float(Vec2(clear_within_mm, whole_beyond_mm)));
   seen_through_.set("handpiece_presence", static_cast<float>(saw.handpiece_presence));
-  seen_through_.set("is_translucent_part", is_translucent_part ? 1.0F : 0.0F);
+  seen_through_.set("is_translucent_part", is_seen_through ? 1.0F : 0.0F);
+  seen_through_.set("whole_from", part == HandpiecePart::MostlyThere ? 0.5F : 1.0F);
   set_part(seen_through_, frame, saw.world_from_tool);
-  if (is_translucent_part) {
-    draw_nearest_only(part);
+  if (is_seen_through) {
+    draw_nearest_only(view);
   } else {
-    part.draw();
+    view.draw();
   }
+}
+
+void SawPainter::draw_handpiece(const Frame& frame, HandpiecePart part) {
+  const SawInScene& saw = *frame.scene.saw;
+  noise_.bind();
+  const ToolView& view = model_of(model_, saw.blade).handpiece;
+  if (is_whole(saw, frame.view)) {
+    draw_part(handpiece_, frame, view, saw.world_from_tool);
+  } else {
+    draw_handpiece(frame, view, part);
+  }
+}
+
+void SawPainter::draw_blade(const Frame& frame) {
+  const SawInScene& saw = *frame.scene.saw;
+  noise_.bind();
+  draw_part(blade_, frame, model_of(model_, saw.blade).blade,
+            saw.is_running ? swung(saw, saw.swing) : saw.world_from_tool);
 }
 
 void SawPainter::draw(const Frame& frame) {
   if (!frame.scene.saw) return;
-  const SawInScene& saw = *frame.scene.saw;
-  const Model& model = model_of(model_, saw.blade);
-  noise_.bind();
-  if (is_whole(saw, frame.view)) {
-    draw_part(handpiece_, frame, model.handpiece, saw.world_from_tool);
-  } else {
-    draw_handpiece(frame, model.handpiece, false);
-  }
-  draw_part(blade_, frame, model.blade,
-            saw.is_running ? swung(saw, saw.swing) : saw.world_from_tool);
+  draw_handpiece(frame, HandpiecePart::Whole);
+  draw_blade(frame);
 }
 
 void SawPainter::draw_ghosts(const Frame& frame) {
@@ -198,7 +209,7 @@ void SawPainter::draw_seen_through(const Frame& frame) {
   noise_.bind();
   set_scissor(pixels_of(seen_through_part(saw, frame.view), saw.world_from_tool, frame.view,
                         frame.target.size));
-  draw_handpiece(frame, model_of(model_, saw.blade).handpiece, true);
+  draw_handpiece(frame, model_of(model_, saw.blade).handpiece, HandpiecePart::SeenThrough);
   set_scissor(all_of(frame.target.size));
 }
 

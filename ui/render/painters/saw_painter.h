@@ -24,12 +24,18 @@ class ToolView {
   DisplayBuffer<simulator::Triangle> triangles_;
 };
 
+/// What of a handpiece is drawn: where all of it is there, where at least half of it is, or where
+/// it is seen through.
+enum class HandpiecePart { Whole, MostlyThere, SeenThrough };
+
 class SawPainter {
  public:
   /// Borrows the noise.
   explicit SawPainter(const NoiseTextures& noise);
 
   void draw(const Frame& frame);
+  void draw_blade(const Frame& frame);
+  void draw_handpiece(const Frame& frame, HandpiecePart part);
   /// After everything that is not translucent.
   void draw_ghosts(const Frame& frame);
   /// The part of the handpiece that would hide the teeth, after everything that may lie behind it.
@@ -46,7 +52,7 @@ class SawPainter {
   static Model& model_of(std::optional<Model>& model, const simulator::Blade& blade);
   void draw_part(ShaderProgram& program, const Frame& frame, const ToolView& part,
                  const RigidTransform& world_from_part);
-  void draw_handpiece(const Frame& frame, const ToolView& part, bool is_translucent_part);
+  void draw_handpiece(const Frame& frame, const ToolView& view, HandpiecePart part);
   void draw_ghost(const Frame& frame, const ToolView& part, const RigidTransform& world_from_part,
                   const Float4& ink);
 

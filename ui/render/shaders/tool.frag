@@ -13,6 +13,7 @@ uniform sampler3D noise;
 #include "seen_through.glsl"
 
 uniform float is_translucent_part;  // 1: draws what is seen through, 0: the rest
+uniform float whole_from;           // presence from which it counts as the rest
 #endif
 
 vec3 studio(vec3 way, float blur) {
@@ -50,7 +51,7 @@ void main() {
   float share = 1.0;
 #ifdef SEEN_THROUGH
   share = presence_at(in_world_mm, eye_mm);
-  if ((share < 1.0) != (is_translucent_part > 0.5)) discard;
+  if ((share < whole_from) != (is_translucent_part > 0.5)) discard;
 #endif
   vec3 to_eye = normalize(eye_mm - in_world_mm), normal = normalize(normal_in_world);
 #ifdef BLADE

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "scenarios/foot/first_metatarsal.h"
-#include "scenarios/foot/first_proximal_phalanx.h"
+#include "scenarios/neighbour.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"
 #include "simulator/cutting/pieces/cut_solid.h"
@@ -74,13 +73,6 @@ SawInScene saw_of(const PatientView& view) {
 
 }  // namespace
 
-simulator::Bone neighbour_of(const scenarios::Scenario& scenario, double edge_mm) {
-  const scenarios::BoneRequest request{.edge_mm = edge_mm};
-  return scenario.patient.bone == "first_metatarsal"
-             ? make_first_proximal_phalanx(scenarios::first_proximal_phalanx_table(), request)
-             : make_first_metatarsal(scenarios::first_metatarsal_table(), request);
-}
-
 PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress,
                               double edge_mm) {
   scenarios::Scenario coarse = scenario;
@@ -90,9 +82,9 @@ PatientView make_patient_view(const scenarios::Scenario& scenario, const Progres
   PatientView view;
   view.scenario_name = scenario.name;
   view.bone = bone_in_view(id_of(scenario, "bone", coarse.patient.edge_mm), bone);
-  const double neighbour_mm = std::max(neighbour_edge_mm, edge_mm);
+  const double neighbour_mm = std::max(scenarios::neighbour_edge_mm, edge_mm);
   view.neighbour = bone_in_view(id_of(scenario, "neighbour", neighbour_mm),
-                                neighbour_of(scenario, neighbour_mm));
+                                scenarios::neighbour_of(scenario, neighbour_mm));
   const simulator::Bvh bvh(view.bone.mesh.solid.mesh);
   for (const scenarios::ReferenceCut& reference : scenario.cuts) {
     const PlannedCut* cut = find_cut(plan, reference.name);

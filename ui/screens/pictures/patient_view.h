@@ -49,10 +49,6 @@ inline constexpr double picture_edge_mm = 0.45;
 PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress = {},
                               double edge_mm = picture_edge_mm);
 
-/// The bone beside a scenario's, as the foot places it; for pictures only.
-inline constexpr double neighbour_edge_mm = 0.9;
-simulator::Bone neighbour_of(const scenarios::Scenario& scenario,
-                             double edge_mm = neighbour_edge_mm);
 /// How present a neighbour is beside the bone that is operated on.
 inline constexpr double neighbour_presence = 0.45;
 

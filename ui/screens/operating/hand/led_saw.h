@@ -1,6 +1,5 @@
 /// The saw as a person leads it: its target and its switches, told to the device that is steered.
 ///
-///
 ///     pointer, keys --> hand --placing--> target --rail, reach--> device
 ///
 /// A lifted hand moves without the saw. On a rail the target is kept in a plane.

@@ -6,10 +6,8 @@
 
 namespace hallux::ui {
 
-/// Where the saw is held when an attempt begins: off the bone on the side of the approach. What the
-/// plan asks beyond that is the trainee's to find.
+/// Of a case that is prepared, as ui/sight says them.
 RigidTransform start_pose(const PreparedCase& prepared_case);
-/// The site as one stands before it.
 Camera start_camera(const PreparedCase& prepared_case);
 
 }  // namespace hallux::ui

@@ -1,5 +1,6 @@
 #include "ui/screens/operating/site/site_picture.h"
 
+#include "scenarios/neighbour.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 
@@ -8,7 +9,7 @@ namespace hallux::ui {
 BoneInView neighbour_picture(const scenarios::Scenario& scenario,
                              const std::filesystem::path& data_directory,
                              const Progress& progress) {
-  const simulator::Bone bone = neighbour_of(scenario);
+  const simulator::Bone bone = scenarios::neighbour_of(scenario);
   report(progress, 0.0);
   BoneInView neighbour;
   neighbour.look = cached_look_of(data_directory, bone, progress);
