@@ -38,6 +38,8 @@ constexpr double gentle_from_mm = 3.0, before_hinge_mm = 0.5, done_mm = 0.15;
 /// A strip before the hinge's stop that is not worth a push where the cut holds elsewhere, or
 /// nowhere.
 constexpr double strip_mm = 1.2;
+/// Beyond what holds deepest the teeth go so far before the stroke counts as through.
+constexpr double crumb_mm = 0.3;
 /// Of a key's step: below, Shift is held.
 constexpr double fine_below = 0.6;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
@@ -263,9 +265,17 @@ std::optional<double> left_to_saw_mm(const CoachView& view, const Aim& aim) {
   return left_mm;
 }
 
+/// Right before the teeth something stands that is smaller than what is asked between them.
+bool is_crumb_ahead(const CoachView& view, const Aim& aim) {
+  if (aim.held == nullptr || !is_deepest_ahead(view, aim)) return false;
+  const Vec3 away_mm = aim.held->deepest_in_bone_mm - view.bone_from_tool.translation_mm;
+  return glm::dot(aim.passes.feed_in_bone, away_mm) > -crumb_mm;
+}
+
 /// In a kerf: on, until the stroke is through or at the hinge; then out.
 Hint stroke_hint(const CoachView& view, const Aim& aim) {
-  const std::optional<double> left_mm = left_to_saw_mm(view, aim);
+  std::optional<double> left_mm = left_to_saw_mm(view, aim);
+  if (!left_mm && aim.hinge == nullptr && is_crumb_ahead(view, aim)) left_mm = crumb_mm;
   if (!left_mm) {
     const double depth_mm = read_passes(aim.cut, aim.passes, view.bone_from_tool).depth_mm;
     return draw_back_hint(aim.hinge == nullptr ? "operate.hint.through" : "operate.hint.at_hinge",
