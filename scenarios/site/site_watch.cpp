@@ -94,7 +94,7 @@ std::size_t SiteWatch::cut_of(const KerfPlane& plane) const {
 }
 
 HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
-                           const simulator::SolidWithTree& whole) {
+                           const simulator::SolidWithTree& whole, double least_share) {
   KerfOfCut& known = kerfs_[static_cast<std::size_t>(kerf)];
   const KerfPlane& plane = kerfs.plane(kerf);
   if (!known.has_section) {
@@ -107,7 +107,7 @@ HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
   const HeldSection section = held_section(known.section, kerfs, kerf, limit);
   HeldCut held;
   held.kerf = kerf;
-  held.share = section.share < held_share_min ? 0.0 : section.share;
+  held.share = section.share < least_share ? 0.0 : section.share;
   held.bone_from_kerf = plane.bone_from_kerf;
   held.bone_mm = contours_of(known.section, section.regions, limit);
   held.side = side_of(section, held);
@@ -116,10 +116,10 @@ HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
 }
 
 std::vector<HeldCut> SiteWatch::held(const simulator::KerfSet& kerfs,
-                                     const simulator::SolidWithTree& whole) {
+                                     const simulator::SolidWithTree& whole, double least_share) {
   std::vector<HeldCut> held(plan_.cuts.size());
   for (std::size_t kerf = 0; kerf < kerfs_.size(); ++kerf) {
-    HeldCut made = held_of(static_cast<std::int32_t>(kerf), kerfs, whole);
+    HeldCut made = held_of(static_cast<std::int32_t>(kerf), kerfs, whole, least_share);
     HeldCut& of_cut = held[kerfs_[kerf].cut];
     if (!of_cut.is_begun() || made.share < of_cut.share) of_cut = std::move(made);
   }

@@ -48,9 +48,11 @@ class SiteWatch {
   void apply(const simulator::CutEvent& event, const simulator::KerfSet& kerfs);
 
   /// One entry for each of the plan's cuts.
-  /// whole  the bone as it was
+  /// whole        the bone as it was
+  /// least_share  less than this of a section counts as nothing
   /// thread  the one that applies; a millisecond for each kerf that grew
-  std::vector<HeldCut> held(const simulator::KerfSet& kerfs, const simulator::SolidWithTree& whole);
+  std::vector<HeldCut> held(const simulator::KerfSet& kerfs, const simulator::SolidWithTree& whole,
+                            double least_share = held_share_min);
 
  private:
   struct KerfOfCut {
@@ -61,7 +63,7 @@ class SiteWatch {
 
   std::size_t cut_of(const simulator::KerfPlane& plane) const;
   HeldCut held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
-                  const simulator::SolidWithTree& whole);
+                  const simulator::SolidWithTree& whole, double least_share);
 
   const Scenario& scenario_;
   const Plan& plan_;

@@ -27,8 +27,9 @@ using scenarios::StepKind;
 constexpr double tilt_good_rad = 0.0079, offset_good_mm = 0.25, along_good_mm = 0.5;
 /// What is left of a cut is to lie so far inside the ends of the tooth line.
 constexpr double inside_mm = 0.75;
-/// Nearer to bone the saw is not moved aside.
-constexpr double clear_mm = 1.0;
+/// Nearer to bone the saw is not moved aside, and may be a little less right: who aimed well in air
+/// is not called back for a push that went a little aside.
+constexpr double clear_mm = 1.0, slack_at_bone = 1.7;
 /// Out of the bone again: so far before the cut's entry.
 constexpr double out_mm = -2.0;
 /// Pushes that saw and do not force; before a hinge gentler ones, which stop in time.
@@ -163,9 +164,10 @@ Tilt tilt_off(const CoachView& view, const Aim& aim) {
   return tilt;
 }
 
-std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading) {
+std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
+                              double slack) {
   const Tilt off = tilt_off(view, aim);
-  if (std::hypot(off.pitch_rad, off.roll_rad) < tilt_good_rad) return std::nullopt;
+  if (std::hypot(off.pitch_rad, off.roll_rad) < slack * tilt_good_rad) return std::nullopt;
   const Vec3 feed = axis_x(view.bone_from_tool), along = axis_y(view.bone_from_tool);
   const auto change_of = [&](const Vec3& axis_in_view) {
     const Vec3 axis = view.bone_from_view * axis_in_view;
@@ -189,12 +191,14 @@ std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanR
   return hint;
 }
 
-std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const PlanReading& reading) {
+std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
+                               double slack) {
   const Vec3& tip_mm = view.bone_from_tool.translation_mm;
   const double off_mm = glm::dot(aim.goal.normal, tip_mm) - aim.goal.offset_mm;
   const double along_mm =
       glm::dot(aim.passes.along_in_bone, tip_mm - aim.cut.entry_point_in_bone_mm) - aim.middle_mm;
-  if (std::abs(off_mm) < offset_good_mm && std::abs(along_mm) < along_good_mm) return std::nullopt;
+  if (std::abs(off_mm) < slack * offset_good_mm && std::abs(along_mm) < slack * along_good_mm)
+    return std::nullopt;
   const auto change_of = [&](const Vec3& axis_in_view) {
     const Vec3 axis = view.bone_from_view * axis_in_view;
     return std::array<double, 2>{glm::dot(aim.goal.normal, axis),
@@ -313,16 +317,17 @@ Hint press_hint(std::string_view text_id) {
 /// Outside a kerf: first out of the bone's way, then tilt, place, saw, and on to the bone.
 Hint aiming_hint(const CoachView& view, const Aim& aim) {
   const PlanReading reading = read_against(aim.cut, view.scenario.saw.blade, view.bone_from_tool);
-  const std::optional<Hint> tilt = tilt_hint(view, aim, reading);
-  const std::optional<Hint> place = place_hint(view, aim, reading);
   const simulator::BladeAhead& ahead = view.site->ahead;
-  if ((tilt || place) && ahead.beside_mm < clear_mm)
-    return draw_back_hint("operate.hint.clear", 3.0);
+  const bool is_at_bone = ahead.beside_mm < clear_mm;
+  const double slack = is_at_bone ? slack_at_bone : 1.0;
+  const std::optional<Hint> tilt = tilt_hint(view, aim, reading, slack);
+  const std::optional<Hint> place = place_hint(view, aim, reading, slack);
+  if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", 3.0);
   if (tilt) return *tilt;
   if (place) return *place;
   if (!view.is_saw_on) return saw_on_hint();
   const double depth_mm = read_passes(aim.cut, aim.passes, view.bone_from_tool).depth_mm;
-  if (!ahead.to_bone_mm && depth_mm > out_mm)
+  if (!ahead.to_bone_mm && depth_mm > out_mm && !is_crumb_ahead(view, aim))
     return draw_back_hint("operate.hint.clear", depth_mm - out_mm + 1.0);
   const double way_mm = ahead.to_bone_mm.value_or(-depth_mm);
   if (way_mm > at_bone_mm) return approach_hint(way_mm);

@@ -1,5 +1,6 @@
 #include "ui/screens/operating/site/site_survey.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hallux::ui {
@@ -11,6 +12,8 @@ using simulator::LiveCut;
 using simulator::ToolStatus;
 
 constexpr std::chrono::milliseconds between_surveys{60};
+/// So long a piece that is free takes to be told.
+constexpr std::chrono::milliseconds until_told{1000};
 
 HeldBone drawn(const scenarios::HeldCut& cut, const LiveCut& live,
                const RigidTransform& world_from_bone) {
@@ -27,13 +30,15 @@ void SiteSurvey::apply(const simulator::ToolSample& sample) noexcept {
       inverse(prepared_case_.bone.world_from_bone) * transform_from(sample.world_from_tool);
   has_moved_ = true;
   if (sample.kerf < 0 || !has(sample.status, ToolStatus::SawOn)) return;
-  has_grown_ = has_opened_since_pieces_ = true;
+  has_grown_ = true;
+  has_opened_since_pieces_ |= has(sample.status, ToolStatus::Cutting);
 }
 
 void SiteSurvey::apply(const simulator::CutEvent& event, const LiveCut& cut) {
   watch_.apply(event, cut.kerfs());
   if (event.kind == CutEventKind::PlaneFrozen || event.kind == CutEventKind::PieceRemoved)
     has_grown_ = true;
+  if (event.kind == CutEventKind::PieceFreed) has_freed_ = true;
 }
 
 /// The same job runs here at the same place: from then on the pieces are known.
@@ -42,8 +47,10 @@ void SiteSurvey::apply(const simulator::JobRequest& request) noexcept {
 }
 
 std::optional<SiteFacts> SiteSurvey::renew(LiveCut& cut, Time now) {
-  if (now - last_ < between_surveys || (!has_moved_ && !has_grown_)) return std::nullopt;
+  const bool is_news = has_moved_ || has_grown_ || known_since_.has_value();
+  if (now - last_ < between_surveys || !is_news) return std::nullopt;
   last_ = now;
+  watch_for_crumbs(now);
   if (std::exchange(has_grown_, false)) renew_held(cut);
   has_moved_ = false;
   const std::vector<const simulator::Bvh*> taken_out = cut.taken_out();
@@ -53,8 +60,20 @@ std::optional<SiteFacts> SiteSurvey::renew(LiveCut& cut, Time now) {
   return facts_;
 }
 
+/// What seems through is so but for crumbs. Where then no piece comes free, crumbs hold it, and are
+/// told of like all that holds.
+void SiteSurvey::watch_for_crumbs(Time now) {
+  const bool seem_through =
+      !facts_.cuts.empty() && std::ranges::all_of(facts_.cuts, &scenarios::HeldCut::is_through);
+  if (has_freed_ || has_opened_since_pieces_ || !seem_through) return known_since_.reset();
+  if (!known_since_) known_since_ = now;
+  if (now - *known_since_ < until_told) return;
+  do_crumbs_count_ = has_grown_ = true;
+}
+
 void SiteSurvey::renew_held(LiveCut& cut) {
-  facts_.cuts = watch_.held(cut.kerfs(), cut.whole());
+  const bool do_count = do_crumbs_count_ && !has_freed_;
+  facts_.cuts = watch_.held(cut.kerfs(), cut.whole(), do_count ? 0.0 : scenarios::held_share_min);
   facts_.held.clear();
   for (const scenarios::HeldCut& held : facts_.cuts) {
     if (!held.is_begun() || held.is_through()) continue;

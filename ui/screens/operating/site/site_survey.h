@@ -41,12 +41,17 @@ class SiteSurvey {
 
  private:
   void renew_held(simulator::LiveCut& cut);
+  void watch_for_crumbs(Time now);
 
   const PreparedCase& prepared_case_;
   scenarios::SiteWatch watch_;
   SiteFacts facts_;
   RigidTransform bone_from_tool_, seen_from_tool_;
   bool has_moved_ = false, has_grown_ = true, has_opened_since_pieces_ = false;
+  /// A piece came free; and: none did though every cut seemed through, so crumbs hold it.
+  bool has_freed_ = false, do_crumbs_count_ = false;
+  /// From when on the pieces are known as they are now.
+  std::optional<Time> known_since_;
   Time last_;
 };
 
