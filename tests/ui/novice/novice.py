@@ -11,6 +11,8 @@ LOOK_S = 0.25
 # After an input nothing that the hint names came nearer for so long: a wrong turn.
 WRONG_TURN_S = 5.0
 AT_ONCE = 8
+# A press that moves less is a click.
+CLICK_PIXELS = 13
 # Until an input is seen, and until it has come to rest.
 SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
 # How often a hand slips.
@@ -130,10 +132,13 @@ class MouseHand:
     def move(self, way, pixels, is_dragged):
         if is_dragged:
             self.person.xdotool("mousedown", "1")
-            # Out and back: what hardly moves is a click.
-            for step in (12, -12):
-                self.glide(way, step)
-        self.glide(way, pixels)
+            # Out and part of the way back: what hardly moves is a click. Never back to where it began: of a caught pointer
+            # that returns to that very place GLFW tells nothing.
+            out = max(0, CLICK_PIXELS - pixels)
+            self.glide(way, pixels + out)
+            self.glide(way, -out)
+        else:
+            self.glide(way, pixels)
         if is_dragged:
             self.person.xdotool("mouseup", "1")
 
