@@ -19,6 +19,8 @@ using simulator::PlaneLimit;
 
 /// A middle nearer to the section's own than this share of the section's size is no side.
 constexpr double least_lean = 0.12;
+/// Crumbs are asked for so finely.
+constexpr double crumb_spacing_mm = 0.05;
 
 /// The window in the coordinates of a kerf's plane.
 PlaneLimit limit_in(const KerfPlane& plane, const PlannedWindow& window) {
@@ -94,7 +96,7 @@ std::size_t SiteWatch::cut_of(const KerfPlane& plane) const {
 }
 
 HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
-                           const simulator::SolidWithTree& whole, double least_share) {
+                           const simulator::SolidWithTree& whole, Crumbs crumbs) {
   KerfOfCut& known = kerfs_[static_cast<std::size_t>(kerf)];
   const KerfPlane& plane = kerfs.plane(kerf);
   if (!known.has_section) {
@@ -104,9 +106,12 @@ HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
   std::optional<PlaneLimit> limit;
   if (const PlannedHinge* hinge = find_hinge(plan_, plan_.cuts[known.cut].hinge))
     limit = limit_in(plane, window_before(*hinge, plane.thickness_mm));
-  const HeldSection section = held_section(known.section, kerfs, kerf, limit);
+  const HeldSection section =
+      held_section(known.section, kerfs, kerf, limit,
+                   crumbs == Crumbs::Told ? crumb_spacing_mm : simulator::held_spacing_mm);
   HeldCut held;
   held.kerf = kerf;
+  const double least_share = crumbs == Crumbs::Told ? 0.0 : held_share_min;
   held.share = section.share < least_share ? 0.0 : section.share;
   held.bone_from_kerf = plane.bone_from_kerf;
   held.bone_mm = contours_of(known.section, section.regions, limit);
@@ -116,10 +121,10 @@ HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
 }
 
 std::vector<HeldCut> SiteWatch::held(const simulator::KerfSet& kerfs,
-                                     const simulator::SolidWithTree& whole, double least_share) {
+                                     const simulator::SolidWithTree& whole, Crumbs crumbs) {
   std::vector<HeldCut> held(plan_.cuts.size());
   for (std::size_t kerf = 0; kerf < kerfs_.size(); ++kerf) {
-    HeldCut made = held_of(static_cast<std::int32_t>(kerf), kerfs, whole, least_share);
+    HeldCut made = held_of(static_cast<std::int32_t>(kerf), kerfs, whole, crumbs);
     HeldCut& of_cut = held[kerfs_[kerf].cut];
     if (!of_cut.is_begun() || made.share < of_cut.share) of_cut = std::move(made);
   }

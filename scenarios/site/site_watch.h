@@ -38,6 +38,9 @@ struct HeldCut {
 /// Less than this of a section is nothing: a grid's edge, and crumbs.
 inline constexpr double held_share_min = 0.004;
 
+/// What is less than that of a section: nothing, or told like all that holds.
+enum class Crumbs { Ignored, Told };
+
 class SiteWatch {
  public:
   /// Borrows both.
@@ -49,10 +52,10 @@ class SiteWatch {
 
   /// One entry for each of the plan's cuts.
   /// whole        the bone as it was
-  /// least_share  less than this of a section counts as nothing
+  /// crumbs       whether what is smaller than a display's grid is asked for, too
   /// thread  the one that applies; a millisecond for each kerf that grew
   std::vector<HeldCut> held(const simulator::KerfSet& kerfs, const simulator::SolidWithTree& whole,
-                            double least_share = held_share_min);
+                            Crumbs crumbs = Crumbs::Ignored);
 
  private:
   struct KerfOfCut {
@@ -63,7 +66,7 @@ class SiteWatch {
 
   std::size_t cut_of(const simulator::KerfPlane& plane) const;
   HeldCut held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
-                  const simulator::SolidWithTree& whole, double least_share);
+                  const simulator::SolidWithTree& whole, Crumbs crumbs);
 
   const Scenario& scenario_;
   const Plan& plan_;

@@ -12,12 +12,12 @@ namespace hallux::simulator {
 
 namespace {
 
-constexpr double spacing_mm = 0.2;
-/// As many nodes in a direction as a section of 120 mm has.
-constexpr std::int32_t nodes_at_most = 600;
+/// No section is longer.
+constexpr double longest_mm = 120.0;
 
 /// Nodes of a kerf's plane, line by line along u.
 struct Grid {
+  double spacing_mm = held_spacing_mm;
   Vec2 origin_mm{0.0, 0.0};
   std::int32_t u_count = 0, v_count = 0;
 };
@@ -35,20 +35,21 @@ std::size_t node_of(const Grid& grid, std::int32_t u, std::int32_t v) {
 }
 
 Vec2 place_of(const Grid& grid, std::int32_t u, std::int32_t v) {
-  return grid.origin_mm + spacing_mm * Vec2(u, v);
+  return grid.origin_mm + grid.spacing_mm * Vec2(u, v);
 }
 
-Grid grid_around(const Section& section) {
+Grid grid_around(const Section& section, double spacing_mm) {
   Vec2 low = section.regions.front().min_mm, high = section.regions.front().max_mm;
   for (const SectionRegion& region : section.regions) {
     low = glm::min(low, region.min_mm);
     high = glm::max(high, region.max_mm);
   }
   Grid grid;
+  grid.spacing_mm = spacing_mm;
   // Middles of cells: no node lies on an edge.
   grid.origin_mm = low + Vec2(0.5 * spacing_mm, 0.5 * spacing_mm);
-  const auto count = [](double length_mm) {
-    return std::clamp(static_cast<std::int32_t>(length_mm / spacing_mm) + 1, 1, nodes_at_most);
+  const auto count = [&](double length_mm) {
+    return static_cast<std::int32_t>(std::min(length_mm, longest_mm) / spacing_mm) + 1;
   };
   grid.u_count = count(high.x - low.x);
   grid.v_count = count(high.y - low.y);
@@ -74,8 +75,8 @@ void fill_region(Filled& filled, const SectionRegion& region, std::uint8_t numbe
   for (std::int32_t u = 0; u < grid.u_count; ++u) {
     crossings_at(place_of(grid, u, 0).x, region, crossings);
     for (std::size_t pair = 0; pair + 1 < crossings.size(); pair += 2) {
-      const double first = (crossings[pair] - grid.origin_mm.y) / spacing_mm;
-      const double last = (crossings[pair + 1] - grid.origin_mm.y) / spacing_mm;
+      const double first = (crossings[pair] - grid.origin_mm.y) / grid.spacing_mm;
+      const double last = (crossings[pair + 1] - grid.origin_mm.y) / grid.spacing_mm;
       const auto from = std::max<std::int32_t>(0, static_cast<std::int32_t>(std::ceil(first)));
       for (std::int32_t v = from; v < grid.v_count && v <= last; ++v)
         filled.region[node_of(grid, u, v)] = number;
@@ -83,8 +84,8 @@ void fill_region(Filled& filled, const SectionRegion& region, std::uint8_t numbe
   }
 }
 
-Filled fill(const Section& section) {
-  Filled filled{grid_around(section), {}};
+Filled fill(const Section& section, double spacing_mm) {
+  Filled filled{grid_around(section, spacing_mm), {}};
   const auto nodes =
       static_cast<std::size_t>(filled.grid.u_count) * static_cast<std::size_t>(filled.grid.v_count);
   filled.region.assign(nodes, 0);
@@ -181,16 +182,16 @@ void find_deepest(HeldSection& held, const Grid& grid, const std::vector<std::ui
   if (deepest == depth.end() || *deepest == 0.0F) return;
   const auto node = static_cast<std::int32_t>(deepest - depth.begin());
   held.deepest_mm = place_of(grid, node / grid.v_count, node % grid.v_count);
-  held.depth_mm = spacing_mm * static_cast<double>(*deepest);
+  held.depth_mm = grid.spacing_mm * static_cast<double>(*deepest);
 }
 
 }  // namespace
 
 HeldSection held_section(const Section& section, const KerfSet& kerfs, std::int32_t kerf,
-                         const std::optional<PlaneLimit>& limit) {
+                         const std::optional<PlaneLimit>& limit, double spacing_mm) {
   HeldSection held;
   if (section.regions.empty()) return held;
-  const Filled filled = fill(section);
+  const Filled filled = fill(section, spacing_mm);
   const std::vector<bool> is_asked =
       touched_regions(filled, section.regions.size(), kerfs.field(kerf));
   const OpenedNodes opened(kerfs, kerf);

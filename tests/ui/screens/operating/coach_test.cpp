@@ -104,7 +104,7 @@ TEST_P(Coach, LeadsOneWhoOnlyObeysToTheEnd) {
 INSTANTIATE_TEST_SUITE_P(Scenarios, Coach,
                          testing::Combine(testing::Values(std::string("silver"),
                                                           std::string("akin")),
-                                          testing::Values(0, 1, -1, 3)));
+                                          testing::Values(0, 1, -1, -2, 3)));
 
 }  // namespace
 }  // namespace hallux::ui

@@ -73,7 +73,8 @@ void SiteSurvey::watch_for_crumbs(Time now) {
 
 void SiteSurvey::renew_held(LiveCut& cut) {
   const bool do_count = do_crumbs_count_ && !has_freed_;
-  facts_.cuts = watch_.held(cut.kerfs(), cut.whole(), do_count ? 0.0 : scenarios::held_share_min);
+  facts_.cuts = watch_.held(cut.kerfs(), cut.whole(),
+                            do_count ? scenarios::Crumbs::Told : scenarios::Crumbs::Ignored);
   facts_.held.clear();
   for (const scenarios::HeldCut& held : facts_.cuts) {
     if (!held.is_begun() || held.is_through()) continue;
