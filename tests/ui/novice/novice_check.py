@@ -14,7 +14,7 @@ import sys
 import time
 
 from novice import KeyboardHand, MouseHand, Novice
-from operate_check import come_in, events
+from operate_check import come_in, has_cut
 from window_check import opened_course, wait_until
 
 HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
@@ -64,7 +64,7 @@ def attempt(options, seed):
 
         def is_over(screen):
             if options.to_first_cut:
-                return events(course.place) >= 4
+                return has_cut(options.hallux, course.place)
             return "operate.ask_finish.act" in screen.widgets
 
         begun = time.monotonic()
