@@ -83,7 +83,7 @@ SiteWatch::SiteWatch(const Scenario& scenario, const Plan& plan)
     : scenario_(scenario), plan_(plan) {}
 
 void SiteWatch::apply(const simulator::CutEvent& event, const simulator::KerfSet& kerfs) {
-  if (event.kind == CutEventKind::StepDone) step_ = static_cast<std::size_t>(event.subject + 1);
+  if (event.kind == CutEventKind::StepDone) step_ = static_cast<std::size_t>(event.subject) + 1;
   if (event.kind == CutEventKind::StepReopened) step_ = static_cast<std::size_t>(event.subject);
   if (event.kind == CutEventKind::PlaneFrozen)
     kerfs_.push_back({cut_of(kerfs.plane(event.subject)), {}, false});

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -143,10 +144,10 @@ void Canvas::gradient_across(const Rect& rect, Color left, Color right) {
 void Canvas::picture(const Picture& picture, const Rect& rect, float radius, Corners corners) {
   if (picture.texture == 0) return;
   const float top = picture.is_upside_down ? 1.0F : 0.0F;
-  list_->AddImageRounded(
-      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture)),
-      {device(rect.x), device(rect.y)}, {device(rect.right()), device(rect.bottom())}, {0.0F, top},
-      {1.0F, 1.0F - top}, 0xFFFFFFFFU, radius * scale_, flags_of(corners));
+  list_->AddImageRounded(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture)),
+                         {device(rect.x), device(rect.y)},
+                         {device(rect.right()), device(rect.bottom())}, {0.0F, top},
+                         {1.0F, 1.0F - top}, 0xFFFFFFFFU, radius * scale_, flags_of(corners));
 }
 
 float Canvas::width_of(Type type, std::string_view text) const noexcept {

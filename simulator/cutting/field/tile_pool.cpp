@@ -1,6 +1,7 @@
 #include "simulator/cutting/field/tile_pool.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "simulator/base/check.h"
 #include "simulator/base/fixed_array.h"
@@ -13,16 +14,19 @@ namespace {
 constexpr std::size_t line_bytes = 64;
 constexpr std::size_t tile_bytes = TilePool::nodes_per_tile * sizeof(float);
 
-float* aligned(void* memory) noexcept {
-  const auto place = reinterpret_cast<std::uintptr_t>(memory);
-  return reinterpret_cast<float*>((place + line_bytes - 1) / line_bytes * line_bytes);
+constexpr std::size_t bytes_for(std::size_t tile_count) {
+  return (tile_count + 1) * tile_bytes + line_bytes;
+}
+
+float* aligned(void* memory, std::size_t bytes) noexcept {
+  return static_cast<float*>(std::align(line_bytes, bytes - line_bytes, memory, bytes));
 }
 
 }  // namespace
 
 TilePool::TilePool(std::size_t tile_count, float closed_mm)
-    : memory_(take_memory((tile_count + 1) * tile_bytes + line_bytes)),
-      tiles_(aligned(memory_)),
+    : memory_(take_memory(bytes_for(tile_count))),
+      tiles_(aligned(memory_, bytes_for(tile_count))),
       tile_count_(tile_count),
       closed_mm_(closed_mm) {
   std::fill_n(tiles_, nodes_per_tile, closed_mm_);

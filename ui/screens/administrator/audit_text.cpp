@@ -166,7 +166,7 @@ std::string deed_text(const Texts& texts, const database::AuditLine& line) {
 }
 
 std::string subject_text(const Texts& texts, const database::AuditLine& line) {
-  const std::string named = named_subject(texts, line);
+  std::string named = named_subject(texts, line);
   if (line.text.empty()) return named;
   if (named.empty()) return line.text;
   if (line.action == "name_corrected" && !line.was_refused)
@@ -189,6 +189,7 @@ std::string audit_csv(const Texts& texts, const std::vector<database::AuditLine>
 
 std::vector<std::string_view> known_deeds() {
   std::vector<std::string_view> codes;
+  codes.reserve(std::size(deeds) + std::size(tries));
   for (const Deed& deed : deeds) codes.push_back(deed.code);
   for (const Deed& tried : tries) codes.push_back(tried.code);
   return codes;

@@ -15,7 +15,6 @@ namespace hallux::ui {
 
 namespace {
 
-using database::RetainedKind;
 using database::RetentionPiece;
 using database::RetentionRules;
 

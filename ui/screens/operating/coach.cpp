@@ -418,7 +418,7 @@ std::optional<Hint> next_hint(const CoachView& view) {
 }
 
 std::string hint_text(const Texts& texts, const Hint& hint) {
-  const std::string what = texts.say(hint.text_id, hint.values);
+  std::string what = texts.say(hint.text_id, hint.values);
   const auto* move = std::find_if(move_texts.begin(), move_texts.end(),
                                   [&](const MoveTexts& each) { return each.move == hint.move; });
   if (move == move_texts.end() || hint.move == HandMove::Wait) return what;

@@ -313,6 +313,7 @@ void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
 
 void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
   const HudAnswer answer = draw_operating_hud(ui, hud(ui, shell));
+  panels_.are_hints_low = answer.are_hints_low;
   if (answer.health) panels_.is_health_open = !panels_.is_health_open;
   if (answer.pause) session_.toggle_pause();
   if (answer.finish) session_.ask(Asked::Finish);
@@ -345,6 +346,7 @@ OperatingHud OperatingScreen::hud(const Ui& ui, Shell& shell) {
   hud.hand = hand(ui);
   hud.health = health(ui, shell);
   hud.is_health_open = panels_.is_health_open;
+  hud.are_hints_low = panels_.are_hints_low;
   return hud;
 }
 

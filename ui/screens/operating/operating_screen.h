@@ -62,7 +62,7 @@ class OperatingScreen : public Screen {
     bool is_plane_shown = true, is_hinted = true, is_inset_shown = true;
   };
   struct Panels {
-    bool are_shown = true, is_health_open = false, is_neighbour_shown = true;
+    bool are_shown = true, is_health_open = false, is_neighbour_shown = true, are_hints_low = false;
     Help help;
     /// Of the arm's force.
     RecentLimits limits;

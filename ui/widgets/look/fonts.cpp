@@ -273,6 +273,7 @@ FontAtlas::FontAtlas(ImFontAtlas& atlas, FontFiles files, float scale)
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   atlas.TexDesiredWidth = scale > 1.25F ? 4096 : 2048;
   std::vector<ImFont*> fonts;
+  fonts.reserve(std::size(type_specs) + std::size(icon_sizes));
   for (const TypeSpec& spec : type_specs)
     fonts.push_back(add_font(atlas, file_of(files_, spec.cut), std::round(spec.size * scale),
                              spec.is_figure ? figure_ranges.data() : text_ranges.data()));
@@ -384,8 +385,10 @@ void FontAtlas::put(const LetterPicture& picture, int x, int y) {
   unsigned* const colors = atlas_->TexPixelsRGBA32;
   for (int row = 0; row < picture.height; ++row) {
     for (int column = 0; column < picture.width; ++column) {
-      const std::uint8_t cover =
-          picture.coverage[static_cast<std::size_t>(row * picture.width + column)];
+      const auto in_picture =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+          static_cast<std::size_t>(column);
+      const std::uint8_t cover = picture.coverage[in_picture];
       const int at = (y + row) * atlas_->TexWidth + x + column;
       if (pixels != nullptr) pixels[at] = cover;
       if (colors != nullptr) colors[at] = IM_COL32(255, 255, 255, cover);

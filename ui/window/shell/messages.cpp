@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <utility>
 
 #include "ui/widgets/controls/toast.h"
@@ -66,8 +65,9 @@ void Messages::gather(Ui& ui, const Background& background) {
     ui.want_frame_in_s(work_frame_s);
     told_.push_back({work.id, work, time_left_text(ui.texts(), work), place_of(work.id)});
   }
-  for (const Shown& shown : std::views::reverse(messages_))
+  std::for_each(messages_.rbegin(), messages_.rend(), [&](const Shown& shown) {
     told_.push_back({shown.id, {}, {}, place_of(shown.id)});
+  });
 }
 
 Messages::Shown* Messages::find(const std::string& id) noexcept {

@@ -58,10 +58,11 @@ TEST(TilePoolDeathTest, StopsWhereMoreAreTakenThanThereAre) {
 /// How many of a grid's tiles hold a node of the window.
 std::size_t tiles_in(const FieldWindow& window) {
   const auto over = [](std::int32_t first, std::int32_t last) {
-    return (last - 1) / TilePool::nodes_on_a_side - first / TilePool::nodes_on_a_side + 1;
+    const std::int32_t tiles =
+        (last - 1) / TilePool::nodes_on_a_side - first / TilePool::nodes_on_a_side + 1;
+    return static_cast<std::size_t>(tiles);
   };
-  return static_cast<std::size_t>(over(window.u_first, window.u_last) *
-                                  over(window.v_first, window.v_last));
+  return over(window.u_first, window.u_last) * over(window.v_first, window.v_last);
 }
 
 class SharedPool : public testing::Test {

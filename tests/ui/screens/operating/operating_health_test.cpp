@@ -6,8 +6,8 @@
 
 #include "simulator/device/force_output.h"
 #include "simulator/device/modelled/modelled_arm.h"
+#include "tests/ui/screens/operating/shown_panels.h"
 #include "tests/ui/screens/operating/some_operation.h"
-#include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/screens/result/recording_card.h"
 
@@ -19,22 +19,14 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t every_limit = (1U << 7U) - 1U;
 
-/// The panels at a window and scale.
-struct Panels {
-  explicit Panels(float scale = 1.0F, Point size = {1440.0F, 900.0F})
-      : driver(texts, [this](Ui& ui) { draw_operating_hud(ui, hud); }, {size.x, size.y, scale}) {
-    hud.is_health_open = true;
-    hud.steps = {{.title = "Verify the case"}};
-  }
+struct Panels : ShownPanels {
+  using ShownPanels::ShownPanels;
 
   void show(const OperatingHealth& health) {
+    hud.is_health_open = true;
     hud.health = health;
     driver.frame();
   }
-
-  OperatingHud hud;
-  Texts texts = english_texts();
-  Driver driver;
 };
 
 TEST(OperatingHealth, SaysNothingOfAnArmWhereNobodyIsPushedBack) {

@@ -67,8 +67,9 @@ struct Shown {
 };
 
 Rect place_of(std::size_t index) {
+  const std::size_t row = index / 4;
   return {gap + static_cast<float>(index % 4) * (side + gap),
-          gap + static_cast<float>(index / 4) * (side + gap), side, side};
+          gap + static_cast<float>(row) * (side + gap), side, side};
 }
 
 void draw_sections(Ui& ui, const Shown& shown) {

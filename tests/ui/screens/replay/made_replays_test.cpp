@@ -11,7 +11,6 @@
 namespace hallux::ui {
 namespace {
 
-using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;

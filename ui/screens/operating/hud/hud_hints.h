@@ -6,8 +6,8 @@
 
 namespace hallux::ui {
 
-/// Below the bar, beginning at `y`; returns where they end.
-float draw_hud_hints(Hud& in, float y);
+/// Below the bar, beginning at `y`, or ending above `lower_end` where the tool passes behind them.
+void draw_hud_hints(Hud& in, float y, float lower_end);
 /// At the lower edge of the window.
 void draw_hud_foot(Hud& in);
 

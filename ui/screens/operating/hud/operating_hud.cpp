@@ -93,17 +93,20 @@ void draw_health(Hud& in, float y) {
   }
 }
 
-/// One line with what to do, only where something is wrong.
-void draw_trouble(Hud& in) {
-  if (in.hud.health.trouble.empty()) return;
+/// One line with what to do, only where something is wrong, above the lower panels; returns where
+/// it begins.
+float draw_trouble(Hud& in) {
+  const float end = in.room.bottom() - hud_panel_height - 8.0F;
+  if (in.hud.health.trouble.empty()) return end;
   const float width =
       std::min(in.room.w, in.ui.width_of(Type::Small, in.hud.health.trouble) + 56.0F);
-  const float y = in.room.bottom() - hud_panel_height - 8.0F - 36.0F;
+  const float y = end - 36.0F;
   const Rect line{in.ui.display().mid_x() - 0.5F * width, y, width, 36.0F};
   const HudPanel panel(in, "operate.panel.trouble", line, 18.0F);
   draw_meaning(in.canvas(), in.theme(), Meaning::Warn, {line.x + 20.0F, line.mid_y()}, 6.0F);
   in.canvas().text_in({line.x + 36.0F, line.y, line.w - 52.0F, line.h},
                       {Type::Small, in.theme().text}, in.hud.health.trouble, true);
+  return y;
 }
 
 /// The section in the blade's plane, beside the picture.
@@ -137,14 +140,13 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   draw_hud_tip(in);
   const float bar_end = draw_hud_bar(in);
   draw_hud_readings(in);
-  draw_hud_hints(in, bar_end);
   const float below = in.room.y + badge_room;
   if (hud.is_health_open) {
     draw_health(in, below);
   } else {
     draw_inset(in, below);
   }
-  draw_trouble(in);
+  draw_hud_hints(in, bar_end, draw_trouble(in));
   draw_hud_foot(in);
   return in.answer;
 }

@@ -73,12 +73,16 @@ struct OperatingHud {
   HandState hand = HandState::Off;
   OperatingHealth health;
   bool is_health_open = false;
+  /// In the frame before the hints stood above the lower panels.
+  bool are_hints_low = false;
 };
 
-/// What was pressed.
+/// What was pressed, and where hints stand.
 struct HudAnswer {
   bool step = false, pause = false, health = false, finish = false, abandon = false;
   bool saw = false, irrigation = false;
+  /// For the next frame.
+  bool are_hints_low = false;
   /// A done step that is to be taken up again.
   std::optional<std::size_t> reopen;
 };

@@ -168,6 +168,7 @@ void BoneBeingCut::bring_up_to_date() {
 
 void BoneBeingCut::show_free_pieces(const std::vector<CutSolid>& solids) {
   std::vector<std::shared_ptr<const BoneMesh>> meshes;
+  meshes.reserve(solids.size());
   for (const CutSolid& solid : solids) {
     meshes.push_back(
         std::make_shared<const BoneMesh>(mesh_of(next_mesh_id(), solid, picture_.look)));
