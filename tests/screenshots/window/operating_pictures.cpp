@@ -19,7 +19,7 @@ void lay_on_plan(Photographer& photographer) {
   photographer.key(Key::Digit3);
   press(photographer, Key::Up, 5, {.control = true});
   press(photographer, Key::Left, 2, {.control = true});
-  press(photographer, Key::Right, 10);
+  press(photographer, Key::Right, 9);
   press(photographer, Key::PageUp, 1);
   press(photographer, Key::PageDown, 2, {.shift = true});
 }
@@ -46,7 +46,7 @@ void take_operating(const SimulatedCourse& course, const std::filesystem::path& 
   photographer.wait_until("the operation", [&] { return driver.has("operate.pause"); });
   lay_on_plan(photographer);
   saw_down(photographer, 36);
-  photographer.key(Key::Digit1);
+  photographer.key(Key::R);  // as one stood at first
   photographer.work_for(6.0);
   photographer.take_now("operating");
   photographer.key(Key::F9);

@@ -12,7 +12,9 @@ LOOK_S = 0.25
 WRONG_TURN_S = 5.0
 AT_ONCE = 8
 # A press that moves less is a click.
-CLICK_PIXELS = 13
+CLICK_PIXELS = 8
+# A display gives fast movements of a mouse more pixels than slow ones.
+SHORT_PIXELS, SLOW_STEP_PIXELS, SLOW_STEP_S, FAST_STEP_PIXELS = 30, 2, 0.02, 15
 # Until an input is seen, and until it has come to rest.
 SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
 # How often a hand slips.
@@ -123,7 +125,7 @@ class MouseHand:
         gain = self.gain.get(hint.mouse, start)
         if self.last and self.last[0] == (hint.mouse, hint.kind):
             gone = self.last[1] - left
-            gain *= min(1.5, max(0.6, self.last[1] / gone)) if gone > 0.05 else 1.0
+            gain *= min(1.5, max(0.6, self.last[1] / gone)) if gone > 0.05 else 1.3
             gain = min(8.0 * start, max(start / 8.0, gain))
         self.gain[hint.mouse] = gain
         self.last = ((hint.mouse, hint.kind), left)
@@ -132,22 +134,22 @@ class MouseHand:
     def move(self, way, pixels, is_dragged):
         if is_dragged:
             self.person.xdotool("mousedown", "1")
-            # Out and part of the way back: what hardly moves is a click. Never back to where it began: of a caught pointer
-            # that returns to that very place GLFW tells nothing.
-            out = max(0, CLICK_PIXELS - pixels)
-            self.glide(way, pixels + out)
-            self.glide(way, -out)
-        else:
-            self.glide(way, pixels)
+            # What hardly moves is a click. Not out and back: GLFW loses what a caught pointer does on its way back.
+            pixels = max(pixels, CLICK_PIXELS)
+        self.glide(way, pixels)
         if is_dragged:
             self.person.xdotool("mouseup", "1")
 
     def glide(self, way, pixels):
-        """As a hand does, not at a bound."""
+        """As a hand does, not at a bound: a short way so slowly that the display makes no longer one of it."""
+        most, pause_s = (SLOW_STEP_PIXELS, SLOW_STEP_S) if abs(pixels) <= SHORT_PIXELS else (FAST_STEP_PIXELS, 0.0)
+        words = []
         while pixels:
-            step = max(-15, min(15, pixels))
-            self.person.xdotool("mousemove_relative", "--", str(way[0] * step), str(way[1] * step))
+            step = max(-most, min(most, pixels))
+            words += ["mousemove_relative", "--", str(way[0] * step), str(way[1] * step), "sleep", str(pause_s)]
             pixels -= step
+        if words:
+            self.person.xdotool(*words)
 
     def turn_wheel(self, words, notches):
         is_held = "left button" in words
