@@ -35,6 +35,7 @@ class OperatingScreen : public Screen {
   OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                   const OperationChoice& choice, LendDevice lend_device);
 
+  GuideSection guide_section() const override { return GuideSection::Operate; }
   WindowChrome surround() const override { return WindowChrome::Badge; }
   std::string_view why_not_leave() const override;
   /// Stops the saw and asks: finish, abandon, or go on.
