@@ -40,7 +40,7 @@ void add_run(MarkdownRuns& runs, std::string_view text, const MarkdownRun& look)
 }
 
 // The words below `node`, each with the look of all that it stands in.
-void read_inlines(cmark_node* node, MarkdownRun look, MarkdownRuns& runs) {
+void read_inlines(cmark_node* node, const MarkdownRun& look, MarkdownRuns& runs) {
   for (cmark_node* each = cmark_node_first_child(node); each != nullptr;
        each = cmark_node_next(each)) {
     const cmark_node_type type = cmark_node_get_type(each);

@@ -42,6 +42,7 @@ class OperatingScreen : public Screen {
   bool ask_before_leaving(Ui& ui) override;
   /// Covered by another screen, or by the lock: nobody holds the saw.
   void leave(Shell&) override { session_.pause(PausedBy::Locked); }
+  void be_covered() override { session_.pause(PausedBy::Covered); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

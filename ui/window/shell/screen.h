@@ -44,6 +44,8 @@ class Screen {
   virtual void enter(Shell&) {}
   /// Called when another screen takes its place or lies above it.
   virtual void leave(Shell&) {}
+  /// Called when the guide is opened over it: it goes on being drawn, but nobody looks at it.
+  virtual void be_covered() {}
   /// Draws one frame into `content`. What it asks of the shell happens after the frame.
   virtual void draw(Ui& ui, const Rect& content, Shell& shell) = 0;
 };

@@ -258,7 +258,9 @@ void Shell::draw_help(Ui& ui) {
   const bool has_guide = make_guide_ && guide_ == nullptr && top() != nullptr;
   const HelpAnswer answer = draw_shortcut_list(ui, has_guide);
   is_help_shown_ = answer == HelpAnswer::Waiting;
-  if (answer == HelpAnswer::Guide) guide_ = make_guide_(top()->guide_section());
+  if (answer != HelpAnswer::Guide) return;
+  guide_ = make_guide_(top()->guide_section());
+  top()->be_covered();
 }
 
 void Shell::hear_shortcuts(Ui& ui) {

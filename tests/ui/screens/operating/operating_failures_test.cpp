@@ -252,6 +252,25 @@ TEST_F(WithTheSawRunning, TheGuideIsReadInThatPauseAndNothingIsLost) {
   expect_interrupted("Something lay over the picture");
 }
 
+TEST_F(WithTheSawRunning, TheGuidePausesAlsoWhereTheSawIsOff) {
+  person_.shell().on_guide(
+      [](GuideSection section) { return std::make_unique<GuideScreen>(section); });
+  person_.press(Key::Space);
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::Escape);
+  person_.make_frames(2);
+  EXPECT_FALSE(person_.driver().sees("Something lay over the picture"))
+      << "the list alone does not";
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::Escape);
+  person_.make_frames(2);
+  expect_interrupted("Something lay over the picture");
+}
+
 TEST_F(WithTheSawRunning, AWindowThatStoodStillPauses) {
   person_.driver().frame(2.0);
   person_.make_frames(2);
