@@ -119,13 +119,24 @@ endfunction()
 
 # hallux_embed(TARGET NAMESPACE FUNCTION file...): compiles data files into a table {name, text}.
 function(hallux_embed target namespace function)
+  hallux_embed_by(embed.cmake ${ARGV})
+endfunction()
+
+# hallux_embed_bytes: the same for pictures and whatever is no text.
+function(hallux_embed_bytes target namespace function)
+  hallux_embed_by(embed_bytes.cmake ${ARGV})
+endfunction()
+
+function(hallux_embed_by script target namespace function)
   set(output "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
   set(inputs ${ARGN})
   list(TRANSFORM inputs PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE paths)
   string(JOIN "|" joined ${paths})
   add_custom_command(OUTPUT "${output}"
     COMMAND "${CMAKE_COMMAND}" "-DFILES=${joined}" "-DOUTPUT=${output}" "-DNAMESPACE=${namespace}"
-            "-DFUNCTION=${function}" -P "${PROJECT_SOURCE_DIR}/cmake/embed.cmake"
-    DEPENDS ${paths} "${PROJECT_SOURCE_DIR}/cmake/embed.cmake" VERBATIM)
+            "-DFUNCTION=${function}" -P "${PROJECT_SOURCE_DIR}/cmake/${script}"
+    DEPENDS ${paths} "${PROJECT_SOURCE_DIR}/cmake/${script}" VERBATIM)
   target_sources(${target} PRIVATE "${output}")
+  # What the assembler reads, the compiler's list of what a source depends on does not name.
+  set_source_files_properties("${output}" PROPERTIES OBJECT_DEPENDS "${paths}")
 endfunction()

@@ -299,7 +299,7 @@ std::optional<std::string> Ui::take_dropped() {
 }
 
 bool Ui::shortcut(Chord chord, std::string_view label) {
-  building_shortcuts_.push_back({chord, std::string(label)});
+  building_shortcuts_.push_back({chord, std::string(label), canvas_->layer()});
   if (!input_.key || *input_.key != chord || canvas_->layer() < reachable_layer(shown_))
     return false;
   input_.key.reset();
@@ -383,6 +383,19 @@ void Ui::end_scroll() {
   canvas_->pop_clip();
   open_scrolls_.pop_back();
   draw_scroll_bar(id, scrolls_[id]);
+}
+
+// The region itself keeps it inside, in the next frame at the latest.
+void Ui::scroll_by(std::string_view id, float distance) {
+  ScrollState& state = scrolls_[std::string(id)];
+  scroll_to(id, state.offset + distance);
+}
+
+void Ui::scroll_to(std::string_view id, float offset) {
+  ScrollState& state = scrolls_[std::string(id)];
+  state.is_touched = true;
+  state.offset = std::max(0.0F, offset);
+  want_frame_in_s(0.0);
 }
 
 void Ui::draw_scroll_bar(const std::string& id, ScrollState& state) {

@@ -68,6 +68,7 @@ struct AreaResponse {
 struct Shortcut {
   Chord chord;
   std::string label = {};
+  Layer layer = Layer::Page;
 
   bool operator==(const Shortcut&) const = default;
 };
@@ -75,6 +76,7 @@ struct Shortcut {
 /// What the mouse does on a screen besides pressing controls, in words.
 struct MouseGesture {
   std::string input = {}, label = {};
+  Layer layer = Layer::Page;
 };
 
 enum class PointerShape : std::uint8_t {
@@ -180,7 +182,8 @@ class Ui {
   const std::vector<Shortcut>& shortcuts() const noexcept { return shown_shortcuts_; }
   /// The same for the mouse: both ids of texts; listed under F1.
   void note_gesture(std::string_view input_id, std::string_view label_id) {
-    building_gestures_.push_back({std::string(text(input_id)), std::string(text(label_id))});
+    building_gestures_.push_back(
+        {std::string(text(input_id)), std::string(text(label_id)), canvas_->layer()});
   }
   const std::vector<MouseGesture>& gestures() const noexcept { return shown_gestures_; }
 
@@ -198,6 +201,9 @@ class Ui {
   float begin_scroll(std::string_view id, std::string_view label, const Rect& view,
                      float content_height);
   void end_scroll();
+  /// Scrolls a region by so much, or so that what lies there comes to its top; as far as it goes.
+  void scroll_by(std::string_view id, float distance);
+  void scroll_to(std::string_view id, float offset);
 
   /// 0 to 1, moving towards 1 while `is_on` and back else, in `duration_s`; at once where motion is
   /// reduced.

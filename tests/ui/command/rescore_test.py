@@ -28,6 +28,7 @@ class Rescored(RecordedTest):
         answer = self.ask("rescore", "silver")
         self.assertEqual((answer["attempts"], answer["changed"], answer["stored"]), (1, 0, 0))
         self.assertEqual(answer["rows"][0]["attempt"], self.attempt)
+        self.assertIsNone(answer["rows"][0]["login"], "the robot has none")
         self.assertEqual(self.scores(), before)
 
     def test_a_dry_run_says_what_would_change_and_stores_nothing(self):

@@ -16,6 +16,7 @@ using namespace hallux::ui;
 class GalleryScreen : public Screen {
  public:
   GalleryScreen(GalleryState& state, Window& window) : state_(state), window_(window) {}
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect&, Shell&) override {
     draw_components(ui, state_);

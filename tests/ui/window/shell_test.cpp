@@ -23,9 +23,11 @@ class PlainScreen : public Screen {
   PlainScreen(std::string name, Events& events, WindowChrome around = WindowChrome::Navigation)
       : name_(std::move(name)), events_(events), around_(around) {}
 
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   std::string_view navigation_id() const override { return "nav.home"; }
   WindowChrome surround() const override { return around_; }
   std::string_view why_not_leave() const override { return reason; }
+  bool ask_before_leaving(Ui&) override { return asks; }
   void enter(Shell&) override { events_.push_back("enter " + name_); }
   void leave(Shell&) override { events_.push_back("leave " + name_); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override {
@@ -39,6 +41,7 @@ class PlainScreen : public Screen {
   }
 
   std::string reason;
+  bool asks = false;
 
  private:
   std::string name_;
@@ -75,6 +78,7 @@ class ShellJourney : public testing::Test {
 /// What stands in front of everything.
 class PlainLock : public Screen {
  public:
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override {
     if (button(ui, "lock.open", {content.x + 32.0F, 120.0F, 160.0F, 38.0F}, {"Open"}))
       shell.unlock();
@@ -245,11 +249,11 @@ TEST(Help, ListsEachThingOnceWithAllItsKeysAndTheMouse) {
   EXPECT_THAT(rows[0].keys, ElementsAre("\xE2\x86\x90", "\xE2\x86\x92"))
       << "finer is no other thing";
   EXPECT_EQ(rows[0].mouse, "Move");
-  EXPECT_THAT(rows[1].keys, ElementsAre("Space"));
-  EXPECT_EQ(rows[1].mouse, "");
-  EXPECT_THAT(rows[2].keys, ElementsAre("Shift+F9"));
-  EXPECT_THAT(rows[3].keys, IsEmpty());
-  EXPECT_EQ(rows[3].mouse, "Middle drag");
+  EXPECT_THAT(rows[1].keys, IsEmpty()) << "the hand's movements stand before the switches";
+  EXPECT_EQ(rows[1].mouse, "Middle drag");
+  EXPECT_THAT(rows[2].keys, ElementsAre("Space"));
+  EXPECT_EQ(rows[2].mouse, "");
+  EXPECT_THAT(rows[3].keys, ElementsAre("Shift+F9"));
 }
 
 TEST_F(ShellJourney, HelpListsTheKeysAndCloses) {
@@ -259,6 +263,45 @@ TEST_F(ShellJourney, HelpListsTheKeysAndCloses) {
   EXPECT_THAT(driver_.faults(), IsEmpty());
   driver_.press(Key::Escape);
   EXPECT_FALSE(driver_.sees("Full screen"));
+}
+
+TEST_F(ShellJourney, ALongListOfKeysIsReadByKeys) {
+  driver_.resize(1280.0F, 260.0F);
+  driver_.press(Key::F1);
+  ASSERT_GT(driver_.widget("help.list").room_below, 0.0F);
+  driver_.press(Key::End);
+  EXPECT_EQ(driver_.widget("help.list").room_below, 0.0F);
+  driver_.press(Key::PageUp);
+  EXPECT_GT(driver_.widget("help.list").room_below, 0.0F);
+}
+
+TEST_F(ShellJourney, AQuestionBelowTheGuideIsSeen) {
+  shell_.on_guide([](GuideSection) { return std::make_unique<PlainLock>(); });
+  home_->reason = "Unsaved";
+  home_->asks = true;
+  driver_.press(Key::F1);
+  driver_.press(Key::F1);
+  ASSERT_TRUE(shell_.is_guide_shown());
+  EXPECT_FALSE(shell_.may_leave(driver_.ui()));
+  driver_.frame();
+  EXPECT_FALSE(shell_.is_guide_shown());
+}
+
+TEST_F(ShellJourney, TheGuideIsToldOfItsSectionAndStaysUnderALock) {
+  GuideSection asked = GuideSection::Inbox;
+  shell_.on_guide([&](GuideSection section) {
+    asked = section;
+    return std::make_unique<PlainLock>();
+  });
+  driver_.press(Key::F1);
+  driver_.click("help.guide");
+  EXPECT_EQ(asked, GuideSection::Overview);
+  shell_.lock(std::make_unique<PlainLock>());
+  driver_.frame();
+  driver_.click("lock.open");
+  EXPECT_TRUE(shell_.is_guide_shown());
+  driver_.press(Key::Plus, {.control = true});
+  EXPECT_NEAR(driver_.ui().scale(), 1.1F, 1e-4F) << "the window's own keys work there";
 }
 
 TEST_F(ShellJourney, ScaleAndThemeFollowThePerson) {
@@ -313,6 +356,7 @@ TEST_F(ShellJourney, ANarrowOrLargeWindowCutsNothingOff) {
 class FullScreen : public Screen {
  public:
   explicit FullScreen(WindowChrome around) : around_(around) {}
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   WindowChrome surround() const override { return around_; }
   void draw(Ui& ui, const Rect& content, Shell&) override {
     if (around_ == WindowChrome::Badge) {

@@ -53,9 +53,13 @@ ordered_json score_json(const std::optional<database::ScoreCard>& card) {
 }
 
 ordered_json attempt_json(const RescoredAttempt& attempt) {
-  ordered_json row = {{"attempt", attempt.header.id.text},    {"login", attempt.header.login},
-                      {"before", score_json(attempt.before)}, {"after", score_json(attempt.after)},
-                      {"changed", attempt.is_changed},        {"stored", attempt.is_stored}};
+  const auto& login = attempt.header.login;
+  ordered_json row = {{"attempt", attempt.header.id.text},
+                      {"login", login.empty() ? ordered_json() : ordered_json(login)},
+                      {"before", score_json(attempt.before)},
+                      {"after", score_json(attempt.after)},
+                      {"changed", attempt.is_changed},
+                      {"stored", attempt.is_stored}};
   row["decision"] =
       attempt.header.decision ? ordered_json(name_of(*attempt.header.decision)) : ordered_json();
   row["fault"] = attempt.fault.empty() ? ordered_json() : ordered_json(attempt.fault);

@@ -13,6 +13,7 @@
 #include "ui/screens/administrator/cohorts_screen.h"
 #include "ui/screens/administrator/people_screen.h"
 #include "ui/screens/administrator/scenarios_screen.h"
+#include "ui/screens/guide/guide_screen.h"
 #include "ui/screens/instructor/attempts_screen.h"
 #include "ui/screens/instructor/cohort_screen.h"
 #include "ui/screens/instructor/trainee_screen.h"
@@ -52,6 +53,7 @@ Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& 
   shell_.on_navigate([this](const std::string& id) { show_place(id); });
   shell_.on_account([this] { show_account(); });
   shell_.on_sign_out([this] { sign_out(); });
+  shell_.on_guide([](GuideSection section) { return std::make_unique<GuideScreen>(section); });
   ask_who();
 }
 

@@ -18,6 +18,7 @@ class AuditScreen : public Screen {
   explicit AuditScreen(std::shared_ptr<SignedInSession> signed_in)
       : signed_in_(signed_in), retention_(signed_in), origins_(std::move(signed_in)) {}
 
+  GuideSection guide_section() const override { return GuideSection::Records; }
   std::string_view navigation_id() const override { return "nav.records"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

@@ -18,6 +18,7 @@ class CohortsScreen : public Screen {
   explicit CohortsScreen(std::shared_ptr<SignedInSession> signed_in)
       : signed_in_(signed_in), limits_(std::move(signed_in)) {}
 
+  GuideSection guide_section() const override { return GuideSection::Cohorts; }
   std::string_view navigation_id() const override { return "nav.cohorts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

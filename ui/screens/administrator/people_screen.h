@@ -33,6 +33,7 @@ class PeopleScreen : public Screen {
                         database::PasswordCost cost = {})
       : signed_in_(std::move(signed_in)), cost_(cost) {}
 
+  GuideSection guide_section() const override { return GuideSection::People; }
   std::string_view navigation_id() const override { return "nav.people"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

@@ -18,6 +18,7 @@ class ScenariosScreen : public Screen {
   explicit ScenariosScreen(std::shared_ptr<SignedInSession> signed_in)
       : signed_in_(std::move(signed_in)) {}
 
+  GuideSection guide_section() const override { return GuideSection::Scenarios; }
   std::string_view navigation_id() const override { return "nav.scenarios"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

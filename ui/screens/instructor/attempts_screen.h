@@ -18,6 +18,7 @@ class AttemptsScreen : public Screen {
   AttemptsScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
       : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
+  GuideSection guide_section() const override { return GuideSection::Attempts; }
   std::string_view navigation_id() const override { return "nav.attempts"; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

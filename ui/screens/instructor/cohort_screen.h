@@ -22,6 +22,7 @@ class CohortScreen : public Screen {
   CohortScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                std::function<void()> open_inbox = {});
 
+  GuideSection guide_section() const override { return GuideSection::Cohort; }
   std::string_view navigation_id() const override { return "nav.cohort"; }
   /// What was decided and answered in the meantime is read anew.
   void enter(Shell&) override { glance_.read_again(); }

@@ -42,6 +42,7 @@ class InboxScreen : public Screen {
         drafts_(std::move(drafts)),
         counted_(std::move(counted)) {}
 
+  GuideSection guide_section() const override { return GuideSection::Inbox; }
   std::string_view navigation_id() const override { return "nav.inbox"; }
   /// What was answered elsewhere in the meantime is read anew.
   void enter(Shell&) override { inbox_.read_again(); }

@@ -22,6 +22,7 @@ class TraineeScreen : public Screen {
         cohort_(cohort),
         trainee_(trainee) {}
 
+  GuideSection guide_section() const override { return GuideSection::Cohort; }
   std::string_view navigation_id() const override { return "nav.cohort"; }
   /// What was decided in the meantime is read anew.
   void enter(Shell&) override { file_.read_again(); }

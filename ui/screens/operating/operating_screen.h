@@ -35,12 +35,14 @@ class OperatingScreen : public Screen {
   OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
                   const OperationChoice& choice, LendDevice lend_device);
 
+  GuideSection guide_section() const override { return GuideSection::Operate; }
   WindowChrome surround() const override { return WindowChrome::Badge; }
   std::string_view why_not_leave() const override;
   /// Stops the saw and asks: finish, abandon, or go on.
   bool ask_before_leaving(Ui& ui) override;
   /// Covered by another screen, or by the lock: nobody holds the saw.
   void leave(Shell&) override { session_.pause(PausedBy::Locked); }
+  void be_covered() override { session_.pause(PausedBy::Covered); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

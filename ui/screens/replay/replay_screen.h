@@ -37,6 +37,7 @@ class ReplayScreen : public Screen {
         made_of_(std::move(scenario)),
         tab_(events_tab) {}
 
+  GuideSection guide_section() const override { return GuideSection::Replay; }
   WindowChrome surround() const override { return WindowChrome::Rail; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

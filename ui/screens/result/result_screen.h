@@ -29,6 +29,7 @@ class ResultScreen : public Screen {
         attempt_(std::move(attempt)),
         decide_(signed_in_) {}
 
+  GuideSection guide_section() const override { return GuideSection::Result; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:

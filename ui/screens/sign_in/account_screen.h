@@ -17,6 +17,7 @@ class AccountScreen : public Screen {
                          database::PasswordCost cost = {})
       : signed_in_(std::move(signed_in)), cost_(cost) {}
 
+  GuideSection guide_section() const override { return GuideSection::Account; }
   std::string_view navigation_id() const override { return account_place; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

@@ -28,6 +28,7 @@ class LockScreen : public Screen {
              database::PasswordCost cost = {});
   ~LockScreen() override;
 
+  GuideSection guide_section() const override { return GuideSection::LeftOpen; }
   WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

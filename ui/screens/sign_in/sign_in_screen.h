@@ -23,6 +23,9 @@ class SignInScreen : public Screen {
   /// Wipes what was typed.
   ~SignInScreen() override;
 
+  GuideSection guide_section() const override {
+    return is_without_people_ ? GuideSection::Begin : GuideSection::SignIn;
+  }
   WindowChrome surround() const override { return WindowChrome::Nothing; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 

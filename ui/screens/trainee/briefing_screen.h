@@ -23,6 +23,7 @@ class BriefingScreen : public Screen {
         pictures_(pictures),
         scenario_(scenario) {}
 
+  GuideSection guide_section() const override { return GuideSection::Briefing; }
   std::string_view navigation_id() const override { return "nav.operations"; }
   /// An assessment may have been used up since.
   void enter(Shell&) override { read_.read_again(); }

@@ -19,6 +19,7 @@ class HistoryScreen : public Screen {
   HistoryScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
       : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
+  GuideSection guide_section() const override { return GuideSection::History; }
   std::string_view navigation_id() const override { return "nav.history"; }
   void enter(Shell&) override { histories_.read_again(); }
   void draw(Ui& ui, const Rect& content, Shell& shell) override;

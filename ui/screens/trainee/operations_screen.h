@@ -21,6 +21,7 @@ class OperationsScreen : public Screen {
                    PatientPictures& pictures)
       : signed_in_(std::move(signed_in)), navigator_(navigator), pictures_(pictures) {}
 
+  GuideSection guide_section() const override { return GuideSection::Operations; }
   std::string_view navigation_id() const override { return "nav.operations"; }
   /// Back from an attempt, the person stands elsewhere.
   void enter(Shell&) override { operations_.read_again(); }

@@ -15,6 +15,7 @@ class QuestionsScreen : public Screen {
   QuestionsScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator)
       : signed_in_(std::move(signed_in)), navigator_(navigator) {}
 
+  GuideSection guide_section() const override { return GuideSection::Questions; }
   std::string_view navigation_id() const override { return "nav.questions"; }
   /// What was answered in the meantime is read anew.
   void enter(Shell&) override { questions_.read_again(); }

@@ -1,10 +1,12 @@
 #include "ui/window/shell/help.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/marks.h"
+#include "ui/widgets/controls/scroll_keys.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
@@ -64,6 +66,8 @@ std::vector<HelpRow> help_rows(const Texts& texts, const std::vector<Shortcut>& 
     const auto found = std::ranges::find(rows, label, &HelpRow::label);
     return found != rows.end() ? *found : rows.emplace_back(HelpRow{label, {}, {}});
   };
+  // The hand first: an operation is its movements, and who asks while operating asks for them.
+  for (const MouseGesture& gesture : gestures) row_of(gesture.label).mouse = gesture.input;
   for (const Shortcut& shortcut : shortcuts) {
     // With Shift the same thing, more finely: one rule, not a row of its own.
     const bool is_finer = shortcut.chord.modifiers.shift && [&] {
@@ -73,7 +77,6 @@ std::vector<HelpRow> help_rows(const Texts& texts, const std::vector<Shortcut>& 
     }();
     if (!is_finer) row_of(shortcut.label).keys.push_back(chord_text(texts, shortcut.chord));
   }
-  for (const MouseGesture& gesture : gestures) row_of(gesture.label).mouse = gesture.input;
   return rows;
 }
 
@@ -103,14 +106,49 @@ void draw_row(Ui& ui, const Rect& row, const HelpRow& shown, bool has_mouse) {
   canvas.text_in({x, row.y, row.right() - x, row.h}, {Type::Body, theme.text}, shown.mouse, true);
 }
 
+/// Of the screen below: what lies on the list's own layer is the list's.
+template <typename Bound>
+std::vector<Bound> bound_below(const std::vector<Bound>& all) {
+  Layer highest = Layer::Page;
+  for (const Bound& each : all)
+    if (each.layer < Layer::Modal) highest = std::max(highest, each.layer);
+  std::vector<Bound> below;
+  std::ranges::copy_if(all, std::back_inserter(below),
+                       [&](const Bound& each) { return each.layer == highest; });
+  return below;
+}
+
+/// The buttons at the panel's foot, and left of them the rule for finer movements.
+HelpAnswer draw_foot(Ui& ui, Rect foot, bool has_mouse, bool has_guide) {
+  HelpAnswer answer = HelpAnswer::Waiting;
+  const ButtonSpec close{ui.text("help.close"), ButtonLook::Primary};
+  const ButtonSpec guide{ui.text("help.guide"), ButtonLook::Secondary, Icon::Help};
+  const Rect close_place = take_right(foot, button_width(ui, close), 12.0F);
+  if (has_guide) {
+    const std::string key = chord_text(ui.texts(), {Key::F1});
+    const Rect place = take_right(foot, button_width(ui, guide), 10.0F);
+    const float chip = key_chip_width(ui, key);
+    key_chip(ui, {foot.right() - chip, foot.mid_y()}, key);
+    take_right(foot, chip, 16.0F);
+    if (button(ui, "help.guide", place, guide)) answer = HelpAnswer::Guide;
+    if (ui.shortcut({Key::F1}, ui.text("help.guide"))) answer = HelpAnswer::Guide;
+  }
+  if (button(ui, "help.close", close_place, close)) answer = HelpAnswer::Close;
+  if (ui.shortcut({Key::Escape}, ui.text("help.close"))) answer = HelpAnswer::Close;
+  if (has_mouse)
+    ui.canvas().text_in(foot, {Type::Small, ui.theme().text_caption}, ui.text("help.finer"), true);
+  return answer;
+}
+
 }  // namespace
 
-bool draw_shortcut_list(Ui& ui) {
+HelpAnswer draw_shortcut_list(Ui& ui, bool has_guide) {
   Canvas& canvas = ui.canvas();
   const LayerScope layer(canvas, Layer::Modal);
   const Theme& theme = ui.theme();
-  const std::vector<HelpRow> shown = help_rows(ui.texts(), ui.shortcuts(), ui.gestures());
-  const bool has_mouse = !ui.gestures().empty();
+  const std::vector<MouseGesture> gestures = bound_below(ui.gestures());
+  const std::vector<HelpRow> shown = help_rows(ui.texts(), bound_below(ui.shortcuts()), gestures);
+  const bool has_mouse = !gestures.empty();
   const Rect display = ui.display();
   const float rows = row_height * static_cast<float>(shown.size());
   const float height = std::min(head_height + rows + foot_height, display.h - 16.0F);
@@ -122,24 +160,18 @@ bool draw_shortcut_list(Ui& ui) {
   canvas.text({x, panel.y + 34.0F}, {Type::CardTitle, theme.text},
               ui.text(has_mouse ? "help.title_mouse" : "help.title"));
   const Rect list{x, panel.y + head_height, width, height - head_height - foot_height};
+  scroll_by_keys(ui, "help.list", list.h);
   float y = list.y - ui.begin_scroll("help.list", ui.text("help.title"), list, rows);
   for (const HelpRow& row : shown) {
     draw_row(ui, {x, y, width - 10.0F, row_height}, row, has_mouse);
     y += row_height;
   }
   ui.end_scroll();
-  const ButtonSpec close{ui.text("help.close"), ButtonLook::Primary};
-  const float button_w = button_width(ui, close);
-  const float foot_y = panel.bottom() - space::card - button_height;
-  if (has_mouse) {
-    canvas.text_in({x, foot_y, width - button_w - 16.0F, button_height},
-                   {Type::Small, theme.text_caption}, ui.text("help.finer"), true);
-  }
-  const bool is_pressed =
-      button(ui, "help.close",
-             {panel.right() - space::card - button_w, foot_y, button_w, button_height}, close);
+  const HelpAnswer answer =
+      draw_foot(ui, {x, panel.bottom() - space::card - button_height, width, button_height},
+                has_mouse, has_guide);
   ui.focus_first("help.close");
-  return is_pressed || ui.shortcut({Key::Escape}, ui.text("help.close"));
+  return answer;
 }
 
 }  // namespace hallux::ui

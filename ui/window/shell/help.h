@@ -20,11 +20,15 @@ struct HelpRow {
   std::string mouse;
 };
 
-/// In the order in which the screen bound them; what only the mouse does comes last.
+/// What the mouse does comes first, in the order in which the screen bound it; then what only keys
+/// do, in theirs.
 std::vector<HelpRow> help_rows(const Texts& texts, const std::vector<Shortcut>& shortcuts,
                                const std::vector<MouseGesture>& gestures);
 
-/// A panel over the screen. True where it was closed, by its button `help.close` or Esc.
-bool draw_shortcut_list(Ui& ui);
+enum class HelpAnswer { Waiting, Close, Guide };
+
+/// A panel over the screen, closed by its button `help.close` or Esc. Where there is a guide,
+/// `help.guide` or F1 leads to it.
+HelpAnswer draw_shortcut_list(Ui& ui, bool has_guide);
 
 }  // namespace hallux::ui

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ui/widgets/ui.h"
+#include "ui/window/shell/guide_section.h"
 
 namespace hallux::ui {
 
@@ -29,6 +30,8 @@ class Screen {
   /// The navigation item it belongs to, "nav.history"; "" for that of the screen it was opened
   /// from.
   virtual std::string_view navigation_id() const { return {}; }
+  /// Where the guide opens that is asked for here.
+  virtual GuideSection guide_section() const = 0;
   virtual WindowChrome surround() const { return WindowChrome::Navigation; }
   /// Why it may not be left now, as a sentence for people ("The attempt is still being recorded.
   /// Finish or abandon it."); "" where it may.
@@ -41,6 +44,8 @@ class Screen {
   virtual void enter(Shell&) {}
   /// Called when another screen takes its place or lies above it.
   virtual void leave(Shell&) {}
+  /// Called when the guide is opened over it: it goes on being drawn, but nobody looks at it.
+  virtual void be_covered() {}
   /// Draws one frame into `content`. What it asks of the shell happens after the frame.
   virtual void draw(Ui& ui, const Rect& content, Shell& shell) = 0;
 };

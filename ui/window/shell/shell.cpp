@@ -36,6 +36,7 @@ void Shell::replace_all(std::unique_ptr<Screen> screen) {
 void Shell::set_visitor(std::optional<Visitor> visitor) {
   visitor_ = std::move(visitor);
   messages_.clear();
+  guide_.reset();
 }
 
 void Shell::set_badge(std::string_view place, int badge) {
@@ -46,7 +47,11 @@ void Shell::set_badge(std::string_view place, int badge) {
 
 bool Shell::may_leave(Ui& ui) {
   if (top() == nullptr || top()->why_not_leave().empty()) return true;
-  if (top()->ask_before_leaving(ui)) return false;
+  if (top()->ask_before_leaving(ui)) {
+    // What is asked is to be seen.
+    close_guide();
+    return false;
+  }
   say({Meaning::Info, std::string(ui.text("leave.refused")), std::string(top()->why_not_leave())});
   ui.want_frame_in_s(0.0);
   return false;
@@ -138,7 +143,8 @@ void Shell::draw(Ui& ui, ScenePainter& scenes) {
     if (top()->surround() == WindowChrome::Badge) draw_badge(ui);
   }
   draw_person_menu(ui);
-  if (is_help_shown_ && draw_shortcut_list(ui)) is_help_shown_ = false;
+  draw_guide(ui, strip);
+  draw_help(ui);
   messages_.draw(ui, background_);
   if (const std::optional<std::string> dropped = ui.take_dropped())
     say({Meaning::Info, std::string(ui.text("drop.refused")), *dropped});
@@ -160,6 +166,7 @@ bool Shell::has_navigation() const noexcept {
 }
 
 MessageRoom Shell::message_room(const Ui& ui) const {
+  if (guide_ != nullptr) return {{}, ui.display()};
   if (!has_navigation()) return {};
   const bool is_rail = top()->surround() == WindowChrome::Rail;
   const float width = navigation_width(ui, is_rail);
@@ -232,6 +239,30 @@ void Shell::draw_person_menu(Ui& ui) {
   if (chosen == 4 && on_idle_) on_idle_();
 }
 
+// The screen below is drawn and hears nothing, as below a question: an operation pauses.
+void Shell::draw_guide(Ui& ui, float strip) {
+  if (guide_ == nullptr) return;
+  const LayerScope layer(ui.canvas(), Layer::Popup);
+  Rect content = ui.display();
+  ui.canvas().fill(content, ui.theme().page);
+  content.h -= strip;
+  guide_->draw(ui, content, *this);
+  hear_window_keys(ui);
+  if (!std::exchange(is_closing_guide_, false)) return;
+  guide_.reset();
+  ui.want_frame_in_s(0.0);
+}
+
+void Shell::draw_help(Ui& ui) {
+  if (!is_help_shown_) return;
+  const bool has_guide = make_guide_ && guide_ == nullptr && top() != nullptr;
+  const HelpAnswer answer = draw_shortcut_list(ui, has_guide);
+  is_help_shown_ = answer == HelpAnswer::Waiting;
+  if (answer != HelpAnswer::Guide) return;
+  guide_ = make_guide_(top()->guide_section());
+  top()->be_covered();
+}
+
 void Shell::hear_shortcuts(Ui& ui) {
   const bool may_go = top() != nullptr && top()->why_not_leave().empty();
   if (visitor_ && may_go && top()->surround() != WindowChrome::Nothing)
@@ -241,6 +272,13 @@ void Shell::hear_shortcuts(Ui& ui) {
       if (ui.shortcut(with_control(key), visitor_->places[number].label))
         navigate(ui, visitor_->places[number].id);
     }
+  hear_window_keys(ui);
+  if (screens_.size() > 1 && ui.shortcut({Key::Escape}, ui.text("shortcut.back")) && may_leave(ui))
+    pop();
+}
+
+// Wherever one is, in the guide too.
+void Shell::hear_window_keys(Ui& ui) {
   if (ui.shortcut({Key::F1}, ui.text("shortcut.help"))) is_help_shown_ = true;
   if (ui.shortcut({Key::F11}, ui.text("shortcut.full_screen")))
     preferences_.is_full_screen = !preferences_.is_full_screen;
@@ -249,8 +287,6 @@ void Shell::hear_shortcuts(Ui& ui) {
   if (ui.shortcut(with_control(Key::Minus), ui.text("shortcut.smaller"))) step = -scale_step;
   preferences_.scale = std::clamp(std::round((preferences_.scale + step) * 10.0F) / 10.0F,
                                   smallest_scale, largest_scale);
-  if (screens_.size() > 1 && ui.shortcut({Key::Escape}, ui.text("shortcut.back")) && may_leave(ui))
-    pop();
 }
 
 }  // namespace hallux::ui

@@ -80,6 +80,16 @@ class Shell {
   /// be left.
   void on_account(std::function<void()> action) { on_account_ = std::move(action); }
 
+  // -- the guide: over the screen, which stays as it is below
+  /// Makes what shows the guide at a section; it is drawn over the whole window until it asks for
+  /// close_guide(). Nobody to make it: F1 has no way to one.
+  void on_guide(std::function<std::unique_ptr<Screen>(GuideSection section)> make) {
+    make_guide_ = std::move(make);
+  }
+  /// After the frame in which it was asked for.
+  void close_guide() noexcept { is_closing_guide_ = true; }
+  bool is_guide_shown() const noexcept { return guide_ != nullptr; }
+
   // -- the lock: one screen instead of all others, which stay as they are
   /// Called once nobody touched anything for so long while somebody is signed in; 0: never.
   void on_idle(double idle_s, std::function<void()> action) {
@@ -131,7 +141,10 @@ class Shell {
   Rect draw_navigation(Ui& ui, const Screen& screen);
   void draw_badge(Ui& ui);
   void draw_person_menu(Ui& ui);
+  void draw_guide(Ui& ui, float strip);
+  void draw_help(Ui& ui);
   void hear_shortcuts(Ui& ui);
+  void hear_window_keys(Ui& ui);
   void navigate(Ui& ui, const std::string& id);
   void sign_out(Ui& ui);
   void apply_preferences(Ui& ui);
@@ -148,6 +161,9 @@ class Shell {
   double idle_s_ = 0.0;
   std::unique_ptr<Screen> lock_;
   bool is_unlocking_ = false;
+  std::function<std::unique_ptr<Screen>(GuideSection section)> make_guide_;
+  std::unique_ptr<Screen> guide_;
+  bool is_closing_guide_ = false;
   Messages messages_;
   Preferences preferences_, told_preferences_;
   std::function<void(const Preferences&)> on_preferences_;

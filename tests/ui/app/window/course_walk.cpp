@@ -76,6 +76,9 @@ class Walker {
       find_home();
     }
     if (!window_.finish_work()) throw Fault("work did not end within a minute");
+    constexpr int steps_in_which_it_is_met = 100;
+    if (steps >= steps_in_which_it_is_met && !seen_.contains("guide"))
+      throw Fault("the guide was never met");
   }
 
   std::string last_steps() const {
@@ -147,6 +150,8 @@ class Walker {
         return move_pointer();
       case 3:
         return one_in(4) ? change_window() : press_something();
+      case 4:
+        return one_in(3) ? open_guide() : press_something();
       default:
         return press_something();
     }
@@ -201,6 +206,14 @@ class Walker {
     note("write '" + std::string(word) + "' into " + widget.id);
     press(widget);
     driver().type(word);
+  }
+
+  // From wherever one is, unless a question lies there.
+  void open_guide() {
+    note("guide");
+    for (int count = 0; count < 2; ++count) driver().press(Key::F1);
+    window_.finish_work();
+    if (window_.shell().is_guide_shown()) seen_.insert("guide");
   }
 
   void press_keys() {

@@ -10,6 +10,7 @@
 #include "tests/ui/screens/operating/full_memory.h"
 #include "tests/ui/screens/operating/some_operation.h"
 #include "tests/ui/screens/some_visitor.h"
+#include "ui/screens/guide/guide_screen.h"
 #include "ui/screens/replay/replay_screen.h"
 
 namespace hallux::ui {
@@ -231,6 +232,45 @@ TEST_F(WithTheSawRunning, AListOverThePicturePauses) {
   expect_interrupted("Something lay over the picture");
 }
 
+TEST_F(WithTheSawRunning, TheGuideIsReadInThatPauseAndNothingIsLost) {
+  person_.shell().on_guide(
+      [](GuideSection section) { return std::make_unique<GuideScreen>(section); });
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  ASSERT_TRUE(person_.shell().is_guide_shown());
+  EXPECT_TRUE(person_.driver().sees("lead the saw, in the plane you look at"));
+  // Its keys are the guide's.
+  person_.press(Key::End);
+  person_.press(Key::Space);
+  person_.make_frames(2);
+  EXPECT_TRUE(person_.shell().is_guide_shown());
+  person_.press(Key::Escape);
+  person_.make_frames(2);
+  ASSERT_FALSE(person_.shell().is_guide_shown());
+  expect_interrupted("Something lay over the picture");
+}
+
+TEST_F(WithTheSawRunning, TheGuidePausesAlsoWhereTheSawIsOff) {
+  person_.shell().on_guide(
+      [](GuideSection section) { return std::make_unique<GuideScreen>(section); });
+  person_.press(Key::Space);
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::Escape);
+  person_.make_frames(2);
+  EXPECT_FALSE(person_.driver().sees("Something lay over the picture"))
+      << "the list alone does not";
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::F1);
+  person_.make_frames(2);
+  person_.press(Key::Escape);
+  person_.make_frames(2);
+  expect_interrupted("Something lay over the picture");
+}
+
 TEST_F(WithTheSawRunning, AWindowThatStoodStillPauses) {
   person_.driver().frame(2.0);
   person_.make_frames(2);
@@ -240,6 +280,7 @@ TEST_F(WithTheSawRunning, AWindowThatStoodStillPauses) {
 /// Opens by itself with the next frame.
 class BriefLock : public Screen {
  public:
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   void draw(Ui& /*ui*/, const Rect& /*content*/, Shell& shell) override { shell.unlock(); }
 };
 

@@ -21,6 +21,7 @@ constexpr double patience = 1.0;
 /// Below the operating screen, as a briefing is.
 class ScreenBelow : public Screen {
  public:
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   void draw(Ui&, const Rect&, Shell&) override {}
 };
 

@@ -18,6 +18,7 @@ class WorkingScreen : public Screen {
 
   WorkingScreen(std::shared_ptr<SignedInSession> signed_in, Act act)
       : signed_in_(std::move(signed_in)), act_(std::move(act)) {}
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   void draw(Ui&, const Rect&, Shell& shell) override {
     if (std::exchange(is_begun_, true)) return;
     work_.start<int>(shell, signed_in_, {"Working", "It did not go", "It was stopped"}, act_,

@@ -19,6 +19,7 @@ class PageWithAFile : public Screen {
  public:
   explicit PageWithAFile(std::string& path, std::string ending = ".json")
       : path_(path), ending_(std::move(ending)) {}
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override {
     if (chooser_.is_open()) {
       const PathQuestion asked{ui.text("path.file.title"), ui.text("path.file.act"), ending_};

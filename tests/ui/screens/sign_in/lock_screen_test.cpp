@@ -19,6 +19,7 @@ using testing::Not;
 class KeptScreen : public Screen {
  public:
   explicit KeptScreen(const std::string& reason) : reason_(reason) {}
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   std::string_view why_not_leave() const override { return reason_; }
   void draw(Ui& ui, const Rect& content, Shell& /*shell*/) override {
     ui.canvas().text_in(content, {Type::Body, ui.theme().text}, "what lies open");
