@@ -18,6 +18,8 @@ using simulator::CommandKind;
 constexpr double overlap_mm = 3.0;
 /// What a hand takes a newton aside for: so far is the handle out of the slot [mm].
 constexpr double give_mm_per_newton = 0.5;
+/// From piece to piece.
+constexpr double take_s = 0.5;
 constexpr double far_hovers = 3.0, turn_hovers = 2.0;  ///< how far off the bone, in hover_mm
 
 std::size_t first_cut_of(const Scenario& scenario, const Plan& plan) {
@@ -96,6 +98,7 @@ void FeelingHand::plan_acts(const Scenario& scenario, const Plan& plan) {
     if (at_hand.kind == StepKind::Remove) say(CommandKind::PickUp, simulator::piece_freed_last);
     if (at_hand.kind == StepKind::Close) say(CommandKind::CloseHinge);
     wait(at_hand.kind == StepKind::Verify ? 1.0 : 0.5);
+    if (at_hand.kind == StepKind::Remove) acts_.push_back({.kind = Act::Kind::TakeRest});
     say(CommandKind::StepDone, static_cast<std::int32_t>(step));
   }
   say(CommandKind::Finish);
@@ -139,13 +142,25 @@ bool FeelingHand::goes_on(double span_s) noexcept {
       if (queued_ == queue_.size()) return false;
       queue(act.command);
       return true;
+    case Act::Kind::TakeRest:
+      return take_rest();
   }
   return true;
 }
 
+/// Bone that was sawn off in several pieces is taken out whole. True where none is left.
+bool FeelingHand::take_rest() noexcept {
+  if (act_s_ < free_at_s_ || queued_ == queue_.size()) return false;
+  const std::optional<std::int32_t> piece = loose_.take_waste(cuts_);
+  if (!piece) return true;
+  queue({CommandKind::PickUp, *piece, 0});
+  free_at_s_ = act_s_ + take_s;
+  return false;
+}
+
 void FeelingHand::begin_act() noexcept {
   const Act& act = acts_[next_act_];
-  act_s_ = 0.0;
+  act_s_ = free_at_s_ = 0.0;
   if (act.kind == Act::Kind::TurnTo) begin_turn(act);
   if (act.kind == Act::Kind::Saw) {
     out_.mean(act.jitter_mm);
@@ -216,6 +231,7 @@ void FeelingHand::observe(const simulator::StepOutput& output) noexcept {
   world_from_tool_ = simulator::transform_from(output.sample.world_from_tool);
   engaged_mm_ = output.engaged.width_mm();
   for (const simulator::CutEvent& event : output.events) {
+    loose_.observe(event);
     if (event.kind == simulator::CutEventKind::PlaneFrozen) align_with_slot(event.pose);
   }
 }

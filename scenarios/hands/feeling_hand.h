@@ -18,6 +18,7 @@
 
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/held_axis.h"
+#include "scenarios/hands/loose_pieces.h"
 #include "scenarios/hands/stroke_work.h"
 #include "simulator/device/haptic_device.h"
 #include "simulator/loop/attempt_operator.h"
@@ -49,7 +50,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
  private:
   /// What the hand does next.
   struct Act {
-    enum class Kind { TurnTo, Saw, Wait, Say };
+    enum class Kind { TurnTo, Saw, Wait, Say, TakeRest };
     Kind kind = Kind::Wait;
     /// TurnTo: the one in whose plane the blade is to lie.
     std::size_t cut = 0;
@@ -72,6 +73,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   bool goes_on(double span_s) noexcept;
   void begin_turn(const Act& act) noexcept;
   bool is_turning() const noexcept;
+  bool take_rest() noexcept;
   void feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept;
   void hold_blade(double span_s) noexcept;
   void align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
@@ -99,10 +101,13 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   HandSenses senses_;
   StrokeWork work_;
   HeldAxis out_, tilt_x_, tilt_y_;
+  LoosePieces loose_;
   double felt_newton_ = 0.0;
   /// As it was seen last.
   double engaged_mm_ = 0.0;
   double act_s_ = 0.0, turn_s_ = 0.0;
+  /// TakeRest: of the act, when the hand is free for the next piece.
+  double free_at_s_ = 0.0;
   std::int64_t tick_ = -1;
   std::array<simulator::Command, simulator::commands_per_tick> queue_{};
   std::size_t queued_ = 0, taken_ = 0;

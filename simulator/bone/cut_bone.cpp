@@ -20,19 +20,17 @@ bool takes_nothing(const CutSolid& solid, const OpenedKerf& kerf) noexcept {
   return kerf.region.corners_mm.empty() || solid.mesh.triangles.empty();
 }
 
-KerfCut cut_one(const CutSolid& solid, std::unique_ptr<const Bvh>& bvh, const OpenedKerf& kerf) {
-  if (!takes_nothing(solid, kerf)) {
-    return cut_kerf(solid, tree_over(solid, bvh), kerf.plane, kerf.number, kerf.grid, kerf.region);
-  }
+KerfCut cut_one(const SolidWithTree& stands, const OpenedKerf& kerf) {
+  return cut_kerf(stands.solid, stands.bvh, kerf.plane, kerf.number, kerf.grid, kerf.region);
+}
+
+KerfCut cut_nothing(const CutSolid& solid) {
   KerfCut nothing;
   nothing.solid = solid;
   return nothing;
 }
 
 }  // namespace
-
-CutBone::CutBone(IndexedMesh whole)
-    : whole_{{uncut_solid(std::move(whole)), 0.0, false, 0}, nullptr}, pieces_(whole_.cut.solid) {}
 
 void CutBone::put_kerf(std::int32_t place, OpenedKerf kerf) {
   CHECK(place >= 0 && place <= kerf_count());
@@ -51,15 +49,22 @@ void CutBone::move_last(std::int32_t place) {
   std::rotate(moved, moved + 1, kerfs_.end());
 }
 
-CutBone::Stage& CutBone::stage_before(std::int32_t place) {
+SolidWithTree CutBone::stands() {
+  if (stages_.empty()) return {whole_->solid, whole_->tree};
+  Stage& last = stages_.back();
+  return {last.cut.solid, tree_over(last.cut.solid, last.bvh)};
+}
+
+const CutSolid& CutBone::solid_before(std::int32_t place) {
   CHECK(place >= 0 && place <= kerf_count());
   while (stages_.size() < index(place)) {
     const OpenedKerf& next = kerfs_[stages_.size()];
-    Stage& last = stages_.empty() ? whole_ : stages_.back();
-    stages_.push_back({cut_one(last.cut.solid, last.bvh, next), nullptr});
+    const CutSolid& last = stages_.empty() ? whole_->solid : stages_.back().cut.solid;
+    stages_.push_back(
+        {takes_nothing(last, next) ? cut_nothing(last) : cut_one(stands(), next), nullptr});
   }
   forget_trees_before(place - 1);
-  return place == 0 ? whole_ : stages_[index(place) - 1];
+  return place == 0 ? whole_->solid : stages_[index(place) - 1].cut.solid;
 }
 
 /// A tree is several times as large as its solid, and a kerf that grows needs that of the solid
@@ -70,20 +75,26 @@ void CutBone::forget_trees_before(std::int32_t place) noexcept {
 }
 
 SolidWithTree CutBone::before(std::int32_t place) {
-  Stage& stage = stage_before(place);
-  return {stage.cut.solid, tree_over(stage.cut.solid, stage.bvh)};
+  const CutSolid& solid = solid_before(place);
+  if (place == 0) return {solid, whole_->tree};
+  return {solid, tree_over(solid, stages_[index(place) - 1].bvh)};
 }
 
-const KerfCut& CutBone::cut(std::int32_t place) { return stage_before(place + 1).cut; }
+const KerfCut& CutBone::cut(std::int32_t place) {
+  solid_before(place + 1);
+  return stages_[index(place)].cut;
+}
 
-const CutSolid& CutBone::after_all() { return stage_before(kerf_count()).cut.solid; }
+const CutSolid& CutBone::after_all() { return solid_before(kerf_count()); }
 
 CutSolid CutBone::all_but(std::int32_t place) {
   if (place < 0) return after_all();
-  CutSolid solid = stage_before(place).cut.solid;
+  CutSolid solid = solid_before(place);
   for (std::int32_t later = place + 1; later < kerf_count(); ++later) {
-    std::unique_ptr<const Bvh> bvh;
-    solid = cut_one(solid, bvh, kerfs_[index(later)]).solid;
+    const OpenedKerf& kerf = kerfs_[index(later)];
+    if (takes_nothing(solid, kerf)) continue;
+    const Bvh bvh(solid.mesh);
+    solid = cut_one({solid, bvh}, kerf).solid;
   }
   return solid;
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "simulator/bone/numbered_pieces.h"
+#include "simulator/bone/whole_bone.h"
 #include "simulator/cutting/solid/commit_patch.h"
 
 namespace hallux::simulator {
@@ -38,7 +39,10 @@ struct SolidWithTree {
 class CutBone {
  public:
   /// needs   the mesh is closed
-  explicit CutBone(IndexedMesh whole);
+  explicit CutBone(IndexedMesh whole)
+      : CutBone(std::make_unique<const WholeBone>(std::move(whole))) {}
+  /// Borrows the bone.
+  explicit CutBone(const WholeBone& whole) : whole_(&whole), pieces_(whole.solid) {}
 
   // The kerfs, by their place in the order of cutting.
   std::int32_t kerf_count() const noexcept { return static_cast<std::int32_t>(kerfs_.size()); }
@@ -50,7 +54,7 @@ class CutBone {
   void move_last(std::int32_t place);
 
   /// The bone that was never cut.
-  const CutSolid& whole() const noexcept { return whole_.cut.solid; }
+  const CutSolid& whole() const noexcept { return whole_->solid; }
   /// What the kerfs before this one leave; `kerf_count()`: all of them.
   SolidWithTree before(std::int32_t place);
   /// What this kerf leaves of that.
@@ -74,11 +78,19 @@ class CutBone {
     std::unique_ptr<const Bvh> bvh;
   };
 
+  explicit CutBone(std::unique_ptr<const WholeBone> own)
+      : own_(std::move(own)), whole_(own_.get()), pieces_(whole_->solid) {}
+
   static std::size_t index(std::int32_t place) noexcept { return static_cast<std::size_t>(place); }
-  Stage& stage_before(std::int32_t place);
+  /// What the last of the kerfs cut so far leaves.
+  SolidWithTree stands();
+  /// Cuts what is not cut yet of the kerfs before this one.
+  const CutSolid& solid_before(std::int32_t place);
   void forget_trees_before(std::int32_t place) noexcept;
 
-  Stage whole_;
+  /// Null where it is borrowed.
+  std::unique_ptr<const WholeBone> own_;
+  const WholeBone* whole_;
   std::vector<OpenedKerf> kerfs_;
   /// After the first kerf, the second ...; those that still hold.
   std::deque<Stage> stages_;

@@ -32,7 +32,9 @@ AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
                                  std::optional<PlannedBridge> bridge)
     : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(solid_of(bone)) {}
 
-void AttemptGeometry::prepare() { bone_.before(0); }
+AttemptGeometry::AttemptGeometry(const BoneToCut& bone, const Blade& blade,
+                                 std::optional<PlannedBridge> bridge)
+    : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(bone.whole) {}
 
 void AttemptGeometry::apply(const CutEvent& event) {
   if (event.kind == CutEventKind::PlaneFrozen) {

@@ -70,13 +70,21 @@ struct JobResult {
   ClosedHinge hinge;
 };
 
+/// A bone that others cut too.
+struct BoneToCut {
+  const WholeBone& whole;
+  RigidTransform world_from_bone;
+};
+
 /// The attempt as the jobs see it: a copy of the kerfs, and the bone that they leave.
 class AttemptGeometry {
  public:
+  /// Builds the tree of the whole bone; work of 0.1 s.
   AttemptGeometry(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
+  /// Borrows the bone's solid and its tree.
+  AttemptGeometry(const BoneToCut& bone, const Blade& blade,
+                  std::optional<PlannedBridge> bridge = {});
 
-  /// Builds the tree of the whole bone, which the first section would wait for; work of 0.1 s.
-  void prepare();
   /// Applies what the step gave out; events of a tick before its sample.
   void apply(const CutEvent& event);
   void apply(const ToolSample& sample);

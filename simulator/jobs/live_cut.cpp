@@ -11,7 +11,7 @@ constexpr std::int64_t ticks_between_wholes = 500;
 
 }  // namespace
 
-LiveCut::LiveCut(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge)
+LiveCut::LiveCut(const BoneToCut& bone, const Blade& blade, std::optional<PlannedBridge> bridge)
     : geometry_(bone, blade, bridge) {}
 
 void LiveCut::apply(const ToolSample& sample) {
@@ -75,14 +75,22 @@ KerfOpening LiveCut::opening_of(std::int32_t kerf) const {
 std::optional<PatchBase> LiveCut::take_base() {
   if (!has_grown_ || (growing_ != nullptr && kerf_at_hand_ == kerf_)) return std::nullopt;
   growing_.reset();
-  std::optional<CutSolid> base = geometry_.solid_without(kerf_);
-  if (!base) return std::nullopt;
-  const Bvh bvh(base->mesh);
+  if (geometry_.is_only_kerf(kerf_)) {
+    grow_on(geometry_.whole());
+    return PatchBase();
+  }
+  std::optional<CutSolid> solid = geometry_.solid_without(kerf_);
+  if (!solid) return std::nullopt;
+  auto tree = std::make_unique<const Bvh>(solid->mesh);
+  grow_on({*solid, *tree});
+  return PatchBase{std::move(*solid), std::move(tree)};
+}
+
+void LiveCut::grow_on(const SolidWithTree& base) {
   const KerfSet& kerfs = geometry_.kerfs();
-  growing_ = std::make_unique<GrowingKerf>(SolidWithTree{*base, bvh}, kerfs.plane(kerf_), kerf_,
-                                           kerfs.field(kerf_).grid());
+  growing_ =
+      std::make_unique<GrowingKerf>(base, kerfs.plane(kerf_), kerf_, kerfs.field(kerf_).grid());
   kerf_at_hand_ = kerf_;
-  return PatchBase{std::move(*base), geometry_.is_only_kerf(kerf_)};
 }
 
 bool LiveCut::build_patch(SolidPatch& patch) {

@@ -22,16 +22,18 @@ namespace hallux::simulator {
 
 /// What the patch of the kerf that grows lies on.
 struct PatchBase {
+  /// Empty and without a tree where nothing else was cut: it is the bone as it was.
   CutSolid solid;
-  /// Nothing else was cut: it is the bone as it was.
-  bool is_uncut = false;
+  std::unique_ptr<const Bvh> tree;
+
+  bool is_uncut() const noexcept { return tree == nullptr; }
 };
 
 /// thread  one at a time; work without a bound: not the haptic one
 class LiveCut {
  public:
-  /// Borrows nothing.
-  LiveCut(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
+  /// Borrows the bone's solid and its tree.
+  LiveCut(const BoneToCut& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
 
   // What the loop feeds, in its order. The same jobs run at the same places as the loop's own, so
   // pieces have the same numbers here.
@@ -69,6 +71,8 @@ class LiveCut {
   const ClosedHinge* closed_hinge() const noexcept;
 
  private:
+  void grow_on(const SolidWithTree& base);
+
   AttemptGeometry geometry_;
   /// Of the kerf at hand; null where it has no base.
   std::unique_ptr<GrowingKerf> growing_;

@@ -51,7 +51,8 @@ class AttemptRun {
     const SimulationSetup& simulated = setup.simulation;
     if (setup.pacing == Pacing::RealTime) {
       own_jobs_ =
-          std::make_unique<ThreadedJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
+          std::make_unique<ThreadedJobs>(BoneToCut{whole_bone(), simulated.bone.world_from_bone},
+                                         simulated.saw.blade, simulated.bridge);
     } else {
       own_jobs_ =
           std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
@@ -87,6 +88,12 @@ class AttemptRun {
   }
 
  private:
+  const WholeBone& whole_bone() {
+    if (setup_.whole != nullptr) return *setup_.whole;
+    own_whole_ = std::make_unique<const WholeBone>(solid_of(setup_.simulation.bone));
+    return *own_whole_;
+  }
+
   void operate() {
     deadline_ = Clock::now() + tick_time;
     while (tick_ <= setup_.last_tick && !simulation_.is_over() && !is_cut_short()) {
@@ -290,7 +297,8 @@ class AttemptRun {
   const Progress& progress_;
   TissueMap tissue_;
   Simulation simulation_;
-  std::unique_ptr<JobRunner> own_jobs_;  ///< none where the setup brings its own
+  std::unique_ptr<const WholeBone> own_whole_;  ///< none where the setup has one, or nobody asks
+  std::unique_ptr<JobRunner> own_jobs_;         ///< none where the setup brings its own
   JobRunner* jobs_ = nullptr;
   TimeSpread step_times_, late_times_;
   LoopStatistics statistics_;

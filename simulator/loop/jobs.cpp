@@ -40,7 +40,7 @@ JobResult* ImmediateJobs::take(std::int32_t job) noexcept {
   return result;
 }
 
-ThreadedJobs::ThreadedJobs(const Bone& bone, const Blade& blade,
+ThreadedJobs::ThreadedJobs(const BoneToCut& bone, const Blade& blade,
                            std::optional<PlannedBridge> bridge)
     : geometry_(bone, blade, bridge),
       feed_(feed_capacity),
@@ -71,7 +71,6 @@ std::exception_ptr ThreadedJobs::failure() const noexcept {
 
 void ThreadedJobs::work(const std::stop_token& stop) {
   try {
-    geometry_.prepare();
     Feed feed;
     while (!stop.stop_requested()) {
       if (feed_.pop(feed)) {

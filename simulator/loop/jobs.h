@@ -45,9 +45,7 @@ class JobRunner {
 class ImmediateJobs final : public JobRunner {
  public:
   ImmediateJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {})
-      : geometry_(bone, blade, bridge) {
-    geometry_.prepare();
-  }
+      : geometry_(bone, blade, bridge) {}
 
   bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
@@ -67,7 +65,8 @@ class ImmediateJobs final : public JobRunner {
 /// Runs jobs on a thread of its own, in the order of their requests.
 class ThreadedJobs final : public JobRunner {
  public:
-  ThreadedJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
+  /// Borrows the bone's solid and its tree.
+  ThreadedJobs(const BoneToCut& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
   ~ThreadedJobs() override;
 
   bool apply(const StepOutput& output) override;

@@ -10,8 +10,10 @@
 namespace hallux::ui {
 
 PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress) {
-  PreparedCase prepared_case{scenario, patient_of(scenario, progress), {}};
+  PreparedCase prepared_case{scenario, patient_of(scenario, progress), {}, nullptr};
   prepared_case.plan = plan_on(prepared_case.scenario, prepared_case.bone);
+  prepared_case.whole =
+      std::make_unique<const simulator::WholeBone>(simulator::solid_of(prepared_case.bone));
   return prepared_case;
 }
 
@@ -133,6 +135,7 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch_;
+  setup.whole = prepared_case_->whole.get();
   end_.loop = run_attempt(setup, *device_, channels_, [this](double) { return !is_left(); });
   end_.end = end_.loop.end;
   end_.recorder = recorder.drain();

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "database/desks/trainee_desk.h"
+#include "simulator/bone/whole_bone.h"
 #include "ui/jobs/attempt_controls.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/noted_views.h"
@@ -31,6 +32,8 @@ struct PreparedCase {
   scenarios::Scenario scenario;
   simulator::Bone bone;
   scenarios::Plan plan;
+  /// The bone's, for all who cut it.
+  std::unique_ptr<const simulator::WholeBone> whole;
 };
 
 /// Reads nothing and stores nothing: the patient is made and the plan laid on it.

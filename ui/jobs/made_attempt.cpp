@@ -6,23 +6,13 @@
 
 #include "simulator/base/check.h"
 #include "simulator/base/progress.h"
+#include "simulator/record/drain.h"
 
 namespace hallux::ui {
 
 namespace {
 
 constexpr std::size_t ring_capacity = 32768;
-
-template <typename Value>
-void drain(simulator::Ring<Value>& ring, std::vector<Value>& values) {
-  for (Value value; ring.pop(value);) values.push_back(value);
-}
-
-void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recording) {
-  drain(channels.tape, recording.tape);
-  drain(channels.samples, recording.samples);
-  drain(channels.events, recording.events);
-}
 
 simulator::Recording carried_out(const ScriptedAttempt& attempt, const simulator::Bone& bone,
                                  const Progress& progress) {
@@ -32,10 +22,10 @@ simulator::Recording carried_out(const ScriptedAttempt& attempt, const simulator
   simulator::Recording recording;
   const simulator::LoopStatistics loop =
       run_attempt(set_up.setup, *set_up.hand, channels, [&](double fraction) {
-        drain_all(channels, recording);
+        drain(channels, recording);
         return !progress || progress(fraction);
       });
-  drain_all(channels, recording);
+  drain(channels, recording);
   if (loop.end == simulator::AttemptEnd::Cancelled)
     throw Cancelled("stopped while the hand was operating; nothing was kept");
   return recording;

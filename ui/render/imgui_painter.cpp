@@ -8,6 +8,17 @@
 
 namespace hallux::ui {
 
+namespace {
+
+/// The letters in colours were sent; where others come, they are made again from their coverage.
+void forget_colours(ImFontAtlas& fonts) {
+  if (fonts.TexPixelsAlpha8 == nullptr) return;
+  IM_FREE(fonts.TexPixelsRGBA32);
+  fonts.TexPixelsRGBA32 = nullptr;
+}
+
+}  // namespace
+
 ImguiPainter::ImguiPainter() {
   if (epoxy_gl_version() < 33)
     throw std::runtime_error(
@@ -29,6 +40,7 @@ void ImguiPainter::draw(const ImDrawData& data, int fonts_version, float columns
     const ImTextureID before = ImGui::GetIO().Fonts->TexID;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+    forget_colours(*ImGui::GetIO().Fonts);
     fonts_version_ = fonts_version;
     for (int list = 0; list < shown.CmdListsCount; ++list)
       for (ImDrawCmd& command : shown.CmdLists[list]->CmdBuffer)

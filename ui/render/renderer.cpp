@@ -30,6 +30,10 @@ namespace {
 /// How long bones stay with the card that no picture shows, and what a passing one was drawn in.
 constexpr std::uint64_t pictures_with_bones = 300, pictures_with_passing_room = 10;
 
+PixelSize enlarged(PixelSize size, int scale) noexcept {
+  return {at_least_one(size).width * scale, at_least_one(size).height * scale};
+}
+
 }  // namespace
 
 RenderQuality live_quality() {
@@ -49,14 +53,19 @@ struct KeptPicture::Parts {
   /// Each half as large as the one before, down to twice the picture's size.
   std::vector<RenderTarget> halved;
 
+  bool has_room(PixelSize size, int scale) const noexcept;
   void make_room(PixelSize size, int scale);
   void let_go() noexcept;
 };
 
+bool KeptPicture::Parts::has_room(PixelSize size, int scale) const noexcept {
+  return buffers && buffers->size() == enlarged(size, scale);
+}
+
 /// A picture of another size begins anew.
 void KeptPicture::Parts::make_room(PixelSize size, int scale) {
-  const PixelSize large{at_least_one(size).width * scale, at_least_one(size).height * scale};
-  if (buffers && buffers->size() == large) return;
+  const PixelSize large = enlarged(size, scale);
+  if (has_room(size, scale)) return;
   let_go();
   buffers.emplace(large);
   for (int part = scale / 2; part > 1; part /= 2) {
@@ -223,6 +232,9 @@ void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& t
   }
   ++parts.picture;
   KeptPicture::Parts& picture = *kept.parts_;
+  // Where one picture gives way to another, there is never room for both.
+  if (&kept != &parts.passing && !picture.has_room(target.size, parts.quality.supersampling))
+    parts.passing.parts_->let_go();
   picture.make_room(target.size, parts.quality.supersampling);
   const double pixel_scale = parts.quality.supersampling * detail;
   parts.draw_all(frame_of(scene, view, *picture.buffers, pixel_scale), picture);

@@ -123,10 +123,10 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
   const std::optional<Camera> before = std::exchange(parts.camera_behind, camera);
   const bool is_moving = before && *before != camera;
   live.eye_columns = std::min(setting.eye_columns, live_eye_columns());
-  parts.stage->begin(live, parts.window.size, is_moving ? live_moving_detail(setting.mode) : 1.0);
+  parts.stage->begin(live, parts.window, is_moving ? live_moving_detail(setting.mode) : 1.0);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && parts.stage->eye_count() < 2) continue;
-    parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye).target(),
+    parts.renderer.draw(scene, parts.stage->view(eye, camera), parts.stage->eye(eye),
                         parts.stage->kept(eye), parts.stage->detail());
   }
   parts.has_scene_behind = true;
@@ -150,12 +150,12 @@ void OpenGlScenePainter::finish_frame(const std::array<std::uint8_t, 3>& page,
     draw_panels(1.0F);
     return;
   }
-  for (const DrawTarget& target : parts.stage->pictures_for_panels(parts.window)) {
+  for (const DrawTarget& target : parts.stage->pictures_for_panels()) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     draw_panels(static_cast<float>(target.size.width) /
                 static_cast<float>(parts.window.size.width));
   }
-  parts.stage->compose(parts.window);
+  parts.stage->compose();
 }
 
 }  // namespace hallux::ui

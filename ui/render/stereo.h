@@ -47,15 +47,15 @@ class StereoStage {
  public:
   StereoStage();
 
-  /// Prepares the eyes' pictures for a window of this size. In mono there is one eye, Left. With a
-  /// detail below 1 they are coarse: they have that share of the window's rows and columns, and are
-  /// scaled up when composed.
+  /// Prepares the eyes' pictures for a window, or for wherever else they are to be seen. In mono
+  /// there is one eye, Left. With a detail below 1 they are coarse: they have that share of the
+  /// window's rows and columns, and are scaled up when composed.
   /// errors  GraphicsError where there is no room for them
-  void begin(const StereoSetting& setting, PixelSize window, double detail = 1.0);
+  void begin(const StereoSetting& setting, const DrawTarget& window, double detail = 1.0);
   int eye_count() const noexcept { return setting_.mode == StereoMode::Mono ? 1 : 2; }
-  /// The picture of one eye; side by side it has half the window's columns, so what is laid out for
-  /// the window must be squeezed to it.
-  const RenderTarget& eye(Eye eye) const;
+  /// Where one eye's picture is drawn; in mono the window itself, unless it is coarse. Side by side
+  /// it has half the window's columns, so what is laid out for the window must be squeezed to it.
+  DrawTarget eye(Eye eye) const;
   /// What stands still of that eye's picture.
   KeptPicture& kept(Eye eye) noexcept;
   double detail() const noexcept { return detail_; }
@@ -64,12 +64,12 @@ class StereoStage {
   /// then is; else each eye's picture, in its whole size; in an anaglyph a transparent one, once
   /// for both eyes: panels lie in the plane of the screen, where both see the same.
   /// needs   the eyes' pictures are drawn
-  std::vector<DrawTarget> pictures_for_panels(const DrawTarget& window) const;
+  std::vector<DrawTarget> pictures_for_panels() const;
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;
-  /// Composes the eyes' pictures into the window, or wherever else.
-  /// needs   a target of the size that began, for which pictures_for_panels() was called
-  void compose(const DrawTarget& window);
+  /// Composes the eyes' pictures into the window.
+  /// needs   pictures_for_panels() was called
+  void compose();
 
   /// All of it, for a scene without panels.
   void draw(Renderer& renderer, const Scene& scene, const Camera& camera,
@@ -77,15 +77,19 @@ class StereoStage {
 
  private:
   struct EyePicture {
-    std::optional<RenderTarget> whole, coarse;
+    /// None in mono.
+    std::optional<RenderTarget> whole;
+    std::optional<RenderTarget> coarse;
     KeptPicture kept_whole, kept_coarse;
   };
 
   void resize(EyePicture& picture) const;
   const EyePicture& picture_of(Eye eye) const;
   const RenderTarget& whole(Eye eye) const;
-  void copy_halves(const DrawTarget& window) const;
-  void compose_anaglyph(const DrawTarget& window);
+  /// needs   not mono, or coarse
+  const RenderTarget& drawn(Eye eye) const;
+  void copy_halves() const;
+  void compose_anaglyph();
 
   ShaderProgram anaglyph_;
   GlVertexArray no_attributes_;
@@ -93,7 +97,7 @@ class StereoStage {
   std::optional<RenderTarget> panels_;
   StereoSetting setting_;
   double detail_ = 1.0;
-  PixelSize window_;
+  DrawTarget window_;
 };
 
 }  // namespace hallux::ui

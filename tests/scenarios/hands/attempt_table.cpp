@@ -23,6 +23,11 @@ namespace {
 
 constexpr std::size_t threads = 2;
 
+/// Gates of what the operation is for: the piece is out, the wedge closed.
+bool is_of_deed(const database::GateResult& gate) {
+  return gate.name == "piece_out" || gate.name == "wedge_closed";
+}
+
 AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                   const char* hand, std::uint64_t seed) {
   const simulator::Recording recording = run_hand(scenario, bone, hand, seed).recording;
@@ -36,6 +41,9 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
     if (line.metric == "hinge_mm") row.hinge_mm = line.value;
     if (line.metric == "over_cut_mm") row.over_cut_mm = line.value;
     row.is_measured = row.is_measured && line.is_measured;
+  }
+  for (const database::GateResult& gate : card.gates) {
+    row.is_done = row.is_done && !(is_of_deed(gate) && gate.is_triggered);
   }
   for (const simulator::ToolSample& sample : recording.samples) {
     const Vec3 force_mn(sample.force_mn[0], sample.force_mn[1], sample.force_mn[2]);
@@ -58,17 +66,18 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
 
 void print(const AttemptTable& table) {
   std::printf(
-      "hand    seed  score  angle_deg  location_mm  hinge_mm  over_cut_mm  freed  closed  "
+      "hand    seed  score  angle_deg  location_mm  hinge_mm  over_cut_mm  freed  closed  done  "
       "identical  duration_s  force  hot  zones\n");
   for (std::size_t hand = 0; hand < table_hands.size(); ++hand) {
     for (std::size_t seed = 0; seed < table.rows[hand].size(); ++seed) {
       const AttemptRow& row = table.rows[hand][seed];
       std::printf(
-          "%-7s %4zu %6.1f %10.2f %12.2f %9.2f %12.2f  %-5s  %-6s  %-9s %11.1f %6.1f %4.0f %6.0f\n",
+          "%-7s %4zu %6.1f %10.2f %12.2f %9.2f %12.2f  %-5s  %-6s  %-4s  %-9s %11.1f %6.1f %4.0f "
+          "%6.0f\n",
           table_hands[hand], seed + 1, row.score, row.angle_deg, row.location_mm, row.hinge_mm,
           row.over_cut_mm, row.freed_a_piece ? "yes" : "no", row.closed_hinge ? "yes" : "no",
-          row.is_identical ? "yes" : "no", row.duration_s, row.force_newton, row.hot_patches,
-          row.zone_contacts);
+          row.is_done ? "yes" : "no", row.is_identical ? "yes" : "no", row.duration_s,
+          row.force_newton, row.hot_patches, row.zone_contacts);
     }
   }
 }
@@ -106,6 +115,11 @@ AttemptTable run_attempts(std::string_view name, std::size_t seeds) {
   return table;
 }
 
+AttemptRow run_attempt_of(std::string_view name, const char* hand, std::uint64_t seed) {
+  const scenarios::Scenario scenario = scenarios::load_shipped_scenario(name);
+  return row_of(scenario, make_patient(scenario), hand, seed);
+}
+
 double median(const AttemptRows& rows, double AttemptRow::*value) {
   std::vector<double> values(rows.size());
   std::transform(rows.begin(), rows.end(), values.begin(),
@@ -124,6 +138,7 @@ void expect_sound(const AttemptTable& table) {
     }
     for (std::size_t seed = 0; hand == 0 && seed < rows.size(); ++seed) {
       EXPECT_EQ(rows[seed].zone_contacts, 0.0) << table_hands[hand] << ' ' << seed + 1;
+      EXPECT_TRUE(rows[seed].is_done) << table_hands[hand] << ' ' << seed + 1;
     }
     const auto lacking = std::count_if(rows.begin(), rows.end(),
                                        [](const AttemptRow& row) { return !row.is_measured; });

@@ -26,6 +26,8 @@ struct AttemptRow {
   double hot_patches = 0.0;
   double zone_contacts = 0.0;
   bool freed_a_piece = false, closed_hinge = false;
+  /// No deed of the operation is missing: the piece is out, the wedge closed.
+  bool is_done = true;
   bool is_identical = false;
   std::int64_t difference_tick = -1;
   double duration_s = 0.0;
@@ -42,12 +44,14 @@ struct AttemptTable {
 /// Carries out, scores and replays those of the seeds 1 to `seeds`, on two threads, and prints the
 /// table with the time it took.
 AttemptTable run_attempts(std::string_view scenario, std::size_t seeds = table_seeds);
+/// One of them.
+AttemptRow run_attempt_of(std::string_view scenario, const char* hand, std::uint64_t seed);
 
 double median(const AttemptRows& rows, double AttemptRow::*value);
 
-/// Expects that every attempt replays identically, and that the expert's touch no danger zone and
-/// are measured wholly; of the novice's one in five may lack a cut: two cuts that go into one kerf
-/// leave nothing to measure of the second.
+/// Expects that every attempt replays identically, and that the expert's do all of the operation,
+/// touch no danger zone and are measured wholly; of the novice's one in five may lack a cut: two
+/// cuts that go into one kerf leave nothing to measure of the second.
 void expect_sound(const AttemptTable& table);
 /// Prints the medians; expects besides that the expert's median score is above 75 and the novice's
 /// below 45, that each hand cuts within 30 % of the errors it is said to have, and that only the

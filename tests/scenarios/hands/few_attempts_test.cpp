@@ -19,5 +19,14 @@ TEST(FewAttempts, AtSilverAreScoredAndReplayIdentically) { expect_that_a_few_tel
 
 TEST(FewAttempts, AtAkinAreScoredAndReplayIdentically) { expect_that_a_few_tell("akin"); }
 
+// The face of this seed runs along the shaft: a piece of the shaft's side comes free after the
+// eminence.
+TEST(FewAttempts, AtSilverAnExpertTakesOutAllThatTheFaceFrees) {
+  const AttemptRow row = run_attempt_of("silver", "expert", 3);
+  EXPECT_TRUE(row.is_done);
+  EXPECT_GT(row.score, 75.0);
+  EXPECT_TRUE(row.is_identical);
+}
+
 }  // namespace
 }  // namespace hallux::tests

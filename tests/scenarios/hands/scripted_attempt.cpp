@@ -1,8 +1,7 @@
 #include "tests/scenarios/hands/scripted_attempt.h"
 
-#include <vector>
-
 #include "scenarios/simulation_setup.h"
+#include "simulator/record/drain.h"
 
 namespace hallux::tests {
 
@@ -10,17 +9,6 @@ namespace {
 
 /// Far more than come between two reports of progress, a few hundred lines.
 constexpr std::size_t ring_capacity = 32768;
-
-template <typename Value>
-void drain(simulator::Ring<Value>& ring, std::vector<Value>& values) {
-  for (Value value; ring.pop(value);) values.push_back(value);
-}
-
-void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recording) {
-  drain(channels.tape, recording.tape);
-  drain(channels.samples, recording.samples);
-  drain(channels.events, recording.events);
-}
 
 }  // namespace
 
@@ -32,10 +20,10 @@ ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::B
   simulator::AttemptChannels channels(ring_capacity);
   ScriptedAttempt attempt;
   attempt.loop = run_attempt(setup, hand, channels, [&](double /*fraction*/) {
-    drain_all(channels, attempt.recording);
+    drain(channels, attempt.recording);
     return true;
   });
-  drain_all(channels, attempt.recording);
+  drain(channels, attempt.recording);
   return attempt;
 }
 

@@ -106,6 +106,23 @@ TEST(CutBone, AllButOneIsTheBoneWhoseOtherKerfsWereCut) {
   EXPECT_EQ(bone.all_but(-1).mesh, bone.after_all().mesh);
 }
 
+TEST(CutBone, ThatIsBorrowedIsCutLikeItsOwn) {
+  const WholeBone whole(block());
+  CutBone borrowed(whole), own(block());
+  EXPECT_EQ(&borrowed.before(0).bvh, &whole.tree) << "nothing is built again";
+  EXPECT_EQ(&borrowed.whole(), &whole.solid);
+  for (CutBone* const bone : {&borrowed, &own}) {
+    bone->put_kerf(0, across(0, 2.0, 3.0));
+    bone->put_kerf(1, across(1, -2.0, 3.0));
+    bone->number_pieces();
+  }
+  EXPECT_EQ(borrowed.after_all().mesh, own.after_all().mesh);
+  EXPECT_EQ(borrowed.all_but(0).mesh, own.all_but(0).mesh);
+  EXPECT_EQ(borrowed.pieces().pieces().size(), 3U);
+  EXPECT_EQ(borrowed.pieces().gathered().mesh, own.pieces().gathered().mesh);
+  EXPECT_EQ(whole.solid.mesh, block());
+}
+
 TEST(CutBone, AKerfMovedLastIsCutFromWhatTheOthersLeave) {
   CutBone bone(block());
   bone.put_kerf(0, across(7, 2.0, 3.0));

@@ -38,7 +38,8 @@ class LiveCutOfABlock : public testing::Test {
   }
 
   Bone bone_ = tests::cortical_bone(tests::solid_block({20.0, 4.0, 6.0}));
-  LiveCut cut_{bone_, Blade{}};
+  const WholeBone whole_{solid_of(bone_)};
+  LiveCut cut_{{whole_, bone_.world_from_bone}, Blade{}};
   SolidPatch patch_;
 };
 
@@ -55,8 +56,7 @@ TEST_F(LiveCutOfABlock, ShowsTheFirstKerfOnTheBoneAsItWas) {
   saw(0, 3.0, 1.0, 10);
   const std::optional<PatchBase> base = cut_.take_base();
   ASSERT_TRUE(base);
-  EXPECT_TRUE(base->is_uncut);
-  EXPECT_EQ(base->solid.mesh, solid_of(bone_));
+  EXPECT_TRUE(base->is_uncut());
   EXPECT_TRUE(cut_.build_patch(patch_));
   EXPECT_FALSE(patch_.triangles.empty());
   EXPECT_FALSE(cut_.is_due());
@@ -81,7 +81,7 @@ TEST_F(LiveCutOfABlock, LaysTheNextKerfOnABoneWithTheFirst) {
   saw(1, -3.0, 1.0, 20);
   const std::optional<PatchBase> base = cut_.take_base();
   ASSERT_TRUE(base);
-  EXPECT_FALSE(base->is_uncut);
+  EXPECT_FALSE(base->is_uncut());
   EXPECT_LT(signed_volume_mm3(base->solid.mesh), 480.0 - 1.0);
   EXPECT_TRUE(cut_.build_patch(patch_));
 }

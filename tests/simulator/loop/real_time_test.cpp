@@ -24,7 +24,10 @@ namespace {
 class LateJobs final : public JobRunner {
  public:
   LateJobs(const Bone& bone, std::uint64_t seed, double delay_max_ms)
-      : jobs_(bone, Blade{}), random_(seed), delay_max_ms_(delay_max_ms) {}
+      : whole_(solid_of(bone)),
+        jobs_({whole_, bone.world_from_bone}, Blade{}),
+        random_(seed),
+        delay_max_ms_(delay_max_ms) {}
 
   bool apply(const StepOutput& output) override { return jobs_.apply(output); }
   bool has_room() const noexcept override { return jobs_.has_room(); }
@@ -39,6 +42,7 @@ class LateJobs final : public JobRunner {
   }
 
  private:
+  const WholeBone whole_;
   ThreadedJobs jobs_;
   Random random_;
   double delay_max_ms_, left_ms_ = 0.0;

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "simulator/base/progress.h"
+#include "simulator/record/drain.h"
 #include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
 
@@ -18,20 +19,11 @@ using simulator::TapeLine;
 
 namespace {
 
-template <typename Value>
-bool take_all(simulator::Ring<Value>& ring, std::vector<Value>& values) {
-  bool took_any = false;
-  for (Value value; ring.pop(value); took_any = true) values.push_back(value);
-  return took_any;
-}
-
 void empty_rings(AttemptChannels& channels, Recording& recording) {
   for (;;) {
     // Asked before the rings: what was pushed before closing is then still taken.
     const bool is_closed = channels.closed.load(std::memory_order_acquire);
-    bool took_any = take_all(channels.tape, recording.tape);
-    took_any = take_all(channels.events, recording.events) || took_any;
-    took_any = take_all(channels.samples, recording.samples) || took_any;
+    const bool took_any = drain(channels, recording);
     if (is_closed && !took_any) return;
     if (!took_any) std::this_thread::sleep_for(std::chrono::microseconds{200});
   }

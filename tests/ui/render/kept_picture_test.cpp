@@ -182,5 +182,30 @@ TEST_F(KeptPictures, WhatAPassingPictureWasDrawnInIsLetGoWhileOthersAreDrawn) {
   EXPECT_EQ(take_error(), 0U) << "it is made anew where it is wanted again";
 }
 
+// As an operation takes the place of a briefing's picture.
+TEST_F(KeptPictures, WhatAPassingPictureWasDrawnInIsLetGoBeforeAKeptOneNeedsRoom) {
+  const RenderTarget target({32, 18});
+  const ObjectCensus nothing = count_objects();
+  renderer_.draw(scene_, camera_, target.target());
+  const ObjectCensus passing = count_objects();
+  ASSERT_GT(passing.framebuffers, nothing.framebuffers);
+  renderer_.draw(scene_, view(), target.target(), left_);
+  EXPECT_EQ(count_objects().framebuffers, passing.framebuffers) << "one of them, not both";
+  EXPECT_EQ(count_objects().textures, passing.textures);
+}
+
+TEST_F(KeptPictures, InMonoTheWindowItselfIsDrawnIntoUnlessThePictureIsCoarse) {
+  const RenderTarget window(size_);
+  StereoStage stage;
+  const ObjectCensus before = count_objects();
+  stage.begin({}, window.target());
+  EXPECT_EQ(stage.eye(Eye::Left).framebuffer, window.target().framebuffer);
+  EXPECT_EQ(count_objects(), before) << "no target between";
+  stage.begin({}, window.target(), 0.5);
+  EXPECT_NE(stage.eye(Eye::Left).framebuffer, window.target().framebuffer);
+  stage.begin({.mode = StereoMode::SideBySide}, window.target());
+  EXPECT_NE(stage.eye(Eye::Left).framebuffer, window.target().framebuffer);
+}
+
 }  // namespace
 }  // namespace hallux::tests

@@ -31,9 +31,9 @@ std::vector<database::ScenarioVersionId> publish_shipped_scenarios(
   return published;
 }
 
-database::ScenarioVersionId import_scenario_file(database::AdministratorDesk& desk,
-                                                 const std::filesystem::path& file) {
-  return desk.import_scenario(text_of(check_scenario_file(file).scenario));
+database::ScenarioVersionId import_scenario(database::AdministratorDesk& desk,
+                                            const scenarios::Scenario& scenario) {
+  return desk.import_scenario(text_of(scenario));
 }
 
 }  // namespace hallux::ui

@@ -2,10 +2,10 @@
 /// checked file into it.
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "database/desks/administrator_desk.h"
+#include "scenarios/scenario.h"
 
 namespace hallux::ui {
 
@@ -15,9 +15,10 @@ namespace hallux::ui {
 std::vector<database::ScenarioVersionId> publish_shipped_scenarios(
     database::AdministratorDesk& desk);
 
-/// Checks the file on its patient and imports it as a draft. About a second: a job.
-/// errors  ScenarioError, which stores nothing; DatabaseError
-database::ScenarioVersionId import_scenario_file(database::AdministratorDesk& desk,
-                                                 const std::filesystem::path& file);
+/// Imports it as a draft.
+/// needs   it was checked
+/// errors  DatabaseError
+database::ScenarioVersionId import_scenario(database::AdministratorDesk& desk,
+                                            const scenarios::Scenario& scenario);
 
 }  // namespace hallux::ui

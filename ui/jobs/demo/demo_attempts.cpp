@@ -8,6 +8,7 @@
 #include "scenarios/scenario_error.h"
 #include "scenarios/simulation_setup.h"
 #include "simulator/base/progress.h"
+#include "simulator/record/drain.h"
 #include "ui/jobs/attempt_jobs.h"
 
 namespace hallux::ui {
@@ -33,18 +34,6 @@ scenarios::FeelingHand aimed_hand(const DemoOperation& operation, DemoAttempt& p
   }
 }
 
-template <typename Row>
-void drain(simulator::Ring<Row>& ring, std::vector<Row>& rows) {
-  Row row;
-  while (ring.pop(row)) rows.push_back(row);
-}
-
-void drain_all(simulator::AttemptChannels& channels, simulator::Recording& recording) {
-  drain(channels.tape, recording.tape);
-  drain(channels.samples, recording.samples);
-  drain(channels.events, recording.events);
-}
-
 }  // namespace
 
 OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAttempt& planned,
@@ -58,13 +47,13 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels{ring_capacity};
   operated.loop = run_attempt(setup, hand, channels, [&](double part) {
-    drain_all(channels, operated.recording);
+    drain(channels, operated.recording);
     return progress(operating_part * part);
   });
   if (operated.loop.end == simulator::AttemptEnd::Cancelled) {
     throw Cancelled("stopped while operating; nothing was stored");
   }
-  drain_all(channels, operated.recording);
+  drain(channels, operated.recording);
   operated.card = assessment::assess(operation.scenario, operation.bone, operated.recording,
                                      part_of(progress, operating_part, 1.0));
   return operated;

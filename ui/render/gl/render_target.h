@@ -1,4 +1,4 @@
-/// A picture to draw into: colour as a texture, with depth beside it.
+/// A picture to draw into: colour as a texture.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,6 @@ class RenderTarget {
  private:
   PixelSize size_;
   GlTexture colour_;
-  GlRenderbuffer depth_;
   GlFramebuffer framebuffer_;
 };
 

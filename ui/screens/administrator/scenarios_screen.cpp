@@ -5,10 +5,12 @@
 
 #include <algorithm>
 
+#include "simulator/base/progress.h"
 #include "ui/jobs/course/course_jobs.h"
 #include "ui/jobs/course/scenario_jobs.h"
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
+#include "ui/sight/check_start_view.h"
 #include "ui/times/local_time.h"
 #include "ui/widgets/controls/dialog.h"
 #include "ui/widgets/controls/field.h"
@@ -271,19 +273,48 @@ void ScenariosScreen::draw_import_dialog(Ui& ui, Shell& shell) {
   if (answer == Answer::Keep) file_.reset();
 }
 
+namespace {
+
+/// Of the work: the patient is built and the planes laid on it; the start view was looked at.
+constexpr double on_patient_share = 0.5, looked_at_share = 0.95;
+
+/// A version that was taken in.
+struct Imported {
+  database::ScenarioVersionId id;
+  /// Why nobody could look at its start view; empty otherwise.
+  std::string why_not_drawn;
+};
+
+Imported import_file(database::Session& session, const std::filesystem::path& file,
+                     WorkReport& report) {
+  const auto reached = [&](double share) {
+    if (!report.reached(share))
+      throw Cancelled("stopped while the scenario was checked; nothing was stored");
+  };
+  database::AdministratorDesk desk = administrator_of(session);
+  const CheckedScenario checked = check_scenario_file(file);
+  reached(on_patient_share);
+  const StartViewCheck view =
+      check_start_view(checked.scenario, checked.bone, checked.plan, file.filename().string());
+  reached(looked_at_share);
+  return {import_scenario(desk, checked.scenario), view.why_not_drawn};
+}
+
+}  // namespace
+
 void ScenariosScreen::import(Ui& ui, Shell& shell) {
-  importing_.start<database::ScenarioVersionId>(
+  importing_.start<Imported>(
       shell, signed_in_, {std::string(ui.text("scenarios.checking")), {}},
-      [file = typed_path(*file_, home_folder())](database::Session& session, WorkReport&) {
-        database::AdministratorDesk desk = administrator_of(session);
-        return import_scenario_file(desk, file);
+      [file = typed_path(*file_, home_folder())](database::Session& session, WorkReport& report) {
+        return import_file(session, file, report);
       },
-      [this, &shell, said = std::string(ui.text("scenarios.imported")),
-       detail =
-           std::string(ui.text("scenarios.imported.sentence"))](database::ScenarioVersionId& id) {
+      [this, &shell, &texts = ui.texts()](Imported& imported) {
         file_.reset();
-        chosen_ = id;
-        shell.say({Meaning::Good, said, detail});
+        chosen_ = imported.id;
+        std::string detail(texts.text("scenarios.imported.sentence"));
+        if (!imported.why_not_drawn.empty())
+          detail += " " + texts.say("scenarios.imported.unseen", {{"why", imported.why_not_drawn}});
+        shell.say({Meaning::Good, std::string(texts.text("scenarios.imported")), detail});
         versions_.read_again();
       });
 }

@@ -75,7 +75,7 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
       scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
   cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
     NeighbourWork neighbour(prepared.prepared_case->scenario, directory);
-    prepared.picture = picture_of(prepared.prepared_case->bone, directory, [&](double fraction) {
+    prepared.picture = picture_of(prepared.prepared_case, directory, [&](double fraction) {
       return report.reached(patient_share + (1.0 - patient_share) * fraction);
     });
     SitePicture site;

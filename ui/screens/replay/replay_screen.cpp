@@ -122,8 +122,8 @@ void ReplayScreen::open(Ui& ui) {
 void ReplayScreen::draw_replay(Ui& ui, const Rect& content, Shell& shell) {
   Rect rest = content;
   draw_head(ui, take_top(rest, head_height), shell);
-  const Timeline shown =
-      timeline_.shown(ui.texts(), material(), remarks(), player_.now_s(), ui.display().h);
+  const Timeline shown = timeline_.shown(ui.texts(), material(), is_made() ? nullptr : &remarks(),
+                                         player_.now_s(), ui.display().h);
   draw_time(ui, take_bottom(rest, time_height(ui, shown, rest.w)), shown);
   const float width = std::clamp(0.3F * content.w, 216.0F, panel_width);
   draw_panel(ui, take_right(rest, width), shell);

@@ -6,6 +6,8 @@ namespace {
 
 constexpr float two_tracks_from = 800.0F, one_track_from = 620.0F, legend_from = 860.0F,
                 compact_below = 440.0F;
+/// Without a line of remarks the lines stand closer, and there is room for the force.
+constexpr float one_close_track_from = 460.0F;
 constexpr double force_step_newton = 5.0, plan_step_mm = 2.0;
 
 std::vector<TimelineNote> marks_of(const Remarks& remarks) {
@@ -41,21 +43,27 @@ const Curves& ReplayTimeline::curves(const ReplayMaterial& material) {
 }
 
 Timeline ReplayTimeline::shown(const Texts& texts, const ReplayMaterial& material,
-                               const Remarks& remarks, double now_s, float display_height) {
+                               const Remarks* remarks, double now_s, float display_height) {
   Timeline shown{.duration_s = material.duration_s,
                  .range = state_.range,
                  .now_s = now_s,
                  .steps_name = std::string(texts.text("replay.steps")),
                  .events_name = std::string(texts.text("replay.events")),
-                 .notes_name = std::string(texts.text("notes.title")),
                  .steps = material.steps,
-                 .events = event_marks_of(texts, material.events),
-                 .notes = marks_of(remarks)};
-  shown.is_compact = display_height < compact_below;
-  shown.legend =
-      legend_of(texts, {TimelineShape::Note, TimelineShape::Question, TimelineShape::Answered});
+                 .events = event_marks_of(texts, material.events)};
+  if (remarks != nullptr) {
+    shown.notes_name = texts.text("notes.title");
+    shown.notes = marks_of(*remarks);
+    shown.legend =
+        legend_of(texts, {TimelineShape::Note, TimelineShape::Question, TimelineShape::Answered});
+  } else {
+    shown.legend = legend_of(texts, {});
+  }
+  const bool has_close_track = remarks == nullptr && display_height >= one_close_track_from &&
+                               display_height < one_track_from;
+  shown.is_compact = display_height < compact_below || has_close_track;
   // The scale is that of all of it, so that a force looks the same however near one is.
-  if (display_height >= one_track_from) {
+  if (display_height >= one_track_from || has_close_track) {
     TimelineTrack force = force_track(texts, curves(material).force_newton);
     force.high = highest_of(material.curves.force_newton, force_step_newton);
     shown.tracks.push_back(std::move(force));

@@ -14,8 +14,9 @@ namespace hallux::ui {
 class ReplayTimeline {
  public:
   /// Curves are there as the display's height has room for them.
+  /// remarks null where nobody can remark on it: their line is left out, and leaves room
   /// needs   always the same material
-  Timeline shown(const Texts& texts, const ReplayMaterial& material, const Remarks& remarks,
+  Timeline shown(const Texts& texts, const ReplayMaterial& material, const Remarks* remarks,
                  double now_s, float display_height);
   TimelineState& state() noexcept { return state_; }
   /// Open where the display is high, until somebody has chosen.

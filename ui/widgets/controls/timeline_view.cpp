@@ -186,33 +186,34 @@ std::optional<double> press_marks(TimelineState& state, const Timeline& shown,
   return std::nullopt;
 }
 
-TimelineAnswer hear_events(Ui& ui, std::string_view id, const TimelineLayout& layout,
-                           const Timeline& shown, TimelineState& state) {
-  TimelineAnswer answer;
-  for (const MarkCluster& cluster : event_marks(layout, shown)) {
-    MarkControl mark = control_of(ui, shown, shown.events, cluster, events_text);
-    mark.id = std::string(id) + ".event." + std::to_string(cluster.first + 1);
-    mark.at = {cluster.x, layout.events_y};
-    if (!mark_control(ui, mark, std::string(id) + ".events").is_pressed()) continue;
-    answer.asked_s = press_marks(state, shown, shown.events, cluster);
-    answer.is_mark = true;
-  }
-  return answer;
-}
+/// Marks on one line, each a control `id.N`.
+template <typename Item>
+struct MarkLine {
+  std::string id;
+  const std::vector<Item>& items;
+  std::vector<MarkCluster> clusters;
+  float y = 0.0F;
+  CountedText counted = nullptr;
+};
 
-TimelineAnswer hear_notes(Ui& ui, std::string_view id, const TimelineLayout& layout,
-                          const Timeline& shown, TimelineState& state) {
-  TimelineAnswer answer;
-  for (const MarkCluster& cluster : note_marks(layout, shown)) {
-    MarkControl mark = control_of(ui, shown, shown.notes, cluster, notes_text);
-    mark.id = std::string(id) + ".note." + std::to_string(cluster.first + 1);
-    mark.at = {cluster.x, layout.notes_y};
-    if (!mark_control(ui, mark, std::string(id) + ".notes").is_pressed()) continue;
-    answer.asked_s = press_marks(state, shown, shown.notes, cluster);
-    if (answer.asked_s) answer.note = cluster.first;
-    answer.is_mark = true;
+struct PressedMark {
+  /// Of the items.
+  std::size_t first = 0;
+  std::optional<double> asked_s;
+};
+
+template <typename Item>
+PressedMark hear_marks(Ui& ui, const MarkLine<Item>& line, const Timeline& shown,
+                       TimelineState& state) {
+  PressedMark pressed;
+  for (const MarkCluster& cluster : line.clusters) {
+    MarkControl mark = control_of(ui, shown, line.items, cluster, line.counted);
+    mark.id = line.id + "." + std::to_string(cluster.first + 1);
+    mark.at = {cluster.x, line.y};
+    if (!mark_control(ui, mark, line.id + "s").is_pressed()) continue;
+    pressed = {cluster.first, press_marks(state, shown, line.items, cluster)};
   }
-  return answer;
+  return pressed;
 }
 
 /// Where a line of the legend breaks: calls `place(key, x, line)` for each.
@@ -246,10 +247,15 @@ TimelineAnswer timeline(Ui& ui, std::string_view id, const Rect& rect, Timeline 
   draw_timeline(ui.canvas(), ui.theme(), rect, shown);
   if (hears_wheel) hear_wheel(ui, area, layout, shown, state);
   TimelineAnswer answer{hear_pointer(area, rect, layout, shown, state)};
-  const TimelineAnswer event = hear_events(ui, id, layout, shown, state);
-  const TimelineAnswer note = hear_notes(ui, id, layout, shown, state);
-  if (event.asked_s) answer = event;
-  if (note.asked_s) answer = note;
+  const std::string name(id);
+  const MarkLine<TimelineEvent> events{name + ".event", shown.events, event_marks(layout, shown),
+                                       layout.events_y, events_text};
+  const MarkLine<TimelineNote> notes{name + ".note", shown.notes, note_marks(layout, shown),
+                                     layout.notes_y, notes_text};
+  const PressedMark event = hear_marks(ui, events, shown, state);
+  const PressedMark note = hear_marks(ui, notes, shown, state);
+  if (event.asked_s) answer = {event.asked_s, {}, true};
+  if (note.asked_s) answer = {note.asked_s, note.first, true};
   if (state.range != before) ui.want_frame_in_s(0.0);
   return answer;
 }

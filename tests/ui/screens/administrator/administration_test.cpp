@@ -212,6 +212,18 @@ TEST(ScenariosScreen, AWrongFileIsRefusedWithTheWholeFault) {
   EXPECT_TRUE(desk.driver().sees(file.path.string())) << "what was typed stays";
 }
 
+TEST(ScenariosScreen, AFileWhoseStartViewHidesItsCutIsRefusedWithWhatHidesIt) {
+  database::SomeCourse course;
+  const ScenarioFile file(course, "\"radius_mm\": 36", "\"radius_mm\": 5");
+  Desk<ScenariosScreen> desk(course);
+  const std::size_t known = course.administrator().scenarios().size();
+  import(desk, file.path);
+  EXPECT_TRUE(desk.driver().sees("The file was not taken in"));
+  EXPECT_TRUE(desk.driver().sees("this view hides its own cut"));
+  EXPECT_TRUE(desk.driver().sees("raise radius_mm"));
+  EXPECT_EQ(course.administrator().scenarios().size(), known);
+}
+
 TEST(ScenariosScreen, PublishingSaysWhatItRetires) {
   database::SomeCourse course;
   course.administrator().import_scenario({"silver", 2, "{\"name\": \"silver\"} ", false});

@@ -40,15 +40,15 @@ scenarios::HandSkill exact_hand() {
 class AkinByMouse : public testing::Test {
  protected:
   AkinByMouse() {
-    prepared_case_ = *course_.prepared_case(*course_.visit_of_ada());
-    const scenarios::KnownBone known(prepared_case_.bone);
-    aimed_ = scenarios::aim(prepared_case_.scenario, prepared_case_.plan, known, exact_hand(), 1);
+    prepared_case_ = course_.prepared_case(*course_.visit_of_ada());
+    const scenarios::KnownBone known(prepared_case_->bone);
+    aimed_ = scenarios::aim(prepared_case_->scenario, prepared_case_->plan, known, exact_hand(), 1);
     person_.begin();
     person_.press(Key::Digit3);
   }
 
   RigidTransform world_from_kerf(const scenarios::AimedCut& cut) const {
-    return prepared_case_.bone.world_from_bone * cut.plane.bone_from_kerf;
+    return prepared_case_->bone.world_from_bone * cut.plane.bone_from_kerf;
   }
   /// Of the blade in the plane of the cut: how far it was fed, and where along its tooth line.
   static RigidTransform world_from_blade(const RigidTransform& world_from_kerf, double feed_mm,
@@ -87,7 +87,7 @@ class AkinByMouse : public testing::Test {
     hand.toggle_saw();
     for (const Stroke& stroke : scenarios::stopped(
              scenarios::plan_strokes(aimed_[cut].region,
-                                     {prepared_case_.scenario.saw.blade.width_mm, overlap_mm}),
+                                     {prepared_case_->scenario.saw.blade.width_mm, overlap_mm}),
              aimed_[cut].stop_mm.value())) {
       saw(hand, world_from_kerf(aimed_[cut]), stroke);
     }
@@ -102,7 +102,7 @@ class AkinByMouse : public testing::Test {
   }
 
   OperableCourse course_{"akin", 1.0};
-  PreparedCase prepared_case_;
+  std::shared_ptr<const PreparedCase> prepared_case_;
   std::vector<scenarios::AimedCut> aimed_;
   Operator person_{course_, AttemptKind::Practice};
 };
@@ -145,7 +145,7 @@ TEST_F(AkinByMouse, IsOperatedToItsClosedHingeAndScoredWhole) {
       score_attempt(material, [](const std::string&) { return Progress(); }).card;
   EXPECT_EQ(card.score_milli, header.score_milli);
   std::int64_t whole_milli = 0;
-  for (const scenarios::RubricItem& item : prepared_case_.scenario.rubric.items) {
+  for (const scenarios::RubricItem& item : prepared_case_->scenario.rubric.items) {
     whole_milli += item.weight_milli;
   }
   EXPECT_EQ(card.measured_milli, whole_milli) << "every line of the rubric could be measured";

@@ -82,8 +82,8 @@ MemoryUse memory_at_rest() {
 /// Jobs on their own thread, waited for where virtual time runs ahead of them.
 class WaitedJobs final : public simulator::JobRunner {
  public:
-  explicit WaitedJobs(const simulator::SimulationSetup& setup)
-      : jobs_(setup.bone, setup.saw.blade, setup.bridge) {}
+  WaitedJobs(const simulator::WholeBone& whole, const simulator::SimulationSetup& setup)
+      : jobs_({whole, setup.bone.world_from_bone}, setup.saw.blade, setup.bridge) {}
 
   bool apply(const StepOutput& output) override {
     requests += output.requests.size();
@@ -199,7 +199,7 @@ TEST_F(LongSawing, TakesNoMoreMemoryTheLongerItLasts) {
   const simulator::SimulationSetup simulated =
       simulation_setup(prepared_case_->scenario, prepared_case_->bone, prepared_case_->plan,
                        simulator::Guidance::None);
-  WaitedJobs jobs(simulated);
+  WaitedJobs jobs(*prepared_case_->whole, simulated);
   simulator::AttemptSetup setup{simulated};
   setup.watch = &watch_;
   setup.job_runner = &jobs;
@@ -209,7 +209,7 @@ TEST_F(LongSawing, TakesNoMoreMemoryTheLongerItLasts) {
   simulator::ScriptedDevice device(sawn.motion);
   database::Recorder recorder(course_.course().database(), begin(), channels_);
   BoneBeingCut shown(recorder.attempt().text, *prepared_case_, watch_,
-                     picture_of(prepared_case_->bone, course_.course().database().directory()));
+                     picture_of(prepared_case_, course_.course().database().directory()));
 
   std::vector<MemoryUse> looks;
   const auto progress = [&](double fraction) {

@@ -36,11 +36,10 @@ VirtualOperation::VirtualOperation(const std::string& scenario, double edge_mm)
       tissue_(prepared_.bone),
       simulation_(tissue_, setup_),
       jobs_(prepared_.bone, setup_.saw.blade, setup_.bridge),
-      cut_(prepared_.bone, setup_.saw.blade, setup_.bridge),
+      cut_({*prepared_.whole, prepared_.bone.world_from_bone}, setup_.saw.blade, setup_.bridge),
       survey_(prepared_),
       mouse_(start_pose(prepared_)) {
-  const simulator::CutSolid whole = simulator::uncut_solid(solid_of(prepared_.bone));
-  const simulator::Bvh tree(whole.mesh);
+  const auto& [whole, tree] = *prepared_.whole;
   for (std::size_t cut = 0; cut < prepared_.plan.cuts.size(); ++cut)
     passes_.push_back(planned_passes(prepared_.scenario, prepared_.plan, cut, whole, tree));
   world_from_view = start_camera(prepared_).world_from_view;

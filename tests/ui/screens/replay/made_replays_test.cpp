@@ -105,6 +105,17 @@ TEST(MadeReplays, NothingIsNotedOrAskedAboutThem) {
   EXPECT_THAT(counted.operated.course.trainee("ada").attempts(), SizeIs(1)) << "none is stored";
 }
 
+TEST(MadeReplays, ShowTheForceInALowWindowAndNoLineOfNotes) {
+  CountedReplays counted;
+  const auto visitor = counted.watch(1.5F);
+  visitor->driver().resize(1280.0F, 720.0F);
+  visitor->finish_work();
+  const std::string shown = all_text(visitor->driver());
+  for (const char* words : {"Steps", "Events", "Force"}) EXPECT_THAT(shown, HasSubstr(words));
+  EXPECT_THAT(shown, Not(HasSubstr("Notes"))) << "nobody can write one";
+  EXPECT_THAT(visitor->driver().faults(), IsEmpty());
+}
+
 TEST(MadeReplays, AreLeftForTheScreenBelowByMouseAndByKeyboard) {
   CountedReplays counted;
   for (const bool is_by_mouse : {true, false}) {

@@ -24,15 +24,16 @@ constexpr double same_section_mm = 0.1, same_section_rad = 0.0035;
 
 }  // namespace
 
-BonePicture picture_of(const Bone& bone, const std::filesystem::path& data_directory,
-                       const Progress& progress) {
+BonePicture picture_of(std::shared_ptr<const PreparedCase> prepared_case,
+                       const std::filesystem::path& data_directory, const Progress& progress) {
   BonePicture picture;
-  picture.look = cached_look_of(data_directory, bone, progress);
+  picture.look = cached_look_of(data_directory, prepared_case->bone, progress);
   // The same bone has the same picture, whoever shows it.
   const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
   picture.mesh =
-      std::make_shared<const BoneMesh>(mesh_of(id, uncut_solid(solid_of(bone)), picture.look));
-  picture.tree = std::make_shared<const Bvh>(picture.mesh->solid.mesh);
+      std::make_shared<const BoneMesh>(mesh_of(id, prepared_case->whole->solid, picture.look));
+  const Bvh* const tree = &prepared_case->whole->tree;
+  picture.tree = {std::move(prepared_case), tree};
   return picture;
 }
 
@@ -46,8 +47,8 @@ BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
       world_from_bone_(prepared_case.bone.world_from_bone),
       picture_(std::move(picture)),
       watch_(watch),
-      cut_(prepared_case.bone, prepared_case.scenario.saw.blade,
-           scenarios::planned_bridge(prepared_case.plan)),
+      cut_({*prepared_case.whole, prepared_case.bone.world_from_bone},
+           prepared_case.scenario.saw.blade, scenarios::planned_bridge(prepared_case.plan)),
       survey_(prepared_case) {
   base_ = {picture_.mesh, picture_.tree, world_from_bone_};
   newest_.bodies = {base_};
@@ -153,9 +154,9 @@ void BoneBeingCut::note(const CutEvent& event) {
 }
 
 void BoneBeingCut::bring_up_to_date() {
-  if (const std::optional<PatchBase> base = cut_.take_base()) {
-    base_ = base->is_uncut ? Body{picture_.mesh, picture_.tree, world_from_bone_}
-                           : lit_body(base->solid, world_from_bone_);
+  if (std::optional<PatchBase> base = cut_.take_base()) {
+    base_ = base->is_uncut() ? Body{picture_.mesh, picture_.tree, world_from_bone_}
+                             : lit_body(base->solid, std::move(base->tree), world_from_bone_);
   }
   // A frame whose outline is not simple shows the patch before it.
   if (cut_.build_patch(patch_)) show_patch();
@@ -234,9 +235,8 @@ void BoneBeingCut::show_hinge(const ClosedHinge& hinge, const RigidTransform& bo
 
 std::uint64_t BoneBeingCut::next_mesh_id() { return picture_id(name_ + std::to_string(meshes_++)); }
 
-BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid,
+BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid, std::shared_ptr<const Bvh> tree,
                                           const RigidTransform& world_from_body) {
-  auto tree = std::make_shared<const Bvh>(solid.mesh);
   BoneMesh mesh = mesh_of(next_mesh_id(), solid, picture_.look);
   const Occluder own{tree.get(), {}};
   light_cut_faces(mesh, std::span(&own, 1));

@@ -31,13 +31,13 @@ namespace hallux::ui {
 struct BonePicture {
   BoneLook look;
   std::shared_ptr<const BoneMesh> mesh;
-  /// Over the mesh's solid.
+  /// Over the mesh's solid: the case's own.
   std::shared_ptr<const simulator::Bvh> tree;
 };
 
 /// errors  Cancelled
-BonePicture picture_of(const simulator::Bone& bone, const std::filesystem::path& data_directory,
-                       const Progress& progress = {});
+BonePicture picture_of(std::shared_ptr<const PreparedCase> prepared_case,
+                       const std::filesystem::path& data_directory, const Progress& progress = {});
 
 /// When a section is to be made anew: often enough to be live, not more often than its plane moved
 /// or its kerf grew.
@@ -116,7 +116,11 @@ class BoneBeingCut {
   void bring_up_to_date();
   void show_patch();
   void show_hinge(const simulator::ClosedHinge& hinge, const RigidTransform& bone_from_moved);
-  Body lit_body(const simulator::CutSolid& solid, const RigidTransform& world_from_body);
+  Body lit_body(const simulator::CutSolid& solid, const RigidTransform& world_from_body) {
+    return lit_body(solid, std::make_shared<const simulator::Bvh>(solid.mesh), world_from_body);
+  }
+  Body lit_body(const simulator::CutSolid& solid, std::shared_ptr<const simulator::Bvh> tree,
+                const RigidTransform& world_from_body);
   std::uint64_t next_mesh_id();
   void show_free_pieces(const std::vector<simulator::CutSolid>& solids);
   void renew_section();

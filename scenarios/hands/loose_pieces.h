@@ -1,0 +1,38 @@
+/// The pieces that came free and lie in the wound, as a hand sees them. Inside this corner only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "scenarios/hands/hand_aim.h"
+#include "simulator/record/record.h"
+
+namespace hallux::scenarios {
+
+/// thread  haptic; allocates nothing
+class LoosePieces {
+ public:
+  /// More than it has room for lie there unseen.
+  static constexpr std::size_t most = 8;
+
+  void observe(const simulator::CutEvent& event) noexcept;
+  /// A piece on the waste's side of each of the faces, the newest first: from then on it is no
+  /// longer among them. Nothing where none lies there.
+  std::optional<std::int32_t> take_waste(std::span<const AimedCut> cuts) noexcept;
+
+ private:
+  struct Piece {
+    std::int32_t id = 0;
+    Vec3 inside_in_bone_mm{0.0, 0.0, 0.0};
+  };
+
+  void forget(std::int32_t piece) noexcept;
+
+  std::array<Piece, most> pieces_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace hallux::scenarios
