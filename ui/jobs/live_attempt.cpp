@@ -29,8 +29,6 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
   return desk.begin_attempt(begun);
 }
 
-namespace {
-
 std::optional<double> force_scale_of(const simulator::HapticDevice& device,
                                      const PreparedCase& prepared_case,
                                      simulator::Guidance guidance) {
@@ -42,16 +40,14 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
           .contact.coupling_newton_per_mm);
 }
 
-}  // namespace
-
 LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,
                          const database::Database& database, database::WriterLease lease,
                          std::unique_ptr<simulator::HapticDevice> device,
                          simulator::Guidance guidance)
-    : prepared_case_(std::move(prepared_case)),
+    : CommandedLoop(force_scale_of(*device, *prepared_case, guidance)),
+      prepared_case_(std::move(prepared_case)),
       guidance_(guidance),
       device_(std::move(device)),
-      force_scale_(force_scale_of(*device_, *prepared_case_, guidance_)),
       attempt_(lease.attempt()),
       directory_(database.directory()) {
   say({simulator::CommandKind::Start, 0, 0});
@@ -93,11 +89,6 @@ bool LiveAttempt::is_left() const noexcept {
          (is_deaf && is_abandoned_.load(std::memory_order_relaxed));
 }
 
-/// A person gives a command a second; the loop takes a thousand lines in that time.
-void LiveAttempt::say(const simulator::Command& command) {
-  static_cast<void>(watch_.commands.push(command));
-}
-
 void LiveAttempt::run(database::Database database, database::WriterLease lease) noexcept {
   try {
     end_.file = database.file();
@@ -111,7 +102,7 @@ void LiveAttempt::run(database::Database database, database::WriterLease lease) 
     fail(LiveFailure::Other, error.what());
   }
   if (!end_.is_sealed) mark_interrupted(database);
-  watch_.closed.store(true, std::memory_order_release);
+  watch().closed.store(true, std::memory_order_release);
   is_over_.store(true, std::memory_order_release);
 }
 
@@ -132,7 +123,7 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
                                                  prepared_case_->plan, guidance_)};
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
-  setup.watch = &watch_;
+  setup.watch = &watch();
   end_.loop = run_attempt(setup, *device_, channels_, [this](double) { return !is_left(); });
   end_.end = end_.loop.end;
   end_.recorder = recorder.drain();

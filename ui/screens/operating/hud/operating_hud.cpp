@@ -11,6 +11,7 @@
 
 #include "ui/screens/operating/hud/hud_bar.h"
 #include "ui/screens/operating/hud/hud_hints.h"
+#include "ui/screens/operating/hud/hud_lesson.h"
 #include "ui/screens/operating/hud/hud_readings.h"
 #include "ui/screens/operating/hud/hud_tip.h"
 #include "ui/screens/pictures/blade_section_view.h"
@@ -137,7 +138,7 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   draw_hud_tip(in);
   const float bar_end = draw_hud_bar(in);
   draw_hud_readings(in);
-  draw_hud_hints(in, bar_end);
+  draw_hud_hints(in, draw_hud_lesson(in, bar_end));
   const float below = in.room.y + badge_room;
   if (hud.is_health_open) {
     draw_health(in, below);
