@@ -9,12 +9,16 @@
 
 namespace hallux::ui {
 
-PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress) {
-  PreparedCase prepared_case{scenario, patient_of(scenario, progress), {}, nullptr};
+PreparedCase prepare_case(scenarios::Scenario scenario, simulator::Bone bone) {
+  PreparedCase prepared_case{std::move(scenario), std::move(bone), {}, nullptr};
   prepared_case.plan = plan_on(prepared_case.scenario, prepared_case.bone);
   prepared_case.whole =
       std::make_unique<const simulator::WholeBone>(simulator::solid_of(prepared_case.bone));
   return prepared_case;
+}
+
+PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress) {
+  return prepare_case(scenario, patient_of(scenario, progress));
 }
 
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
@@ -31,8 +35,6 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
   return desk.begin_attempt(begun);
 }
 
-namespace {
-
 std::optional<double> force_scale_of(const simulator::HapticDevice& device,
                                      const PreparedCase& prepared_case,
                                      simulator::Guidance guidance) {
@@ -44,16 +46,14 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
           .contact.coupling_newton_per_mm);
 }
 
-}  // namespace
-
 LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,
                          const database::Database& database, database::WriterLease lease,
                          std::unique_ptr<simulator::HapticDevice> device,
                          simulator::Guidance guidance)
-    : prepared_case_(std::move(prepared_case)),
+    : CommandedLoop(force_scale_of(*device, *prepared_case, guidance)),
+      prepared_case_(std::move(prepared_case)),
       guidance_(guidance),
       device_(std::move(device)),
-      force_scale_(force_scale_of(*device_, *prepared_case_, guidance_)),
       attempt_(lease.attempt()),
       directory_(database.directory()) {
   say({simulator::CommandKind::Start, 0, 0});
@@ -95,11 +95,6 @@ bool LiveAttempt::is_left() const noexcept {
          (is_deaf && is_abandoned_.load(std::memory_order_relaxed));
 }
 
-/// A person gives a command a second; the loop takes a thousand lines in that time.
-void LiveAttempt::say(const simulator::Command& command) {
-  static_cast<void>(watch_.commands.push(command));
-}
-
 void LiveAttempt::run(database::Database database, database::WriterLease lease) noexcept {
   try {
     end_.file = database.file();
@@ -113,7 +108,7 @@ void LiveAttempt::run(database::Database database, database::WriterLease lease) 
     fail(LiveFailure::Other, error.what());
   }
   if (!end_.is_sealed) mark_interrupted(database);
-  watch_.closed.store(true, std::memory_order_release);
+  watch().closed.store(true, std::memory_order_release);
   is_over_.store(true, std::memory_order_release);
 }
 
@@ -134,7 +129,7 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
                                                  prepared_case_->plan, guidance_)};
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = ticks_at_most;
-  setup.watch = &watch_;
+  setup.watch = &watch();
   setup.whole = prepared_case_->whole.get();
   end_.loop = run_attempt(setup, *device_, channels_, [this](double) { return !is_left(); });
   end_.end = end_.loop.end;

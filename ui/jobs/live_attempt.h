@@ -21,8 +21,8 @@
 
 #include "database/desks/trainee_desk.h"
 #include "simulator/bone/whole_bone.h"
-#include "ui/jobs/attempt_controls.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/jobs/commanded_loop.h"
 #include "ui/jobs/noted_views.h"
 
 namespace hallux::ui {
@@ -36,7 +36,10 @@ struct PreparedCase {
   std::unique_ptr<const simulator::WholeBone> whole;
 };
 
-/// Reads nothing and stores nothing: the patient is made and the plan laid on it.
+/// Reads nothing and stores nothing: the plan is laid on the bone.
+/// errors  ScenarioError
+PreparedCase prepare_case(scenarios::Scenario scenario, simulator::Bone bone);
+/// The scenario's patient is made before.
 /// errors  ScenarioError, MeshError; Cancelled
 PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress);
 
@@ -56,7 +59,13 @@ struct LiveBegin {
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
                                  const LiveBegin& begin, const simulator::Bone& bone);
 
-class LiveAttempt final : public AttemptControls {
+/// Device newtons per simulated newton where that device operates on it; nothing where the device
+/// pushes nobody back.
+std::optional<double> force_scale_of(const simulator::HapticDevice& device,
+                                     const PreparedCase& prepared_case,
+                                     simulator::Guidance guidance);
+
+class LiveAttempt final : public CommandedLoop {
  public:
   /// Longer than this no attempt runs: the loop then ends it as finished.
   static constexpr std::int64_t ticks_at_most = 60 * 60 * 1000;
@@ -74,23 +83,7 @@ class LiveAttempt final : public AttemptControls {
   const database::AttemptId& attempt() const noexcept { return attempt_; }
   const PreparedCase& prepared_case() const noexcept { return *prepared_case_; }
   simulator::HapticDevice& device() noexcept { return *device_; }
-  /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes
-  /// nobody back.
-  const std::optional<double>& force_scale() const noexcept { return force_scale_; }
 
-  void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
-  void resume() override {
-    say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0});
-  }
-  void declare_done(std::int32_t step) override {
-    say({simulator::CommandKind::StepDone, step, 0});
-  }
-  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
-  void pick_up_freed() override {
-    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
-  }
-  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
-  void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
   void abandon() override;
   bool is_storage_full() const noexcept override {
     return channels_.storage_full.load(std::memory_order_relaxed);
@@ -103,20 +96,14 @@ class LiveAttempt final : public AttemptControls {
   /// Of the database's log now.
   std::uintmax_t log_bytes() const noexcept;
 
-  /// The newest view of the loop.
-  /// thread  window
-  const simulator::LoopView& view() noexcept { return watch_.view.read(); }
   /// What is on the screen in this frame, drawn from the sample of that tick: kept beside the
   /// recording where it changed, so that a replay shows what was seen.
   /// thread  window
   void note_view(const simulator::ShownView& view, std::int64_t tick) noexcept {
     noted_views_.note(view, tick);
   }
-  /// For the one thread that follows the bone.
-  simulator::AttemptWatch& watch() noexcept { return watch_; }
 
  private:
-  void say(const simulator::Command& command);
   bool is_left() const noexcept;
   void run(database::Database database, database::WriterLease lease) noexcept;
   void operate(const database::Database& database, database::WriterLease lease);
@@ -125,10 +112,8 @@ class LiveAttempt final : public AttemptControls {
   std::shared_ptr<const PreparedCase> prepared_case_;
   simulator::Guidance guidance_;
   std::unique_ptr<simulator::HapticDevice> device_;
-  std::optional<double> force_scale_;
   simulator::AttemptChannels channels_;
   NotedViews noted_views_{channels_.display_facts};
-  simulator::AttemptWatch watch_;
   database::AttemptId attempt_;
   /// That is recorded into.
   std::filesystem::path directory_;

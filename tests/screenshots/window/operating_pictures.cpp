@@ -35,6 +35,19 @@ void saw_down(Photographer& photographer, int millimetres) {
 
 }  // namespace
 
+void take_flight(const SimulatedCourse& course, const std::filesystem::path& folder) {
+  Photographer photographer(course.data_directory, folder, ui::ThemeName::Dark);
+  ui::Driver& driver = photographer.driver();
+  photographer.sign_in("trainee-1", course.password);
+  photographer.press("operations.fly");
+  photographer.wait_until("the flight", [&] { return driver.has("flight.skip"); });
+  photographer.key(Key::Digit6);
+  photographer.wait_until("the next lesson", [&] { return driver.sees("ring on the block"); });
+  photographer.key(Key::R);
+  photographer.work_for(1.0);
+  photographer.take_now("flight");
+}
+
 void take_operating(const SimulatedCourse& course, const std::filesystem::path& folder) {
   Photographer photographer(course.data_directory, folder, ui::ThemeName::Dark);
   ui::Driver& driver = photographer.driver();

@@ -26,7 +26,7 @@ KEYS = {"Left": "Left", "Right": "Right", "Up": "Up", "Down": "Down", "Page up":
 
 def chord_of(words):
     """"Shift+Ctrl+Page up" as xdotool says it."""
-    return "+".join(KEYS[part] for part in words.split("+"))
+    return "+".join(KEYS.get(part, part) for part in words.split("+"))
 
 
 class Screen:
@@ -116,7 +116,8 @@ class MouseHand:
         if "wheel" in words:
             return self.turn_wheel(words, max(1, min(AT_ONCE, round(amount))))
         way = next(self.WAYS[each] for each in words.split() if each in self.WAYS)
-        self.move(way, max(1, min(150, round(amount))), is_dragged="drag" in words)
+        button = "2" if "middle" in words else "1"
+        self.move(way, max(1, min(150, round(amount))), button if "drag" in words else None)
 
     def amount(self, hint):
         """What is left by the hint's words, in pixels or notches as the same movement went the last time."""
@@ -131,14 +132,14 @@ class MouseHand:
         self.last = ((hint.mouse, hint.kind), left)
         return left * gain
 
-    def move(self, way, pixels, is_dragged):
-        if is_dragged:
-            self.person.xdotool("mousedown", "1")
+    def move(self, way, pixels, dragged_by):
+        if dragged_by:
+            self.person.xdotool("mousedown", dragged_by)
             # What hardly moves is a click. Not out and back: GLFW loses what a caught pointer does on its way back.
             pixels = max(pixels, CLICK_PIXELS)
         self.glide(way, pixels)
-        if is_dragged:
-            self.person.xdotool("mouseup", "1")
+        if dragged_by:
+            self.person.xdotool("mouseup", dragged_by)
 
     def glide(self, way, pixels):
         """As a hand does, not at a bound: a short way so slowly that the display makes no longer one of it."""
@@ -181,7 +182,7 @@ class MouseHand:
         screen.look_until(lambda: not screen.says_lifted())
 
     def slip(self, chance):
-        self.move(chance.choice(list(self.WAYS.values())), chance.randint(5, 20), is_dragged=False)
+        self.move(chance.choice(list(self.WAYS.values())), chance.randint(5, 20), None)
 
 
 class Novice:

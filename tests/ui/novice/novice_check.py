@@ -4,6 +4,9 @@ with mouse or keyboard. Time on the attempt's clock and wrong turns are printed.
 
 usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--retell blank|exchanged]
                        [--pictures FOLDER]
+       novice_check.py HALLUX --flight --hand mouse|keyboard ...
+
+With --flight it is the first flight, as it is offered on the first start.
 
 With hints blanked, or two of them exchanged, the person must fail.
 """
@@ -55,14 +58,30 @@ def begin(person, number):
     wait_until("the running operation", lambda: "operate.pause" in person.widgets(), PATIENCE_S)
 
 
+def take_off(person):
+    """The first flight, as it is offered."""
+    wait_until("the operations", lambda: person.widgets().get("nav.operations", {}).get("enabled"), PATIENCE_S)
+    person.click("nav.operations")
+    wait_until("the offer", lambda: "flight.offer.fly" in person.widgets(), PATIENCE_S)
+    person.click("flight.offer.fly")
+    wait_until("the flight", lambda: "flight.skip" in person.widgets(), PATIENCE_S)
+    view = person.widgets()["operate.view"]
+    person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
+
+
 def attempt(options, seed):
     """(whether it came to its end, seconds on the attempt's clock, wrong turns)"""
     with opened_course(options.hallux, pictures=options.pictures) as course:
         come_in(course.person)
-        begin(course.person, options.card)
+        if options.flight:
+            take_off(course.person)
+        else:
+            begin(course.person, options.card)
         novice = Novice(course.person, HANDS[options.hand](course.person), seed, RETELLINGS[options.retell])
 
         def is_over(screen):
+            if options.flight:
+                return "flight.operations" in screen.widgets
             if options.to_first_cut:
                 return has_cut(options.hallux, course.place)
             return "operate.ask_finish.act" in screen.widgets
@@ -70,8 +89,9 @@ def attempt(options, seed):
         begun = time.monotonic()
         limit_s = MISLED_S if options.retell else LIMIT_S
         has_ended = novice.operate(is_over, limit_s, SLOWEST * limit_s)
-        course.take_picture(f"{options.hand}-{options.card}-{seed}")
-        print(f"novice check: card {options.card}, {options.hand}, seed {seed}: {'over' if has_ended else 'not over'} after"
+        what = "flight" if options.flight else f"card {options.card}"
+        course.take_picture(f"{options.hand}-{what}-{seed}")
+        print(f"novice check: {what}, {options.hand}, seed {seed}: {'over' if has_ended else 'not over'} after"
               f" {novice.clock_s()} s on the clock ({time.monotonic() - begun:.0f} s), {novice.wrong_turns.count} wrong turns")
         return has_ended and novice.wrong_turns.count <= MOST_WRONG_TURNS
 
@@ -80,6 +100,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("hallux")
     parser.add_argument("--card", type=int, default=0)
+    parser.add_argument("--flight", action="store_true")
     parser.add_argument("--hand", choices=HANDS, default="keyboard")
     parser.add_argument("--to-first-cut", action="store_true")
     parser.add_argument("--seeds", default="")

@@ -20,6 +20,7 @@ class SomeNavigator : public Navigator {
       what += "guided by " + std::string(database::name_of(guidance)) + " ";
     asked.push_back(what + std::to_string(scenario.number));
   }
+  void fly() override { asked.emplace_back("fly"); }
   void show_result(const database::AttemptId& attempt) override {
     asked.push_back("result " + attempt.text);
   }

@@ -17,6 +17,7 @@
 #include "ui/screens/instructor/attempts_screen.h"
 #include "ui/screens/instructor/cohort_screen.h"
 #include "ui/screens/instructor/trainee_screen.h"
+#include "ui/screens/operating/flight/flight_screen.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/value_text.h"
@@ -44,6 +45,10 @@ bool may_ask(const SignedInSession& signed_in) {
   return !administers(signed_in) || !signed_in.memberships().empty();
 }
 bool is_anybody(const SignedInSession&) { return true; }
+
+std::unique_ptr<simulator::SteeredDevice> lend_mouse(const RigidTransform& world_from_start) {
+  return std::make_unique<simulator::MouseDevice>(world_from_start);
+}
 
 }  // namespace
 
@@ -157,11 +162,9 @@ void Course::brief(database::ScenarioVersionId scenario) {
 void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
                      simulator::Guidance guidance) {
   shell_.push(std::make_unique<OperatingScreen>(
-      signed_in_, *this, OperationChoice{scenario, kind, guidance},
-      [](const RigidTransform& world_from_start) {
-        return std::make_unique<simulator::MouseDevice>(world_from_start);
-      }));
+      signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_mouse));
 }
+void Course::fly() { shell_.push(std::make_unique<FlightScreen>(signed_in_, lend_mouse)); }
 void Course::show_result(const database::AttemptId& attempt) {
   shell_.push(std::make_unique<ResultScreen>(signed_in_, *this, attempt));
 }

@@ -26,6 +26,7 @@ class Course : public Navigator {
   void brief(database::ScenarioVersionId scenario) override;
   void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
                simulator::Guidance guidance) override;
+  void fly() override;
   void show_result(const database::AttemptId& attempt) override;
   void show_replay(const database::AttemptId& attempt, double moment_s) override;
   void watch_expert(const scenarios::Scenario& scenario) override;

@@ -24,6 +24,18 @@ bool flag(const ordered_json& kept, const char* key, bool usual) {
   return found != kept.end() && found->is_boolean() ? found->get<bool>() : usual;
 }
 
+/// Ascending, each once; what is no number is left out.
+std::vector<std::int64_t> numbers(const ordered_json& kept, const char* key) {
+  std::vector<std::int64_t> found;
+  const auto list = kept.find(key);
+  if (list == kept.end() || !list->is_array()) return found;
+  for (const ordered_json& entry : *list)
+    if (entry.is_number_integer()) found.push_back(entry.get<std::int64_t>());
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
 }  // namespace
 
 Preferences read_preferences(const fs::path& data_directory) {
@@ -47,6 +59,7 @@ Preferences read_preferences(const fs::path& data_directory) {
   preferences.is_saw_heard = flag(kept, "saw_sound", preferences.is_saw_heard);
   preferences.captures_pointer = flag(kept, "captures_pointer", preferences.captures_pointer);
   preferences.is_left_handed = flag(kept, "left_handed", preferences.is_left_handed);
+  preferences.offered_flight = numbers(kept, "offered_flight");
   return preferences;
 }
 
@@ -59,7 +72,8 @@ void keep_preferences(const fs::path& data_directory, const Preferences& prefere
                           {"reduced_motion", preferences.is_motion_reduced},
                           {"saw_sound", preferences.is_saw_heard},
                           {"captures_pointer", preferences.captures_pointer},
-                          {"left_handed", preferences.is_left_handed}};
+                          {"left_handed", preferences.is_left_handed},
+                          {"offered_flight", preferences.offered_flight}};
   replace_own_file(data_directory / file_name, kept.dump(1) + "\n");
 }
 

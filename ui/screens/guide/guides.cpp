@@ -57,6 +57,7 @@ GuideHeading heading_of(GuideSection section) noexcept {
       {"README.md", ""},
       {"trainee.md", "sign-in"},
       {"trainee.md", "choose-an-operation"},
+      {"trainee.md", "fly-once"},
       {"trainee.md", "read-the-briefing"},
       {"trainee.md", "operate"},
       {"trainee.md", "see-what-it-was-worth"},

@@ -216,15 +216,6 @@ std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const Plan
   return hint;
 }
 
-Hint draw_back_hint(std::string_view text_id, double way_mm) {
-  Hint hint{.text_id = text_id};
-  hint.values = {{"way", decimal_text(std::max(0.0, way_mm)) + " mm"}};
-  hint.move = HandMove::DrawBack;
-  hint.times = std::clamp(static_cast<int>(std::ceil(way_mm)), 1, 30);
-  hint.read_outs = {"ahead"};
-  return hint;
-}
-
 /// Keeps the push within its limits; the blade does the rest.
 Hint push_hint(const CoachView& view, double least_newton, double most_newton,
                const std::string& left) {
@@ -371,7 +362,7 @@ struct MoveTexts {
   std::string_view keys_id, mouse_id;
 };
 
-constexpr std::array<MoveTexts, 16> move_texts{{
+constexpr std::array<MoveTexts, 17> move_texts{{
     {HandMove::Left, "move.left.keys", "move.left.mouse"},
     {HandMove::Right, "move.right.keys", "move.right.mouse"},
     {HandMove::Up, "move.up.keys", "move.up.mouse"},
@@ -385,6 +376,7 @@ constexpr std::array<MoveTexts, 16> move_texts{{
     {HandMove::RollLeft, "move.roll_left.keys", "move.roll_left.mouse"},
     {HandMove::RollRight, "move.roll_right.keys", "move.roll_right.mouse"},
     {HandMove::SwitchSaw, "move.saw.keys", "move.saw.mouse"},
+    {HandMove::LookAround, "move.look.keys", "move.look.mouse"},
     {HandMove::PressStep, "move.step.keys", "move.step.mouse"},
     {HandMove::TakeUpStep, "move.take_up.keys", "move.take_up.mouse"},
     {HandMove::Wait, "move.wait", "move.wait"},
@@ -399,6 +391,15 @@ std::string keys_text(const Texts& texts, const Hint& hint, const MoveTexts& mov
 }
 
 }  // namespace
+
+Hint draw_back_hint(std::string_view text_id, double way_mm) {
+  Hint hint{.text_id = text_id};
+  hint.values = {{"way", decimal_text(std::max(0.0, way_mm)) + " mm"}};
+  hint.move = HandMove::DrawBack;
+  hint.times = std::clamp(static_cast<int>(std::ceil(way_mm)), 1, 30);
+  hint.read_outs = {"ahead"};
+  return hint;
+}
 
 const PlannedCut* cut_of_step(const CoachView& view) {
   return cut_at_step(view.scenario, view.plan, view.steps.step());

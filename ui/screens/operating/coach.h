@@ -1,5 +1,5 @@
 /// The next thing to do, in practice: which read-out is to come where, and the hand that brings it
-/// there. Inside this corner only.
+/// there.
 ///
 ///     step at hand --> tilt --> place --> saw on --> push --> through --> draw back --> done
 ///                        ^----------- another pass, where bone still holds -'
@@ -38,6 +38,7 @@ enum class HandMove {
   RollLeft,
   RollRight,
   SwitchSaw,
+  LookAround,
   PressStep,
   TakeUpStep,
   Wait
@@ -77,6 +78,10 @@ const scenarios::PlannedCut* cut_of_step(const CoachView& view);
 
 /// Nothing where there is nothing to be done.
 std::optional<Hint> next_hint(const CoachView& view);
+
+/// Out of the bone's way, by so much.
+/// text_id  with {way} in it
+Hint draw_back_hint(std::string_view text_id, double way_mm);
 
 /// "Tilt along is +4.9: ... Keys: Ctrl+Down. Mouse: left drag down."
 std::string hint_text(const Texts& texts, const Hint& hint);

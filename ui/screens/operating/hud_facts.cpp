@@ -147,14 +147,16 @@ std::string hint_of(const HudSources& from) {
 
 }  // namespace
 
-CoachView coach_view(const HudSources& from) {
+CoachView coach_view(const HudSources& from) { return coach_view(from, from.session.steps()); }
+
+CoachView coach_view(const HudSources& from, const StepProgress& steps) {
   const PreparedCase& prepared = from.prepared_case;
   const Quat bone_from_world = glm::conjugate(prepared.bone.world_from_bone.rotation);
   const std::uint32_t status = from.loop.sample.status;
   return {.scenario = prepared.scenario,
           .plan = prepared.plan,
           .passes = from.passes,
-          .steps = from.session.steps(),
+          .steps = steps,
           .site = from.site,
           .bone_from_tool = bone_from_tool(from),
           .bone_from_view = bone_from_world * from.world_from_view,

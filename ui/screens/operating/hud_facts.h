@@ -1,5 +1,4 @@
 /// The facts that the panels of an operation show, from its session, its loop and its site.
-/// Inside this corner only.
 ///
 /// In practice all that is known is told. In an assessment it is what a surgeon would have: the
 /// saw, the push, whether the teeth are on bone, and why a button is off, in plain words.
@@ -32,6 +31,8 @@ struct HudSources {
 
 /// What the coach looks at; borrows what `from` borrows.
 CoachView coach_view(const HudSources& from);
+/// At other steps than the session's; borrows them too.
+CoachView coach_view(const HudSources& from, const StepProgress& steps);
 
 /// All but the health, the places on the window, the hand, the inset, and whether the course is
 /// simulated.

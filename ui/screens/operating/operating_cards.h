@@ -1,5 +1,5 @@
 /// The cards over the picture of an operation, before, beside and after it; plain functions of what
-/// they say. Inside this corner only.
+/// they say.
 #pragma once
 
 #include <filesystem>

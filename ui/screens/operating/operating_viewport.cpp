@@ -83,6 +83,10 @@ SawInScene saw_of(const OperationInSight& shown) {
   return saw;
 }
 
+bool has_neighbour(const OperationInSight& shown) {
+  return shown.is_neighbour_shown && shown.site != nullptr && shown.site->neighbour_tree != nullptr;
+}
+
 void add_bones(Scene& scene, const OperationInSight& shown) {
   if (shown.bone != nullptr) {
     shown.bone->add_to(scene);
@@ -92,7 +96,7 @@ void add_bones(Scene& scene, const OperationInSight& shown) {
     whole.look = &shown.whole.look;
     whole.world_from_bone = shown.prepared_case.bone.world_from_bone;
   }
-  if (shown.site == nullptr || !shown.is_neighbour_shown) return;
+  if (!has_neighbour(shown)) return;
   BoneInScene& neighbour = scene.bones.emplace_back();
   neighbour.mesh = &shown.site->neighbour.mesh;
   neighbour.look = &shown.site->neighbour.look;
@@ -109,7 +113,7 @@ BoneSurface surface_of(const OperationInSight& shown) {
 std::array<double, blade_sight_count> hidden_from(const OperationInSight& shown,
                                                   const SawInScene& saw) {
   const BoneSurface bone = surface_of(shown);
-  if (shown.site == nullptr || !shown.is_neighbour_shown)
+  if (!has_neighbour(shown))
     return hidden_along_blade(std::span(&bone, 1), saw.world_from_tool, saw.blade);
   const std::array bones{
       bone, BoneSurface{*shown.site->neighbour_tree, shown.site->neighbour.world_from_bone}};
@@ -236,6 +240,7 @@ Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) cons
   if (shown.cut != nullptr) scene.planes.push_back(plane_of(shown));
   if (shown.is_guided) add_guidance(scene, shown);
   if (shown.facts != nullptr) add_held(scene, shown);
+  scene.marks.insert(scene.marks.end(), shown.goals.begin(), shown.goals.end());
   return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "simulator/loop/attempt_watch.h"
@@ -37,6 +38,8 @@ struct OperationInSight {
   const SiteFacts* facts = nullptr;
   /// In practice: danger zones, outlines of free pieces.
   bool is_guided = false;
+  /// Marked, where somebody is to go.
+  std::span<const Mark> goals = {};
 };
 
 class OperatingViewport {

@@ -41,16 +41,6 @@ class NeighbourWork {
   std::future<BoneInView> made_;
 };
 
-std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
-                                                const BonePicture& picture) {
-  std::vector<scenarios::PlannedPasses> passes;
-  for (std::size_t cut = 0; cut < prepared_case.plan.cuts.size(); ++cut) {
-    passes.push_back(planned_passes(prepared_case.scenario, prepared_case.plan, cut,
-                                    picture.mesh->solid, *picture.tree));
-  }
-  return passes;
-}
-
 database::TraineeDesk desk_of(database::Session& session) {
   std::optional<database::TraineeDesk> desk = session.trainee();
   if (!desk) {
@@ -61,6 +51,16 @@ database::TraineeDesk desk_of(database::Session& session) {
 }
 
 }  // namespace
+
+std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
+                                                const BonePicture& picture) {
+  std::vector<scenarios::PlannedPasses> passes;
+  for (std::size_t cut = 0; cut < prepared_case.plan.cuts.size(); ++cut) {
+    passes.push_back(planned_passes(prepared_case.scenario, prepared_case.plan, cut,
+                                    picture.mesh->solid, *picture.tree));
+  }
+  return passes;
+}
 
 PreparedOperation prepare_operation(SignedInSession& signed_in,
                                     database::ScenarioVersionId scenario, WorkReport& report) {

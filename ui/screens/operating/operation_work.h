@@ -1,5 +1,4 @@
 /// Work of an operation beside the window, before and after it: preparing, beginning, scoring.
-/// Inside this corner only.
 #pragma once
 
 #include <memory>
@@ -28,6 +27,11 @@ struct PreparedOperation {
 /// thread  any but the window's; also of the others
 PreparedOperation prepare_operation(SignedInSession& signed_in,
                                     database::ScenarioVersionId scenario, WorkReport& report);
+
+/// Of each of the plan's cuts.
+/// picture  of the uncut bone
+std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
+                                                const BonePicture& picture);
 
 /// Begins the attempt at the desk of who is signed in, and starts it. Its device class is what the
 /// device says.

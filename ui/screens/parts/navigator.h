@@ -22,6 +22,8 @@ class Navigator {
   /// Begins an attempt; the briefing is left for it. A guide leads in practice only.
   virtual void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
                        simulator::Guidance guidance) = 0;
+  /// The first flight: lessons on a block, of which nothing is kept.
+  virtual void fly() = 0;
   /// The score of an attempt with all that led to it.
   virtual void show_result(const database::AttemptId& attempt) = 0;
   /// The attempt again, from a moment on.

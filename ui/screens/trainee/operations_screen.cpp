@@ -10,6 +10,7 @@
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/parts/standing.h"
+#include "ui/screens/trainee/next_strip.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/controls/field.h"
@@ -85,6 +86,20 @@ const OwnOperation* next_operation(const std::vector<OwnOperation>& operations,
   return oldest;
 }
 
+bool is_flight_offered(const std::vector<OwnOperation>& operations, const Preferences& preferences,
+                       database::PersonId person) {
+  const bool has_tried = std::ranges::any_of(operations, [](const OwnOperation& operation) {
+    return operation.published.standing.attempts > 0;
+  });
+  return !has_tried && !std::ranges::binary_search(preferences.offered_flight, person.number);
+}
+
+void keep_flight_answer(Preferences& preferences, database::PersonId person) {
+  std::vector<std::int64_t>& numbers = preferences.offered_flight;
+  const auto place = std::ranges::lower_bound(numbers, person.number);
+  if (place == numbers.end() || *place != person.number) numbers.insert(place, person.number);
+}
+
 std::vector<const OwnOperation*> OperationsScreen::shown() const {
   std::vector<const OwnOperation*> found;
   for (const OwnOperation& operation : operations_.value()) {
@@ -151,13 +166,11 @@ void OperationsScreen::show_all(Ui& ui) {
 }
 
 void OperationsScreen::draw_operations(Ui& ui, Rect page, Shell& shell) {
+  draw_next(ui, take_top(page, next_height, space::between_cards), shell);
   if (operations_.value().empty()) {
     empty_card(ui, "operations.none", page,
                {Icon::Operations, ui.text("operations.none"), ui.text("operations.none.sentence")});
     return;
-  }
-  if (next_operation(operations_.value(), now_utc_) != nullptr) {
-    draw_next(ui, take_top(page, next_height, space::between_cards));
   }
   if (!shown().empty()) return draw_cards(ui, page, shell);
   const EmptyCard nothing{Icon::Search, ui.text("operations.no_match"),
@@ -174,26 +187,41 @@ constexpr std::array reasons_for_next{"operations.next.not_started", "operations
 
 }  // namespace
 
-void OperationsScreen::draw_next(Ui& ui, const Rect& strip) {
-  const OwnOperation& next = *next_operation(operations_.value(), now_utc_);
-  const Theme& theme = ui.theme();
-  Rect inside = inset(card(ui, strip, {}, 0.0F), 18.0F, 0.0F);
-  const Rect tile = centred(take_left(inside, 36.0F, 16.0F), 36.0F, 36.0F);
-  ui.canvas().fill(tile, theme.accent_soft, radius::control);
-  ui.canvas().icon(tile.centre(), Icon::Drill, IconSize::Tile, theme.accent);
-  const auto competence = static_cast<std::size_t>(competence_of(next, now_utc_));
-  const ButtonSpec start{ui.text("operations.start"), ButtonLook::Primary};
-  const float width = std::max(120.0F, button_width(ui, start));
-  const Rect place = take_right(inside, width, 24.0F);
-  ui.canvas().text_in({inside.x, strip.mid_y() - 23.0F, inside.w, 22.0F},
-                      {Type::BodyStrong, theme.text},
-                      ui.texts().say("operations.next", {{"operation", next.title()}}), true);
-  ui.canvas().text_in({inside.x, strip.mid_y() + 1.0F, inside.w, 20.0F},
-                      {Type::Small, theme.text_secondary}, ui.text(reasons_for_next[competence]),
-                      true);
-  if (button(ui, "operations.start", centred(place, width, button_height), start)) {
-    navigator_.brief(next.published.scenario);
+void OperationsScreen::draw_next(Ui& ui, const Rect& strip, Shell& shell) {
+  const database::PersonId person = signed_in_->person().id;
+  if (is_flight_offered(operations_.value(), shell.preferences(), person)) {
+    const NextAnswer answer = draw_next_strip(
+        ui, strip,
+        {Icon::Play, std::string(ui.text("flight.offer")), ui.text("flight.offer.sentence"),
+         "flight.offer.fly", ui.text("flight.offer.fly"), "flight.offer.not_now",
+         ui.text("flight.offer.not_now")});
+    if (answer == NextAnswer::Waiting) return;
+    keep_flight_answer(shell.preferences(), person);
+    if (answer == NextAnswer::Go) navigator_.fly();
+    return ui.want_frame_in_s(0.0);
   }
+  const OwnOperation* const next = next_operation(operations_.value(), now_utc_);
+  if (next != nullptr) return draw_next_operation(ui, strip, *next);
+  const NextStrip flight{Icon::Play,
+                         std::string(ui.text("flight.offer")),
+                         ui.text("flight.offer.sentence"),
+                         "operations.fly",
+                         ui.text("flight.offer.fly"),
+                         {},
+                         {},
+                         false};
+  if (draw_next_strip(ui, strip, flight) == NextAnswer::Go) navigator_.fly();
+}
+
+void OperationsScreen::draw_next_operation(Ui& ui, const Rect& strip, const OwnOperation& next) {
+  const auto competence = static_cast<std::size_t>(competence_of(next, now_utc_));
+  const NextAnswer answer = draw_next_strip(
+      ui, strip,
+      {Icon::Drill, ui.texts().say("operations.next", {{"operation", next.title()}}),
+       ui.text(reasons_for_next[competence]), "operations.start", ui.text("operations.start"),
+       "operations.fly", ui.text("flight.title")});
+  if (answer == NextAnswer::Go) navigator_.brief(next.published.scenario);
+  if (answer == NextAnswer::Aside) navigator_.fly();
 }
 
 void OperationsScreen::draw_cards(Ui& ui, const Rect& page, Shell& shell) {

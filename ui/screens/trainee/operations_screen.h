@@ -30,7 +30,9 @@ class OperationsScreen : public Screen {
  private:
   void draw_controls(Ui& ui, const Rect& controls);
   void draw_operations(Ui& ui, Rect page, Shell& shell);
-  void draw_next(Ui& ui, const Rect& strip);
+  /// The one thing to do next: the first flight, or an operation.
+  void draw_next(Ui& ui, const Rect& strip, Shell& shell);
+  void draw_next_operation(Ui& ui, const Rect& strip, const OwnOperation& next);
   void draw_cards(Ui& ui, const Rect& page, Shell& shell);
   /// How the cards lie on a page of this width: side by side, and how large each is.
   struct Grid {
@@ -55,6 +57,12 @@ class OperationsScreen : public Screen {
   int segment_ = 0;
   std::string search_;
 };
+
+/// The first flight is offered to whoever tried nothing yet and has not answered the offer.
+bool is_flight_offered(const std::vector<OwnOperation>& operations, const Preferences& preferences,
+                       database::PersonId person);
+/// They answered, whatever they said.
+void keep_flight_answer(Preferences& preferences, database::PersonId person);
 
 /// How far the person is with it, by ui/screens/parts/standing.h.
 Competence competence_of(const OwnOperation& operation, std::string_view now_utc);

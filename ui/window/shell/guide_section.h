@@ -10,6 +10,7 @@ enum class GuideSection : std::uint8_t {
   Overview,
   SignIn,
   Operations,
+  Flight,
   Briefing,
   Operate,
   Result,
@@ -27,6 +28,6 @@ enum class GuideSection : std::uint8_t {
   Records,
   LeftOpen,
 };
-inline constexpr int guide_section_count = 19;
+inline constexpr int guide_section_count = 20;
 
 }  // namespace hallux::ui

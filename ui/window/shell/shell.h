@@ -2,6 +2,7 @@
 /// help, scale and theme.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -41,6 +42,8 @@ struct Preferences {
   bool captures_pointer = true;
   /// Panels that a right hand would cover change sides.
   bool is_left_handed = false;
+  /// Numbers of the people who were offered the first flight and answered, ascending.
+  std::vector<std::int64_t> offered_flight = {};
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };

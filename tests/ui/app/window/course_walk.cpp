@@ -64,6 +64,8 @@ class Walker {
 
   /// errors  Fault
   void go(int steps) {
+    come_in();
+    take_off();
     for (int step = 0; step < steps; ++step) {
       open_lock();
       come_in();
@@ -114,6 +116,20 @@ class Walker {
     wait_for_the_guard();
     window_.sign_in(walk_.login, walk_.password);
     if (driver().has("entry.sign_in")) throw Fault("cannot sign in again");
+  }
+
+  // By chance few come to the first flight; each walk begins in it.
+  void take_off() {
+    note("first flight");
+    driver().click("nav.operations");
+    window_.finish_work();
+    driver().click(driver().has("flight.offer.fly") ? "flight.offer.fly" : "operations.fly");
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!driver().has("flight.skip")) {
+      if (std::chrono::steady_clock::now() > end) throw Fault("the first flight does not begin");
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      driver().frame();
+    }
   }
 
   // Whoever locked the window opens it again.
@@ -217,11 +233,11 @@ class Walker {
   }
 
   void press_keys() {
-    static const std::array<Key, 22> keys{
-        Key::Tab,  Key::Tab,   Key::Tab,    Key::Enter,    Key::Escape, Key::Space,
-        Key::Left, Key::Right, Key::Up,     Key::Down,     Key::Home,   Key::End,
-        Key::F1,   Key::F9,    Key::G,      Key::N,        Key::P,      Key::Period,
-        Key::F,    Key::C,     Key::Delete, Key::Backspace};
+    static const std::array<Key, 24> keys{
+        Key::Tab,  Key::Tab,   Key::Tab,    Key::Enter,     Key::Escape, Key::Space,
+        Key::Left, Key::Right, Key::Up,     Key::Down,      Key::Home,   Key::End,
+        Key::F1,   Key::F9,    Key::G,      Key::N,         Key::P,      Key::Period,
+        Key::F,    Key::C,     Key::Delete, Key::Backspace, Key::S,      Key::B};
     for (int count = 1 + below(4); count > 0; --count) {
       const int which = below(static_cast<int>(keys.size()));
       const Modifiers modifiers{one_in(5), one_in(12), false};
@@ -322,7 +338,7 @@ class Walker {
     }
   }
 
-  // Esc leads back from everywhere, but for an operation: that is abandoned.
+  // Esc leads back from everywhere, but for an operation: that is abandoned, and a flight left.
   void find_home() {
     note("home");
     for (int count = 0; count < escapes_at_most && !is_home(); ++count) {

@@ -38,7 +38,11 @@ class WindowPreferences : public testing::Test {
   database::TemporaryDirectory temporary_;
 };
 
-Preferences unusual() { return {ThemeName::Light, 1.3F, true, true, false}; }
+Preferences unusual() {
+  Preferences preferences{ThemeName::Light, 1.3F, true, true, false};
+  preferences.offered_flight = {3, 17};
+  return preferences;
+}
 
 TEST_F(WindowPreferences, AreTheUsualOnesWhereNothingIsKept) {
   EXPECT_EQ(read_preferences(directory()), Preferences{});
@@ -50,6 +54,13 @@ TEST_F(WindowPreferences, ComeBackAsTheyWere) {
   EXPECT_EQ(read_preferences(directory()), unusual());
   keep_preferences(directory(), Preferences{});
   EXPECT_EQ(read_preferences(directory()), Preferences{});
+}
+
+TEST_F(WindowPreferences, WhoWasOfferedTheFlightIsKnownByNumberWhateverElseStandsThere) {
+  write(R"({"offered_flight": [17, "a", 3, 17, 2.5, null]})");
+  EXPECT_EQ(read_preferences(directory()).offered_flight, (std::vector<std::int64_t>{3, 17}));
+  write(R"({"offered_flight": "3"})");
+  EXPECT_TRUE(read_preferences(directory()).offered_flight.empty());
 }
 
 TEST_F(WindowPreferences, MakeNothingWhereNoCourseIs) {

@@ -104,8 +104,24 @@ bool soon(const std::function<bool()>& holds) {
 
 Progress no_progress(const std::string&) { return {}; }
 
+std::unique_ptr<simulator::SteeredDevice> some_mouse(const RigidTransform& world_from_start) {
+  return std::make_unique<simulator::MouseDevice>(world_from_start);
+}
+
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
                    ScenePainter* painter) {
+  open(std::make_unique<OperatingScreen>(course.visit_of_ada(), navigator,
+                                         OperationChoice{course.version(), kind}, some_mouse),
+       scale, size, painter);
+  EXPECT_TRUE(until([&] { return driver_->has("operate.begin"); }, 60.0));
+}
+
+Operator::Operator(std::unique_ptr<Screen> screen, float scale, Point size) {
+  open(std::move(screen), scale, size, nullptr);
+}
+
+void Operator::open(std::unique_ptr<Screen> screen, float scale, Point size,
+                    ScenePainter* painter) {
   DriverSetting setting;
   setting.width = size.x * scale;
   setting.height = size.y * scale;
@@ -115,16 +131,13 @@ Operator::Operator(OperableCourse& course, database::AttemptKind kind, float sca
   // Whoever runs the tests has not asked to hear them.
   shell_->preferences().is_saw_heard = false;
   shell_->push(std::make_unique<ScreenBelow>());
-  shell_->push(std::make_unique<OperatingScreen>(
-      course.visit_of_ada(), navigator, OperationChoice{course.version(), kind},
-      [](const RigidTransform& start) { return std::make_unique<simulator::MouseDevice>(start); }));
+  shell_->push(std::move(screen));
   driver_ = std::make_unique<Driver>(
       texts_,
       [this, painter](Ui& ui) {
         if (shell_ != nullptr) shell_->draw(ui, painter == nullptr ? scenes : *painter);
       },
       setting);
-  EXPECT_TRUE(until([&] { return driver_->has("operate.begin"); }, 60.0));
 }
 
 Operator::~Operator() = default;

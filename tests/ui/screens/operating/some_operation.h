@@ -61,12 +61,18 @@ bool soon(const std::function<bool()>& holds);
 /// For jobs of which nobody hears how far they are.
 Progress no_progress(const std::string& stage);
 
+/// Where operations get their device from.
+std::unique_ptr<simulator::SteeredDevice> some_mouse(const RigidTransform& world_from_start);
+
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for
 /// the one that notes; it must have begun a frame whenever one is made.
 class Operator {
  public:
   Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,
            Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr);
+  /// Before any screen, made with nothing to wait for.
+  explicit Operator(std::unique_ptr<Screen> screen, float scale = 1.0F,
+                    Point size = {1440.0F, 900.0F});
   ~Operator();
 
   /// Presses Begin and waits until the loop runs.
@@ -93,6 +99,8 @@ class Operator {
   NotedScenes scenes;
 
  private:
+  void open(std::unique_ptr<Screen> screen, float scale, Point size, ScenePainter* painter);
+
   std::unique_ptr<Shell> shell_ = std::make_unique<Shell>();
   const Texts texts_ = english_texts();
   std::unique_ptr<Driver> driver_;

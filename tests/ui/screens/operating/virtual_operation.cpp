@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 #include "scenarios/scenario.h"
 #include "scenarios/simulation_setup.h"
@@ -30,7 +31,11 @@ std::vector<scenarios::StepKind> kinds_of(const scenarios::Scenario& scenario) {
 }  // namespace
 
 VirtualOperation::VirtualOperation(const std::string& scenario, double edge_mm)
-    : prepared_(coarse_case(scenario, edge_mm)),
+    : VirtualOperation(coarse_case(scenario, edge_mm),
+                       kinds_of(scenarios::load_shipped_scenario(scenario))) {}
+
+VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps)
+    : prepared_(std::move(prepared)),
       setup_(simulation_setup(prepared_.scenario, prepared_.bone, prepared_.plan,
                               simulator::Guidance::None)),
       tissue_(prepared_.bone),
@@ -43,7 +48,7 @@ VirtualOperation::VirtualOperation(const std::string& scenario, double edge_mm)
   for (std::size_t cut = 0; cut < prepared_.plan.cuts.size(); ++cut)
     passes_.push_back(planned_passes(prepared_.scenario, prepared_.plan, cut, whole, tree));
   world_from_view = start_camera(prepared_).world_from_view;
-  session_.make_ready(kinds_of(prepared_.scenario),
+  session_.make_ready(std::move(steps),
                       LedSaw(start_pose(prepared_), start_camera(prepared_).target_mm));
   session_.begin();
   session_.run(*this, mouse_);

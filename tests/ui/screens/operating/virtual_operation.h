@@ -22,6 +22,8 @@ class VirtualOperation final : private AttemptControls {
  public:
   /// A coarse patient of a shipped scenario; practice, with the clock running.
   explicit VirtualOperation(const std::string& scenario, double edge_mm = 1.0);
+  /// steps  of the session
+  VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps);
 
   /// So much time, with these motions of the hand in the first frame of it.
   void advance(int ticks, const simulator::PointerMotion& motion = {});

@@ -14,12 +14,20 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+/// What they said to the first flight.
+enum class Flight { Answered, NotAsked };
+
 /// A person who looks for something to operate.
 struct Chooser {
-  Chooser(SomePublished& published, const std::string& login, float scale = 1.0F)
+  Chooser(SomePublished& published, const std::string& login, float scale = 1.0F,
+          Flight flight = Flight::Answered)
       : visitor(std::make_unique<OperationsScreen>(visit_of(published.course(), login), navigator,
                                                    pictures),
-                scale) {}
+                scale) {
+    if (flight == Flight::NotAsked) return;
+    keep_flight_answer(visitor.shell().preferences(), published.course().id_of(login));
+    driver().frame();
+  }
   Driver& driver() { return visitor.driver(); }
 
   SomeNavigator navigator;
@@ -113,6 +121,43 @@ TEST(OperationsScreen, ACardLeadsToItsBriefing) {
   EXPECT_THAT(chooser.navigator.asked, ElementsAre(brief_of(published)));
 }
 
+TEST(OperationsScreen, WhoeverTriedNothingYetIsOfferedTheFirstFlight) {
+  SomePublished published;
+  Chooser chooser(published, "ada", 1.0F, Flight::NotAsked);
+  EXPECT_TRUE(chooser.driver().sees("First flight: one minute on a block"));
+  EXPECT_FALSE(chooser.driver().has("operations.start")) << "one thing is next";
+  EXPECT_THAT(chooser.driver().faults(), IsEmpty());
+  chooser.driver().press(Key::Enter);
+  EXPECT_THAT(chooser.navigator.asked, ElementsAre("fly"));
+}
+
+TEST(OperationsScreen, AnAnsweredOfferDoesNotComeAgainAndTheFlightStaysReachable) {
+  for (const char* answer : {"flight.offer.fly", "flight.offer.not_now"}) {
+    SomePublished published;
+    Chooser chooser(published, "ada", 1.0F, Flight::NotAsked);
+    chooser.driver().click(answer);
+    EXPECT_FALSE(chooser.driver().sees("one minute on a block")) << answer;
+    EXPECT_TRUE(chooser.driver().has("operations.start"));
+    chooser.navigator.asked.clear();
+    chooser.driver().click("operations.fly");
+    EXPECT_THAT(chooser.navigator.asked, ElementsAre("fly"));
+    EXPECT_THAT(chooser.visitor.shell().preferences().offered_flight,
+                ElementsAre(published.course().id_of("ada").number));
+  }
+}
+
+TEST(OperationsScreen, TheFlightIsOfferedToEachPersonAndToNobodyWhoHasOperated) {
+  SomePublished published;
+  published.attempted_by("bob", database::AttemptKind::Practice);
+  Chooser bob(published, "bob", 1.0F, Flight::NotAsked);
+  EXPECT_FALSE(bob.driver().sees("one minute on a block"));
+  EXPECT_TRUE(bob.driver().has("operations.fly"));
+  Chooser ada(published, "ada", 1.0F, Flight::NotAsked);
+  keep_flight_answer(ada.visitor.shell().preferences(), published.course().id_of("bob"));
+  ada.driver().frame();
+  EXPECT_TRUE(ada.driver().sees("one minute on a block")) << "bob's answer is not hers";
+}
+
 TEST(OperationsScreen, EnterStartsTheNextThingToDo) {
   SomePublished published;
   Chooser chooser(published, "ada");
@@ -189,6 +234,11 @@ TEST(OperationsScreen, NothingIsCutOffAtAnyScaleAndSize) {
       chooser.driver().resize(width, height);
       EXPECT_THAT(chooser.driver().faults(), IsEmpty()) << scale << " " << width;
     }
+    Chooser first(published, "bob", scale, Flight::NotAsked);
+    EXPECT_THAT(first.driver().faults(), IsEmpty()) << scale << ", with the offer";
+    first.driver().resize(1280.0F, 720.0F);
+    EXPECT_THAT(first.driver().faults(), IsEmpty())
+        << scale << ", with the offer in a small window";
   }
 }
 

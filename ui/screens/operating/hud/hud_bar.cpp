@@ -12,8 +12,9 @@ namespace {
 
 /// Mode and time, upper left.
 float draw_mode(Hud& in) {
-  const std::string_view mode =
-      in.ui.text(in.hud.is_practice ? "operate.practice" : "operate.assessment");
+  const std::string_view mode = in.ui.text(in.hud.lesson        ? "flight.title"
+                                           : in.hud.is_practice ? "operate.practice"
+                                                                : "operate.assessment");
   const std::string time = clock_text(static_cast<double>(in.hud.tick) / 1000.0);
   const float mode_width = in.ui.width_of(Type::SmallMedium, mode) + 32.0F;
   const float time_width = in.ui.width_of(Type::BodyStrong, "00:00");
@@ -30,24 +31,29 @@ float draw_mode(Hud& in) {
   return bar.w;
 }
 
-/// Health, finish, abandon and pause, upper right.
+/// Disc and word while an attempt is recorded.
+void draw_recording(Hud& in, Point at) {
+  in.canvas().disc(at, 5.0F, in.hud.is_paused ? in.theme().text_caption : in.theme().bad);
+  in.canvas().text({at.x + 12.0F, at.y}, {Type::Small, in.theme().text},
+                   in.ui.text("operate.recording"));
+}
+
+/// Health, finish, abandon and pause, upper right. A lesson is not recorded and is only left.
 float draw_state(Hud& in) {
-  const bool is_well = in.hud.health.trouble.empty();
+  const bool is_well = in.hud.health.trouble.empty(), is_lesson = in.hud.lesson.has_value();
   const std::string_view rate = in.ui.text("operate.health.rate");
-  const std::string_view recording = in.ui.text("operate.recording");
   const float rate_width = in.ui.width_of(Type::Small, rate);
-  const float recording_width = in.ui.width_of(Type::Small, recording);
-  const float width = 40.0F + rate_width + 34.0F + recording_width + 16.0F + 4.0F * 38.0F + 8.0F;
+  const float recording =
+      is_lesson ? 0.0F : 34.0F + in.ui.width_of(Type::Small, in.ui.text("operate.recording"));
+  const float buttons = (is_lesson ? 3.0F : 4.0F) * 38.0F + 8.0F;
+  const float width = 40.0F + rate_width + recording + 16.0F + buttons;
   const Rect bar{in.room.right() - width, in.room.y, width, hud_bar_height};
   const HudPanel panel(in, "operate.panel.state", bar, hud_bar_height / 2.0F);
   draw_meaning(in.canvas(), in.theme(), is_well ? Meaning::Good : Meaning::Warn,
                {bar.x + 24.0F, bar.mid_y()}, 6.0F);
   in.canvas().text({bar.x + 38.0F, bar.mid_y()}, {Type::Small, in.theme().text}, rate);
-  const float next = bar.x + 38.0F + rate_width + 24.0F;
-  in.canvas().disc({next, bar.mid_y()}, 5.0F,
-                   in.hud.is_paused ? in.theme().text_caption : in.theme().bad);
-  in.canvas().text({next + 12.0F, bar.mid_y()}, {Type::Small, in.theme().text}, recording);
-  float x = bar.right() - 4.0F * 38.0F - 8.0F;
+  if (!is_lesson) draw_recording(in, {bar.x + 38.0F + rate_width + 24.0F, bar.mid_y()});
+  float x = bar.right() - buttons;
   const auto press = [&](const char* id, const char* label, Icon icon, bool is_on = false) {
     const Rect place{x, bar.y + 4.0F, 36.0F, 36.0F};
     x += 38.0F;
@@ -56,8 +62,9 @@ float draw_state(Hud& in) {
   in.answer.health = press("operate.health", "operate.health", Icon::Live, in.hud.is_health_open);
   in.answer.pause = press("operate.pause", in.hud.is_paused ? "operate.resume" : "operate.pause",
                           in.hud.is_paused ? Icon::Play : Icon::Pause);
-  in.answer.finish = press("operate.finish", "operate.finish", Icon::Check);
-  in.answer.abandon = press("operate.abandon", "operate.abandon", Icon::Close);
+  if (!is_lesson) in.answer.finish = press("operate.finish", "operate.finish", Icon::Check);
+  in.answer.abandon =
+      press("operate.abandon", is_lesson ? "flight.leave" : "operate.abandon", Icon::Close);
   return bar.w;
 }
 

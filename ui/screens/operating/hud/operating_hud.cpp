@@ -11,6 +11,7 @@
 
 #include "ui/screens/operating/hud/hud_bar.h"
 #include "ui/screens/operating/hud/hud_hints.h"
+#include "ui/screens/operating/hud/hud_lesson.h"
 #include "ui/screens/operating/hud/hud_readings.h"
 #include "ui/screens/operating/hud/hud_tip.h"
 #include "ui/screens/pictures/blade_section_view.h"
@@ -138,7 +139,7 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const Rect display = ui.display();
   Hud in{ui, hud, inset(display, hud_inset_share * display.w, hud_inset_share * display.h), {}};
   draw_hud_tip(in);
-  const float bar_end = draw_hud_bar(in);
+  const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
   draw_hud_readings(in);
   const float below = in.room.y + badge_room;
   if (hud.is_health_open) {

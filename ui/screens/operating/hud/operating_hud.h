@@ -42,6 +42,11 @@ struct ToolPlace {
 /// How the hand is on the saw.
 enum class HandState { Led, LedFree, Lifted, Off };
 
+/// What is to be learned now, in place of an attempt.
+struct HudLesson {
+  std::string task, goal;
+};
+
 struct OperatingHud {
   bool is_practice = true, is_paused = false, is_reviewed = false, is_simulated = false;
   bool is_left_handed = false;
@@ -75,6 +80,8 @@ struct OperatingHud {
   bool is_health_open = false;
   /// In the frame before the hints stood above the lower panels.
   bool are_hints_low = false;
+  /// Nothing in an attempt.
+  std::optional<HudLesson> lesson;
 };
 
 /// What was pressed, and where hints stand.
@@ -83,6 +90,8 @@ struct HudAnswer {
   bool saw = false, irrigation = false;
   /// For the next frame.
   bool are_hints_low = false;
+  /// Of a lesson: it is left out, or all of it is done anew.
+  bool skip = false, again = false;
   /// A done step that is to be taken up again.
   std::optional<std::size_t> reopen;
 };

@@ -37,10 +37,6 @@ BonePicture picture_of(std::shared_ptr<const PreparedCase> prepared_case,
   return picture;
 }
 
-BoneBeingCut::BoneBeingCut(LiveAttempt& attempt, BonePicture picture)
-    : BoneBeingCut(attempt.attempt().text, attempt.prepared_case(), attempt.watch(),
-                   std::move(picture)) {}
-
 BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
                            simulator::AttemptWatch& watch, BonePicture picture)
     : name_(std::move(name)),

@@ -56,9 +56,7 @@ class SectionClock {
 
 class BoneBeingCut {
  public:
-  /// Borrows the attempt; nobody else may take its feed.
-  BoneBeingCut(LiveAttempt& attempt, BonePicture picture);
-  /// The bone of any loop that is watched. Borrows the watch alone.
+  /// The bone of any loop that is watched. Borrows case and watch; nobody else may take its feed.
   /// name    of the attempt, for the names of its pictures
   BoneBeingCut(std::string name, const PreparedCase& prepared_case, simulator::AttemptWatch& watch,
                BonePicture picture);

@@ -22,7 +22,7 @@ BoneInView neighbour_picture(const scenarios::Scenario& scenario,
 
 struct SitePicture {
   BoneInView neighbour;
-  /// Over its solid.
+  /// Over its solid; null where there is none.
   std::shared_ptr<const simulator::Bvh> neighbour_tree;
   /// By cut, in the order of the plan.
   std::vector<PlannedFace> faces;

@@ -1,0 +1,84 @@
+#include "tests/ui/screens/operating/obedient_hand.h"
+
+#include <algorithm>
+
+#include "ui/screens/operating/hand/steering.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using simulator::PointerMotion;
+
+constexpr int at_once = 8;
+/// Of a drag that turns the view.
+constexpr double look_rad = 0.1;
+
+/// What one step of that move is for the hand.
+PointerMotion motion_of(const Hint& hint) {
+  PointerMotion motion;
+  motion.is_fine = hint.is_fine;
+  const double count = std::min(hint.times, at_once);
+  const double way_mm = count * key_step_mm, turn_rad = count * key_turn_rad;
+  switch (hint.move) {
+    case HandMove::Left:
+      motion.across_mm.x = -way_mm;
+      break;
+    case HandMove::Right:
+      motion.across_mm.x = way_mm;
+      break;
+    case HandMove::Up:
+      motion.across_mm.y = way_mm;
+      break;
+    case HandMove::Down:
+      motion.across_mm.y = -way_mm;
+      break;
+    case HandMove::Push:
+      motion.pushed_mm = way_mm;
+      break;
+    case HandMove::DrawBack:
+      motion.pushed_mm = -way_mm;
+      break;
+    case HandMove::TurnLeft:
+      motion.turned_rad.x = -turn_rad;
+      break;
+    case HandMove::TurnRight:
+      motion.turned_rad.x = turn_rad;
+      break;
+    case HandMove::TurnUp:
+      motion.turned_rad.y = turn_rad;
+      break;
+    case HandMove::TurnDown:
+      motion.turned_rad.y = -turn_rad;
+      break;
+    case HandMove::RollLeft:
+      motion.rolled_rad = turn_rad;
+      break;
+    case HandMove::RollRight:
+      motion.rolled_rad = -turn_rad;
+      break;
+    default:
+      break;
+  }
+  return motion;
+}
+
+}  // namespace
+
+/// Does what the hint says, a few key presses at a time.
+void obey(VirtualOperation& operation, const Hint& hint) {
+  if (hint.move == HandMove::SwitchSaw)
+    operation.session().set_saw_on(!operation.session().saw().is_on());
+  if (hint.move == HandMove::LookAround)
+    operation.world_from_view =
+        operation.world_from_view * glm::angleAxis(look_rad, Vec3(0.0, 1.0, 0.0));
+  if (hint.move == HandMove::PressStep) operation.press_step();
+  if (hint.move == HandMove::TakeUpStep) {
+    for (std::size_t step = operation.session().steps().step(); step-- > 0;)
+      if (operation.session().steps().can_reopen(step))
+        return operation.session().reopen_step(step);
+  }
+  operation.advance(ticks_per_look, motion_of(hint));
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,261 @@
+// The order within a frame is the meaning: first what takes the hands off the saw, then keys, then
+// the way of the saw, then what came back from the loop; only then the picture, so that no frame
+// shows a saw that runs after it was stopped.
+#include "ui/screens/operating/operating_field.h"
+
+#include <array>
+#include <utility>
+
+#include "scenarios/planned_guide.h"
+#include "ui/screens/operating/hand/rail_of_step.h"
+
+namespace hallux::ui {
+
+namespace {
+
+constexpr const char* view_area = "operate.view";
+constexpr double soon_s = 0.05;
+/// How soon the screen notices that there is room on the disk again.
+constexpr double look_again_s = 0.2;
+
+std::string text_in(const Ui& ui, std::string_view id) { return std::string(ui.text(id)); }
+
+}  // namespace
+
+// -- before
+
+void OperatingField::make_ready(PreparedOperation prepared,
+                                std::vector<scenarios::StepKind> steps) {
+  prepared_ = std::move(prepared);
+  viewport_.face(prepared_case());
+  session_.make_ready(std::move(steps),
+                      LedSaw(start_pose(prepared_case()), start_camera(prepared_case()).target_mm));
+}
+
+void OperatingField::run(const std::string& name, CommandedLoop& loop,
+                         simulator::SteeredDevice& device) {
+  running_.reset(
+      new Running{loop, {name, prepared_case(), loop.watch(), std::move(prepared_.picture)}});
+  session_.run(loop, device);
+}
+
+// -- while it runs
+
+void OperatingField::hear(Ui& ui, Shell& shell) {
+  viewport_.set_display(ui.display());
+  const AreaResponse area = ui.area(view_area, ui.text(view_area), ui.display());
+  session_.watch({ui.has_lost_keys(), ui.has_pointer_left() && viewport_.is_led_by_pointer(),
+                  reachable_layer(ui.shown()) > Layer::Page},
+                 ui.time_s());
+  if (session_.is_heard()) {
+    hear_keys(ui);
+    hear_display_keys(ui, shell.preferences());
+  }
+  Steered steered;
+  if (session_.is_open()) {
+    steered = viewport_.hear(ui, area, prepared_case(), session_.is_led(),
+                             session_.saw().world_from_target().translation_mm);
+  }
+  lead(ui, area, steered, shell.preferences().captures_pointer);
+}
+
+void OperatingField::hear_keys(Ui& ui) {
+  // All of it turns on and off: once, however long the key is held.
+  const auto pressed = [&](Chord chord, const char* id) {
+    return ui.shortcut(chord, ui.text(id)) && !ui.is_key_held_on();
+  };
+  const auto heard = [&](Key key, const char* id) { return pressed({key}, id); };
+  // The saw also answers while Shift slows the hand down.
+  if (heard(Key::Space, "operate.key.saw") || pressed(with_shift(Key::Space), "operate.key.saw"))
+    session_.set_saw_on(!session_.saw().is_on());
+  if (heard(Key::I, "operate.key.irrigation"))
+    session_.set_irrigated(!session_.saw().is_irrigated());
+  if (heard(Key::Backspace, "operate.key.take_up")) take_up_last_step();
+  if (heard(Key::P, "operate.key.pause")) session_.toggle_pause();
+  if (heard(Key::Escape, "operate.key.escape")) session_.pause(PausedBy::Person);
+}
+
+void OperatingField::hear_display_keys(Ui& ui, Preferences& preferences) {
+  const auto turn = [&](Key key, const char* id, bool& is_on) {
+    if (ui.shortcut({key}, ui.text(id)) && !ui.is_key_held_on()) is_on = !is_on;
+  };
+  if (session_.is_practice()) {
+    turn(Key::G, "operate.key.plane", panels_.help.is_plane_shown);
+    turn(Key::T, "operate.key.hints", panels_.help.is_hinted);
+    turn(Key::V, "operate.key.inset", panels_.help.is_inset_shown);
+  }
+  turn(Key::N, "operate.key.neighbour", panels_.is_neighbour_shown);
+  turn(Key::H, "operate.key.hud", panels_.are_shown);
+  turn(Key::M, "operate.key.sound", preferences.is_saw_heard);
+  turn(Key::C, "operate.key.capture", preferences.captures_pointer);
+  turn(Key::K, "operate.key.hand", preferences.is_left_handed);
+}
+
+void OperatingField::take_up_last_step() {
+  for (std::size_t step = session_.steps().step(); step-- > 0;) {
+    if (session_.steps().can_reopen(step)) return session_.reopen_step(step);
+  }
+}
+
+void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steered,
+                          bool may_capture) {
+  if (!session_.is_led()) return viewport_.release_pointer();
+  if (steered.switches_saw) session_.set_saw_on(!session_.saw().is_on());
+  session_.lift(viewport_.lift().is_lifted());
+  if (guidance_ == simulator::Guidance::Slot) {
+    session_.set_rail(rail_of_step(prepared_case(), session_.steps().step(),
+                                   running_->site == nullptr ? nullptr : &running_->site->cuts,
+                                   running_->view.sample.kerf));
+  }
+  session_.lead(std::array{steered.by_mouse, steered.by_keys}, viewport_.world_from_view(),
+                ui.time_s());
+  if (viewport_.lift().stays_lifted()) return;
+  if (may_capture) ui.capture_pointer(view_area);
+  if (area.is_hovered) ui.hide_pointer();
+}
+
+/// What came back from the loop since the last frame.
+void OperatingField::apply_loop(Ui& ui, Shell& shell) {
+  running_->view = running_->loop.view();
+  running_->site = running_->bone.site();
+  if (session_.phase() != OperatingSession::Phase::Operating &&
+      session_.phase() != OperatingSession::Phase::Sealing)
+    return;
+  tell(ui, shell, session_.apply(running_->bone.take_events(), ui.time_s()));
+  if (session_.update_storage()) ui.want_frame_in_s(0.0);
+  if (session_.pausing().is_storage_full()) ui.want_frame_in_s(look_again_s);
+}
+
+void OperatingField::tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const {
+  for (const StepNotice notice : notices) {
+    const auto [title, detail] = notice_texts(notice);
+    shell.say({Meaning::Info, text_in(ui, title), text_in(ui, detail)});
+  }
+}
+
+void OperatingField::show(Ui& ui, Shell& shell, std::span<const Mark> goals) {
+  sound_the_saw(shell);
+  const bool is_paused = session_.pausing().is_paused();
+  const bool has_stepped = running_ && running_->view.lines > 0;
+  BoneBeingCut* bone = running_ ? &running_->bone : nullptr;
+  viewport_.draw(ui, shell.scenes(),
+                 {.prepared_case = prepared_case(),
+                  .whole = prepared_.picture,
+                  .bone = bone,
+                  .loop = has_stepped ? &running_->view : nullptr,
+                  .world_from_target = session_.saw().world_from_target(),
+                  .cut = shown_cut(),
+                  .is_paused = is_paused,
+                  .is_irrigated = session_.saw().is_irrigated(),
+                  .site = prepared_.site.get(),
+                  .is_neighbour_shown = panels_.is_neighbour_shown,
+                  .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
+                  .is_guided = session_.is_practice(),
+                  .goals = goals});
+  if (session_.is_led() || shell.scenes().is_coarse()) {
+    ui.want_frame_in_s(0.0);
+  } else if (session_.phase() != OperatingSession::Phase::Ready &&
+             (bone == nullptr || !bone->is_up_to_date() || !is_paused)) {
+    ui.want_frame_in_s(soon_s);
+  }
+}
+
+/// Off by its key, while paused, and after the operation: then the player is told silence.
+void OperatingField::sound_the_saw(Shell& shell) {
+  if (!running_) return;
+  const bool is_heard =
+      shell.preferences().is_saw_heard && session_.phase() == OperatingSession::Phase::Operating;
+  if (is_heard && running_->player == nullptr) running_->player = std::make_unique<SawPlayer>();
+  if (running_->player == nullptr) return;
+  SawTone tone =
+      saw_tone(running_->view.sample, running_->view.engaged, prepared_case().scenario.saw);
+  tone.runs = tone.runs && is_heard && !session_.pausing().is_paused();
+  running_->player->play(tone);
+}
+
+const scenarios::PlannedCut* OperatingField::shown_cut() const {
+  if (!session_.is_practice() || !panels_.help.is_plane_shown) return nullptr;
+  const scenarios::Plan& plan = prepared_case().plan;
+  const std::int32_t kerf = running_ ? running_->view.sample.kerf : -1;
+  if (kerf >= 0 && running_->site != nullptr) {
+    const auto& cuts = running_->site->cuts;
+    for (std::size_t cut = 0; cut < cuts.size(); ++cut)
+      if (cuts[cut].kerf == kerf) return &plan.cuts[cut];
+  }
+  return cut_at_step(prepared_case().scenario, plan, session_.steps().step());
+}
+
+const scenarios::HeldCut* OperatingField::held_at_step() const {
+  const scenarios::PlannedCut* const cut =
+      cut_at_step(prepared_case().scenario, prepared_case().plan, session_.steps().step());
+  if (cut == nullptr || running_->site == nullptr) return nullptr;
+  const std::size_t index = index_of_cut(prepared_case().plan, cut->name);
+  return index < running_->site->cuts.size() ? &running_->site->cuts[index] : nullptr;
+}
+
+// -- the panels
+
+HudSources OperatingField::sources(const Texts& texts) const {
+  return {.texts = texts,
+          .session = session_,
+          .prepared_case = prepared_case(),
+          .passes = prepared_.passes,
+          .loop = running_->view,
+          .site = running_->site.get(),
+          .cut = shown_cut(),
+          .world_from_view = viewport_.world_from_view()};
+}
+
+OperatingHud OperatingField::hud(const Ui& ui, Shell& shell) {
+  const simulator::ToolSample& sample = running_->view.sample;
+  OperatingHud hud = hud_of(sources(ui.texts()), panels_.help.is_hinted);
+  hud.is_left_handed = shell.preferences().is_left_handed;
+  hud.tip = viewport_.place_of(transform_from(sample.world_from_tool).translation_mm);
+  hud.tool = viewport_.tool_places();
+  hud.inset = inset();
+  hud.hand = hand(ui);
+  hud.health = health(ui, shell);
+  hud.is_health_open = panels_.is_health_open;
+  hud.are_hints_low = panels_.are_hints_low;
+  return hud;
+}
+
+void OperatingField::answer(const HudAnswer& answer) {
+  panels_.are_hints_low = answer.are_hints_low;
+  if (answer.health) panels_.is_health_open = !panels_.is_health_open;
+  if (answer.pause) session_.toggle_pause();
+  if (answer.saw) session_.set_saw_on(!session_.saw().is_on());
+  if (answer.irrigation) session_.set_irrigated(!session_.saw().is_irrigated());
+  if (answer.reopen) session_.reopen_step(*answer.reopen);
+}
+
+HandState OperatingField::hand(const Ui& ui) const {
+  if (!session_.is_led()) return HandState::Off;
+  if (session_.saw().is_lifted()) return HandState::Lifted;
+  return ui.captured_by() == view_area ? HandState::Led : HandState::LedFree;
+}
+
+const BladeSection* OperatingField::inset() {
+  panels_.inset.reset();
+  if (!session_.is_practice() || !panels_.help.is_inset_shown) return nullptr;
+  const std::shared_ptr<const KerfSection> section = running_->bone.section();
+  if (section == nullptr) return nullptr;
+  const RigidTransform bone_from_tool = inverse(prepared_case().bone.world_from_bone) *
+                                        transform_from(running_->view.sample.world_from_tool);
+  panels_.inset = blade_section(*section, bone_from_tool, prepared_case().scenario.saw.blade,
+                                &prepared_case().plan);
+  return &*panels_.inset;
+}
+
+OperatingHealth OperatingField::health(const Ui& ui, Shell& shell) {
+  const simulator::LoopView& loop = running_->view;
+  panels_.limits.observe(loop.force_limits, ui.time_s());
+  OperatingHealth health = health_of(loop, running_->loop.force_scale(), panels_.limits.bits());
+  health.frame_ms = viewport_.frame_ms();
+  health.triangles = static_cast<long>(shell.scenes().triangles());
+  const std::string_view trouble = trouble_of(loop, running_->bone.has_failed());
+  if (!trouble.empty()) health.trouble = ui.text(trouble);
+  return health;
+}
+
+}  // namespace hallux::ui

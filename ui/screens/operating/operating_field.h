@@ -1,0 +1,123 @@
+/// What every operation in the window has: a session led by hands, the loop that runs, and the bone
+/// that it cuts, seen and heard. What it is for, its cards and its end are its screen's.
+///
+///     keys, pointer --> session --> loop --> picture, sound, facts of the panels
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ui/jobs/commanded_loop.h"
+#include "ui/screens/operating/hud/operating_hud.h"
+#include "ui/screens/operating/hud_facts.h"
+#include "ui/screens/operating/operating_session.h"
+#include "ui/screens/operating/operating_viewport.h"
+#include "ui/screens/operating/operation_work.h"
+#include "ui/sound/saw_player.h"
+#include "ui/window/shell/shell.h"
+
+namespace hallux::ui {
+
+/// Lends a device whose hand holds the saw in that pose.
+/// thread  any but the window's
+using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
+    const RigidTransform& world_from_start)>;
+
+class OperatingField {
+ public:
+  OperatingField(database::AttemptKind kind, simulator::Guidance guidance)
+      : guidance_(guidance), session_(kind) {}
+
+  OperatingSession& session() noexcept { return session_; }
+  const OperatingSession& session() const noexcept { return session_; }
+  const OperatingViewport& viewport() const noexcept { return viewport_; }
+  /// needs   made ready
+  const PreparedOperation& prepared() const noexcept { return prepared_; }
+  const PreparedCase& prepared_case() const noexcept { return *prepared_.prepared_case; }
+
+  /// The session is ready, and the camera stands before the site.
+  /// steps  of the session
+  void make_ready(PreparedOperation prepared, std::vector<scenarios::StepKind> steps);
+  /// The session runs, and the picture follows the loop. Borrows both.
+  /// name    for the names of the pictures
+  void run(const std::string& name, CommandedLoop& loop, simulator::SteeredDevice& device);
+  bool is_running() const noexcept { return running_ != nullptr; }
+
+  // -- of a frame, in this order
+  /// Hears hands and keys, and leads the saw.
+  void hear(Ui& ui, Shell& shell);
+  /// Takes what came back from the loop since the last frame; told are the steps that did not come
+  /// off.
+  void apply_loop(Ui& ui, Shell& shell);
+  /// Draws the picture behind the widgets, and sounds the saw.
+  /// goals  marked in the picture
+  void show(Ui& ui, Shell& shell, std::span<const Mark> goals = {});
+
+  // -- what there is to tell; needs it is running
+  /// As of this frame.
+  const simulator::LoopView& loop() const noexcept { return running_->view; }
+  /// Null before it is known, and after a hinge was closed.
+  const SiteFacts* site() const noexcept { return running_->site.get(); }
+  HudSources sources(const Texts& texts) const;
+  /// Of the cut of the step at hand, as far as it is known; null where it has none.
+  const scenarios::HeldCut* held_at_step() const;
+  bool are_panels_shown() const noexcept { return panels_.are_shown; }
+  bool is_health_open() const noexcept { return panels_.is_health_open; }
+  bool is_hinted() const noexcept { return panels_.help.is_hinted; }
+  /// What all operations show, of hand, health and inset too.
+  OperatingHud hud(const Ui& ui, Shell& shell);
+  /// Does what was pressed, as far as it is no end, step or lesson.
+  void answer(const HudAnswer& answer);
+
+ private:
+  /// The loop that runs, with what follows it.
+  struct Running {
+    CommandedLoop& loop;
+    BoneBeingCut bone;
+    /// Once the saw is to be heard.
+    std::unique_ptr<SawPlayer> player = {};
+    /// The newest of this frame; the site is null before it is known.
+    simulator::LoopView view = {};
+    std::shared_ptr<const SiteFacts> site = {};
+  };
+  /// What of the help beside the bone is shown, each by its key.
+  struct Help {
+    bool is_plane_shown = true, is_hinted = true, is_inset_shown = true;
+  };
+  struct Panels {
+    bool are_shown = true, is_health_open = false, is_neighbour_shown = true, are_hints_low = false;
+    Help help;
+    /// Of the arm's force.
+    RecentLimits limits;
+    /// Of this frame; nothing where it is not shown.
+    std::optional<BladeSection> inset;
+  };
+
+  void hear_keys(Ui& ui);
+  void hear_display_keys(Ui& ui, Preferences& preferences);
+  void take_up_last_step();
+  /// Leads the saw by what was steered, or sets the hand down.
+  void lead(Ui& ui, const AreaResponse& area, const Steered& steered, bool may_capture);
+  void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
+  void sound_the_saw(Shell& shell);
+  /// The cut in which the saw is, else the one that the step at hand asks for; nothing where the
+  /// plan is not shown.
+  const scenarios::PlannedCut* shown_cut() const;
+  HandState hand(const Ui& ui) const;
+  /// Of the section in the blade's plane; null where it is not shown.
+  const BladeSection* inset();
+  OperatingHealth health(const Ui& ui, Shell& shell);
+
+  simulator::Guidance guidance_;
+  PreparedOperation prepared_;
+  std::unique_ptr<Running> running_;
+  OperatingSession session_;
+  OperatingViewport viewport_;
+  Panels panels_;
+};
+
+}  // namespace hallux::ui
