@@ -6,6 +6,7 @@
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/marks.h"
+#include "ui/widgets/shapes.h"
 
 namespace hallux::ui {
 

@@ -16,7 +16,7 @@ PreparedOperation prepare_flight(SignedInSession& signed_in, WorkReport& report)
       prepare_case(std::move(block.scenario), std::move(block.bone)));
   const PreparedCase& prepared_case = *prepared.prepared_case;
   cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
-    prepared.picture = picture_of(prepared_case.bone, directory,
+    prepared.picture = picture_of(prepared.prepared_case, directory,
                                   [&](double fraction) { return report.reached(fraction); });
   });
   SitePicture site;
