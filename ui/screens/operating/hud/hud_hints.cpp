@@ -21,7 +21,8 @@ float draw_sentence(Hud& in, const char* id, Meaning meaning, const std::string&
   const float inner = width - sign_room - 16.0F;
   const float height = in.ui.paragraph_height(Type::Small, words, inner) + 14.0F;
   const Rect rect{in.ui.display().mid_x() - 0.5F * width, y + line_gap, width, height};
-  const HudPanel panel(in, id, rect, std::min(18.0F, 0.5F * height));
+  const HudPanel panel(in, id, rect, std::min(18.0F, 0.5F * height),
+                       in.hud.lesson ? HudFading::Never : HudFading::BehindTool);
   draw_meaning(in.canvas(), in.theme(), meaning, {rect.x + 20.0F, rect.y + 17.0F}, 6.0F);
   in.canvas().paragraph({rect.x + sign_room, rect.y + 7.0F, inner, height - 14.0F},
                         {Type::Small, in.theme().text}, words);
