@@ -1,11 +1,12 @@
-// The block in its own frame, cut at x = 0; the piece that comes free is its distal end.
+// The block in its own frame, cut at x = 0; the piece that comes free is its distal end. It lies so
+// that the operator's view shows cut, tooth line and feed all aslant.
 //
-//        z lateral
+//        medial
 //        |   approach                 The top is crowned: its highest line, y = 0, is the entry.
 //     ___|___v_________
-//    |       |   end   |  8 mm        Wide enough for two passes of the blade, and low, so that
+//    |       |   end   |  4 mm        Wide enough for two passes of the blade, and low, so that
 //    |_______0_________|---> x        a stroke takes seconds. The tooth line lies along y.
-//    -25              11
+//    -19              11
 #include "scenarios/practice_block.h"
 
 #include <array>
@@ -16,10 +17,10 @@ namespace hallux::scenarios {
 
 namespace {
 
-constexpr double edge_mm = 1.0, half_width_mm = 9.0, height_mm = 8.0, crown_mm = 0.4;
+constexpr double edge_mm = 1.0, half_width_mm = 9.0, height_mm = 4.0, crown_mm = 0.3;
 /// Off the lattice of the edges: no plane of a cut at 0 runs along a row of corners.
-constexpr double low_x_mm = -24.65;
-constexpr int cells_along = 36, cells_up = 8, cells_across = 18;
+constexpr double low_x_mm = -18.65;
+constexpr int cells_along = 30, cells_up = 4, cells_across = 18;
 
 using Place = std::array<int, 3>;
 
@@ -69,7 +70,7 @@ class BlockMesh {
     const double across_mm = edge_mm * place[2] - half_width_mm;
     const double share = across_mm / half_width_mm;
     const double top_mm = height_mm - crown_mm * share * share;
-    return {low_x_mm + edge_mm * place[0], -across_mm, top_mm * place[1] / cells_up};
+    return {low_x_mm + edge_mm * place[0], across_mm, -top_mm * place[1] / cells_up};
   }
 
   simulator::IndexedMesh mesh_;
@@ -81,7 +82,7 @@ simulator::Bone block_bone() {
   bone.name = "practice_block";
   bone.generator = "practice block 1";
   bone.outer = BlockMesh().take();
-  bone.landmarks = {{"cut_medial", {0.0, 0.0, 0.0}}, {"cut_lateral", {0.0, 0.0, height_mm}}};
+  bone.landmarks = {{"cut_medial", {0.0, 0.0, -height_mm}}, {"cut_lateral", {0.0, 0.0, 0.0}}};
   return bone;
 }
 
@@ -90,11 +91,11 @@ ReferenceCut cut_across() {
   cut.name = "across";
   cut.title = "Across the block";
   cut.face.kind = FaceKind::Transverse;
-  cut.face.through = "cut_lateral";
+  cut.face.through = "cut_medial";
   cut.face.axis_from = "cut_medial";
   cut.face.axis_to = "cut_lateral";
   cut.waste_side = "distal";
-  cut.approach = "lateral";
+  cut.approach = "medial";
   return cut;
 }
 
@@ -110,11 +111,11 @@ OperationStep step_of(StepKind kind, std::string title, std::string cut) {
 /// lower corner. It begins beside the cut, so that there is a way to go.
 StartingPlace start_beside() {
   StartingPlace start;
-  start.eye_in_bone = unit(Vec3(0.4, 0.14, 0.91));
-  start.up_in_bone = unit(Vec3(0.13, 0.97, -0.21));
+  start.eye_in_bone = unit(Vec3(0.4, 0.14, -0.91));
+  start.up_in_bone = unit(Vec3(0.13, 0.97, 0.21));
   start.radius_mm = 27.0;
-  start.tip_from_entry_mm = {4.0, -6.0, 14.0};
-  start.feed_in_bone = {0.0, 0.0, -1.0};
+  start.tip_from_entry_mm = {4.0, -6.0, -10.0};
+  start.feed_in_bone = {0.0, 0.0, 1.0};
   start.normal_in_bone = {1.0, 0.0, 0.0};
   return start;
 }

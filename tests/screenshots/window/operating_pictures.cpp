@@ -41,7 +41,7 @@ void take_flight(const SimulatedCourse& course, const std::filesystem::path& fol
   photographer.sign_in("trainee-1", course.password);
   photographer.press("operations.fly");
   photographer.wait_until("the flight", [&] { return driver.has("flight.skip"); });
-  photographer.key(Key::Digit6);
+  photographer.key(Key::Digit1);
   photographer.wait_until("the next lesson", [&] { return driver.sees("ring on the block"); });
   photographer.key(Key::R);
   photographer.work_for(1.0);

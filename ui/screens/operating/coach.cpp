@@ -44,6 +44,8 @@ constexpr double crumb_mm = 0.3;
 /// Of a key's step: below, Shift is held.
 constexpr double fine_below = 0.6;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
+/// Where the best move mends less, the view looks along what is to be mended.
+constexpr double least_mended_share = 0.02;
 /// A turn in the face counts less: no read-out tells it.
 constexpr double yaw_weight = 0.5;
 
@@ -71,16 +73,17 @@ struct Lever {
   std::array<double, count> change;
 };
 
-/// The move that leaves least of the errors, and how much of it.
+/// The move that leaves least of the errors, how much of it, and what share of them it mends.
 struct Chosen {
   HandMove move = HandMove::Wait;
-  double amount = 0.0;
+  double amount = 0.0, mended_share = 0.0;
 };
 
 template <std::size_t count>
 Chosen best_move(const std::array<double, count>& errors, std::span<const Lever<count>> levers) {
   Chosen chosen;
-  double most = 0.0;
+  double most = 0.0, all = 0.0;
+  for (const double error : errors) all += error * error;
   for (const Lever<count>& lever : levers) {
     double along = 0.0, size = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -90,7 +93,7 @@ Chosen best_move(const std::array<double, count>& errors, std::span<const Lever<
     if (!(size > 1.0e-6) || along * along / size <= most) continue;
     most = along * along / size;
     const double amount = -along / size;
-    chosen = {amount > 0.0 ? lever.more : lever.less, std::abs(amount)};
+    chosen = {amount > 0.0 ? lever.more : lever.less, std::abs(amount), most / all};
   }
   return chosen;
 }
@@ -191,6 +194,12 @@ std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanR
   return hint;
 }
 
+Hint turn_view_hint() {
+  Hint hint{.text_id = "operate.hint.view"};
+  hint.move = HandMove::ResetView;
+  return hint;
+}
+
 std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
                                double slack) {
   const Vec3& tip_mm = view.bone_from_tool.translation_mm;
@@ -212,7 +221,9 @@ std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const Plan
                  {"offset_goal", mm_text(reading.distance_mm - off_mm)},
                  {"along", mm_text(along_mm)}};
   hint.read_outs = {"plan.distance", "plan.along"};
-  set_amount(hint, best_move<2>({off_mm, along_mm}, levers), key_step_mm);
+  const Chosen chosen = best_move<2>({off_mm, along_mm}, levers);
+  if (chosen.mended_share < least_mended_share) return turn_view_hint();
+  set_amount(hint, chosen, key_step_mm);
   return hint;
 }
 
@@ -362,7 +373,7 @@ struct MoveTexts {
   std::string_view keys_id, mouse_id;
 };
 
-constexpr std::array<MoveTexts, 17> move_texts{{
+constexpr std::array<MoveTexts, 18> move_texts{{
     {HandMove::Left, "move.left.keys", "move.left.mouse"},
     {HandMove::Right, "move.right.keys", "move.right.mouse"},
     {HandMove::Up, "move.up.keys", "move.up.mouse"},
@@ -377,6 +388,7 @@ constexpr std::array<MoveTexts, 17> move_texts{{
     {HandMove::RollRight, "move.roll_right.keys", "move.roll_right.mouse"},
     {HandMove::SwitchSaw, "move.saw.keys", "move.saw.mouse"},
     {HandMove::LookAround, "move.look.keys", "move.look.mouse"},
+    {HandMove::ResetView, "move.reset_view.keys", "move.reset_view.mouse"},
     {HandMove::PressStep, "move.step.keys", "move.step.mouse"},
     {HandMove::TakeUpStep, "move.take_up.keys", "move.take_up.mouse"},
     {HandMove::Wait, "move.wait", "move.wait"},

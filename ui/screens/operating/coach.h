@@ -39,6 +39,7 @@ enum class HandMove {
   RollRight,
   SwitchSaw,
   LookAround,
+  ResetView,
   PressStep,
   TakeUpStep,
   Wait

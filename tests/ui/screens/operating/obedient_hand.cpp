@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/screens/operating/hand/start_place.h"
 #include "ui/screens/operating/hand/steering.h"
 
 namespace hallux::ui {
@@ -72,6 +73,8 @@ void obey(VirtualOperation& operation, const Hint& hint) {
   if (hint.move == HandMove::LookAround)
     operation.world_from_view =
         operation.world_from_view * glm::angleAxis(look_rad, Vec3(0.0, 1.0, 0.0));
+  if (hint.move == HandMove::ResetView)
+    operation.world_from_view = start_camera(operation.prepared_case()).world_from_view;
   if (hint.move == HandMove::PressStep) operation.press_step();
   if (hint.move == HandMove::TakeUpStep) {
     for (std::size_t step = operation.session().steps().step(); step-- > 0;)

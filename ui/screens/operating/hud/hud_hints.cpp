@@ -34,7 +34,8 @@ Rect place_of(const Hud& in, const std::string& words, float y) {
 }
 
 void draw_sentence(Hud& in, const Sentence& sentence, const Rect& rect) {
-  const HudPanel panel(in, sentence.id, rect, std::min(18.0F, 0.5F * rect.h));
+  const HudPanel panel(in, sentence.id, rect, std::min(18.0F, 0.5F * rect.h),
+                       in.hud.lesson ? HudFading::Never : HudFading::BehindTool);
   draw_meaning(in.canvas(), in.theme(), sentence.meaning, {rect.x + 20.0F, rect.y + 17.0F}, 6.0F);
   in.canvas().paragraph(
       {rect.x + sign_room, rect.y + edge_y, rect.w - sign_room - edge_x, rect.h - 2.0F * edge_y},
@@ -69,8 +70,7 @@ Sentences sentences_below(const Hud& in, float y) {
 
 /// What tells the next thing to do is read: where the tool passes behind it, it stands above the
 /// lower panels, if it can be read there.
-Sentences readable_sentences(Hud& in, float y, float lower_end) {
-  const Sentences high = sentences_below(in, y);
+Sentences readable_sentences(Hud& in, const Sentences& high, float y, float lower_end) {
   const Sentences low = sentences_below(in, y + lower_end - line_gap - high.bottom);
   const float around = in.hud.are_hints_low ? back_from_low : 0.0F;
   in.answer.are_hints_low = high.have_tool_behind(in, around) && !low.have_tool_behind(in);
@@ -97,10 +97,12 @@ std::string foot_of(const Hud& in) {
 
 }  // namespace
 
-void draw_hud_hints(Hud& in, float y, float lower_end) {
-  const Sentences sentences = readable_sentences(in, y, lower_end);
+float draw_hud_hints(Hud& in, float y, float lower_end) {
+  const Sentences high = sentences_below(in, y);
+  const Sentences sentences = readable_sentences(in, high, y, lower_end);
   for (std::size_t i = 0; i < sentences.each.size(); ++i)
     draw_sentence(in, sentences.each[i], sentences.places[i]);
+  return high.bottom;
 }
 
 void draw_hud_foot(Hud& in) {

@@ -9,7 +9,9 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float lesson_gap = 8.0F, edge = 12.0F, between_lines = 4.0F, widest = 860.0F;
+constexpr float lesson_gap = 8.0F, edge = 12.0F, between_lines = 4.0F, widest = 820.0F;
+/// Of the person's name, below the mode: how far it may reach.
+constexpr float name_width = 228.0F, name_bottom = 92.0F;
 constexpr float button_gap = 10.0F, chip_room = 8.0F;
 
 /// A button with its key beside it.
@@ -44,8 +46,11 @@ float draw_hud_lesson(Hud& in, float y) {
   const float task = in.ui.paragraph_height(Type::SmallMedium, lesson.task, words);
   const float goal = in.ui.paragraph_height(Type::Small, lesson.goal, words);
   const float height = task + between_lines + goal + 2.0F * edge;
-  const Rect rect{in.ui.display().mid_x() - 0.5F * width, y + lesson_gap, width, height};
-  const HudPanel panel(in, "flight.panel", rect);
+  const float left = in.ui.display().mid_x() - 0.5F * width;
+  const bool is_under_name = left < in.room.x + name_width;
+  const float above_it = is_under_name ? std::max(y, in.room.y + name_bottom) : y;
+  const Rect rect{left, above_it + lesson_gap, width, height};
+  const HudPanel panel(in, "flight.panel", rect, radius::picture, HudFading::Never);
   const Rect above{rect.x + hud_pad, rect.y + edge, words, task};
   const Rect below{above.x, above.bottom() + between_lines, words, goal};
   in.canvas().paragraph(above, {Type::SmallMedium, in.theme().text}, lesson.task);

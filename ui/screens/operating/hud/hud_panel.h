@@ -40,15 +40,20 @@ struct Hud {
   }
 };
 
+/// Whether it fades where the tool passes behind it: what is to be learned now stays readable.
+enum class HudFading { BehindTool, Never };
+
 /// Its ground, and the fading of all that is drawn on it until the scope ends. Over it the pointer
 /// is a pointer: the saw stays where it is.
 class HudPanel {
  public:
   /// name  a text of the catalogue
-  HudPanel(Hud& in, const char* name, const Rect& rect, float corner = radius::picture)
+  HudPanel(Hud& in, const char* name, const Rect& rect, float corner = radius::picture,
+           HudFading fading = HudFading::BehindTool)
       : canvas_(in.canvas()) {
     in.ui.area(name, in.ui.text(name), rect);
-    if (in.has_tool_behind(rect)) canvas_.set_presence(faded_presence);
+    if (fading == HudFading::BehindTool && in.has_tool_behind(rect))
+      canvas_.set_presence(faded_presence);
     draw_hud_panel(canvas_, in.theme(), rect, corner);
   }
   HudPanel(const HudPanel&) = delete;

@@ -20,7 +20,8 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float badge_room = 112.0F;
+/// Down to the panels at the side: of the person's name, or of a lesson with one line of hints.
+constexpr float badge_room = 112.0F, lesson_room = 204.0F;
 constexpr float health_width = 280.0F, health_row = 24.0F, health_edge = 12.0F;
 constexpr float inset_width = 300.0F, inset_height = 236.0F, inset_least_room = 560.0F;
 
@@ -141,13 +142,14 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   draw_hud_tip(in);
   const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
   draw_hud_readings(in);
-  const float below = in.room.y + badge_room;
+  const float hints_end = draw_hud_hints(in, bar_end, draw_trouble(in));
+  const float below =
+      hud.lesson ? std::max(in.room.y + lesson_room, hints_end + 8.0F) : in.room.y + badge_room;
   if (hud.is_health_open) {
     draw_health(in, below);
   } else {
     draw_inset(in, below);
   }
-  draw_hud_hints(in, bar_end, draw_trouble(in));
   draw_hud_foot(in);
   return in.answer;
 }

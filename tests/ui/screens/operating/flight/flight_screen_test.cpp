@@ -29,7 +29,7 @@ struct Flier {
   }
   /// Turns the view, as the first lesson asks.
   void look() {
-    person.press(Key::Digit6);
+    person.press(Key::Digit1);
     ASSERT_TRUE(person.until([&] { return is_in("ring on the block"); }));
   }
 
@@ -48,7 +48,7 @@ TEST(FlightScreen, BeginsWithALookAroundAndTheSawStandingStill) {
   EXPECT_TRUE(ada.driver().sees("Stopped"));
   EXPECT_FALSE(ada.driver().sees("Rec")) << "nothing is recorded";
   EXPECT_FALSE(ada.driver().has("operate.finish")) << "there is nothing to finish";
-  ASSERT_TRUE(ada.person.until([&] { return ada.driver().sees("Keys: 6."); }));
+  ASSERT_TRUE(ada.person.until([&] { return ada.driver().sees("Keys: 1."); }));
 }
 
 TEST(FlightScreen, LessonsArePassedByTheirDeeds) {

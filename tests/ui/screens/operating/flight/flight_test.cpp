@@ -79,6 +79,15 @@ TEST(FirstFlight, AHandThatOnlyObeysFliesItInAboutAMinute) {
             1);
 }
 
+TEST(FirstFlight, WhoeverLooksSquarelyAtThePlaneIsToldToTurnTheView) {
+  Flight flight;
+  flight.skipped = Lesson::Look;
+  // Along the plane's normal: nothing that moves on the screen changes the offset.
+  flight.operation.world_from_view = rotation_from_axes(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0));
+  flight.fly();
+  EXPECT_TRUE(flight.lessons.are_over()) << "stands at " << flight.lessons.number();
+}
+
 TEST(FirstFlight, OneStrokeLeavesASecondPassToDo) {
   Flight flight;
   bool has_withdrawn = false;
