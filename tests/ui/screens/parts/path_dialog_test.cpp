@@ -153,6 +153,7 @@ TEST_F(Choosing, WhatIsDroppedFillsTheFieldThatIsShown) {
 
 TEST_F(Choosing, WhatIsDroppedWhereNothingTakesItIsSaid) {
   class Plain : public Screen {
+    GuideSection guide_section() const override { return GuideSection::Overview; }
     void draw(Ui&, const Rect&, Shell&) override {}
   };
   visitor_.shell().replace_all(std::make_unique<Plain>());
