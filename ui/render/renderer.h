@@ -65,8 +65,8 @@ class Renderer {
 
   /// Draws one eye's picture over all of the target. Bones are sent to the card when first seen,
   /// and let go when they were not seen for 300 pictures. What it is drawn in (of a still one
-  /// 800 bytes for each pixel) goes when 10 pictures were drawn otherwise, or where a kept one needs
-  /// room.
+  /// 800 bytes for each pixel) goes when 10 pictures were drawn otherwise, or for the sake of one
+  /// that is kept and has no room yet.
   /// ensures the target's framebuffer stays bound; depth test, culling, blending and scissor are
   ///         off afterwards
   /// errors  GraphicsError where there is no room for the picture

@@ -4,7 +4,6 @@
 usage: operate_check.py HALLUX [PICTURE_FOLDER]
 """
 
-import functools
 import json
 import pathlib
 import subprocess
@@ -12,7 +11,8 @@ import sys
 import time
 
 from novice import KeyboardHand, Novice
-from window_check import rows_of, use_course_window, wait_until
+from window_check import opened_course, rows_of, wait_until
+from window_memory import WINDOW_KIB_AT_MOST, peak_kib
 
 LOGIN, PASSWORD = "admin-1", "a long enough phrase"
 PATIENCE_S = 150.0
@@ -117,10 +117,22 @@ def operate(program, person, place, take_picture):
     take_picture("after")
 
 
+def check_memory(window):
+    """Of all it did since it was opened."""
+    taken_kib = peak_kib(window.pid)
+    print(f"operate check: {taken_kib} KiB at most")
+    if taken_kib > WINDOW_KIB_AT_MOST:
+        sys.exit(f"the window takes {taken_kib} KiB, where {WINDOW_KIB_AT_MOST} are what it may take")
+
+
 def main():
-    """From the first administrator to a scored attempt."""
+    """From the first administrator to a scored attempt, in the memory that is left to it."""
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    use_course_window(sys.argv[1], pictures, functools.partial(operate, sys.argv[1]))
+    with opened_course(sys.argv[1], pictures=pictures) as course:
+        operate(sys.argv[1], course.person, course.place, course.take_picture)
+        if course.window.poll() is not None:
+            sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")
+        check_memory(course.window)
     print("operate check: passed")
 
 

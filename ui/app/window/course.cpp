@@ -161,6 +161,8 @@ void Course::brief(database::ScenarioVersionId scenario) {
 }
 void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
                      simulator::Guidance guidance) {
+  // An operation needs the memory that replays of the expert take, 30 to 70 MB each.
+  made_replays_ = std::make_shared<MadeReplays>();
   shell_.push(std::make_unique<OperatingScreen>(
       signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_mouse));
 }

@@ -1,5 +1,7 @@
 #include "ui/screens/operating/operation_work.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <future>
 #include <utility>
@@ -86,6 +88,9 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
     prepared.site = std::make_shared<const SitePicture>(std::move(site));
     prepared.passes = passes_of(*prepared.prepared_case, prepared.picture);
   });
+  // What briefing, replays and the making of the patient left free in the heaps goes back to the
+  // system now, while nobody operates: an operation needs the room.
+  ::malloc_trim(0);
   return prepared;
 }
 

@@ -1,4 +1,5 @@
-/// Replays of simulated hands: made once for whoever is signed in, and kept until they leave.
+/// Replays of simulated hands: made once for whoever is signed in, and kept until they operate or
+/// leave.
 #pragma once
 
 #include <filesystem>
