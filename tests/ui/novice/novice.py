@@ -14,7 +14,7 @@ AT_ONCE = 8
 # A press that moves less is a click.
 CLICK_PIXELS = 8
 # A display gives fast movements of a mouse more pixels than slow ones.
-SHORT_PIXELS, SLOW_STEP_PIXELS, SLOW_STEP_S, FAST_STEP_PIXELS = 30, 2, 0.02, 15
+SHORT_PIXELS, SLOW_STEP_PIXELS, FAST_STEP_PIXELS, STEP_S = 30, 2, 10, "0.02"
 # Until an input is seen, and until it has come to rest.
 SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
 # How often a hand slips.
@@ -143,11 +143,11 @@ class MouseHand:
 
     def glide(self, way, pixels):
         """As a hand does, not at a bound: a short way so slowly that the display makes no longer one of it."""
-        most, pause_s = (SLOW_STEP_PIXELS, SLOW_STEP_S) if abs(pixels) <= SHORT_PIXELS else (FAST_STEP_PIXELS, 0.0)
+        most = SLOW_STEP_PIXELS if abs(pixels) <= SHORT_PIXELS else FAST_STEP_PIXELS
         words = []
         while pixels:
             step = max(-most, min(most, pixels))
-            words += ["mousemove_relative", "--", str(way[0] * step), str(way[1] * step), "sleep", str(pause_s)]
+            words += ["mousemove_relative", "--", str(way[0] * step), str(way[1] * step), "sleep", STEP_S]
             pixels -= step
         if words:
             self.person.xdotool(*words)
