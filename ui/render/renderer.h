@@ -16,6 +16,8 @@ struct RenderQuality {
   int supersampling = 1;
   /// Whether KeptPictures are used: 48 bytes a pixel drawn, for each of them.
   bool keeps_still = false;
+  /// Whether a pass takes the stairs from the edges of pictures in motion.
+  bool smooths_edges = false;
 };
 
 /// What this machine draws fast enough to be lived with: smooth edges only where a graphics card
@@ -79,6 +81,11 @@ class Renderer {
   /// The same as seen by one who looks at the target from the middle.
   void draw(const Scene& scene, const Camera& camera, const DrawTarget& target);
 
+  /// One sample of a picture at rest: nothing of it is kept, and its edges stay as they are.
+  void draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target);
+
+  /// Lets go of what pictures of which nothing is kept are drawn in.
+  void forget_passing() noexcept;
   /// Lets go of everything that belongs to bones, and of what pictures of which nothing is kept are
   /// drawn in, at once.
   void forget_bones() noexcept;

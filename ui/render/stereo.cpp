@@ -127,6 +127,10 @@ KeptPicture& StereoStage::kept(Eye eye) noexcept {
   return is_coarse() ? picture.kept_coarse : picture.kept_whole;
 }
 
+RefinedPicture& StereoStage::refined(Eye eye) noexcept {
+  return (eye == Eye::Right ? right_ : left_).refined;
+}
+
 std::vector<DrawTarget> StereoStage::pictures_for_panels(const DrawTarget& window) const {
   if (setting_.mode == StereoMode::Mono) {
     copy_picture(eye(Eye::Left).target(), window);

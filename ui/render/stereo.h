@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/render/gl/shader_program.h"
+#include "ui/render/refined_picture.h"
 #include "ui/render/renderer.h"
 
 namespace hallux::ui {
@@ -27,6 +28,8 @@ struct StereoSetting {
   Viewer viewer{};
   /// Columns of an anaglyph's eyes over those of the window: more is too much for a processor.
   double eye_columns = 1.0;
+
+  friend bool operator==(const StereoSetting&, const StereoSetting&) = default;
 };
 
 /// What this machine draws fast enough: the columns of an anaglyph's eyes, and the detail of a view
@@ -58,6 +61,8 @@ class StereoStage {
   const RenderTarget& eye(Eye eye) const;
   /// What stands still of that eye's picture.
   KeptPicture& kept(Eye eye) noexcept;
+  /// That eye's picture at rest.
+  RefinedPicture& refined(Eye eye) noexcept;
   double detail() const noexcept { return detail_; }
   bool is_coarse() const noexcept { return detail_ < 1.0; }
   /// Where panels are drawn, before all is composed: in mono the window itself, where the picture
@@ -79,6 +84,7 @@ class StereoStage {
   struct EyePicture {
     std::optional<RenderTarget> whole, coarse;
     KeptPicture kept_whole, kept_coarse;
+    RefinedPicture refined;
   };
 
   void resize(EyePicture& picture) const;

@@ -244,7 +244,7 @@ void OperatingScreen::show_scene(Ui& ui, Shell& shell) {
                   .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
                   .is_guided = session_.is_practice()});
   if (has_stepped) running_->live->note_view(viewport_.shown_view(), running_->loop.sample.tick);
-  if (session_.is_led() || shell.scenes().is_coarse()) {
+  if (session_.is_led() || shell.scenes().is_unfinished()) {
     ui.want_frame_in_s(0.0);
   } else if (session_.phase() != Phase::Ready &&
              (bone == nullptr || !bone->is_up_to_date() || !is_paused)) {
