@@ -35,9 +35,9 @@ constexpr std::array<std::array<double, 2>, samples_at_rest> places{{{0.0, 0.0},
                                                                      {-0.173, -0.160},
                                                                      {0.225, -0.070}}};
 
-/// A fifth of a second of frames in which nothing changes: who moves the saw with pauses is not
-/// answered between two samples.
-constexpr int waits_of_processor = 8;
+/// A third of a second of frames in which nothing changes: a sample takes a processor twice as long
+/// as a frame in motion, and who moves the saw on is not to wait for one.
+constexpr int waits_of_processor = 20;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ RestPlan live_rest(const RenderQuality& quality) {
   return {samples_at_rest / of_one_picture, is_software_renderer() ? waits_of_processor : 0};
 }
 
-SampleMixer::SampleMixer() : mean_("ground.vert", "mean.frag") {}
+SampleMixer::SampleMixer() : copy_("ground.vert", "copy.frag") {}
 
 void SampleMixer::mix(unsigned texture, const DrawTarget& target, double share) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
@@ -63,10 +63,11 @@ void SampleMixer::mix(unsigned texture, const DrawTarget& target, double share) 
   glEnable(GL_BLEND);
   glBlendColor(0.0F, 0.0F, 0.0F, static_cast<float>(share));
   glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-  mean_.use();
+  copy_.use();
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture);
-  mean_.set("sample_picture", 0);
+  copy_.set("picture_colours", 0);
+  copy_.set("into_place", Float2(target.left, target.bottom));
   glBindVertexArray(no_attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);

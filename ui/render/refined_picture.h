@@ -32,7 +32,7 @@ class SampleMixer {
   void mix(unsigned texture, const DrawTarget& target, double share);
 
  private:
-  ShaderProgram mean_;
+  ShaderProgram copy_;
   GlVertexArray no_attributes_;
 };
 

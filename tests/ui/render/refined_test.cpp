@@ -182,7 +182,7 @@ TEST_F(Refined, WhateverChangesIsShownInTheSameFrameAsIfNothingHadRested) {
       [&] { mode_ = StereoMode::SideBySide; },
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    for (const int frames : {2, 14}) {
+    for (const int frames : {2, 26}) {
       scene_ = world_.scene();
       mode_ = StereoMode::Mono;
       for (int k = 0; k < frames; ++k) frame();
@@ -207,7 +207,7 @@ TEST_F(Refined, AViewThatTurnsLeavesRestAtOnce) {
 }
 
 TEST_F(Refined, AFrameThatAnswersKeepsWhatIsShownAndDrawsNoSample) {
-  for (int i = 0; i < 14; ++i) frame();
+  for (int i = 0; i < 26; ++i) frame();
   ASSERT_TRUE(painter_.is_unfinished());
   const Pixels before = frame();
   for (int i = 0; i < 3; ++i) EXPECT_EQ(frame(world_.camera(), true).rgba, before.rgba);

@@ -1,4 +1,4 @@
-/// A picture to draw into: colour as a texture, with depth beside it.
+/// A picture to draw into: colour as a texture, with depth and stencil beside it.
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "ui/render/gl/gl_objects.h"
 #include "ui/render/painters/frame.h"
@@ -17,17 +18,24 @@ class EdgePainter {
   EdgePainter();
 
   /// Draws the picture of that texture into a target of its size, within the boxes.
-  /// ensures nothing is tested, culled or blended afterwards
+  /// ensures nothing is tested, culled or blended afterwards; the target's stencil is 0 there
   void smooth(unsigned colours, const DrawTarget& into, std::span<const PixelBox> boxes);
-  /// The same for those edges only that are not `still` ones, which are smooth.
+  /// The same, but only edges that `still` does not have are smoothed: it is smooth.
   void smooth_moving(unsigned colours, unsigned still, const DrawTarget& into,
                      std::span<const PixelBox> boxes);
 
  private:
-  void draw(ShaderProgram& program, unsigned colours, const DrawTarget& into,
-            std::span<const PixelBox> boxes);
+  struct Pass {
+    unsigned colours = 0;
+    const DrawTarget& into;
+    std::span<const PixelBox> boxes;
+  };
 
-  ShaderProgram all_, moving_;
+  void begin(const Pass& pass);
+  void draw(ShaderProgram& program, const Pass& pass);
+  void mark_and_smooth(ShaderProgram& marks, const Pass& pass);
+
+  ShaderProgram copy_, marks_all_, marks_moving_, lines_;
   GlVertexArray no_attributes_;
 };
 

@@ -63,6 +63,7 @@ PictureBuffers::PictureBuffers(PixelSize size, bool has_smooth) : size_(at_least
   make_texture(smooth_->colour, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
   const BoundFramebuffer bound(smooth_->framebuffer.name());
   attach(GL_COLOR_ATTACHMENT0, smooth_->colour);
+  attach_depth(depth_);
   check_framebuffer(size_);
 }
 

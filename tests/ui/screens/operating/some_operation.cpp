@@ -104,7 +104,12 @@ bool soon(const std::function<bool()>& holds) {
 Progress no_progress(const std::string&) { return {}; }
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
-                   ScenePainter* painter) {
+                   ScenePainter* painter, LendDevice lend) {
+  if (!lend) {
+    lend = [](const RigidTransform& start) {
+      return std::make_unique<simulator::MouseDevice>(start);
+    };
+  }
   DriverSetting setting;
   setting.width = size.x * scale;
   setting.height = size.y * scale;
@@ -115,8 +120,7 @@ Operator::Operator(OperableCourse& course, database::AttemptKind kind, float sca
   shell_->preferences().is_saw_heard = false;
   shell_->push(std::make_unique<ScreenBelow>());
   shell_->push(std::make_unique<OperatingScreen>(
-      course.visit_of_ada(), navigator, OperationChoice{course.version(), kind},
-      [](const RigidTransform& start) { return std::make_unique<simulator::MouseDevice>(start); }));
+      course.visit_of_ada(), navigator, OperationChoice{course.version(), kind}, std::move(lend)));
   driver_ = std::make_unique<Driver>(
       texts_,
       [this, painter](Ui& ui) {

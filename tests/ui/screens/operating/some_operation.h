@@ -62,11 +62,12 @@ bool soon(const std::function<bool()>& holds);
 Progress no_progress(const std::string& stage);
 
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for
-/// the one that notes; it must have begun a frame whenever one is made.
+/// the one that notes; it must have begun a frame whenever one is made. Without a device to lend, a
+/// mouse is lent.
 class Operator {
  public:
   Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,
-           Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr);
+           Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr, LendDevice lend = {});
   ~Operator();
 
   /// Presses Begin and waits until the loop runs.
