@@ -1,5 +1,5 @@
 /// When a picture is at rest, and what is drawn of it then. No graphics and no clock: it counts
-/// pictures.
+/// pictures. Inside this corner only.
 ///
 ///     moving   moving   moving   first   sample   sample  ...  kept   kept
 ///     changed  same ------------------------------------------------------->  any change: moving

@@ -51,9 +51,11 @@ struct AskedBehind {
   friend bool operator==(const AskedBehind&, const AskedBehind&) = default;
 };
 
-/// The view of sample `number` of a picture of this size.
-EyeView sample_view(const EyeView& view, int number, PixelSize size) {
-  return shifted(view, sample_place(number) / Vec2(size.width, size.height));
+/// The view of sample `number` of a picture of this size. What one picture has of samples lies in
+/// its pixels already: the places are those within one of them.
+EyeView sample_view(const EyeView& view, int number, PixelSize size, const RenderQuality& quality) {
+  const Vec2 drawn = static_cast<double>(quality.supersampling) * Vec2(size.width, size.height);
+  return shifted(view, sample_place(number) / drawn);
 }
 
 void send(const GlTexture& texture, const Pixels& pixels) {
@@ -113,8 +115,8 @@ void OpenGlScenePainter::Parts::draw_eyes(const Scene& scene, const Camera& came
 void OpenGlScenePainter::Parts::draw_sample(const Scene& scene, const Camera& camera) {
   for (const Eye eye : eyes()) {
     const RenderTarget& target = stage->eye(eye);
-    const EyeView view =
-        sample_view(stage->view(eye, camera), rest_behind.samples() - 1, target.size());
+    const EyeView view = sample_view(stage->view(eye, camera), rest_behind.samples() - 1,
+                                     target.size(), renderer.quality());
     renderer.draw_sample(scene, view, target.target());
     stage->refined(eye).add(mixer, target);
   }
@@ -185,10 +187,11 @@ std::uint64_t OpenGlScenePainter::refine(std::string_view name, const Scene& sce
       drawn.refined.begin(parts.mixer, drawn.target);
       break;
     case Drawing::Sample:
-      parts.renderer.draw_sample(scene,
-                                 sample_view(view_of(camera, Viewer{}, Eye::Middle, aspect),
-                                             drawn.rest.samples() - 1, pixels),
-                                 drawn.target.target());
+      parts.renderer.draw_sample(
+          scene,
+          sample_view(view_of(camera, Viewer{}, Eye::Middle, aspect), drawn.rest.samples() - 1,
+                      pixels, parts.renderer.quality()),
+          drawn.target.target());
       drawn.refined.add(parts.mixer, drawn.target);
       drawn.refined.show(drawn.target.target());
       parts.last_scene_frame = parts.frame;

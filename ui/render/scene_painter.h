@@ -52,8 +52,8 @@ class ScenePainter {
   /// errors  GraphicsError
   virtual void draw_behind(const Scene& scene, const Camera& camera,
                            const StereoSetting& setting) = 0;
-  /// Whether another frame would show the scene behind better, though nothing changes: it is coarse,
-  /// as a processor draws what has just moved, or at rest and not yet refined.
+  /// Whether another frame would show the scene behind better, though nothing changes: it is
+  /// coarse, as a processor draws what has just moved, or at rest and not yet refined.
   virtual bool is_unfinished() const noexcept { return false; }
 
   /// Triangles of the scene that was drawn last.

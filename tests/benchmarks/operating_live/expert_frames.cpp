@@ -1,6 +1,6 @@
-// The frames of the operating screen while an expert's hand saws the shipped patients: bone as dense
-// as it is shipped, inset, halo, tints and panels, the 1 kHz loop, recorder and geometry thread all
-// at work; and those of a picture at rest. A whole frame is measured, to the last pixel.
+// The frames of the operating screen while an expert's hand saws the shipped patients: bone as
+// dense as it is shipped, inset, halo, tints and panels, the 1 kHz loop, recorder and geometry
+// thread all at work; and those of a picture at rest. A whole frame is measured, to the last pixel.
 //
 //     expert_frames [--no-edge-pass] [--pictures FOLDER] [OPERATION...]
 //
@@ -121,7 +121,7 @@ void add_operation(Table& table, const std::string& operation, const Setting& se
   window.press(Key::Enter);
   if (!window.until([&] { return window.person().driver().has("operate.pause"); }))
     throw std::runtime_error("the operation does not begin");
-  window.press(Key::Enter);  // the case is verified
+  window.press(Key::Enter);                      // the case is verified
   for (int i = 0; i < 150; ++i) window.frame();  // to the bone and into it
   table.rows.push_back(measure_sawing(window, operation + ", mono"));
   window.take(setting.pictures, operation + ", mono");

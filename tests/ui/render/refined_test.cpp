@@ -142,6 +142,11 @@ TEST_F(Refined, SilhouettesAreSmoothInMotionAndSmootherAtRest) {
       const double without = error_along(outline, stairs, wanted),
                    moving = error_along(outline, smooth, wanted),
                    resting = error_along(outline, at_rest(), wanted);
+      const std::string of = std::string(has_saw ? "saw" : "bone") +
+                             (ground == Ground::Dark ? " on dark" : " on light");
+      RecordProperty(of + ", stairs", std::to_string(without));
+      RecordProperty(of + ", in motion", std::to_string(moving));
+      RecordProperty(of + ", at rest", std::to_string(resting));
       EXPECT_LT(moving, 0.75 * without);
       EXPECT_LT(resting, 0.5 * moving);
     }
@@ -228,6 +233,28 @@ TEST_F(Refined, AtRestNothingIsLeftButTheMean) {
   move();
   EXPECT_EQ(count_objects(), moving);
   EXPECT_EQ(take_error(), 0U);
+}
+
+// Each picture has four samples a pixel there, so that four pictures are enough.
+TEST_F(Refined, WithMoreSamplesInEachPictureItTakesFewerPictures) {
+  scene_.planes.clear();
+  scene_.lines.clear();
+  Scene empty;
+  empty.light_place = scene_.light_place;
+  const auto outline = outline_of(drawn_with(no_pass, scene_), drawn_with(no_pass, empty));
+  const Pixels wanted = reference(scene_);
+  painter_.set_quality({.supersampling = 2, .smooths_edges = true});
+  const Pixels moving = frame();
+  int samples = 0;
+  Pixels before = moving, shown = moving;
+  for (int i = 0; i < frames_at_rest; ++i) {
+    shown = frame();
+    samples += shown.rgba == before.rgba ? 0 : 1;
+    before = shown;
+  }
+  EXPECT_EQ(samples, 3) << "after the first";
+  EXPECT_FALSE(painter_.is_unfinished());
+  EXPECT_LT(error_along(outline, shown, wanted), 0.7 * error_along(outline, moving, wanted));
 }
 
 TEST_F(Refined, APictureOfACardIsRefinedFromFrameToFrame) {

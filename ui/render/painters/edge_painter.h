@@ -1,5 +1,6 @@
-/// The pass over a picture in motion that takes the stairs from its edges (shaders/edges.frag). What
-/// stands still is smoothed where it changed and kept; what moves over it is smoothed where it is.
+/// The pass over a picture in motion that takes the stairs from its edges (shaders/edges.frag).
+/// What stands still is smoothed where it changed and kept; what moves over it is smoothed where it
+/// is.
 #pragma once
 
 #include <span>

@@ -5,8 +5,8 @@
 ///     still     colour, the same depth and stencil    ground and light on the bones
 ///     smooth    colour; only where asked for          `still` with smooth edges; its marks lie in
 ///                                                     the picture's stencil
-///     picture   colour, depth, stencil                begins as a copy of `smooth` or `still`; lines
-///                                                     on bones, tools and all else
+///     picture   colour, depth, stencil                begins as a copy of `smooth` or `still`;
+///                                                     lines on bones, tools and all else
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// Where of a picture the saw is seen. Inside this corner only; no graphics.
+/// Where of a picture the saw is seen. No graphics.
 #pragma once
 
 #include "ui/render/painters/pixel_tiles.h"

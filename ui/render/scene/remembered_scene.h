@@ -1,4 +1,4 @@
-/// A scene kept to tell whether the next one is the same picture. Inside this corner only.
+/// A scene kept to tell whether the next one is the same picture.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The turned view of bones: mouse and keys move a camera, then the scene is drawn. What is drawn is
 // known by a number of content, revision, ground and camera; where that is the number of the last
-// picture, the picture is shown again, refined from frame to frame until nothing is drawn. A size that changed before anybody
-// turned the view fits the bone anew.
+// picture, the picture is shown again and refined from frame to frame, until nothing is drawn. A
+// size that changed before anybody turned the view fits the bone anew.
 #include "ui/screens/pictures/bone_viewport.h"
 
 #include <bit>
