@@ -13,8 +13,8 @@ namespace hallux::ui {
 /// Of each pixel, with those of one picture (RenderQuality::supersampling).
 inline constexpr int samples_at_rest = 16;
 
-/// Where a sample is taken, from the middle of a pixel drawn, in those pixels; the first is there. After 4, 7, 10,
-/// 13 and 16 the mean of all is the middle again, so that the picture does not move.
+/// Where a sample is taken, from the middle of a pixel drawn, in those pixels; the first is there.
+/// After 4, 7, 10, 13 and 16 the mean of all is the middle again: the picture does not move.
 /// needs   number < samples_at_rest
 Vec2 sample_place(int number) noexcept;
 
