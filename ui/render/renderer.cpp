@@ -2,7 +2,8 @@
 // it. The first two are kept from picture to picture and drawn again only where bones changed or
 // the saw's shadow went, because a processor that draws cannot afford all of it. With a card
 // nothing is kept: it would cost more than it saves. Edges are smooth by drawing more pixels and
-// halving them.
+// halving them, and by a pass over the stairs that are left: of what stands still only where it was
+// drawn again, of what moves where the saw is.
 #include "ui/render/renderer.h"
 
 #include <epoxy/gl.h>
@@ -15,9 +16,11 @@
 
 #include "ui/render/gl/headless_context.h"
 #include "ui/render/painters/bone_painter.h"
+#include "ui/render/painters/edge_painter.h"
 #include "ui/render/painters/frame.h"
 #include "ui/render/painters/overlay_painter.h"
 #include "ui/render/painters/saw_painter.h"
+#include "ui/render/painters/saw_pixels.h"
 #include "ui/render/painters/site_painter.h"
 #include "ui/render/painters/still_scene.h"
 #include "ui/render/painters/surface_painter.h"
@@ -33,12 +36,19 @@ constexpr std::uint64_t pictures_with_bones = 300, pictures_with_passing_room = 
 PixelSize enlarged(PixelSize size, int scale) noexcept {
   return {at_least_one(size).width * scale, at_least_one(size).height * scale};
 }
+/// How edges are smoothed: not at all, what stands still and what moves each for itself, or once
+/// all of the picture.
+enum class EdgePass : std::uint8_t { None, StillAndMoving, Whole };
+
+bool needs_smooth(EdgePass edges, int scale) noexcept {
+  return edges == EdgePass::StillAndMoving || (edges == EdgePass::Whole && scale > 1);
+}
 
 }  // namespace
 
 RenderQuality live_quality() {
   const bool is_software = is_software_renderer();
-  return {.supersampling = is_software ? 1 : 2, .keeps_still = is_software};
+  return {.supersampling = is_software ? 1 : 2, .keeps_still = is_software, .smooths_edges = true};
 }
 
 struct KeptPicture::Still {
@@ -53,21 +63,22 @@ struct KeptPicture::Parts {
   /// Each half as large as the one before, down to twice the picture's size.
   std::vector<RenderTarget> halved;
 
-  bool has_room(PixelSize size, int scale) const noexcept;
-  void make_room(PixelSize size, int scale);
+  bool has_room(PixelSize size, int scale, EdgePass edges) const noexcept;
+  void make_room(PixelSize size, int scale, EdgePass edges);
   void let_go() noexcept;
 };
 
-bool KeptPicture::Parts::has_room(PixelSize size, int scale) const noexcept {
-  return buffers && buffers->size() == enlarged(size, scale);
+bool KeptPicture::Parts::has_room(PixelSize size, int scale, EdgePass edges) const noexcept {
+  return buffers && buffers->size() == enlarged(size, scale) &&
+         buffers->has_smooth() == needs_smooth(edges, scale);
 }
 
 /// A picture of another size begins anew.
-void KeptPicture::Parts::make_room(PixelSize size, int scale) {
+void KeptPicture::Parts::make_room(PixelSize size, int scale, EdgePass edges) {
+  if (has_room(size, scale, edges)) return;
   const PixelSize large = enlarged(size, scale);
-  if (has_room(size, scale)) return;
   let_go();
-  buffers.emplace(large);
+  buffers.emplace(large, needs_smooth(edges, scale));
   for (int part = scale / 2; part > 1; part /= 2) {
     halved.emplace_back(PixelSize{large.width * part / scale, large.height * part / scale});
   }
@@ -92,6 +103,7 @@ struct Renderer::Parts {
   SawPainter saw{noise};
   SurfacePainter surface;
   SitePainter site;
+  EdgePainter edges;
   KeptPicture passing;  ///< for pictures of which nothing is kept
   std::uint64_t picture = 0;
   std::uint64_t passing_picture = 0;  ///< the last of those
@@ -100,11 +112,17 @@ struct Renderer::Parts {
   KeptPicture::Still still_of(const Frame& frame) const;
   PixelBox changed_pixels(const Frame& frame, const KeptPicture::Parts& kept,
                           const KeptPicture::Still& now) const;
-  void draw_all(const Frame& frame, KeptPicture::Parts& kept);
+  void draw(const Scene& scene, const EyeView& view, const DrawTarget& target, KeptPicture& kept,
+            double detail, EdgePass pass);
+  void draw_all(const Frame& frame, KeptPicture::Parts& kept, EdgePass pass);
   void draw_shapes(const Frame& frame, const PictureBuffers& buffers, const PixelBox& part);
   void draw_still(const Frame& frame, const PictureBuffers& buffers,
                   std::span<const PixelBox> boxes);
+  void smooth_still(const Frame& frame, const PictureBuffers& buffers,
+                    std::span<const PixelBox> boxes);
   void draw_moving(const Frame& frame);
+  void deliver(const Frame& frame, const KeptPicture::Parts& drawn, const DrawTarget& target,
+               EdgePass pass);
 };
 
 KeptPicture::Still Renderer::Parts::still_of(const Frame& frame) const {
@@ -144,7 +162,7 @@ std::vector<PixelBox> relit_pixels(const Frame& frame, const PixelBox& changed, 
 
 }  // namespace
 
-void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept) {
+void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept, EdgePass pass) {
   bones.show(frame.scene, picture);
   begin_drawing(frame.target.size);
   KeptPicture::Still now = still_of(frame);
@@ -153,8 +171,13 @@ void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept) {
   kept.still.reset();  // until all of it is drawn
   if (!changed.is_empty()) draw_shapes(frame, *kept.buffers, changed);
   if (!relit.empty()) draw_still(frame, *kept.buffers, relit);
+  if (pass == EdgePass::StillAndMoving) {
+    if (!relit.empty()) smooth_still(frame, *kept.buffers, relit);
+    kept.buffers->copy_smooth_to_picture();
+  } else {
+    kept.buffers->copy_still_to_picture();
+  }
   kept.still = std::move(now);
-  kept.buffers->copy_still_to_picture();
   draw_moving(frame);
   end_drawing();
   counts = {bones.triangle_count() + (frame.scene.saw ? saw.triangle_count() : 0),
@@ -179,6 +202,12 @@ void Renderer::Parts::draw_still(const Frame& frame, const PictureBuffers& buffe
   glBindFramebuffer(GL_FRAMEBUFFER, buffers.still().framebuffer);
   overlays.draw_ground(frame, boxes);
   bones.draw_light(frame, boxes);
+}
+
+void Renderer::Parts::smooth_still(const Frame& frame, const PictureBuffers& buffers,
+                                   std::span<const PixelBox> boxes) {
+  edges.smooth(buffers.still_texture(), buffers.smooth(), within_reach(boxes, frame.target.size));
+  begin_drawing(frame.target.size);
 }
 
 void Renderer::Parts::draw_moving(const Frame& frame) {
@@ -212,6 +241,37 @@ void copy_by_halves(DrawTarget from, const std::vector<RenderTarget>& halved,
 
 }  // namespace
 
+void Renderer::Parts::deliver(const Frame& frame, const KeptPicture::Parts& drawn,
+                              const DrawTarget& target, EdgePass pass) {
+  const PictureBuffers& buffers = *drawn.buffers;
+  const std::array whole{all_of(buffers.size())};
+  if (pass == EdgePass::Whole && buffers.has_smooth()) {
+    edges.smooth(buffers.picture_texture(), buffers.smooth(), whole);
+    return copy_by_halves(buffers.smooth(), drawn.halved, target);
+  }
+  if (pass == EdgePass::Whole) return edges.smooth(buffers.picture_texture(), target, whole);
+  copy_by_halves(buffers.picture(), drawn.halved, target);
+  if (pass == EdgePass::None || !frame.scene.saw || target.size != buffers.size()) return;
+  edges.smooth_moving(buffers.picture_texture(), buffers.smooth_texture(), target,
+                      saw_pixels(*frame.scene.saw, frame.view, buffers.size()).boxes());
+}
+
+void Renderer::Parts::draw(const Scene& scene, const EyeView& view, const DrawTarget& target,
+                           KeptPicture& kept, double detail, EdgePass pass) {
+  ++picture;
+  KeptPicture::Parts& room = *kept.parts_;
+  // Where one picture gives way to another, there is never room for both.
+  if (&kept != &passing && !room.has_room(target.size, quality.supersampling, pass))
+    passing.parts_->let_go();
+  room.make_room(target.size, quality.supersampling, pass);
+  const Frame frame = frame_of(scene, view, *room.buffers, quality.supersampling * detail);
+  draw_all(frame, room, pass);
+  deliver(frame, room, target, pass);
+  if (&kept == &passing) passing_picture = picture;
+  if (picture == passing_picture + pictures_with_passing_room) passing.parts_->let_go();
+  if (picture > pictures_with_bones) bones.forget_before(picture - pictures_with_bones);
+}
+
 Renderer::Renderer(const RenderQuality& quality) : parts_(std::make_unique<Parts>()) {
   parts_->quality = quality;
 }
@@ -219,32 +279,18 @@ Renderer::Renderer(const RenderQuality& quality) : parts_(std::make_unique<Parts
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& target) {
-  parts_->passing.parts_->still.reset();
   draw(scene, view, target, parts_->passing);
 }
 
 void Renderer::draw(const Scene& scene, const EyeView& view, const DrawTarget& target,
                     KeptPicture& kept, double detail) {
   Parts& parts = *parts_;
-  if (&kept != &parts.passing && !parts.quality.keeps_still) {
-    parts.passing.parts_->still.reset();
-    return draw(scene, view, target, parts.passing, detail);
-  }
-  ++parts.picture;
-  KeptPicture::Parts& picture = *kept.parts_;
-  // Where one picture gives way to another, there is never room for both.
-  if (&kept != &parts.passing && !picture.has_room(target.size, parts.quality.supersampling))
-    parts.passing.parts_->let_go();
-  picture.make_room(target.size, parts.quality.supersampling);
-  const double pixel_scale = parts.quality.supersampling * detail;
-  parts.draw_all(frame_of(scene, view, *picture.buffers, pixel_scale), picture);
-  copy_by_halves(picture.buffers->picture(), picture.halved, target);
-  if (&kept == &parts.passing) parts.passing_picture = parts.picture;
-  if (parts.picture == parts.passing_picture + pictures_with_passing_room)
-    parts.passing.parts_->let_go();
-  if (parts.picture > pictures_with_bones) {
-    parts.bones.forget_before(parts.picture - pictures_with_bones);
-  }
+  const bool is_passing = &kept == &parts.passing || !parts.quality.keeps_still;
+  if (is_passing) parts.passing.parts_->still.reset();
+  const EdgePass pass = !parts.quality.smooths_edges ? EdgePass::None
+                        : is_passing                 ? EdgePass::Whole
+                                                     : EdgePass::StillAndMoving;
+  parts.draw(scene, view, target, is_passing ? parts.passing : kept, detail, pass);
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, const DrawTarget& target) {
@@ -253,9 +299,16 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const DrawTarget& 
   draw(scene, view_of(camera, Viewer{}, Eye::Middle, aspect), target);
 }
 
+void Renderer::draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target) {
+  parts_->passing.parts_->still.reset();
+  parts_->draw(scene, view, target, parts_->passing, 1.0, EdgePass::None);
+}
+
+void Renderer::forget_passing() noexcept { parts_->passing.parts_->let_go(); }
+
 void Renderer::forget_bones() noexcept {
   parts_->bones.forget_before(parts_->picture + 1);
-  parts_->passing.parts_->let_go();
+  forget_passing();
 }
 
 void Renderer::set_quality(const RenderQuality& quality) noexcept { parts_->quality = quality; }

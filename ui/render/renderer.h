@@ -14,8 +14,10 @@ namespace hallux::ui {
 struct RenderQuality {
   /// Pixels drawn along each side of one shown, for smooth edges: 1, 2 or 4.
   int supersampling = 1;
-  /// Whether KeptPictures are used: 48 bytes a pixel drawn, for each of them.
+  /// Whether KeptPictures are used: 48 bytes a pixel drawn, for each of them, 52 with smooth edges.
   bool keeps_still = false;
+  /// Whether a pass takes the stairs from the edges of pictures in motion.
+  bool smooths_edges = false;
 };
 
 /// What this machine draws fast enough to be lived with: smooth edges only where a graphics card
@@ -65,8 +67,7 @@ class Renderer {
 
   /// Draws one eye's picture over all of the target. Bones are sent to the card when first seen,
   /// and let go when they were not seen for 300 pictures. What it is drawn in (of a still one
-  /// 800 bytes for each pixel) goes when 10 pictures were drawn otherwise, or for the sake of one
-  /// that is kept and has no room yet.
+  /// 800 bytes for each pixel) goes when 10 pictures were drawn otherwise.
   /// ensures the target's framebuffer stays bound; depth test, culling, blending and scissor are
   ///         off afterwards
   /// errors  GraphicsError where there is no room for the picture
@@ -80,6 +81,11 @@ class Renderer {
   /// The same as seen by one who looks at the target from the middle.
   void draw(const Scene& scene, const Camera& camera, const DrawTarget& target);
 
+  /// One sample of a picture at rest: nothing of it is kept, and its edges stay as they are.
+  void draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target);
+
+  /// Lets go of what pictures of which nothing is kept are drawn in.
+  void forget_passing() noexcept;
   /// Lets go of everything that belongs to bones, and of what pictures of which nothing is kept are
   /// drawn in, at once.
   void forget_bones() noexcept;

@@ -37,6 +37,14 @@ class ScenePainter {
   /// The texture of that name as it was drawn last, with nothing to draw; 0 where it went or has
   /// another size.
   virtual std::uint64_t drawn(std::string_view name, PixelSize size) = 0;
+  /// The same, with one more sample of the picture at rest.
+  /// needs   nothing changed in scene and camera since it was drawn
+  virtual std::uint64_t refine(std::string_view name, const Scene& /*scene*/,
+                               const Camera& /*camera*/, PixelSize size) {
+    return drawn(name, size);
+  }
+  /// Whether more samples of it would show nothing more.
+  virtual bool is_refined(std::string_view /*name*/) const noexcept { return true; }
   /// A picture that a job made, sent once and kept; rows from the top.
   /// needs   pixels is not nullptr
   virtual std::uint64_t show(std::string_view name, std::shared_ptr<const Pixels> pixels) = 0;
@@ -44,10 +52,9 @@ class ScenePainter {
   /// errors  GraphicsError
   virtual void draw_behind(const Scene& scene, const Camera& camera,
                            const StereoSetting& setting) = 0;
-  /// Whether the scene behind has fewer columns in this frame, as a processor draws it and the
-  /// camera has just moved: another
-  /// frame shows it whole.
-  virtual bool is_coarse() const noexcept { return false; }
+  /// Whether another frame would show the scene behind better, though nothing changes: it is
+  /// coarse, as a processor draws what has just moved, or at rest and not yet refined.
+  virtual bool is_unfinished() const noexcept { return false; }
 
   /// Triangles of the scene that was drawn last.
   virtual std::size_t triangles() const noexcept = 0;
@@ -76,15 +83,22 @@ class OpenGlScenePainter final : public ScenePainter {
   /// How smooth the edges of what is drawn from now on are; live_quality() until then.
   void set_quality(const RenderQuality& quality);
 
-  /// A frame begins that is to fill `window`: nothing lies behind it yet.
-  void begin_frame(const DrawTarget& window);
+  /// A frame begins that is to fill `window`: nothing lies behind it yet. Where somebody touched
+  /// mouse or keys it answers, and refines nothing.
+  void begin_frame(const DrawTarget& window, bool is_touched = false);
 
   std::uint64_t draw(std::string_view name, const Scene& scene, const Camera& camera,
                      PixelSize size) override;
   std::uint64_t drawn(std::string_view name, PixelSize size) override;
+  std::uint64_t refine(std::string_view name, const Scene& scene, const Camera& camera,
+                       PixelSize size) override;
+  bool is_refined(std::string_view name) const noexcept override;
   std::uint64_t show(std::string_view name, std::shared_ptr<const Pixels> pixels) override;
   void draw_behind(const Scene& scene, const Camera& camera, const StereoSetting& setting) override;
-  bool is_coarse() const noexcept override;
+  bool is_unfinished() const noexcept override;
+  /// Whether the scene behind has fewer rows and columns in this frame, as the camera has just
+  /// moved and a processor draws.
+  bool is_coarse() const noexcept;
   std::size_t triangles() const noexcept override;
 
   /// Calls `draw_panels` for each picture that takes panels, bound and ready: each eye's over the

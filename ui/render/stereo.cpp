@@ -75,20 +75,18 @@ double live_moving_detail(StereoMode mode) {
 
 StereoStage::StereoStage() : anaglyph_("ground.vert", "anaglyph.frag", written_matrices()) {}
 
-void StereoStage::begin(const StereoSetting& setting, const DrawTarget& window, double detail) {
+void StereoStage::begin(const StereoSetting& setting, PixelSize window, double detail) {
   setting_ = setting;
   detail_ = detail;
-  window_ = window;
-  window_.size = at_least_one(window.size);
+  window_ = at_least_one(window);
   resize(left_);
   if (setting.mode != StereoMode::Mono) {
     resize(right_);
   } else if (right_.whole) {
     right_ = {};
-    left_.whole.reset();
   }
   if (setting.mode == StereoMode::Anaglyph) {
-    resize_to(panels_, window_.size);
+    resize_to(panels_, window_);
     make_transparent(*panels_);
   } else {
     panels_.reset();
@@ -96,16 +94,15 @@ void StereoStage::begin(const StereoSetting& setting, const DrawTarget& window, 
 }
 
 void StereoStage::resize(EyePicture& picture) const {
-  const PixelSize window = window_.size;
-  PixelSize whole = window;
-  if (setting_.mode == StereoMode::SideBySide) whole.width = std::max(window.width / 2, 1);
+  PixelSize whole = window_;
+  if (setting_.mode == StereoMode::SideBySide) whole.width = std::max(window_.width / 2, 1);
   if (setting_.mode == StereoMode::Anaglyph) {
-    whole.width = scaled(window.width, setting_.eye_columns);
+    whole.width = scaled(window_.width, setting_.eye_columns);
   }
-  if (setting_.mode != StereoMode::Mono) resize_to(picture.whole, whole);
+  resize_to(picture.whole, whole);
   if (!is_coarse()) return;
-  resize_to(picture.coarse,
-            {std::min(whole.width, scaled(window.width, detail_)), scaled(window.height, detail_)});
+  resize_to(picture.coarse, {std::min(whole.width, scaled(window_.width, detail_)),
+                             scaled(window_.height, detail_)});
 }
 
 const StereoStage::EyePicture& StereoStage::picture_of(Eye eye) const {
@@ -118,12 +115,7 @@ const RenderTarget& StereoStage::whole(Eye eye) const {
   return *target;
 }
 
-DrawTarget StereoStage::eye(Eye eye) const {
-  const bool is_window = setting_.mode == StereoMode::Mono && !is_coarse();
-  return is_window ? window_ : drawn(eye).target();
-}
-
-const RenderTarget& StereoStage::drawn(Eye eye) const {
+const RenderTarget& StereoStage::eye(Eye eye) const {
   if (!is_coarse()) return whole(eye);
   const std::optional<RenderTarget>& target = picture_of(eye).coarse;
   CHECK(target.has_value());
@@ -135,62 +127,66 @@ KeptPicture& StereoStage::kept(Eye eye) noexcept {
   return is_coarse() ? picture.kept_coarse : picture.kept_whole;
 }
 
-std::vector<DrawTarget> StereoStage::pictures_for_panels() const {
+RefinedPicture& StereoStage::refined(Eye eye) noexcept {
+  return (eye == Eye::Right ? right_ : left_).refined;
+}
+
+std::vector<DrawTarget> StereoStage::pictures_for_panels(const DrawTarget& window) const {
   if (setting_.mode == StereoMode::Mono) {
-    if (is_coarse()) copy_picture(drawn(Eye::Left).target(), window_);
-    return {window_};
+    copy_picture(eye(Eye::Left).target(), window);
+    return {window};
   }
   if (panels_) return {panels_->target()};
   std::vector<DrawTarget> pictures;
   for (const Eye eye : {Eye::Left, Eye::Right}) {
-    if (is_coarse()) copy_picture(drawn(eye).target(), whole(eye).target());
+    if (is_coarse()) copy_picture(this->eye(eye).target(), whole(eye).target());
     pictures.push_back(whole(eye).target());
   }
   return pictures;
 }
 
 EyeView StereoStage::view(Eye eye, const Camera& camera) const noexcept {
-  const double aspect = static_cast<double>(window_.size.width) / window_.size.height;
+  const double aspect = static_cast<double>(window_.width) / window_.height;
   if (setting_.mode == StereoMode::Mono) eye = Eye::Middle;
   return view_of(camera, setting_.viewer, eye, aspect);
 }
 
-void StereoStage::compose() {
+void StereoStage::compose(const DrawTarget& window) {
   switch (setting_.mode) {
     case StereoMode::Mono:
       return;
     case StereoMode::SideBySide:
-      return copy_halves();
+      return copy_halves(window);
     case StereoMode::Anaglyph:
-      return compose_anaglyph();
+      return compose_anaglyph(window);
   }
 }
 
-void StereoStage::copy_halves() const {
-  DrawTarget half = window_;
+void StereoStage::copy_halves(const DrawTarget& window) const {
+  DrawTarget half = window;
   half.size = whole(Eye::Left).size();
   copy_picture(whole(setting_.is_swapped ? Eye::Right : Eye::Left).target(), half);
-  half.left += window_.size.width - half.size.width;
+  half.left += window.size.width - half.size.width;
   copy_picture(whole(setting_.is_swapped ? Eye::Left : Eye::Right).target(), half);
 }
 
-void StereoStage::compose_anaglyph() {
-  glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer);
-  glViewport(window_.left, window_.bottom, window_.size.width, window_.size.height);
+void StereoStage::compose_anaglyph(const DrawTarget& window) {
+  glBindFramebuffer(GL_FRAMEBUFFER, window.framebuffer);
+  glViewport(window.left, window.bottom, window.size.width, window.size.height);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
   anaglyph_.use();
   bind_picture(2, panels_->texture());
-  bind_picture(1, drawn(setting_.is_swapped ? Eye::Left : Eye::Right).texture());
-  bind_picture(0, drawn(setting_.is_swapped ? Eye::Right : Eye::Left).texture());
+  bind_picture(1, eye(setting_.is_swapped ? Eye::Left : Eye::Right).texture());
+  bind_picture(0, eye(setting_.is_swapped ? Eye::Right : Eye::Left).texture());
   anaglyph_.set("left_eye", 0);
   anaglyph_.set("right_eye", 1);
   anaglyph_.set("panels", 2);
   anaglyph_.set("picture",
-                Float4(window_.left, window_.bottom, 1.0F / static_cast<float>(window_.size.width),
-                       1.0F / static_cast<float>(window_.size.height)));
+                Float4(window.left, window.bottom, 1.0F / static_cast<float>(window.size.width),
+                       1.0F / static_cast<float>(window.size.height)));
   glBindVertexArray(no_attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
@@ -199,13 +195,13 @@ void StereoStage::compose_anaglyph() {
 
 void StereoStage::draw(Renderer& renderer, const Scene& scene, const Camera& camera,
                        const StereoSetting& setting, const DrawTarget& window) {
-  begin(setting, window);
+  begin(setting, window.size);
   for (const Eye eye : {Eye::Left, Eye::Right}) {
     if (eye == Eye::Right && eye_count() == 1) break;
-    renderer.draw(scene, view(eye, camera), this->eye(eye), kept(eye));
+    renderer.draw(scene, view(eye, camera), this->eye(eye).target(), kept(eye));
   }
-  pictures_for_panels();
-  compose();
+  pictures_for_panels(window);
+  compose(window);
 }
 
 }  // namespace hallux::ui

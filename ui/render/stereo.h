@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/render/gl/shader_program.h"
+#include "ui/render/refined_picture.h"
 #include "ui/render/renderer.h"
 
 namespace hallux::ui {
@@ -27,6 +28,8 @@ struct StereoSetting {
   Viewer viewer{};
   /// Columns of an anaglyph's eyes over those of the window: more is too much for a processor.
   double eye_columns = 1.0;
+
+  friend bool operator==(const StereoSetting&, const StereoSetting&) = default;
 };
 
 /// What this machine draws fast enough: the columns of an anaglyph's eyes, and the detail of a view
@@ -47,29 +50,31 @@ class StereoStage {
  public:
   StereoStage();
 
-  /// Prepares the eyes' pictures for a window, or for wherever else they are to be seen. In mono
-  /// there is one eye, Left. With a detail below 1 they are coarse: they have that share of the
-  /// window's rows and columns, and are scaled up when composed.
+  /// Prepares the eyes' pictures for a window of this size. In mono there is one eye, Left. With a
+  /// detail below 1 they are coarse: they have that share of the window's rows and columns, and are
+  /// scaled up when composed.
   /// errors  GraphicsError where there is no room for them
-  void begin(const StereoSetting& setting, const DrawTarget& window, double detail = 1.0);
+  void begin(const StereoSetting& setting, PixelSize window, double detail = 1.0);
   int eye_count() const noexcept { return setting_.mode == StereoMode::Mono ? 1 : 2; }
-  /// Where one eye's picture is drawn; in mono the window itself, unless it is coarse. Side by side
-  /// it has half the window's columns, so what is laid out for the window must be squeezed to it.
-  DrawTarget eye(Eye eye) const;
+  /// The picture of one eye; side by side it has half the window's columns, so what is laid out for
+  /// the window must be squeezed to it.
+  const RenderTarget& eye(Eye eye) const;
   /// What stands still of that eye's picture.
   KeptPicture& kept(Eye eye) noexcept;
+  /// That eye's picture at rest.
+  RefinedPicture& refined(Eye eye) noexcept;
   double detail() const noexcept { return detail_; }
   bool is_coarse() const noexcept { return detail_ < 1.0; }
   /// Where panels are drawn, before all is composed: in mono the window itself, where the picture
   /// then is; else each eye's picture, in its whole size; in an anaglyph a transparent one, once
   /// for both eyes: panels lie in the plane of the screen, where both see the same.
   /// needs   the eyes' pictures are drawn
-  std::vector<DrawTarget> pictures_for_panels() const;
+  std::vector<DrawTarget> pictures_for_panels(const DrawTarget& window) const;
   /// What that eye sees through the window.
   EyeView view(Eye eye, const Camera& camera) const noexcept;
-  /// Composes the eyes' pictures into the window.
-  /// needs   pictures_for_panels() was called
-  void compose();
+  /// Composes the eyes' pictures into the window, or wherever else.
+  /// needs   a target of the size that began, for which pictures_for_panels() was called
+  void compose(const DrawTarget& window);
 
   /// All of it, for a scene without panels.
   void draw(Renderer& renderer, const Scene& scene, const Camera& camera,
@@ -77,19 +82,16 @@ class StereoStage {
 
  private:
   struct EyePicture {
-    /// None in mono.
-    std::optional<RenderTarget> whole;
-    std::optional<RenderTarget> coarse;
+    std::optional<RenderTarget> whole, coarse;
     KeptPicture kept_whole, kept_coarse;
+    RefinedPicture refined;
   };
 
   void resize(EyePicture& picture) const;
   const EyePicture& picture_of(Eye eye) const;
   const RenderTarget& whole(Eye eye) const;
-  /// needs   not mono, or coarse
-  const RenderTarget& drawn(Eye eye) const;
-  void copy_halves() const;
-  void compose_anaglyph();
+  void copy_halves(const DrawTarget& window) const;
+  void compose_anaglyph(const DrawTarget& window);
 
   ShaderProgram anaglyph_;
   GlVertexArray no_attributes_;
@@ -97,7 +99,7 @@ class StereoStage {
   std::optional<RenderTarget> panels_;
   StereoSetting setting_;
   double detail_ = 1.0;
-  DrawTarget window_;
+  PixelSize window_;
 };
 
 }  // namespace hallux::ui

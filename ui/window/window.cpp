@@ -197,9 +197,10 @@ void Window::draw_frame(Shell& shell) {
       units > 0 ? static_cast<float>(width) / static_cast<float>(units) : 1.0F;
   shell.set_display_scale(state.events.content_scale);
   const double now_s = glfwGetTime();
+  const bool is_touched = !state.events.queue.is_empty();
   state.ui->begin_frame(state.events.queue, static_cast<float>(width), static_cast<float>(height),
                         now_s);
-  state.scenes->begin_frame({0, 0, 0, {width, height}});
+  state.scenes->begin_frame({0, 0, 0, {width, height}}, is_touched);
   shell.draw(*state.ui, *state.scenes);
   state.ui->end_frame();
   const Color page = state.ui->theme().page;

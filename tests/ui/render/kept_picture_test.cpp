@@ -101,6 +101,31 @@ TEST_F(KeptPictures, AreTheSameWhateverMovesOrChanges) {
   expect_same("another mesh");
 }
 
+// Edges are smoothed where something changed; what lies further away keeps them.
+TEST_F(KeptPictures, AreTheSameWithSmoothEdges) {
+  renderer_.set_quality({.supersampling = 1, .keeps_still = true, .smooths_edges = true});
+  const auto expect_same_smooth = [&](const char* what) {
+    KeptPicture fresh;
+    const RenderTarget target(size_);
+    renderer_.draw(scene_, view(), target.target(), fresh);
+    const Pixels anew = target.read();
+    EXPECT_EQ(difference_of(kept(), anew), "") << what;
+  };
+  expect_same_smooth("the first");
+  for (const double reach_mm : {-5.6, -5.5, -3.0, 1.0}) {
+    saw_to(reach_mm);
+    expect_same_smooth("sawn");
+  }
+  for (int i = 0; i < 6; ++i) {
+    scene_.saw->world_from_tool.translation_mm += Vec3(1.0, 2.0 * i, -2.0);
+    expect_same_smooth("the saw moved");
+  }
+  camera_ = orbited(camera_, 0.1, -0.05);
+  expect_same_smooth("the view turned");
+  scene_.saw.reset();
+  expect_same_smooth("no saw");
+}
+
 TEST_F(KeptPictures, DrawOnlyWhatWasCutWhileTheViewStandsStill) {
   constexpr std::size_t all = 640U * 360U;
   kept();

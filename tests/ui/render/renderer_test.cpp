@@ -309,17 +309,16 @@ TEST_F(Pictures, AnySizeAndAStormOfSizesIsDrawn) {
 TEST_F(Pictures, APointOfTheScreenPlaneIsOnTheSamePixelForBothEyes) {
   // Marks in the screen plane, before it and behind it, as drawn.
   const Camera camera = world->camera();
-  const RenderTarget window(size);
   StereoStage stage;
-  stage.begin({.mode = StereoMode::Anaglyph}, window.target());
+  stage.begin({.mode = StereoMode::Anaglyph}, size);
   const auto mark_places = [&](double towards_viewer_mm) {
     Scene scene;
     const Vec3 from_target(4.0, 2.0, camera.target_depth_mm + towards_viewer_mm);
     scene.marks = {{camera.target_mm + camera.world_from_view * from_target, 5.0, Ink::Harm}};
     std::array<double, 2> x{};
     for (const Eye eye : {Eye::Left, Eye::Right}) {
-      renderer_->draw(scene, stage.view(eye, camera), stage.eye(eye));
-      const Facts mark = facts_of(read_pixels(stage.eye(eye)), [](const Colour& colour) {
+      renderer_->draw(scene, stage.view(eye, camera), stage.eye(eye).target());
+      const Facts mark = facts_of(stage.eye(eye).read(), [](const Colour& colour) {
         return colour.red > 200 && colour.blue < 120;
       });
       EXPECT_GT(mark.count, 20U);
@@ -341,11 +340,11 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
   StereoStage stage;
   constexpr int line = 21;
   const auto picture = [&](bool has_line) {
-    stage.begin({.mode = StereoMode::Anaglyph, .eye_columns = 0.5}, window.target());
+    stage.begin({.mode = StereoMode::Anaglyph, .eye_columns = 0.5}, size);
     for (const Eye eye : {Eye::Left, Eye::Right})
-      renderer_->draw(world->scene(), stage.view(eye, world->camera()), stage.eye(eye));
-    if (has_line) whiten_column(stage.pictures_for_panels().front(), line);
-    stage.compose();
+      renderer_->draw(world->scene(), stage.view(eye, world->camera()), stage.eye(eye).target());
+    if (has_line) whiten_column(stage.pictures_for_panels(window.target()).front(), line);
+    stage.compose(window.target());
     return window.read();
   };
   const Pixels without = picture(false), with = picture(true);
@@ -361,8 +360,9 @@ TEST_F(Pictures, PanelsOfAnAnaglyphLieSharpOverBothEyes) {
       }
     }
   }
-  stage.begin({.mode = StereoMode::SideBySide}, window.target());
-  EXPECT_EQ(stage.pictures_for_panels().size(), 2U) << "there panels belong into each eye's half";
+  stage.begin({.mode = StereoMode::SideBySide}, size);
+  EXPECT_EQ(stage.pictures_for_panels(window.target()).size(), 2U)
+      << "there panels belong into each eye's half";
 }
 
 /// Mean difference of green, between two pictures of one size.

@@ -11,13 +11,14 @@ import sys
 import time
 
 from novice import KeyboardHand, Novice
-from window_check import opened_course, rows_of, wait_until
+from window_check import check_idle, opened_course, rows_of, wait_until
 from window_memory import WINDOW_KIB_AT_MOST, peak_kib
 
 LOGIN, PASSWORD = "admin-1", "a long enough phrase"
 PATIENCE_S = 150.0
 # An event of simulator/record/record.h: a kerf has its plane.
 PLANE_FROZEN = 4
+REFINED_WITHIN_S = 5.0
 
 
 def is_enabled_soon(person, name):
@@ -40,13 +41,15 @@ def come_in(person):
     person.click("entry.begin")
 
 
-def begin(person, take_picture, scenario="silver"):
-    """From the list of operations through the briefing into the operation, as practice."""
+def begin(person, take_picture, scenario="silver", while_ready=None):
+    """From the list of operations through the briefing into the operation, as practice; while_ready() before it runs."""
     for name in ("nav.operations", f"operations.card.{scenario}", "brief.begin"):
         wait_until(name, lambda name=name: person.widgets().get(name, {}).get("enabled"), PATIENCE_S)
         person.click(name)
     wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
     take_picture("ready")
+    if while_ready:
+        while_ready()
     view = person.widgets()["operate.view"]
     person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
     person.press("Return")
@@ -108,9 +111,16 @@ def check_record(place):
     print(f"operate check: {ticks} ticks, score {scores[0][0]} of {scores[0][1]} measured, {quality}")
 
 
-def operate(program, person, place, take_picture):
+def rest(window):
+    """A picture at rest is refined for some seconds at most; then it takes no processor."""
+    time.sleep(REFINED_WITHIN_S)
+    check_idle(window)
+
+
+def operate(program, course):
+    person, place, take_picture = course.person, course.place, course.take_picture
     come_in(person)
-    begin(person, take_picture)
+    begin(person, take_picture, while_ready=lambda: rest(course.window))
     saw(program, person, place)
     finish(person, place, take_picture)
     check_record(place)
@@ -129,7 +139,7 @@ def main():
     """From the first administrator to a scored attempt, in the memory that is left to it."""
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     with opened_course(sys.argv[1], pictures=pictures) as course:
-        operate(sys.argv[1], course.person, course.place, course.take_picture)
+        operate(sys.argv[1], course)
         if course.window.poll() is not None:
             sys.exit(f"the window ended with {course.window.returncode} and said: {course.window.stderr.read()}")
         check_memory(course.window)

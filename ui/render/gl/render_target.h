@@ -1,4 +1,4 @@
-/// A picture to draw into: colour as a texture.
+/// A picture to draw into: colour as a texture, with depth and stencil beside it.
 #pragma once
 
 #include <cstdint>
@@ -46,6 +46,7 @@ class RenderTarget {
  private:
   PixelSize size_;
   GlTexture colour_;
+  GlRenderbuffer depth_;
   GlFramebuffer framebuffer_;
 };
 

@@ -39,7 +39,7 @@ void make_framebuffer(const GlFramebuffer& framebuffer, const GlTexture& colour,
 
 }  // namespace
 
-PictureBuffers::PictureBuffers(PixelSize size) : size_(at_least_one(size)) {
+PictureBuffers::PictureBuffers(PixelSize size, bool has_smooth) : size_(at_least_one(size)) {
   forget_graphics_errors();
   make_texture(still_colour_, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
   make_texture(colour_, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
@@ -58,18 +58,31 @@ PictureBuffers::PictureBuffers(PixelSize size) : size_(at_least_one(size)) {
   }
   make_framebuffer(still_, still_colour_, still_depth_, size_);
   make_framebuffer(picture_, colour_, depth_, size_);
+  if (!has_smooth) return;
+  smooth_.emplace();
+  make_texture(smooth_->colour, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
+  const BoundFramebuffer bound(smooth_->framebuffer.name());
+  attach(GL_COLOR_ATTACHMENT0, smooth_->colour);
+  attach_depth(depth_);
+  check_framebuffer(size_);
 }
 
-void PictureBuffers::copy_still_to_picture() const {
+void PictureBuffers::copy_still_to_picture() const { copy_to_picture(still_.name()); }
+
+void PictureBuffers::copy_smooth_to_picture() const {
+  copy_to_picture(smooth_->framebuffer.name());
+}
+
+void PictureBuffers::copy_to_picture(unsigned colours) const {
   glDisable(GL_SCISSOR_TEST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, still_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.name());
-  for (const GLbitfield parts :
-       {static_cast<GLbitfield>(GL_COLOR_BUFFER_BIT),
-        static_cast<GLbitfield>(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)}) {
+  const auto copy = [&](unsigned from, GLbitfield parts) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
     glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, parts,
                       GL_NEAREST);
-  }
+  };
+  copy(colours, GL_COLOR_BUFFER_BIT);
+  copy(still_.name(), GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_.name());
 }
 

@@ -158,6 +158,15 @@ EyeView view_of(const Camera& camera, const Viewer& viewer, Eye eye,
   return view;
 }
 
+EyeView shifted(const EyeView& view, const Vec2& shares) noexcept {
+  DoubleMatrix4 by(1.0);
+  by[3][0] = 2.0 * shares.x;
+  by[3][1] = 2.0 * shares.y;
+  EyeView moved = view;
+  moved.clip_from_view = by * view.clip_from_view;
+  return moved;
+}
+
 Vec3 place_in_picture(const EyeView& view, const Vec3& point_in_world_mm) noexcept {
   const glm::dvec4 clip = view.clip_from_world() * glm::dvec4(point_in_world_mm, 1.0);
   const Vec3 place = Vec3(clip) / clip.w;

@@ -31,6 +31,8 @@ struct Viewer {
   double eye_distance_mm = 63.0;
   /// Of the screen's width: how far apart the eyes' pictures may lie.
   double parallax_limit = 1.0 / 30.0;
+
+  friend bool operator==(const Viewer&, const Viewer&) = default;
 };
 
 /// Looks at the target from the z side of the view frame.
@@ -110,6 +112,9 @@ struct EyeView {
 /// ensures a point in the screen plane has the same place in both eyes
 EyeView view_of(const Camera& camera, const Viewer& viewer, Eye eye,
                 double width_over_height) noexcept;
+
+/// The same view with its picture moved by shares of its width and height, to the right and up.
+EyeView shifted(const EyeView& view, const Vec2& shares) noexcept;
 
 /// Where a point of the world lands, from the picture's upper left in shares of its width and
 /// height; z is the depth in [-1, 1], or beyond where it is cut off.

@@ -61,6 +61,8 @@ struct BoneInScene {
   double presence = 1.0;
   std::optional<SignedMap> map;
   std::optional<CutAway> cut_away;
+
+  friend bool operator==(const BoneInScene&, const BoneInScene&) = default;
 };
 
 struct SawInScene {
@@ -71,6 +73,8 @@ struct SawInScene {
   double swing = 0.0;
   /// Of hub, neck and grip; towards 0 they are seen through wherever they are. The blade stays.
   double handpiece_presence = 1.0;
+
+  friend bool operator==(const SawInScene&, const SawInScene&) = default;
 };
 
 /// The blade alone, translucent: the expert's.
@@ -78,6 +82,8 @@ struct BladeGhost {
   RigidTransform world_from_tool;
   simulator::Blade blade;
   Ink ink = Ink::Reference;
+
+  friend bool operator==(const BladeGhost&, const BladeGhost&) = default;
 };
 
 /// A rectangle of a plane: its middle, z its normal. Seen edge on it would be a spike: there it
@@ -91,6 +97,8 @@ struct PlaneGhost {
   /// Its dashed line on the bone is drawn, too, within the rectangle.
   bool has_line = true;
   double line_pixels = 2.5;
+
+  friend bool operator==(const PlaneGhost&, const PlaneGhost&) = default;
 };
 
 /// Where a plane meets the skins of all bones that are wholly present.
@@ -108,6 +116,8 @@ struct CuttingLine {
   double tick_mm = 0.0;
   /// Towards 0 it is not seen.
   double presence = 1.0;
+
+  friend bool operator==(const CuttingLine&, const CuttingLine&) = default;
 };
 /// Those of the planes are counted, too.
 inline constexpr std::size_t lines_at_most = 8;
@@ -118,6 +128,8 @@ struct Chip {
   float size_mm = 0.15F;
   /// 0 dry and pale, 1 dark.
   float wetness = 0.0F;
+
+  friend bool operator==(const Chip&, const Chip&) = default;
 };
 
 enum class MarkShape : std::uint8_t { Disc, Ring, Diamond, Triangle };
@@ -128,6 +140,8 @@ struct Mark {
   double radius_pixels = 6.0;
   Ink ink = Ink::Accent;
   MarkShape shape = MarkShape::Disc;
+
+  friend bool operator==(const Mark&, const Mark&) = default;
 };
 
 struct Scene {
@@ -146,6 +160,8 @@ struct Scene {
   std::vector<HeldBone> held;
   std::vector<FreePiece> free_pieces;
   std::optional<ContactHalo> halo;
+
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 }  // namespace hallux::ui

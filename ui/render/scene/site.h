@@ -19,6 +19,8 @@ struct ZoneInScene {
   /// Towards 0 it is not seen.
   double presence = 1.0;
   bool is_near = false;
+
+  friend bool operator==(const ZoneInScene&, const ZoneInScene&) = default;
 };
 
 /// Corners of a closed loop in a plane.
@@ -32,12 +34,16 @@ struct HeldBone {
   std::vector<PlaneLoop> bone_mm;
   /// Outlines of what the kerf has opened there.
   std::vector<PlaneLoop> opened_mm;
+
+  friend bool operator==(const HeldBone&, const HeldBone&) = default;
 };
 
 /// A piece that came free, shown by its outline alone: it may still be part of a bone of the scene.
 struct FreePiece {
   const BoneMesh* mesh = nullptr;
   RigidTransform world_from_bone;
+
+  friend bool operator==(const FreePiece&, const FreePiece&) = default;
 };
 
 enum class HaloKind : std::uint8_t {
@@ -58,6 +64,8 @@ struct ContactHalo {
   double half_width_mm = 6.0;
   /// From the teeth to the bone along the feed.
   double distance_mm = 0.0;
+
+  friend bool operator==(const ContactHalo&, const ContactHalo&) = default;
 };
 
 }  // namespace hallux::ui

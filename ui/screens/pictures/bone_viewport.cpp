@@ -1,7 +1,7 @@
 // The turned view of bones: mouse and keys move a camera, then the scene is drawn. What is drawn is
 // known by a number of content, revision, ground and camera; where that is the number of the last
-// picture, the picture is shown again and nothing is drawn. A size that changed before anybody
-// turned the view fits the bone anew.
+// picture, the picture is shown again and refined from frame to frame, until nothing is drawn. A
+// size that changed before anybody turned the view fits the bone anew.
 #include "ui/screens/pictures/bone_viewport.h"
 
 #include <bit>
@@ -146,8 +146,10 @@ StageResponse BoneViewport::draw(Ui& ui, Shell& shell, const Rect& rect, const S
   mix_in(wanted, static_cast<std::uint64_t>(scene.ground));
   mix_in(wanted, camera_);
   const PixelSize size = pixels_of(ui, rect_);
-  std::uint64_t texture = wanted == drawn_ ? shell.scenes().drawn(picture.id, size) : 0;
-  if (texture == 0) texture = shell.scenes().draw(picture.id, scene, camera_, size);
+  ScenePainter& scenes = shell.scenes();
+  std::uint64_t texture = wanted == drawn_ ? scenes.refine(picture.id, scene, camera_, size) : 0;
+  if (texture == 0) texture = scenes.draw(picture.id, scene, camera_, size);
+  if (!scenes.is_refined(picture.id)) ui.want_frame_in_s(0.0);
   drawn_ = wanted;
   if (texture != 0) ui.canvas().picture({texture}, rect_, picture.radius);
   if (area.clicked[0]) {

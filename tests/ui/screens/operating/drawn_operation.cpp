@@ -5,11 +5,12 @@
 namespace hallux::ui {
 
 DrawnOperation::DrawnOperation(const std::string& scenario, double edge_mm, PixelSize size,
-                               const std::string& vfs_name)
+                               const std::string& vfs_name, LendDevice lend)
     : target_(size),
       course_(scenario, edge_mm, vfs_name),
       person_((scenes_.begin_frame(target_.target()), course_), database::AttemptKind::Practice,
-              1.0F, {static_cast<float>(size.width), static_cast<float>(size.height)}, &scenes_) {}
+              1.0F, {static_cast<float>(size.width), static_cast<float>(size.height)}, &scenes_,
+              std::move(lend)) {}
 
 double DrawnOperation::frame() {
   const auto start = std::chrono::steady_clock::now();

@@ -17,10 +17,12 @@ class DrawnOperation {
  public:
   /// Before Begin was pressed; see OperableCourse.
   explicit DrawnOperation(const std::string& scenario, double edge_mm = 1.5,
-                          PixelSize size = {1280, 720}, const std::string& vfs_name = {});
+                          PixelSize size = {1280, 720}, const std::string& vfs_name = {},
+                          LendDevice lend = {});
 
   Operator& person() noexcept { return person_; }
   OperableCourse& course() noexcept { return course_; }
+  OpenGlScenePainter& scenes() noexcept { return scenes_; }
   std::size_t triangles() const noexcept { return scenes_.triangles(); }
 
   /// One frame at the clock's time, shown. Returns its milliseconds, to the last pixel.

@@ -38,5 +38,27 @@ TEST(OperatingPicture, SideBySideEachEyeSeesThePointerInItsHalf) {
   EXPECT_GT(distance(without, half + in_left, below, ink), 200);
 }
 
+// As long as nobody moves the saw; and the first move ends it.
+TEST(OperatingPicture, IsRefinedWhileTheHandRestsAndMovesOnAtOnce) {
+  DrawnOperation operation("silver");
+  operation.press(Key::Enter);
+  ASSERT_TRUE(operation.until([&] { return operation.person().driver().has("operate.pause"); }));
+  ASSERT_TRUE(operation.until([&] { return !operation.scenes().is_unfinished(); }));
+  operation.press(Key::PageUp);
+  EXPECT_TRUE(operation.scenes().is_unfinished());
+}
+
+// What rests and is refined asks for no frame: an idle window takes no processor.
+TEST(OperatingPicture, OfAPausedOperationIsRefinedAndThenDrawnNoMore) {
+  DrawnOperation operation("silver");
+  operation.press(Key::Enter);
+  ASSERT_TRUE(operation.until([&] { return operation.person().driver().has("operate.pause"); }));
+  operation.press(Key::P);
+  EXPECT_EQ(operation.person().driver().ui().next_frame_in_s(), 0.0) << "there is more to draw";
+  ASSERT_TRUE(operation.until([&] { return !operation.scenes().is_unfinished(); }));
+  ASSERT_TRUE(
+      operation.until([&] { return operation.person().driver().ui().next_frame_in_s() > 1.0; }));
+}
+
 }  // namespace
 }  // namespace hallux::ui

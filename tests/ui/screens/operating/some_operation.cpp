@@ -109,9 +109,9 @@ std::unique_ptr<simulator::SteeredDevice> some_mouse(const RigidTransform& world
 }
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
-                   ScenePainter* painter) {
+                   ScenePainter* painter, LendDevice lend) {
   open(std::make_unique<OperatingScreen>(course.visit_of_ada(), navigator,
-                                         OperationChoice{course.version(), kind}, some_mouse),
+                                         OperationChoice{course.version(), kind}, std::move(lend)),
        scale, size, painter);
   EXPECT_TRUE(until([&] { return driver_->has("operate.begin"); }, 60.0));
 }

@@ -69,7 +69,8 @@ std::unique_ptr<simulator::SteeredDevice> some_mouse(const RigidTransform& world
 class Operator {
  public:
   Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,
-           Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr);
+           Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr,
+           LendDevice lend = some_mouse);
   /// Before any screen, made with nothing to wait for.
   explicit Operator(std::unique_ptr<Screen> screen, float scale = 1.0F,
                     Point size = {1440.0F, 900.0F});
