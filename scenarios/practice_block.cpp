@@ -113,7 +113,7 @@ StartingPlace start_beside() {
   StartingPlace start;
   start.eye_in_bone = unit(Vec3(0.4, 0.14, -0.91));
   start.up_in_bone = unit(Vec3(0.13, 0.97, 0.21));
-  start.radius_mm = 27.0;
+  start.radius_mm = 30.0;
   start.tip_from_entry_mm = {4.0, -6.0, -10.0};
   start.feed_in_bone = {0.0, 0.0, 1.0};
   start.normal_in_bone = {1.0, 0.0, 0.0};

@@ -174,8 +174,10 @@ class MouseHand:
             self.set_down(screen)
 
     def set_down(self, screen):
-        """A right click over the picture, as the line at the foot says."""
-        view = screen.widgets["operate.view"]
+        """A right click over the picture, as the line at the foot says. Where all is done there is none any more."""
+        view = screen.widgets.get("operate.view")
+        if not view:
+            return
         self.person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
         time.sleep(LOOK_S)
         self.person.xdotool("click", "3")

@@ -152,7 +152,7 @@ void OperatingField::show(Ui& ui, Shell& shell, std::span<const Mark> goals) {
                   .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
                   .is_guided = session_.is_practice(),
                   .goals = goals});
-  if (session_.is_led() || shell.scenes().is_coarse()) {
+  if (session_.is_led() || shell.scenes().is_unfinished()) {
     ui.want_frame_in_s(0.0);
   } else if (session_.phase() != OperatingSession::Phase::Ready &&
              (bone == nullptr || !bone->is_up_to_date() || !is_paused)) {

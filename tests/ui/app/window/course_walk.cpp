@@ -233,7 +233,7 @@ class Walker {
   }
 
   void press_keys() {
-    static const std::array<Key, 24> keys{
+    static const std::array<Key, 25> keys{
         Key::Tab,  Key::Tab,   Key::Tab,    Key::Enter,     Key::Escape, Key::Space,
         Key::Left, Key::Right, Key::Up,     Key::Down,      Key::Home,   Key::End,
         Key::F1,   Key::F9,    Key::G,      Key::N,         Key::P,      Key::Period,
@@ -343,7 +343,9 @@ class Walker {
     note("home");
     for (int count = 0; count < escapes_at_most && !is_home(); ++count) {
       wait_for_the_record();
-      if (can_press("operate.ask_abandon.act")) {
+      if (!driver().ui().captured_by().empty()) {
+        driver().press(Key::Escape);  // the saw has the pointer: the pause frees it
+      } else if (can_press("operate.ask_abandon.act")) {
         driver().click("operate.ask_abandon.act");
       } else if (can_press("operate.abandon")) {
         driver().click("operate.abandon");

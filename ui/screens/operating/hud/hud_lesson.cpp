@@ -9,7 +9,7 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float lesson_gap = 8.0F, edge = 12.0F, between_lines = 4.0F, widest = 820.0F;
+constexpr float lesson_gap = 8.0F, edge = 12.0F, between_lines = 4.0F, widest = 800.0F;
 /// Of the person's name, below the mode: how far it may reach.
 constexpr float name_width = 228.0F, name_bottom = 92.0F;
 constexpr float button_gap = 10.0F, chip_room = 8.0F;
