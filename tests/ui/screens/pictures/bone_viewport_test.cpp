@@ -29,6 +29,7 @@ class CountingPainter final : public NoScenePainter {
 class ViewScreen final : public Screen {
  public:
   ViewScreen() { view.look_at(Vec3(0.0, 0.0, 0.0), 20.0, StandardView::Medial); }
+  GuideSection guide_section() const override { return GuideSection::Overview; }
   void draw(Ui& ui, const Rect& content, Shell& shell) override {
     view.draw(ui, shell, content, scene, {"view", "View", revision});
   }

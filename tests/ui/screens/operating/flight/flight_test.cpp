@@ -21,8 +21,7 @@ constexpr double patience_s = 120.0;
 
 PreparedCase block_case() {
   scenarios::PracticeBlock block = scenarios::make_practice_block();
-  scenarios::Plan plan = plan_on(block.scenario, block.bone);
-  return {std::move(block.scenario), std::move(block.bone), std::move(plan)};
+  return prepare_case(std::move(block.scenario), std::move(block.bone));
 }
 
 std::string name_of(const testing::TestParamInfo<Lesson>& lesson) {
