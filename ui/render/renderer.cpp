@@ -70,7 +70,7 @@ struct KeptPicture::Parts {
 
 bool KeptPicture::Parts::has_room(PixelSize size, int scale, EdgePass edges) const noexcept {
   return buffers && buffers->size() == enlarged(size, scale) &&
-         buffers->has_smooth() == needs_smooth(edges, scale);
+         buffers->has_smooth() >= needs_smooth(edges, scale);
 }
 
 /// A picture of another size begins anew.
@@ -299,9 +299,16 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const DrawTarget& 
   draw(scene, view_of(camera, Viewer{}, Eye::Middle, aspect), target);
 }
 
+void Renderer::draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target,
+                           KeptPicture& kept) {
+  KeptPicture& room = parts_->quality.keeps_still ? kept : parts_->passing;
+  room.parts_->still.reset();
+  parts_->draw(scene, view, target, room, 1.0, EdgePass::None);
+  room.parts_->still.reset();
+}
+
 void Renderer::draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target) {
-  parts_->passing.parts_->still.reset();
-  parts_->draw(scene, view, target, parts_->passing, 1.0, EdgePass::None);
+  draw_sample(scene, view, target, parts_->passing);
 }
 
 void Renderer::forget_passing() noexcept { parts_->passing.parts_->let_go(); }

@@ -81,7 +81,11 @@ class Renderer {
   /// The same as seen by one who looks at the target from the middle.
   void draw(const Scene& scene, const Camera& camera, const DrawTarget& target);
 
-  /// One sample of a picture at rest: nothing of it is kept, and its edges stay as they are.
+  /// One sample of a picture at rest, its edges as they are. It takes the room of `kept`, so that
+  /// there are never buffers for both: the next picture in motion is drawn whole.
+  void draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target,
+                   KeptPicture& kept);
+  /// The same in the room of what passes.
   void draw_sample(const Scene& scene, const EyeView& view, const DrawTarget& target);
 
   /// Lets go of what pictures of which nothing is kept are drawn in.

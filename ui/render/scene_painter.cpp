@@ -117,7 +117,7 @@ void OpenGlScenePainter::Parts::draw_sample(const Scene& scene, const Camera& ca
     const RenderTarget& target = stage->eye(eye);
     const EyeView view = sample_view(stage->view(eye, camera), rest_behind.samples() - 1,
                                      target.size(), renderer.quality());
-    renderer.draw_sample(scene, view, target.target());
+    renderer.draw_sample(scene, view, target.target(), stage->kept(eye));
     stage->refined(eye).add(mixer, target);
   }
 }
@@ -133,7 +133,6 @@ void OpenGlScenePainter::Parts::draw_behind_at(Drawing drawing, const Scene& sce
     if (drawing == Drawing::Sample || drawing == Drawing::Kept)
       refined.show(stage->eye(eye).target());
   }
-  if (drawing == Drawing::Sample && rest_behind.is_finished()) renderer.forget_passing();
 }
 
 OpenGlScenePainter::OpenGlScenePainter() : parts_(std::make_unique<Parts>()) {}

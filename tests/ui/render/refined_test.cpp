@@ -31,12 +31,12 @@ int step_between(const Colour& one, const Colour& other) {
 /// Each pixel the mean of four.
 Pixels halved(const Pixels& picture) {
   Pixels half{{picture.size.width / 2, picture.size.height / 2}, {}};
-  const auto row = static_cast<std::size_t>(4 * picture.size.width);
+  const std::size_t row = std::size_t{4} * static_cast<std::size_t>(picture.size.width);
   for (int y = 0; y < half.size.height; ++y) {
     for (int x = 0; x < half.size.width; ++x) {
       for (std::size_t part = 0; part < 4; ++part) {
         const std::size_t at =
-            static_cast<std::size_t>(2 * y) * row + static_cast<std::size_t>(8 * x) + part;
+            2 * static_cast<std::size_t>(y) * row + 8 * static_cast<std::size_t>(x) + part;
         const int sum = picture.rgba[at] + picture.rgba[at + 4] + picture.rgba[at + row] +
                         picture.rgba[at + row + 4];
         half.rgba.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
