@@ -32,7 +32,7 @@ std::vector<std::int64_t> numbers(const ordered_json& kept, const char* key) {
   for (const ordered_json& entry : *list)
     if (entry.is_number_integer()) found.push_back(entry.get<std::int64_t>());
   std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

@@ -343,11 +343,11 @@ class Walker {
     note("home");
     for (int count = 0; count < escapes_at_most && !is_home(); ++count) {
       wait_for_the_record();
-      if (!driver().ui().captured_by().empty()) {
-        driver().press(Key::Escape);  // the saw has the pointer: the pause frees it
-      } else if (can_press("operate.ask_abandon.act")) {
+      // Where the saw has the pointer, the pause by Esc frees it.
+      const bool is_free = driver().ui().captured_by().empty();
+      if (is_free && can_press("operate.ask_abandon.act")) {
         driver().click("operate.ask_abandon.act");
-      } else if (can_press("operate.abandon")) {
+      } else if (is_free && can_press("operate.abandon")) {
         driver().click("operate.abandon");
       } else {
         driver().press(Key::Escape);
