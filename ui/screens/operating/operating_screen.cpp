@@ -113,11 +113,12 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
 // -- while it runs
 
 void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
-  field_.hear(ui, shell);
+  // Before the saw is led: who is asked has the pointer in the same frame.
   const bool is_end_pressed = session().is_heard() &&
                               ui.shortcut({Key::End}, ui.text("operate.key.finish")) &&
                               !ui.is_key_held_on();
   if (is_end_pressed) session().ask(Asked::Finish);
+  field_.hear(ui, shell);
   if (field_.is_running()) field_.apply_loop(ui, shell);
   field_.show(ui, shell);
   if (field_.is_running() && field_.loop().lines > 0)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/widgets/shapes.h"
@@ -24,6 +25,8 @@ struct Hud {
   /// Inside the inset.
   Rect room;
   HudAnswer answer;
+  /// Of those drawn so far.
+  std::vector<Rect> panels = {};
 
   const Theme& theme() const { return ui.theme(); }
   Canvas& canvas() const { return ui.canvas(); }
@@ -32,6 +35,10 @@ struct Hud {
   Rect sided(const Rect& rect) const {
     if (!hud.is_left_handed) return rect;
     return {room.x + room.right() - rect.right(), rect.y, rect.w, rect.h};
+  }
+  bool has_panel(const Rect& rect) const {
+    return std::any_of(panels.begin(), panels.end(),
+                       [&](const Rect& panel) { return !intersection(panel, rect).is_empty(); });
   }
   bool has_tool_behind(const Rect& rect) const {
     return std::any_of(hud.tool.begin(), hud.tool.end(), [&](const ToolPlace& place) {
@@ -52,6 +59,7 @@ class HudPanel {
            HudFading fading = HudFading::BehindTool)
       : canvas_(in.canvas()) {
     in.ui.area(name, in.ui.text(name), rect);
+    in.panels.push_back(rect);
     if (fading == HudFading::BehindTool && in.has_tool_behind(rect))
       canvas_.set_presence(faded_presence);
     draw_hud_panel(canvas_, in.theme(), rect, corner);

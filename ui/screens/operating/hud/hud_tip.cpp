@@ -32,19 +32,20 @@ void draw_force_at_blade(Hud& in) {
   canvas.fill({track.x - 4.0F, mark - 1.0F, 16.0F, 2.0F}, in.theme().text);
 }
 
-/// The side of the tip on which the label hides least of the saw.
+/// Beside the tip, where the label hides neither saw nor panel; nearer to the tip where there is
+/// little room.
 Rect place_label(const Hud& in, float width, float height) {
   const Point tip = *in.hud.tip;
-  const std::array<Rect, 4> places{
-      {{tip.x + label_way, tip.y + label_rise - height, width, height},
-       {tip.x + label_way, tip.y - label_rise, width, height},
-       {tip.x - label_way - width, tip.y + label_rise - height, width, height},
-       {tip.x - label_way - width, tip.y - label_rise, width, height}}};
-  const auto best = std::find_if(places.begin(), places.end(), [&](const Rect& place) {
-    return in.room.encloses(place) && !in.has_tool_behind(place);
-  });
-  if (best != places.end()) return *best;
-  Rect kept = places.front();
+  for (const float way : {label_way, 0.5F * label_way}) {
+    for (const float x : {tip.x + way, tip.x - way - width}) {
+      for (const float y : {tip.y + label_rise - height, tip.y - label_rise}) {
+        const Rect place{x, y, width, height};
+        if (in.room.encloses(place) && !in.has_tool_behind(place) && !in.has_panel(place))
+          return place;
+      }
+    }
+  }
+  Rect kept{tip.x + label_way, tip.y + label_rise - height, width, height};
   kept.x = std::clamp(kept.x, in.room.x, std::max(in.room.x, in.room.right() - width));
   kept.y = std::clamp(kept.y, in.room.y + hud_bar_height,
                       std::max(in.room.y, in.room.bottom() - hud_panel_height - height - 8.0F));
@@ -75,10 +76,12 @@ void draw_label(Hud& in) {
 
 }  // namespace
 
-void draw_hud_tip(Hud& in) {
-  if (!in.hud.tip) return;
-  draw_force_at_blade(in);
-  draw_label(in);
+void draw_tip_force(Hud& in) {
+  if (in.hud.tip) draw_force_at_blade(in);
+}
+
+void draw_tip_label(Hud& in) {
+  if (in.hud.tip) draw_label(in);
 }
 
 }  // namespace hallux::ui

@@ -5,7 +5,9 @@
 
 namespace hallux::ui {
 
-/// Nothing where the teeth are not on the window.
-void draw_hud_tip(Hud& in);
+/// Both nothing where the teeth are not on the window.
+void draw_tip_force(Hud& in);
+/// Beside the panels that were drawn before.
+void draw_tip_label(Hud& in);
 
 }  // namespace hallux::ui

@@ -139,7 +139,7 @@ std::string signed_text(double value) {
 HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const Rect display = ui.display();
   Hud in{ui, hud, inset(display, hud_inset_share * display.w, hud_inset_share * display.h), {}};
-  draw_hud_tip(in);
+  draw_tip_force(in);
   const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
   draw_hud_readings(in);
   const float hints_end = draw_hud_hints(in, bar_end, draw_trouble(in));
@@ -151,6 +151,7 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
     draw_inset(in, below);
   }
   draw_hud_foot(in);
+  draw_tip_label(in);
   return in.answer;
 }
 
