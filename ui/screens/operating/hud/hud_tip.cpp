@@ -36,7 +36,7 @@ void draw_force_at_blade(Hud& in) {
 /// little room.
 Rect place_label(const Hud& in, float width, float height) {
   const Point tip = *in.hud.tip;
-  for (const float way : {label_way, 0.5F * label_way}) {
+  for (const float way : {label_way, 0.75F * label_way, 0.5F * label_way}) {
     for (const float x : {tip.x + way, tip.x - way - width}) {
       for (const float y : {tip.y + label_rise - height, tip.y - label_rise}) {
         const Rect place{x, y, width, height};
