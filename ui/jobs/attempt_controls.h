@@ -54,4 +54,25 @@ class AttemptControls {
   virtual const LiveEnd* end() const noexcept = 0;
 };
 
+/// Those of whoever is told by the loop's commands; how they get there, and abandoning, is left.
+class CommandControls : public AttemptControls {
+ public:
+  void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
+  void resume() override {
+    say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0});
+  }
+  void declare_done(std::int32_t step) override {
+    say({simulator::CommandKind::StepDone, step, 0});
+  }
+  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
+  void pick_up_freed() override {
+    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
+  }
+  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
+  void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
+
+ protected:
+  virtual void say(const simulator::Command& command) = 0;
+};
+
 }  // namespace hallux::ui

@@ -12,22 +12,8 @@
 
 namespace hallux::ui {
 
-class CommandedLoop : public AttemptControls {
+class CommandedLoop : public CommandControls {
  public:
-  void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
-  void resume() override {
-    say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0});
-  }
-  void declare_done(std::int32_t step) override {
-    say({simulator::CommandKind::StepDone, step, 0});
-  }
-  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
-  void pick_up_freed() override {
-    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
-  }
-  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
-  void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
-
   /// Device newtons per simulated newton, as the loop makes them; nothing where the device pushes
   /// nobody back.
   const std::optional<double>& force_scale() const noexcept { return force_scale_; }
@@ -41,7 +27,9 @@ class CommandedLoop : public AttemptControls {
   explicit CommandedLoop(std::optional<double> force_scale) : force_scale_(force_scale) {}
 
   /// A person gives a command a second; the loop takes a thousand lines in that time.
-  void say(const simulator::Command& command) { static_cast<void>(watch_.commands.push(command)); }
+  void say(const simulator::Command& command) final {
+    static_cast<void>(watch_.commands.push(command));
+  }
 
  private:
   std::optional<double> force_scale_;

@@ -56,7 +56,7 @@ void OperatingField::hear(Ui& ui, Shell& shell) {
     steered = viewport_.hear(ui, area, prepared_case(), session_.is_led(),
                              session_.saw().world_from_target().translation_mm);
   }
-  lead(ui, area, steered, shell.preferences().captures_pointer);
+  lead(ui, area, steered);
 }
 
 void OperatingField::hear_keys(Ui& ui) {
@@ -97,8 +97,7 @@ void OperatingField::take_up_last_step() {
   }
 }
 
-void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steered,
-                          bool may_capture) {
+void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steered) {
   if (!session_.is_led()) return viewport_.release_pointer();
   if (steered.switches_saw) session_.set_saw_on(!session_.saw().is_on());
   session_.lift(viewport_.lift().is_lifted());
@@ -109,9 +108,12 @@ void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steer
   }
   session_.lead(std::array{steered.by_mouse, steered.by_keys}, viewport_.world_from_view(),
                 ui.time_s());
-  if (viewport_.lift().stays_lifted()) return;
-  if (may_capture) ui.capture_pointer(view_area);
-  if (area.is_hovered) ui.hide_pointer();
+  if (area.is_hovered && !viewport_.lift().stays_lifted()) ui.hide_pointer();
+}
+
+void OperatingField::hold_pointer(Ui& ui, const Preferences& preferences) const {
+  if (preferences.captures_pointer && session_.is_led() && !viewport_.lift().stays_lifted())
+    ui.capture_pointer(view_area);
 }
 
 /// What came back from the loop since the last frame.

@@ -56,6 +56,8 @@ class OperatingField {
   /// Draws the picture behind the widgets, and sounds the saw.
   /// goals  marked in the picture
   void show(Ui& ui, Shell& shell, std::span<const Mark> goals = {});
+  /// Last: who was asked something in this frame has the pointer at once.
+  void hold_pointer(Ui& ui, const Preferences& preferences) const;
 
   // -- what there is to tell; needs it is running
   /// As of this frame.
@@ -101,7 +103,7 @@ class OperatingField {
   void hear_display_keys(Ui& ui, Preferences& preferences);
   void take_up_last_step();
   /// Leads the saw by what was steered, or sets the hand down.
-  void lead(Ui& ui, const AreaResponse& area, const Steered& steered, bool may_capture);
+  void lead(Ui& ui, const AreaResponse& area, const Steered& steered);
   void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
   void sound_the_saw(Shell& shell);
   /// The cut in which the saw is, else the one that the step at hand asks for; nothing where the

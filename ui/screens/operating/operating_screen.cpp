@@ -113,18 +113,18 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
 // -- while it runs
 
 void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
-  // Before the saw is led: who is asked has the pointer in the same frame.
+  field_.hear(ui, shell);
   const bool is_end_pressed = session().is_heard() &&
                               ui.shortcut({Key::End}, ui.text("operate.key.finish")) &&
                               !ui.is_key_held_on();
   if (is_end_pressed) session().ask(Asked::Finish);
-  field_.hear(ui, shell);
   if (field_.is_running()) field_.apply_loop(ui, shell);
   field_.show(ui, shell);
   if (field_.is_running() && field_.loop().lines > 0)
     live_->note_view(field_.viewport().shown_view(), field_.loop().sample.tick);
   draw_cards(ui, shell);
   if (field_.is_running()) lead_on(ui, shell);
+  field_.hold_pointer(ui, shell.preferences());
 }
 
 // -- the panels

@@ -18,7 +18,7 @@
 
 namespace hallux::ui {
 
-class VirtualOperation final : private AttemptControls {
+class VirtualOperation final : private CommandControls {
  public:
   /// A coarse patient of a shipped scenario; practice, with the clock running.
   explicit VirtualOperation(const std::string& scenario, double edge_mm = 1.0);
@@ -42,24 +42,11 @@ class VirtualOperation final : private AttemptControls {
   simulator::LoopView loop;
 
  private:
-  void pause() override { say({simulator::CommandKind::Pause, simulator::paused_by_operator, 0}); }
-  void resume() override {
-    say({simulator::CommandKind::Resume, simulator::paused_by_operator, 0});
-  }
-  void declare_done(std::int32_t step) override {
-    say({simulator::CommandKind::StepDone, step, 0});
-  }
-  void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
-  void pick_up_freed() override {
-    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
-  }
-  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
-  void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
   void abandon() override {}
   bool is_storage_full() const noexcept override { return false; }
   const LiveEnd* end() const noexcept override { return nullptr; }
 
-  void say(const simulator::Command& command) { commands_.push_back(command); }
+  void say(const simulator::Command& command) override { commands_.push_back(command); }
   void step_once();
   void survey();
 

@@ -113,6 +113,7 @@ void FlightScreen::fly(Ui& ui, Shell& shell) {
   draw_cards(ui, shell);
   if (block_->field.session().take_end() != OperatingSession::Onward::Nowhere)
     ui.want_frame_in_s(0.0);
+  block_->field.hold_pointer(ui, shell.preferences());
 }
 
 void FlightScreen::hear_keys(Ui& ui, Shell& shell) {
