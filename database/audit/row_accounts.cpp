@@ -193,6 +193,9 @@ std::optional<Baseline> first_baseline(Database& database) {
 
 std::optional<Unaccounted> first_unaccounted(Database& database, const AccountedTable& table) {
   const std::string name = name_of_table(table);
+  const auto unaccounted = [&](const std::string& key, const char* how) {
+    return Unaccounted{name + " " + key, how};
+  };
   const SQLite::Transaction moment{database.connection()};
   SQLite::Database& connection = database.connection();
   connection.exec(
@@ -217,20 +220,20 @@ std::optional<Unaccounted> first_unaccounted(Database& database, const Accounted
   while (rows.executeStep()) {
     const std::string key = rows.getColumn(0).getString();
     const std::optional<Digest> expected = digest_in(rows.getColumn(1));
-    if (!expected) return Unaccounted{name + " " + key, "is there without an act"};
+    if (!expected) return unaccounted(key, "is there without an act");
     const SQLite::Column salt = rows.getColumn(3);
     const auto* const bytes = static_cast<const std::byte*>(salt.getBlob());
     const std::span<const std::byte> kept{
         bytes, table.holds_words ? static_cast<std::size_t>(salt.getBytes()) : 0};
     if (row_digest(table, rows, columns_before, kept) != *expected) {
-      return Unaccounted{name + " " + key, "is not as the audit says"};
+      return unaccounted(key, "is not as the audit says");
     }
     run_again(mark, key);
   }
   const auto missing = found<std::string>(
       database,
       "SELECT row_key FROM temp.folded WHERE seen = 0 AND row_digest IS NOT NULL LIMIT 1");
-  if (missing) return Unaccounted{name + " " + *missing, "is missing"};
+  if (missing) return unaccounted(*missing, "is missing");
   return std::nullopt;
 }
 

@@ -144,6 +144,7 @@ std::vector<fs::path> rotate_backups(Database& database, const fs::path& folder,
     return backup.file.extension() == ".db" ? !is_own_folder : backup.directory != directory;
   });
   std::vector<std::string> made_utc;
+  made_utc.reserve(own.size());
   for (const Backup& backup : own) made_utc.push_back(backup.made_utc);
   const std::vector<bool> kept = kept_by(rule, made_utc);
   std::vector<fs::path> removed;

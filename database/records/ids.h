@@ -9,7 +9,7 @@ namespace hallux::database {
 /// A random UUID (version 4) in lower-case hexadecimal with dashes.
 struct AttemptId {
   std::string text;
-  friend auto operator<=>(const AttemptId&, const AttemptId&) = default;
+  friend auto operator<=>(const AttemptId&, const AttemptId&) = default;  // NOLINT: no null
 };
 
 struct PersonId {

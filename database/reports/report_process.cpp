@@ -187,7 +187,7 @@ void close_all_but(int one, int other) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
-  const auto seconds = static_cast<rlim_t>((limits.time_ms + grace_ms) / 1000 + 1);
+  const auto seconds = static_cast<rlim_t>((limits.time_ms + grace_ms) / 1000) + 1;
   const rlimit processor{seconds, seconds};
   ::setrlimit(RLIMIT_CPU, &processor);
   sqlite3_hard_heap_limit64(heap_bytes_max);

@@ -11,7 +11,7 @@
 namespace {
 
 /// Blocks from this size on are the system's own, and go back to it when they are freed.
-constexpr int large_block_bytes = 1 << 20;
+constexpr int large_block_bytes = 1 << 17;
 /// So much free memory a heap keeps at its end for what is asked for next.
 constexpr int kept_bytes = 8 << 20;
 

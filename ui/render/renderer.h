@@ -14,7 +14,7 @@ namespace hallux::ui {
 struct RenderQuality {
   /// Pixels drawn along each side of one shown, for smooth edges: 1, 2 or 4.
   int supersampling = 1;
-  /// Whether KeptPictures are used: 48 bytes a pixel drawn, for each of them, 52 with smooth edges.
+  /// Whether KeptPictures are used: 40 bytes a pixel drawn, for each of them, 44 with smooth edges.
   bool keeps_still = false;
   /// Whether a pass takes the stairs from the edges of pictures in motion.
   bool smooths_edges = false;

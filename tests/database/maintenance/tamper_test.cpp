@@ -60,6 +60,14 @@ std::string by_row_of(const std::string& table, std::string sql) {
   return sql;
 }
 
+std::string in_table(const std::string& table, const std::string& column) {
+  return table + "." + column;
+}
+
+std::string last_row_removed(const std::string& table) {
+  return "DELETE FROM " + table + " WHERE rowid = (SELECT max(rowid) FROM " + table + ")";
+}
+
 /// In its first and its last row.
 bool has_two_values(Database& database, const std::string& table, const std::string& column) {
   const std::string rows = "SELECT " + column + " FROM " + table + " ORDER BY rowid ";
@@ -100,15 +108,15 @@ std::string undefended(Database& database, const std::string& sql) {
 
 class Tampering : public testing::Test {
  protected:
-  static void SetUpTestSuite() { course_ = std::make_unique<FullCourse>(); }
-  static void TearDownTestSuite() { course_.reset(); }
+  static void SetUpTestSuite() { course = std::make_unique<FullCourse>(); }
+  static void TearDownTestSuite() { course.reset(); }
 
   /// Whether verify names what `sql` does to a copy of the course; nothing where SQLite refuses it,
   /// or nothing changes by it.
   std::optional<bool> is_named(const std::string& sql) {
     const TemporaryDirectory copy;
     fs::create_directory(copy.data());
-    Database& whole = course_->database();
+    Database& whole = course->database();
     single<int>(whole, "PRAGMA wal_checkpoint(TRUNCATE)");
     fs::copy_file(whole.file(), copy.data() / "hallux.db");
     {
@@ -127,17 +135,17 @@ class Tampering : public testing::Test {
     return !verify(altered).is_whole();
   }
 
-  static std::unique_ptr<FullCourse> course_;
+  static std::unique_ptr<FullCourse> course;
 };
 
-std::unique_ptr<FullCourse> Tampering::course_;
+std::unique_ptr<FullCourse> Tampering::course;
 
 bool is_exempt(const std::string& table) {
   return std::ranges::find(exempt_tables, table, &ExemptTable::name) != exempt_tables.end();
 }
 
 TEST_F(Tampering, WithAnyColumnIsNamedOrOnTheList) {
-  Database& whole = course_->database();
+  Database& whole = course->database();
   std::set<std::string> unnamed;
   int named = 0;
   const auto note = [&](const std::string& what, const std::string& sql) {
@@ -149,14 +157,13 @@ TEST_F(Tampering, WithAnyColumnIsNamedOrOnTheList) {
            whole,
            "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE "
            "'sqlite_%' AND name NOT LIKE 'audit_row' AND name NOT LIKE 'row_salt'")) {
-    note(table + ": a row removed",
-         by_row_of(table, "DELETE FROM " + table + " WHERE rowid = (SELECT max(rowid) FROM " +
-                              table + ")"));
+    note(table + ": a row removed", by_row_of(table, last_row_removed(table)));
     for (const std::string& column :
          all_of<std::string>(whole, "SELECT name FROM pragma_table_info(?)", table)) {
-      note(table + "." + column + ": changed", by_row_of(table, changed(table, column)));
+      const std::string name = in_table(table, column);
+      note(name + ": changed", by_row_of(table, changed(table, column)));
       if (has_two_values(whole, table, column)) {
-        note(table + "." + column + ": exchanged", by_row_of(table, exchanged(table, column)));
+        note(name + ": exchanged", by_row_of(table, exchanged(table, column)));
       }
     }
   }
@@ -190,8 +197,8 @@ TEST_F(Tampering, WithTheSchemaOrItsVersionIsNamed) {
                           "CREATE TRIGGER own AFTER INSERT ON note BEGIN SELECT 1; END"}) {
     const TemporaryDirectory copy;
     fs::create_directory(copy.data());
-    single<int>(course_->database(), "PRAGMA wal_checkpoint(TRUNCATE)");
-    fs::copy_file(course_->database().file(), copy.data() / "hallux.db");
+    single<int>(course->database(), "PRAGMA wal_checkpoint(TRUNCATE)");
+    fs::copy_file(course->database().file(), copy.data() / "hallux.db");
     { SQLite::Database{(copy.data() / "hallux.db").string(), SQLite::OPEN_READWRITE}.exec(sql); }
     OpenOptions reading;
     reading.access = Access::ReadOnly;

@@ -14,7 +14,7 @@ namespace {
 
 /// Processes for reports, which begin before anything is opened.
 struct TwoReports {
-  ReportProcess first_, second_;
+  ReportProcess first, second;
 };
 
 class ReportTest : public testing::Test, protected TwoReports, protected SomeCourse {
@@ -112,10 +112,10 @@ TEST_F(ReportTest, TakesNoMoreThanItsTimeRowsAndBytes) {
 }
 
 TEST_F(ReportTest, ByAnAdministratorIsWrittenToTheAuditAlsoWhereItFails) {
-  administrator().report("SELECT count(*) FROM attempt", first_);
+  administrator().report("SELECT count(*) FROM attempt", first);
   EXPECT_EQ(last_audit().action, "report_run");
   EXPECT_EQ(last_audit().text, "SELECT count(*) FROM attempt");
-  EXPECT_EQ(kind_thrown([&] { administrator().report("SELECT * FROM password", second_); }),
+  EXPECT_EQ(kind_thrown([&] { administrator().report("SELECT * FROM password", second); }),
             DatabaseErrorKind::Refused);
   EXPECT_EQ(last_audit().text, "SELECT * FROM password");
 }

@@ -44,7 +44,7 @@ PictureBuffers::PictureBuffers(PixelSize size, bool has_smooth) : size_(at_least
   make_texture(still_colour_, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
   make_texture(colour_, size_, GL_RGBA8, GL_UNSIGNED_BYTE);
   make_texture(place_, size_, GL_RGBA32F, GL_FLOAT);
-  make_texture(normal_, size_, GL_RGBA32F, GL_FLOAT);
+  make_texture(normal_, size_, GL_RGBA16F, GL_HALF_FLOAT);
   make_depth(still_depth_, size_);
   make_depth(depth_, size_);
   {
