@@ -84,13 +84,13 @@ TEST_F(Site, APlaneThatTurnsToItsEdgeFadesToTheLineThatItCuts) {
   };
   // Face on there is a rectangle around the bone, edge on not a pixel of it beyond its line.
   EXPECT_GT(seen_under(30.0), facts_of(line_under(30.0), is_reference).count + 300);
-  for (const double angle_deg : {0.0, 1.0, 3.5}) {
+  for (const double angle_deg : {0.0, 1.0, 3.5, 7.5}) {
     EXPECT_EQ(draw(under(angle_deg)).rgba, line_under(angle_deg).rgba) << angle_deg;
     EXPECT_GT(seen_under(angle_deg), 60U) << "the line and its tick stay, " << angle_deg;
   }
 }
 
-TEST(PlaneFade, IsWholeFromTwelveDegreesOnAndGoneBelowFour) {
+TEST(PlaneFade, IsWholeFromTwentyFourDegreesOnAndGoneAtEight) {
   const RigidTransform plane{};
   double last = 0.0;
   for (int degree = 0; degree <= 90; ++degree) {
@@ -99,8 +99,8 @@ TEST(PlaneFade, IsWholeFromTwelveDegreesOnAndGoneBelowFour) {
     EXPECT_NEAR(sight_angle_rad(plane, eye_mm), angle_rad, 1e-9);
     const double share = face_on_share(plane, eye_mm);
     EXPECT_GE(share, last);
-    EXPECT_EQ(share == 0.0, degree <= 4) << degree;
-    EXPECT_EQ(share == 1.0, degree > 12) << degree;
+    EXPECT_EQ(share == 0.0, degree <= 8) << degree;
+    EXPECT_EQ(share == 1.0, degree > 24) << degree;
     EXPECT_EQ(line_of({plane}, eye_mm).tick_mm > 0.0, share < 0.5);
     last = share;
   }

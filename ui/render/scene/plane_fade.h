@@ -6,7 +6,7 @@
 namespace hallux::ui {
 
 /// Seen more flatly than this a plane is only its line; from the second angle on it is whole.
-inline constexpr double edge_on_rad = 0.070, face_on_rad = 0.210;
+inline constexpr double edge_on_rad = 0.140, face_on_rad = 0.420;
 
 /// Angle between a plane and the line of sight to its middle, in [0, pi/2] [rad].
 double sight_angle_rad(const RigidTransform& world_from_plane,

@@ -9,7 +9,7 @@ namespace hallux::ui {
 namespace {
 
 /// How far a shown face reaches beyond the bone.
-constexpr double rim_mm = 4.0;
+constexpr double rim_mm = 3.0;
 constexpr double section_thickness_mm = 0.2;
 
 const simulator::SectionRegion* region_at(const simulator::Section& section, const Vec2& place_mm) {

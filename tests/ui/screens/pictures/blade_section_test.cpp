@@ -244,8 +244,8 @@ TEST(PlannedFace, IsTheRectangleAroundThePartThatIsMeant) {
   const RigidTransform plane{};  // z = 0
   const PlannedFace near = planned_face(solid, tree, plane, Vec3(1.0, 0.0, 0.0));
   EXPECT_NEAR(near.bone_from_face.translation_mm.x, 0.0, 1.0e-9);
-  EXPECT_NEAR(near.half_mm.x, 5.0 + 4.0, 1.0e-9);
-  EXPECT_NEAR(near.half_mm.y, 3.0 + 4.0, 1.0e-9);
+  EXPECT_NEAR(near.half_mm.x, 5.0 + 3.0, 1.0e-9);
+  EXPECT_NEAR(near.half_mm.y, 3.0 + 3.0, 1.0e-9);
   EXPECT_NEAR(near.entry_x_mm, -5.0, 1.0e-9);
   const PlannedFace far = planned_face(solid, tree, plane, Vec3(39.0, 0.0, 0.0));
   EXPECT_NEAR(far.bone_from_face.translation_mm.x, 40.0, 1.0e-9);
