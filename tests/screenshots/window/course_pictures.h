@@ -23,6 +23,7 @@ void take_first_start(const std::filesystem::path& empty_directory,
 void take_trainee(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_flight(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_operating(const SimulatedCourse& course, const std::filesystem::path& folder);
+void take_operating_in_light(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_instructor(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_administrator(const SimulatedCourse& course, const std::filesystem::path& folder);
 

@@ -24,13 +24,23 @@ void lay_on_plan(Photographer& photographer) {
   press(photographer, Key::PageDown, 2, {.shift = true});
 }
 
-void saw_down(Photographer& photographer, int millimetres) {
+/// Leads the running saw a millimetre a press, one after the other.
+void saw(Photographer& photographer, Key key, int millimetres) {
   photographer.key(Key::I);  // the assistant rinses
   photographer.key(Key::Space);
   for (int step = 0; step < millimetres; ++step) {
-    photographer.key(Key::Down);
+    photographer.key(key);
     photographer.work_for(0.1);
   }
+}
+
+void begin(Photographer& photographer, const std::string& scenario) {
+  ui::Driver& driver = photographer.driver();
+  photographer.press("operations.card." + scenario);
+  photographer.press("brief.begin");
+  photographer.wait_until("the patient", [&] { return driver.has("operate.begin"); });
+  photographer.key(Key::Enter);
+  photographer.wait_until("the operation", [&] { return driver.has("operate.pause"); });
 }
 
 }  // namespace
@@ -50,15 +60,10 @@ void take_flight(const SimulatedCourse& course, const std::filesystem::path& fol
 
 void take_operating(const SimulatedCourse& course, const std::filesystem::path& folder) {
   Photographer photographer(course.data_directory, folder, ui::ThemeName::Dark);
-  ui::Driver& driver = photographer.driver();
   photographer.sign_in("trainee-1", course.password);
-  photographer.press("operations.card.silver");
-  photographer.press("brief.begin");
-  photographer.wait_until("the patient", [&] { return driver.has("operate.begin"); });
-  photographer.key(Key::Enter);
-  photographer.wait_until("the operation", [&] { return driver.has("operate.pause"); });
+  begin(photographer, "silver");
   lay_on_plan(photographer);
-  saw_down(photographer, 36);
+  saw(photographer, Key::Down, 36);
   photographer.key(Key::R);  // as one stood at first
   photographer.work_for(6.0);
   photographer.take_now("operating");
@@ -66,6 +71,16 @@ void take_operating(const SimulatedCourse& course, const std::filesystem::path& 
   photographer.take_now("side_by_side");
   photographer.key(Key::F9);
   photographer.take_now("anaglyph");
+}
+
+void take_operating_in_light(const SimulatedCourse& course, const std::filesystem::path& folder) {
+  Photographer photographer(course.data_directory, folder, ui::ThemeName::Light);
+  photographer.sign_in("trainee-1", course.password);
+  begin(photographer, "akin");
+  photographer.key(Key::Enter);  // the case is verified
+  saw(photographer, Key::PageUp, 26);
+  photographer.work_for(6.0);
+  photographer.take_now("operating_light");
 }
 
 }  // namespace hallux::tests

@@ -43,6 +43,7 @@ int main(int count, char** words) {
     hallux::tests::take_administrator(course, folder);
     hallux::tests::take_flight(course, folder);
     hallux::tests::take_operating(course, folder);
+    hallux::tests::take_operating_in_light(course, folder);
   } catch (const std::exception& error) {
     std::cerr << "hallux_window_screenshots: " << error.what() << '\n';
     return 1;
