@@ -70,6 +70,18 @@ double size_mm_of(const std::vector<Contour>& contours) {
   return length_of(high - low);
 }
 
+/// Around the regions.
+void set_extent(HeldCut& held, const simulator::Section& section,
+                const std::vector<std::size_t>& regions) {
+  if (regions.empty()) return;
+  held.low_mm = section.regions[regions.front()].min_mm;
+  held.high_mm = section.regions[regions.front()].max_mm;
+  for (const std::size_t region : regions) {
+    held.low_mm = glm::min(held.low_mm, section.regions[region].min_mm);
+    held.high_mm = glm::max(held.high_mm, section.regions[region].max_mm);
+  }
+}
+
 std::string side_of(const HeldSection& section, const HeldCut& held) {
   const Vec2 lean_mm = section.middle_mm - section.section_middle_mm;
   if (held.bone_mm.empty() || length_of(lean_mm) < least_lean * size_mm_of(held.bone_mm)) return {};
@@ -115,6 +127,7 @@ HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
   held.share = section.share < least_share ? 0.0 : section.share;
   held.bone_from_kerf = plane.bone_from_kerf;
   held.bone_mm = contours_of(known.section, section.regions, limit);
+  set_extent(held, known.section, section.regions);
   held.side = side_of(section, held);
   held.deepest_in_bone_mm = transform_point(plane.bone_from_kerf, Vec3(section.deepest_mm, 0.0));
   return held;

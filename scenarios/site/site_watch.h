@@ -30,6 +30,8 @@ struct HeldCut {
   /// Outlines of the bone that is to be sawn, in the kerf's plane; holes likewise.
   std::vector<simulator::Contour> bone_mm = {};
   RigidTransform bone_from_kerf = {};
+  /// Around the section of which the blade touched something, in the kerf's plane.
+  Vec2 low_mm{0.0, 0.0}, high_mm{0.0, 0.0};
 
   bool is_begun() const noexcept { return kerf >= 0; }
   bool is_through() const noexcept { return is_begun() && share == 0.0; }

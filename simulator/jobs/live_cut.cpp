@@ -27,7 +27,7 @@ void LiveCut::apply(const CutEvent& event) {
   if (event.kind == CutEventKind::PieceRemoved) {
     growing_.reset();
     is_whole_due_ = true;
-    std::erase_if(free_pieces_, [&](const FreePiece& piece) { return piece.id == event.subject; });
+    std::erase_if(free_pieces_, [&](const FreedPiece& piece) { return piece.id == event.subject; });
     are_free_pieces_due_ = true;
   }
   if (event.kind == CutEventKind::HingeClosed && closed_hinge() != nullptr) {
@@ -51,12 +51,9 @@ void LiveCut::apply(const JobRequest& request) {
   if (request.kind == JobKind::Hinge) hinge_ = std::move(result);
 }
 
-std::optional<std::vector<CutSolid>> LiveCut::take_free_pieces() {
+std::optional<std::vector<FreedPiece>> LiveCut::take_free_pieces() {
   if (!std::exchange(are_free_pieces_due_, false)) return std::nullopt;
-  std::vector<CutSolid> solids;
-  solids.reserve(free_pieces_.size());
-  for (const FreePiece& piece : free_pieces_) solids.push_back(piece.solid);
-  return solids;
+  return free_pieces_;
 }
 
 std::optional<KerfOpening> LiveCut::kerf_at_hand() const {

@@ -29,6 +29,12 @@ struct PatchBase {
   bool is_uncut() const noexcept { return tree == nullptr; }
 };
 
+/// A piece that came free.
+struct FreedPiece {
+  std::int32_t id = 0;
+  CutSolid solid;
+};
+
 /// thread  one at a time; work without a bound: not the haptic one
 class LiveCut {
  public:
@@ -54,7 +60,7 @@ class LiveCut {
   std::optional<CutSolid> take_whole();
 
   /// The pieces that came free and were not taken out, where they changed since the last call.
-  std::optional<std::vector<CutSolid>> take_free_pieces();
+  std::optional<std::vector<FreedPiece>> take_free_pieces();
 
   /// The kerf in which the teeth were last, as far as it is open now; nothing before the first.
   std::optional<KerfOpening> kerf_at_hand() const;
@@ -66,6 +72,9 @@ class LiveCut {
   const KerfSet& kerfs() const noexcept { return geometry_.kerfs(); }
   SolidWithTree whole() { return geometry_.whole(); }
   std::vector<const Bvh*> taken_out() const { return geometry_.taken_out(); }
+  /// As they were worked out last, largest first, the bone (number 0) among them; without what was
+  /// taken out. All but the bone have their tree.
+  const std::vector<PieceBody>& pieces() const noexcept { return geometry_.pieces(); }
 
   /// The halves of the hinge, once it has closed; null before. It lives as long as this.
   const ClosedHinge* closed_hinge() const noexcept;
@@ -78,11 +87,7 @@ class LiveCut {
   std::unique_ptr<GrowingKerf> growing_;
   std::int32_t kerf_at_hand_ = -1;
   std::unique_ptr<const JobResult> hinge_;
-  struct FreePiece {
-    std::int32_t id = 0;
-    CutSolid solid;
-  };
-  std::vector<FreePiece> free_pieces_;
+  std::vector<FreedPiece> free_pieces_;
   bool are_free_pieces_due_ = false;
   /// In which the teeth were last.
   std::int32_t kerf_ = -1;

@@ -42,7 +42,8 @@ class AttemptControls {
   virtual void declare_done(std::int32_t step) = 0;
   /// A step that was declared done is at hand again.
   virtual void reopen(std::int32_t step) = 0;
-  virtual void pick_up_freed() = 0;
+  /// A free piece is taken out of the wound, by its number.
+  virtual void pick_up(std::int32_t piece) = 0;
   virtual void close_hinge() = 0;
   virtual void finish() = 0;
   /// Kept as interrupted, never scored.
@@ -65,9 +66,7 @@ class CommandControls : public AttemptControls {
     say({simulator::CommandKind::StepDone, step, 0});
   }
   void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
-  void pick_up_freed() override {
-    say({simulator::CommandKind::PickUp, simulator::piece_freed_last, 0});
-  }
+  void pick_up(std::int32_t piece) override { say({simulator::CommandKind::PickUp, piece, 0}); }
   void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
   void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
 

@@ -101,7 +101,7 @@ TEST_F(LiveCutOfABlock, TellsOfAPieceOnceItIsFreeAndOnceItIsGone) {
   freeze(0, 3.0);
   saw(0, 3.0, 0.0, 10);
   cut_.apply(JobRequest{0, JobKind::Pieces, 0, 10});
-  std::optional<std::vector<CutSolid>> pieces = cut_.take_free_pieces();
+  std::optional<std::vector<FreedPiece>> pieces = cut_.take_free_pieces();
   ASSERT_TRUE(pieces);
   EXPECT_TRUE(pieces->empty()) << "it still holds";
   EXPECT_FALSE(cut_.take_free_pieces());
@@ -110,7 +110,8 @@ TEST_F(LiveCutOfABlock, TellsOfAPieceOnceItIsFreeAndOnceItIsGone) {
   pieces = cut_.take_free_pieces();
   ASSERT_TRUE(pieces);
   ASSERT_EQ(pieces->size(), 1U);
-  EXPECT_NEAR(signed_volume_mm3(pieces->front().mesh), 24.0 * (7.0 - 0.25), 1.0e-3);
+  EXPECT_EQ(pieces->front().id, 1);
+  EXPECT_NEAR(signed_volume_mm3(pieces->front().solid.mesh), 24.0 * (7.0 - 0.25), 1.0e-3);
   take_out_freed(0);
   pieces = cut_.take_free_pieces();
   ASSERT_TRUE(pieces);

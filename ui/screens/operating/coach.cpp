@@ -356,7 +356,7 @@ const PlannedCut* holding_cut(const CoachView& view) {
 /// Nothing where the pieces are known and nothing that holds is seen: why the button is off tells
 /// that.
 std::optional<Hint> removal_hint(const CoachView& view) {
-  if (view.steps.has_free_piece()) return press_hint("operate.hint.take_out");
+  if (view.steps.is_ready()) return press_hint("operate.hint.take_out");
   if (view.is_in_kerf) return draw_back_hint("operate.hint.draw_out", 30.0);
   const bool is_through = holding_cut(view) == nullptr;
   if (is_through && !view.site->are_pieces_due) return std::nullopt;

@@ -40,7 +40,7 @@ const HeldCut* most_held(const SiteFacts& site) {
   return most == site.cuts.end() || most->is_through() ? nullptr : &*most;
 }
 
-std::string why_nothing_free(const HudSources& from) {
+std::string why_held(const HudSources& from) {
   const Texts& texts = from.texts;
   if (!from.session.is_practice()) return std::string(texts.text("operate.why.holds_plain"));
   if (from.site == nullptr) return std::string(texts.text("operate.hint.wait"));
@@ -50,6 +50,13 @@ std::string why_nothing_free(const HudSources& from) {
   if (const HeldCut* held = most_held(*from.site)) return held_text(texts, *held);
   return std::string(
       texts.text(from.site->are_pieces_due ? "operate.why.draw_out" : "operate.why.not_met"));
+}
+
+/// A crumb that lies free is no reason to take anything out.
+std::string why_nothing_free(const HudSources& from) {
+  std::string why = why_held(from);
+  if (!from.session.steps().lies_anything_free()) return why;
+  return from.texts.say("operate.why.crumb", {{"why", std::move(why)}});
 }
 
 std::string why_step_off(const HudSources& from) {

@@ -123,6 +123,8 @@ void OperatingField::apply_loop(Ui& ui, Shell& shell) {
   if (session_.phase() != OperatingSession::Phase::Operating &&
       session_.phase() != OperatingSession::Phase::Sealing)
     return;
+  session_.see(running_->site == nullptr ? std::span<const scenarios::WantedPart>()
+                                         : std::span(running_->site->parts));
   tell(ui, shell, session_.apply(running_->bone.take_events(), ui.time_s()));
   if (session_.update_storage()) ui.want_frame_in_s(0.0);
   if (session_.pausing().is_storage_full()) ui.want_frame_in_s(look_again_s);

@@ -90,7 +90,7 @@ void OperatingSession::press_step(bool is_cut_through, double now_s) {
       end_step();
       break;
     case StepDeed::PickUp:
-      attempt_->pick_up_freed();
+      attempt_->pick_up(steps_.piece_to_take());
       break;
     case StepDeed::CloseHinge:
       attempt_->close_hinge();
@@ -107,6 +107,7 @@ std::vector<StepNotice> OperatingSession::apply(std::span<const simulator::CutEv
   for (const simulator::CutEvent& event : events) {
     const StepNews news = steps_.apply(event);
     if (news.is_fulfilled) end_step();
+    if (news.piece) attempt_->pick_up(*news.piece);
     if (news.notice) notices.push_back(*news.notice);
   }
   if (const std::optional<StepNotice> notice = steps_.expire(now_s)) notices.push_back(*notice);

@@ -127,6 +127,8 @@ class OperatingSession {
   void press_step(bool is_cut_through, double now_s);
   /// A done step is at hand again; nothing where that cannot be.
   void reopen_step(std::size_t step);
+  /// What the steps that remove ask for, in their order, as it lies in the wound now.
+  void see(std::span<const scenarios::WantedPart> parts) { steps_.see(parts); }
   /// Takes what happened at the bone since the last frame; told are the steps that did not come
   /// off.
   std::vector<StepNotice> apply(std::span<const simulator::CutEvent> events, double now_s);

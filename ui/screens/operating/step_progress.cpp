@@ -1,11 +1,16 @@
 #include "ui/screens/operating/step_progress.h"
 
+#include <algorithm>
+
 namespace hallux::ui {
 
 using scenarios::StepKind;
 using simulator::CutEventKind;
 
 namespace {
+
+/// The kernel takes no more out in an attempt.
+constexpr int most_removed = 8;
 
 /// By the number that the kernel gives a hinge that it does not close.
 StepNotice notice_of_hinge(std::int32_t refusal) noexcept {
@@ -21,18 +26,26 @@ std::optional<StepKind> StepProgress::kind() const noexcept {
 }
 
 bool StepProgress::is_ready() const noexcept {
-  return !is_waiting() && kind() && (*kind() != StepKind::Remove || has_free_piece());
+  if (is_waiting() || !kind()) return false;
+  return *kind() != StepKind::Remove || (wanted() != nullptr && wanted()->is_off);
 }
 
-StepDeed StepProgress::press(double now_s) noexcept {
+/// Of the step at hand; null where it takes nothing out, or nothing is known yet.
+const scenarios::WantedPart* StepProgress::wanted() const noexcept {
+  if (kind() != StepKind::Remove) return nullptr;
+  const auto part = static_cast<std::size_t>(std::count(
+      steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(step_), StepKind::Remove));
+  return part < parts_.size() ? &parts_[part] : nullptr;
+}
+
+StepDeed StepProgress::press(double now_s) {
   if (!kind() || is_waiting()) return StepDeed::Nothing;
   switch (*kind()) {
     case StepKind::Verify:
     case StepKind::Cut:
       return StepDeed::EndStep;
     case StepKind::Remove:
-      wait_for(Waiting::Piece, now_s);
-      return StepDeed::PickUp;
+      return take_out(now_s);
     case StepKind::Close:
       wait_for(Waiting::Hinge, now_s);
       return StepDeed::CloseHinge;
@@ -42,14 +55,25 @@ StepDeed StepProgress::press(double now_s) noexcept {
   return StepDeed::Nothing;
 }
 
-StepNews StepProgress::apply(const simulator::CutEvent& event) noexcept {
+/// Where nothing of it lies there any more, that was all.
+StepDeed StepProgress::take_out(double now_s) {
+  if (!is_ready()) return StepDeed::Nothing;
+  to_take_ = wanted()->pieces;
+  const auto room = static_cast<std::size_t>(std::max(0, most_removed - removed_));
+  if (to_take_.size() > room) to_take_.resize(room);
+  if (to_take_.empty()) return StepDeed::EndStep;
+  wait_for(Waiting::Piece, now_s);
+  return StepDeed::PickUp;
+}
+
+StepNews StepProgress::apply(const simulator::CutEvent& event) {
   switch (event.kind) {
     case CutEventKind::PieceFreed:
       ++freed_;
       return {};
     case CutEventKind::PieceRemoved:
       ++removed_;
-      return {waiting_ == Waiting::Piece};
+      return removed(event.subject);
     case CutEventKind::HingeClosed:
       return {waiting_ == Waiting::Hinge};
     case CutEventKind::HingeRefused:
@@ -59,6 +83,13 @@ StepNews StepProgress::apply(const simulator::CutEvent& event) noexcept {
     default:
       return {};
   }
+}
+
+StepNews StepProgress::removed(std::int32_t piece) {
+  if (waiting_ != Waiting::Piece || to_take_.front() != piece) return {};
+  to_take_.erase(to_take_.begin());
+  if (to_take_.empty()) return {true};
+  return {false, {}, to_take_.front()};
 }
 
 std::optional<StepNotice> StepProgress::expire(double now_s) noexcept {

@@ -2,19 +2,22 @@
 /// Inside this corner only.
 ///
 ///     at hand --pressed--> done at once
-///        |   '--pressed--> waits for a piece or the hinge --event of the kernel--> done
+///        |   '--pressed--> waits for pieces or the hinge --events of the kernel--> done
 ///        |'<---refused, or 20 s without an answer----'                              |
 ///        '<-------------- taken up again, where no deed is undone -----------------'
 ///
-/// After a step that was taken up again comes the next that is not done.
+/// After a step that was taken up again comes the next that is not done. A step that removes takes
+/// out what it asks for, piece after piece, the largest first; what else lies free is left there.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "scenarios/scenario.h"
+#include "scenarios/site/wanted_part.h"
 #include "simulator/record/record.h"
 
 namespace hallux::ui {
@@ -36,6 +39,8 @@ struct StepNews {
   /// The step at hand got what it waited for.
   bool is_fulfilled = false;
   std::optional<StepNotice> notice = {};
+  /// The next to be taken out.
+  std::optional<std::int32_t> piece = {};
 };
 
 class StepProgress {
@@ -58,15 +63,22 @@ class StepProgress {
   /// Nothing after the last step.
   std::optional<scenarios::StepKind> kind() const noexcept;
   bool is_waiting() const noexcept { return waiting_ != Waiting::Nothing; }
-  /// Whether the button does anything now: a piece is taken out once one is free.
+  /// Whether the button does anything now: a step's part is taken out once it is off.
   bool is_ready() const noexcept;
-  /// A piece lies free and was not taken out.
-  bool has_free_piece() const noexcept { return freed_ > removed_; }
+  /// Something lies free, be it a crumb.
+  bool lies_anything_free() const noexcept { return freed_ > removed_; }
 
+  /// What the steps that remove ask for, in their order, as it lies in the wound now.
+  void see(std::span<const scenarios::WantedPart> parts) {
+    parts_.assign(parts.begin(), parts.end());
+  }
   /// The button of the step at hand was pressed; what it asks for may be waited for from now on.
-  StepDeed press(double now_s) noexcept;
+  StepDeed press(double now_s);
+  /// The piece that is waited for.
+  /// needs   press said PickUp, and nothing was applied since
+  std::int32_t piece_to_take() const noexcept { return to_take_.front(); }
   /// Takes what happened at the bone.
-  StepNews apply(const simulator::CutEvent& event) noexcept;
+  StepNews apply(const simulator::CutEvent& event);
   /// Gives up on an answer that does not come.
   std::optional<StepNotice> expire(double now_s) noexcept;
   /// Ends the step at hand. Returns its number.
@@ -75,6 +87,9 @@ class StepProgress {
  private:
   enum class Waiting { Nothing, Piece, Hinge };
 
+  const scenarios::WantedPart* wanted() const noexcept;
+  StepDeed take_out(double now_s);
+  StepNews removed(std::int32_t piece);
   void wait_for(Waiting what, double now_s) noexcept;
   StepNews refused(StepNotice notice) noexcept;
 
@@ -84,6 +99,9 @@ class StepProgress {
   Waiting waiting_ = Waiting::Nothing;
   double waiting_until_s_ = 0.0;
   int freed_ = 0, removed_ = 0;
+  std::vector<scenarios::WantedPart> parts_;
+  /// While pieces are waited for: these, in turn.
+  std::vector<std::int32_t> to_take_;
 };
 
 }  // namespace hallux::ui

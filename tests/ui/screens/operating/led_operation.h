@@ -18,7 +18,7 @@ class NotedAttempt final : public AttemptControls {
   void resume() override { told.emplace_back("resume"); }
   void declare_done(std::int32_t step) override { told.push_back("done " + std::to_string(step)); }
   void reopen(std::int32_t step) override { told.push_back("reopen " + std::to_string(step)); }
-  void pick_up_freed() override { told.emplace_back("pick up"); }
+  void pick_up(std::int32_t piece) override { told.push_back("pick up " + std::to_string(piece)); }
   void close_hinge() override { told.emplace_back("close hinge"); }
   void finish() override { told.emplace_back("finish"); }
   void abandon() override { told.emplace_back("abandon"); }

@@ -141,18 +141,21 @@ TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
   OperatingSession& session = operation.session;
   session.press_step(true, 1.0);
   session.press_step(true, 2.0);
+  session.see(std::vector<scenarios::WantedPart>{{{3, 1}, true}});
   session.press_step(true, 3.0);
   session.press_step(true, 3.1);
-  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up"))
+  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up 3"))
       << "a step that waits is not pressed again";
-  session.apply(std::vector{event_of(CutEventKind::PieceRemoved)}, 4.0);
+  session.apply(std::vector{event_of(CutEventKind::PieceRemoved, 3)}, 3.5);
+  EXPECT_EQ(session.steps().step(), 2U) << "a crumb of it still lies there";
+  session.apply(std::vector{event_of(CutEventKind::PieceRemoved, 1)}, 4.0);
   session.press_step(true, 5.0);
   session.apply(std::vector{event_of(CutEventKind::HingeClosed)}, 6.0);
   EXPECT_EQ(session.steps().step(), 4U);
   session.press_step(true, 7.0);
   EXPECT_EQ(session.asked(), Asked::Finish);
-  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up", "done 2",
-                                                  "close hinge", "done 3", "pause"));
+  EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up 3", "pick up 1",
+                                                  "done 2", "close hinge", "done 3", "pause"));
 }
 
 TEST(OperatingSession, TellsWhatDidNotComeOff) {
@@ -162,6 +165,7 @@ TEST(OperatingSession, TellsWhatDidNotComeOff) {
               ElementsAre(StepNotice::KerfRefused));
   session.press_step(true, 1.0);
   session.press_step(true, 1.0);
+  session.see(std::vector<scenarios::WantedPart>{{{1}, true}});
   session.press_step(true, 1.0);
   EXPECT_THAT(session.apply({}, 20.9), IsEmpty());
   EXPECT_THAT(session.apply({}, 21.0), ElementsAre(StepNotice::NothingFree));

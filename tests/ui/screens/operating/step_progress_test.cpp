@@ -8,7 +8,14 @@ namespace hallux::ui {
 namespace {
 
 using scenarios::StepKind;
+using scenarios::WantedPart;
 using simulator::CutEventKind;
+
+/// Free as the kernel said it, in this order.
+void free_pieces(StepProgress& steps, const std::vector<std::int32_t>& pieces) {
+  for (const std::int32_t piece : pieces)
+    EXPECT_FALSE(steps.apply(event_of(CutEventKind::PieceFreed, piece)).is_fulfilled);
+}
 
 TEST(StepProgress, ADeclaredStepIsDoneAtOnce) {
   StepProgress steps({StepKind::Verify, StepKind::Cut});
@@ -21,18 +28,71 @@ TEST(StepProgress, ADeclaredStepIsDoneAtOnce) {
   EXPECT_EQ(steps.press(0.0), StepDeed::Nothing) << "there is no step left";
 }
 
-TEST(StepProgress, APieceIsTakenOutOnceOneIsFree) {
+TEST(StepProgress, APieceIsTakenOutOnceItIsOff) {
   StepProgress steps({StepKind::Remove, StepKind::Remove});
   EXPECT_FALSE(steps.is_ready());
-  steps.apply(event_of(CutEventKind::PieceFreed));
+  free_pieces(steps, {1});
+  steps.see(std::vector<WantedPart>{{{1}, true}, {}});
   EXPECT_TRUE(steps.is_ready());
   EXPECT_EQ(steps.press(0.0), StepDeed::PickUp);
+  EXPECT_EQ(steps.piece_to_take(), 1);
   EXPECT_TRUE(steps.is_waiting());
   EXPECT_FALSE(steps.is_ready());
-  EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved)).is_fulfilled);
+  EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved, 1)).is_fulfilled);
   EXPECT_EQ(steps.end_step(), 0);
   EXPECT_FALSE(steps.is_waiting());
-  EXPECT_FALSE(steps.is_ready()) << "the next piece is not free yet";
+  EXPECT_FALSE(steps.is_ready()) << "the part of the next step is not off yet";
+}
+
+TEST(StepProgress, ACrumbAloneIsNoReasonToTakeAnythingOut) {
+  StepProgress steps({StepKind::Remove});
+  free_pieces(steps, {1});
+  steps.see(std::vector<WantedPart>{{{1}, false}});
+  EXPECT_TRUE(steps.lies_anything_free());
+  EXPECT_FALSE(steps.is_ready());
+  EXPECT_EQ(steps.press(0.0), StepDeed::Nothing);
+  EXPECT_FALSE(steps.is_waiting());
+}
+
+TEST(StepProgress, WhatBrokeOffThePieceGoesWithItHoweverTheyCameFree) {
+  for (const std::vector<std::int32_t>& freed : {std::vector{2, 5}, std::vector{5, 2}}) {
+    StepProgress steps({StepKind::Remove, StepKind::Finish});
+    free_pieces(steps, freed);
+    steps.see(std::vector<WantedPart>{{{5, 2}, true}});
+    EXPECT_EQ(steps.press(0.0), StepDeed::PickUp);
+    EXPECT_EQ(steps.piece_to_take(), 5) << "the largest first";
+    const StepNews news = steps.apply(event_of(CutEventKind::PieceRemoved, 5));
+    EXPECT_FALSE(news.is_fulfilled) << "a crumb of it still lies there";
+    EXPECT_EQ(news.piece, 2);
+    EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved, 2)).is_fulfilled);
+  }
+}
+
+TEST(StepProgress, APieceThatNobodyAskedForEndsNoStep) {
+  StepProgress steps({StepKind::Remove});
+  free_pieces(steps, {1, 2});
+  steps.see(std::vector<WantedPart>{{{2}, true}});
+  steps.press(0.0);
+  EXPECT_FALSE(steps.apply(event_of(CutEventKind::PieceRemoved, 1)).is_fulfilled);
+  EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved, 2)).is_fulfilled);
+}
+
+TEST(StepProgress, AsksForNoMorePiecesThanAnAttemptMayTakeOut) {
+  StepProgress steps({StepKind::Remove});
+  const std::vector<std::int32_t> pieces{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  free_pieces(steps, pieces);
+  steps.see(std::vector<WantedPart>{{pieces, true}});
+  steps.press(0.0);
+  for (std::int32_t piece = 1; piece < 8; ++piece)
+    EXPECT_EQ(steps.apply(event_of(CutEventKind::PieceRemoved, piece)).piece, piece + 1);
+  EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved, 8)).is_fulfilled);
+}
+
+TEST(StepProgress, WhereAllOfThePartIsOutTheStepOnlyEnds) {
+  StepProgress steps({StepKind::Remove});
+  steps.see(std::vector<WantedPart>{{{}, true}});
+  EXPECT_TRUE(steps.is_ready());
+  EXPECT_EQ(steps.press(0.0), StepDeed::EndStep);
 }
 
 TEST(StepProgress, AnAnswerThatNobodyWaitsForEndsNothing) {

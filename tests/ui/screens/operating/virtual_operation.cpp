@@ -22,19 +22,20 @@ PreparedCase coarse_case(const std::string& scenario, double edge_mm) {
   return prepare_case(parsed, [](const std::string&) { return Progress(); });
 }
 
+}  // namespace
+
 std::vector<scenarios::StepKind> kinds_of(const scenarios::Scenario& scenario) {
   std::vector<scenarios::StepKind> kinds;
   for (const scenarios::OperationStep& step : scenario.steps) kinds.push_back(step.kind);
   return kinds;
 }
 
-}  // namespace
-
 VirtualOperation::VirtualOperation(const std::string& scenario, double edge_mm)
     : VirtualOperation(coarse_case(scenario, edge_mm),
                        kinds_of(scenarios::load_shipped_scenario(scenario))) {}
 
-VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps)
+VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps,
+                                   database::AttemptKind kind)
     : prepared_(std::move(prepared)),
       setup_(simulation_setup(prepared_.scenario, prepared_.bone, prepared_.plan,
                               simulator::Guidance::None)),
@@ -43,7 +44,8 @@ VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios:
       jobs_(prepared_.bone, setup_.saw.blade, setup_.bridge),
       cut_({*prepared_.whole, prepared_.bone.world_from_bone}, setup_.saw.blade, setup_.bridge),
       survey_(prepared_),
-      mouse_(start_pose(prepared_)) {
+      mouse_(start_pose(prepared_)),
+      session_(kind) {
   const auto& [whole, tree] = *prepared_.whole;
   for (std::size_t cut = 0; cut < prepared_.plan.cuts.size(); ++cut)
     passes_.push_back(planned_passes(prepared_.scenario, prepared_.plan, cut, whole, tree));
@@ -80,6 +82,8 @@ void VirtualOperation::advance(int ticks, const simulator::PointerMotion& motion
     if (i % ticks_per_frame == 0) {
       if (session_.is_led()) session_.lead(std::array{due}, world_from_view, time_s());
       due = {};
+      session_.see(site_ ? std::span<const scenarios::WantedPart>(site_->parts)
+                         : std::span<const scenarios::WantedPart>());
       static_cast<void>(session_.apply(new_events_, time_s()));
       new_events_.clear();
       survey();
@@ -109,11 +113,13 @@ void VirtualOperation::step_once() {
                                            result->request.tick};
   }
   const simulator::StepOutput output = simulation_.step({line, results});
+  recording_.tape.push_back(line);
+  recording_.samples.push_back(output.sample);
   EXPECT_TRUE(jobs_.apply(output));
   for (const simulator::CutEvent& event : output.events) {
     cut_.apply(event);
     survey_.apply(event, cut_);
-    events_.push_back(event);
+    recording_.events.push_back(event);
     new_events_.push_back(event);
   }
   cut_.apply(output.sample);

@@ -18,12 +18,16 @@
 
 namespace hallux::ui {
 
+/// Of all steps of a scenario.
+std::vector<scenarios::StepKind> kinds_of(const scenarios::Scenario& scenario);
+
 class VirtualOperation final : private CommandControls {
  public:
   /// A coarse patient of a shipped scenario; practice, with the clock running.
   explicit VirtualOperation(const std::string& scenario, double edge_mm = 1.0);
   /// steps  of the session
-  VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps);
+  VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps,
+                   database::AttemptKind kind = database::AttemptKind::Practice);
 
   /// So much time, with these motions of the hand in the first frame of it.
   void advance(int ticks, const simulator::PointerMotion& motion = {});
@@ -32,7 +36,10 @@ class VirtualOperation final : private CommandControls {
   OperatingSession& session() noexcept { return session_; }
   const PreparedCase& prepared_case() const noexcept { return prepared_; }
   double time_s() const noexcept { return static_cast<double>(tick_) * step_s; }
-  const std::vector<simulator::CutEvent>& events() const noexcept { return events_; }
+  const std::vector<simulator::CutEvent>& events() const noexcept { return recording_.events; }
+  /// All that came in and out so far.
+  const simulator::Recording& recording() const noexcept { return recording_; }
+  const simulator::SimulationSetup& setup() const noexcept { return setup_; }
   const SiteFacts* site() const noexcept { return site_ ? &*site_ : nullptr; }
   /// As the screen tells from it; borrows this.
   HudSources sources() const;
@@ -59,10 +66,11 @@ class VirtualOperation final : private CommandControls {
   simulator::LiveCut cut_;
   SiteSurvey survey_;
   simulator::MouseDevice mouse_;
-  OperatingSession session_{database::AttemptKind::Practice};
+  OperatingSession session_;
   std::vector<scenarios::PlannedPasses> passes_;
   std::deque<simulator::Command> commands_;
-  std::vector<simulator::CutEvent> events_, new_events_;
+  std::vector<simulator::CutEvent> new_events_;
+  simulator::Recording recording_;
   std::optional<SiteFacts> site_;
   Vec3 force_newton_{0.0, 0.0, 0.0};
   std::int64_t tick_ = 0;

@@ -89,7 +89,7 @@ Hint withdraw_hint(const CoachView& view) {
 
 /// Where bone still holds, the way is to saw on.
 std::optional<Hint> take_out_hint(const LessonView& view) {
-  const bool holds = !is_through(view.sawing) && !view.taking_out.steps.has_free_piece();
+  const bool holds = !is_through(view.sawing) && !view.taking_out.steps.is_ready();
   return next_hint(holds ? view.sawing : view.taking_out);
 }
 

@@ -4,6 +4,7 @@
 // anew. Where that fails for want of memory, the attempt goes on without a new picture.
 #include "ui/screens/operating/site/bone_being_cut.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,12 @@ constexpr std::chrono::milliseconds between_patches{15};
 constexpr std::chrono::milliseconds between_sections{50};
 /// A plane that moved less, out of itself, has the same section.
 constexpr double same_section_mm = 0.1, same_section_rad = 0.0035;
+
+bool is_wanted(const SiteFacts& site, std::int32_t piece) {
+  return std::ranges::any_of(site.parts, [&](const scenarios::WantedPart& part) {
+    return part.is_off && std::ranges::find(part.pieces, piece) != part.pieces.end();
+  });
+}
 
 }  // namespace
 
@@ -58,6 +65,7 @@ void BoneBeingCut::add_to(Scene& scene) {
     const std::scoped_lock turn(turn_);
     drawn_.bodies = newest_.bodies;
     drawn_.free_pieces = newest_.free_pieces;
+    drawn_site_ = site_;
     if (drawn_.patch_revision != newest_.patch_revision) {
       std::swap(drawn_.patch, newest_.patch);
       drawn_.patch_revision = newest_.patch_revision;
@@ -77,8 +85,9 @@ void BoneBeingCut::add_to(Scene& scene) {
 }
 
 void BoneBeingCut::add_free_pieces(Scene& scene) const {
-  for (const std::shared_ptr<const BoneMesh>& piece : drawn_.free_pieces) {
-    scene.free_pieces.push_back({piece.get(), world_from_bone_});
+  for (const PieceMesh& piece : drawn_.free_pieces) {
+    if (drawn_site_ != nullptr && is_wanted(*drawn_site_, piece.id))
+      scene.free_pieces.push_back({piece.mesh.get(), world_from_bone_});
   }
 }
 
@@ -163,12 +172,12 @@ void BoneBeingCut::bring_up_to_date() {
   if (const auto pieces = cut_.take_free_pieces()) show_free_pieces(*pieces);
 }
 
-void BoneBeingCut::show_free_pieces(const std::vector<CutSolid>& solids) {
-  std::vector<std::shared_ptr<const BoneMesh>> meshes;
-  meshes.reserve(solids.size());
-  for (const CutSolid& solid : solids) {
-    meshes.push_back(
-        std::make_shared<const BoneMesh>(mesh_of(next_mesh_id(), solid, picture_.look)));
+void BoneBeingCut::show_free_pieces(const std::vector<FreedPiece>& pieces) {
+  std::vector<PieceMesh> meshes;
+  meshes.reserve(pieces.size());
+  for (const FreedPiece& piece : pieces) {
+    meshes.push_back({piece.id, std::make_shared<const BoneMesh>(
+                                    mesh_of(next_mesh_id(), piece.solid, picture_.look))});
   }
   const std::scoped_lock turn(turn_);
   newest_.free_pieces = std::move(meshes);

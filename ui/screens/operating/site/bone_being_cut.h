@@ -67,7 +67,7 @@ class BoneBeingCut {
   /// Adds the bone to the scene as it is known now; borrowed until the next call.
   /// thread  window
   void add_to(Scene& scene);
-  /// Adds the pieces that came free and lie in the wound; borrowed likewise.
+  /// Adds the pieces that are to be taken out; borrowed likewise.
   /// needs   add_to was called in this frame
   /// thread  window
   void add_free_pieces(Scene& scene) const;
@@ -98,13 +98,17 @@ class BoneBeingCut {
     std::shared_ptr<const simulator::Bvh> tree;
     RigidTransform world_from_body;
   };
+  struct PieceMesh {
+    std::int32_t id = 0;
+    std::shared_ptr<const BoneMesh> mesh;
+  };
   /// The newest picture; a patch lies on the first body.
   struct Shown {
     std::vector<Body> bodies;
     simulator::SolidPatch patch;
     /// 0: no patch.
     std::uint64_t patch_revision = 0;
-    std::vector<std::shared_ptr<const BoneMesh>> free_pieces;
+    std::vector<PieceMesh> free_pieces;
   };
 
   void run(const std::stop_token& stop);
@@ -120,7 +124,7 @@ class BoneBeingCut {
   Body lit_body(const simulator::CutSolid& solid, std::shared_ptr<const simulator::Bvh> tree,
                 const RigidTransform& world_from_body);
   std::uint64_t next_mesh_id();
-  void show_free_pieces(const std::vector<simulator::CutSolid>& solids);
+  void show_free_pieces(const std::vector<simulator::FreedPiece>& pieces);
   void renew_section();
   void renew_site();
   void publish(std::vector<Body> bodies);
@@ -149,6 +153,7 @@ class BoneBeingCut {
   std::atomic<bool> is_up_to_date_{true}, has_failed_{false};
   // the window's
   Shown drawn_;
+  std::shared_ptr<const SiteFacts> drawn_site_;
   /// Last: joined before any of it goes.
   std::jthread thread_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenarios/site/site_watch.h"
+#include "scenarios/site/wanted_part.h"
 #include "simulator/jobs/live_cut.h"
 #include "simulator/sight/blade_ahead.h"
 #include "ui/jobs/live_attempt.h"
@@ -20,6 +21,8 @@ struct SiteFacts {
   /// Of the cuts that were begun and hold, to be drawn.
   std::vector<HeldBone> held;
   simulator::BladeAhead ahead;
+  /// What the scenario's steps that remove ask for, in their order.
+  std::vector<scenarios::WantedPart> parts;
   /// The pieces are worked out: until then nobody knows whether one is free.
   bool are_pieces_due = false;
 };
@@ -41,6 +44,8 @@ class SiteSurvey {
 
  private:
   void renew_held(simulator::LiveCut& cut);
+  void renew_parts(simulator::LiveCut& cut);
+  bool are_parts_off() const noexcept;
   void watch_for_crumbs(Time now);
 
   const PreparedCase& prepared_case_;
@@ -48,8 +53,11 @@ class SiteSurvey {
   SiteFacts facts_;
   RigidTransform bone_from_tool_, seen_from_tool_;
   bool has_moved_ = false, has_grown_ = true, has_opened_since_pieces_ = false;
-  /// A piece came free; and: none did though every cut seemed through, so crumbs hold it.
-  bool has_freed_ = false, do_crumbs_count_ = false;
+  /// Every cut seemed through and yet not all that is wanted came off, so crumbs hold it.
+  bool do_crumbs_count_ = false;
+  /// Pieces that the kernel said are free: it may be behind what is worked out here.
+  std::vector<std::int32_t> freed_;
+  bool are_parts_due_ = true;
   /// From when on the pieces are known as they are now.
   std::optional<Time> known_since_;
   Time last_;
