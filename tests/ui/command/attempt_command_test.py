@@ -8,7 +8,7 @@ import subprocess
 import unittest
 
 from hallux_command import (ATTEMPT_KIB_AT_MOST, BAD_INPUT, DONE, PROGRAM, WRONG_USAGE, CommandTest, RecordedTest,
-                            coarse_silver, greatest_kib)
+                            coarse_scenario, coarse_silver, greatest_kib)
 
 CARD_KEYS = {"score", "groups", "gates"}
 LEDGER_KEYS = {"metric", "value", "target", "unit", "points_lost", "start_us", "end_us", "text"}
@@ -122,6 +122,11 @@ class Attempt(RecordedTest):
         lost = math.fsum(line["points_lost"] for line in answer["ledger"])
         self.assertAlmostEqual(lost, 100.0 - answer["score"], delta=1e-9)
 
+    def test_the_score_names_no_deed_that_was_done(self):
+        words = " ".join(self.hallux("score", self.attempt).out.split())
+        self.assertIn("The eminence was never freed and taken out: no.", words)
+        self.assertNotIn("taken out, so the score is capped", words)
+
     def test_scoring_again_gives_the_same_card(self):
         self.assertEqual(self.hallux("score", self.attempt, "--json").out, self.hallux("score", self.attempt, "--json").out)
 
@@ -205,6 +210,18 @@ class FreshDirectory(CommandTest):
         self.assertAlmostEqual(math.fsum(line["points_lost"] for line in ledger), 100.0, delta=1e-9)
         self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
         self.assertEqual(self.ask("attempts")[0]["state"], "closed")
+
+    def test_the_score_names_what_was_not_done(self):
+        hand = self.write("idle.json", NO_MOTION)
+        for name, undone in (("silver", ["The eminence was never freed and taken out"]),
+                             ("akin", ["The wedge was never freed and taken out", "The wedge was never closed"])):
+            attempt = self.ask("attempt", self.write(f"{name}.json", coarse_scenario(name)), "--hand", hand)["attempt"]
+            said = self.hallux("score", attempt)
+            self.assertEqual(said.code, DONE, said)
+            words = " ".join(said.out.split())
+            for deed in undone:
+                self.assertIn(f"x {deed}: yes; the score is capped at 39.", words)
+                self.assertIn(f"{deed}, so the score is capped at 39", words, "and its line in the ledger")
 
     def test_reading_verbs_make_nothing_where_there_is_nothing(self):
         self.assertEqual(self.ask("attempts"), [])

@@ -27,10 +27,16 @@ def greatest_kib():
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
 
 
-def coarse_silver(**changes):
-    """The shipped scenario with a bone that is built in a moment; `changes` go into its first cut's face."""
-    scenario = json.loads(SILVER.read_text())
+def coarse_scenario(name):
+    """A shipped scenario with a bone that is built in a moment."""
+    scenario = json.loads(SILVER.with_name(f"{name}.json").read_text())
     scenario["patient"]["edge_mm"] = 1
+    return scenario
+
+
+def coarse_silver(**changes):
+    """The same of the first; `changes` go into its first cut's face."""
+    scenario = coarse_scenario("silver")
     scenario["cuts"][0]["face"].update(changes)
     return scenario
 
