@@ -128,7 +128,22 @@ PlaneGhost plane_of(const OperationInSight& shown) {
   return {world_from_bone * face.bone_from_face, face.half_mm};
 }
 
+/// Without guidance only that the teeth touch: a way to the bone, and teeth that bone hides, nobody
+/// sees who stands before a patient.
+std::optional<ContactHalo> halo_of(const OperationInSight& shown, const SawInScene& saw,
+                                   const Vec3& eye_in_world_mm) {
+  std::optional<ContactHalo> halo = contact_halo(surface_of(shown), saw, eye_in_world_mm);
+  if (shown.is_guided || !halo) return halo;
+  if (halo->kind != HaloKind::On) return std::nullopt;
+  halo->distance_mm = 0.0;
+  return halo;
+}
+
+/// What helps in practice alone.
 void add_guidance(Scene& scene, const OperationInSight& shown) {
+  scene.lines.push_back({.world_from_plane = scene.saw->world_from_tool,
+                         .half_mm = Vec2(0.0, 0.5 * scene.saw->blade.width_mm + beside_teeth_mm),
+                         .faint_mm = faint_line_mm});
   scene.zones = zones_in_scene(shown.prepared_case.plan, shown.prepared_case.bone.world_from_bone,
                                scene.saw->world_from_tool, scene.saw->blade);
   if (shown.bone != nullptr) shown.bone->add_free_pieces(scene);
@@ -232,11 +247,8 @@ Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) cons
   saw.handpiece_presence =
       handpiece_presence_from(saw.world_from_tool, sight_.eye().eye_in_world_mm);
   scene.saw = saw;
-  scene.lines.push_back({.world_from_plane = saw.world_from_tool,
-                         .half_mm = Vec2(0.0, 0.5 * saw.blade.width_mm + beside_teeth_mm),
-                         .faint_mm = faint_line_mm});
   scene.chips = swarf_.chips();
-  scene.halo = contact_halo(surface_of(shown), saw, sight_.eye().eye_in_world_mm);
+  scene.halo = halo_of(shown, saw, sight_.eye().eye_in_world_mm);
   if (shown.cut != nullptr) scene.planes.push_back(plane_of(shown));
   if (shown.is_guided) add_guidance(scene, shown);
   if (shown.facts != nullptr) add_held(scene, shown);

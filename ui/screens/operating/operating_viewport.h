@@ -36,7 +36,8 @@ struct OperationInSight {
   bool is_neighbour_shown = true;
   /// Bone that still holds, and where it is deepest; null: nobody is to know, or knows.
   const SiteFacts* facts = nullptr;
-  /// In practice: danger zones, outlines of free pieces.
+  /// In practice: danger zones, outlines of free pieces, the blade's line on the bone, and how far
+  /// the teeth are from it; else only whether they touch.
   bool is_guided = false;
   /// Marked, where somebody is to go.
   std::span<const Mark> goals = {};

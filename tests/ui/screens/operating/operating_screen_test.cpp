@@ -126,7 +126,8 @@ TEST(Operating, AnAssessmentShowsNothingOfThePlan) {
   person.begin();
   person.press(Key::G);
   EXPECT_EQ(person.scenes.planes, 0U);
-  EXPECT_EQ(person.scenes.lines, 1U);
+  EXPECT_EQ(person.scenes.lines, 0U)
+      << "where the blade would come through the bone, no surgeon sees drawn on it";
   EXPECT_FALSE(person.driver().sees("Tilt across"));
   EXPECT_FALSE(person.driver().sees("Bone "));
   EXPECT_TRUE(person.driver().sees("Assessment"));
@@ -158,9 +159,12 @@ TEST(Operating, ItCannotBeLeftWhileItIsRecorded) {
   EXPECT_FALSE(person.shell().top()->why_not_leave().empty());
   EXPECT_FALSE(person.shell().may_leave(person.driver().ui())) << "it asks first";
   answer(person, "operate.ask_leave.keep");
+  person.make_frames(2);
+  ASSERT_EQ(person.driver().ui().captured_by(), "operate.view");
   person.press(Key::Escape);
   EXPECT_FALSE(person.is_gone());
-  EXPECT_TRUE(person.driver().sees("Paused")) << "Escape frees the pointer";
+  EXPECT_TRUE(person.driver().sees("Paused"));
+  EXPECT_EQ(person.driver().ui().captured_by(), "") << "Escape frees the pointer";
 }
 
 TEST(Operating, AnAbandonedAttemptIsKeptAsInterruptedAndNotScored) {
