@@ -32,15 +32,20 @@ std::string percent(double share) {
   return std::to_string(std::lround(std::floor(100.0 * share))) + " %";
 }
 
-void refuse_where_hidden(const ViewJudgement& judgement, std::string_view file) {
+/// A scenario that says no start opens with the operator's view all the same.
+void refuse_where_hidden(const ViewJudgement& judgement, std::string_view file, bool is_default) {
   if (shows_cut(judgement)) return;
   const Culprit worst = worst_of(judgement.hiders);
-  throw scenarios::ScenarioError(std::string(file) + ": start: this view hides its own cut: " +
+  const std::string_view which = is_default
+                                     ? ": no start is said, and the default view hides the cut: "
+                                     : ": start: this view hides its own cut: ";
+  const std::string mend = (is_default ? "say a start: " : "") + std::string(worst.mend);
+  throw scenarios::ScenarioError(std::string(file) + std::string(which) +
                                  percent(judgement.mean.tooth_line_share) + " of the teeth and " +
                                  percent(judgement.mean.kerf_share) +
                                  " of the kerf are seen over the planned strokes, at least " +
                                  percent(ViewLimits{}.least_share) + " are asked for, and " +
-                                 worst.what + " hides the most; " + worst.mend);
+                                 worst.what + " hides the most; " + mend);
 }
 
 }  // namespace
@@ -48,7 +53,7 @@ void refuse_where_hidden(const ViewJudgement& judgement, std::string_view file) 
 StartViewCheck check_start_view(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                                 const scenarios::Plan& plan, std::string_view file) {
   StartViewCheck check;
-  if (!scenario.start) return check;
+  check.is_default = !scenario.start;
   try {
     const HeadlessContext context;
     ViewJudge judge(scenario, bone, plan);
@@ -58,7 +63,7 @@ StartViewCheck check_start_view(const scenarios::Scenario& scenario, const simul
     check.why_not_drawn = error.what();
     return check;
   }
-  refuse_where_hidden(*check.judgement, file);
+  refuse_where_hidden(*check.judgement, file, check.is_default);
   return check;
 }
 

@@ -11,8 +11,10 @@
 namespace hallux::ui {
 
 struct StartViewCheck {
-  /// Nothing where the scenario says no start, or nothing could be drawn here.
+  /// Nothing where nothing could be drawn here.
   std::optional<ViewJudgement> judgement;
+  /// The scenario says no start: judged is the view that it opens with then.
+  bool is_default = false;
   /// Why nothing could be drawn; empty otherwise.
   std::string why_not_drawn;
 };

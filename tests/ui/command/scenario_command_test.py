@@ -69,6 +69,7 @@ class Scenarios(CommandTest):
             self.assertIs(seen["saw_inside"], True, name)
             self.assertIs(seen["saw_from_lower_corner"], True, name)
             self.assertIs(seen["good"], True, name)
+            self.assertIs(seen["default"], False, name)
         self.assertIn("Its start view shows ", self.hallux("scenario", "check", SILVER).out)
 
     def test_a_start_view_that_hides_its_own_cut_is_refused(self):
@@ -78,10 +79,12 @@ class Scenarios(CommandTest):
         self.expect_refusal(BAD_INPUT, ["behind.json: start: this view hides its own cut", "the bone hides the most",
                                         "eye_in_bone"], "scenario", "check", file)
 
-    def test_a_scenario_without_a_start_has_no_view_to_check(self):
+    def test_the_default_view_of_a_scenario_without_a_start_is_judged_too(self):
         scenario = coarse_silver()
         del scenario["start"]
-        self.assertIsNone(self.ask("scenario", "check", self.write("plain.json", scenario))["start_view"])
+        file = self.write("plain.json", scenario)
+        self.expect_refusal(BAD_INPUT, ["plain.json: no start is said, and the default view hides the cut",
+                                        "the bone hides the most", "say a start"], "scenario", "check", file)
 
     def test_a_file_that_is_no_scenario_is_refused(self):
         for name, text in (("empty.json", ""), ("prose.json", "a saw and a bone"), ("list.json", "[]")):

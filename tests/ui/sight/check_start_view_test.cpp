@@ -48,11 +48,15 @@ TEST_F(Checked, AViewThatEndsBeforeItsCutIsRefusedWithItsRadius) {
       << refusal();
 }
 
-TEST_F(Checked, WhatSaysNoStartHasNothingToHide) {
+TEST_F(Checked, WhatSaysNoStartIsJudgedByTheViewThatItOpensWith) {
   scenario_.start.reset();
-  const StartViewCheck checked = check();
-  EXPECT_FALSE(checked.judgement);
-  EXPECT_EQ(checked.why_not_drawn, "");
+  const std::string sentence = refusal();
+  EXPECT_TRUE(
+      sentence.starts_with("mine.json: no start is said, and the default view hides the cut: "))
+      << sentence;
+  EXPECT_NE(sentence.find("the bone hides the most; say a start: choose another eye_in_bone"),
+            std::string::npos)
+      << sentence;
 }
 
 }  // namespace

@@ -42,8 +42,9 @@ ordered_json planned_json(const scenarios::PlannedCut& cut) {
           {"depth_mm", cut.depth_mm}};
 }
 
-ordered_json seen_json(const ViewJudgement& seen) {
-  return {{"tooth_line_share", seen.mean.tooth_line_share},
+ordered_json seen_json(const ViewJudgement& seen, bool is_default) {
+  return {{"default", is_default},
+          {"tooth_line_share", seen.mean.tooth_line_share},
           {"kerf_share", seen.mean.kerf_share},
           {"blade_angle_deg", degree_from_radian(seen.blade_angle_rad)},
           {"saw_inside", seen.is_saw_inside},
@@ -51,14 +52,15 @@ ordered_json seen_json(const ViewJudgement& seen) {
           {"good", is_good(seen)}};
 }
 
-/// Of a start that the scenario says.
+/// Of the start that the scenario says, or of the one that it opens with without a word.
 void print_seen(std::ostream& out, const StartViewCheck& view) {
+  const char* which = view.is_default ? "The default start view" : "Its start view";
   if (!view.why_not_drawn.empty()) {
-    out << "Its start view was not looked at: " << view.why_not_drawn << ".\n";
+    out << which << " was not looked at: " << view.why_not_drawn << ".\n";
   }
   if (!view.judgement) return;
   const auto percent = [](double share) { return std::lround(std::floor(100.0 * share)); };
-  out << "Its start view shows " << percent(view.judgement->mean.tooth_line_share)
+  out << which << " shows " << percent(view.judgement->mean.tooth_line_share)
       << " % of the teeth and " << percent(view.judgement->mean.kerf_share)
       << " % of the kerf over the planned strokes.\n";
 }
@@ -75,7 +77,8 @@ ExitCode check_on(const VerbContext& context, const std::filesystem::path& file)
     for (const scenarios::PlannedCut& cut : checked.plan.cuts) {
       answer["cuts"].push_back(planned_json(cut));
     }
-    answer["start_view"] = view.judgement ? seen_json(*view.judgement) : ordered_json();
+    answer["start_view"] =
+        view.judgement ? seen_json(*view.judgement, view.is_default) : ordered_json();
     write_json(context.out, answer);
     return ExitCode::Done;
   }
