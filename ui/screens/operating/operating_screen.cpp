@@ -121,10 +121,18 @@ void OperatingScreen::draw_operation(Ui& ui, Shell& shell) {
   if (field_.is_running()) field_.apply_loop(ui, shell);
   field_.show(ui, shell);
   if (field_.is_running() && field_.loop().lines > 0)
-    live_->note_view(field_.viewport().shown_view(), field_.loop().sample.tick);
+    live_->note_view(shown_view(ui), field_.loop().sample.tick);
   draw_cards(ui, shell);
   if (field_.is_running()) lead_on(ui, shell);
   field_.hold_pointer(ui, shell.preferences());
+}
+
+/// With the section beside it where the last frame had it: a small window has no room for it.
+simulator::ShownView OperatingScreen::shown_view(const Ui& ui) const {
+  simulator::ShownView view = field_.viewport().shown_view();
+  if (find_widget(ui.shown(), "operate.panel.inset") != nullptr)
+    view.layout = simulator::ShownLayout::WithSection;
+  return view;
 }
 
 // -- the panels

@@ -51,6 +51,8 @@ class OperatingScreen : public Screen {
   LiveBegin what_to_begin() const;
 
   void draw_operation(Ui& ui, Shell& shell);
+  /// What is on the screen, as it is kept beside the recording.
+  simulator::ShownView shown_view(const Ui& ui) const;
   void draw_cards(Ui& ui, Shell& shell);
   void draw_ready(Ui& ui, Shell& shell);
   void draw_hud(Ui& ui, Shell& shell);

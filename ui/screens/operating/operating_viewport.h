@@ -70,7 +70,7 @@ class OperatingViewport {
   /// The saw as it was drawn last, as places on the window.
   std::vector<ToolPlace> tool_places() const;
   StereoMode stereo_mode() const noexcept { return stereo_.mode; }
-  /// What is on the screen, as it is kept beside the recording.
+  /// What is in the picture, as it is kept beside the recording; not what stands beside it.
   simulator::ShownView shown_view() const noexcept;
   /// Between two pictures, the slower of the last.
   double frame_ms() const noexcept { return frame_ms_; }

@@ -40,6 +40,12 @@ constexpr std::array<StandardView, 5> views{StandardView::Operator, StandardView
 /// operator's.
 constexpr int as_seen = 0, turned_by_hand = -1;
 
+/// Of the section, at the right of the picture.
+Rect section_corner(const Rect& picture) {
+  return {picture.right() - edge - inset_width, picture.y + 2.0F * edge + segmented_height,
+          inset_width, inset_height};
+}
+
 std::string fixed_text(double value, int decimals) {
   if (!std::isfinite(value)) return "\xE2\x80\x93";
   std::array<char, 32> text{};
@@ -209,11 +215,21 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
   draw_pins(ui);
   draw_view_choices(ui, rect);
   draw_hand(ui, rect, hand);
-  const Rect corner{rect.right() - edge - inset_width, rect.y + 2.0F * edge + segmented_height,
-                    inset_width, inset_height};
-  const bool has_room = corner.x > rect.mid_x() && corner.bottom() + 60.0F < rect.bottom();
-  if (views[static_cast<std::size_t>(view_)] == StandardView::AlongBlade && has_room)
-    inset_.draw(ui, shell, corner, material_.value(), *bone_, hand, shows_plan_);
+  if (!shows_section(rect)) return;
+  const Rect corner = section_corner(rect);
+  inset_.draw(ui, shell, corner, material_.value(), *bone_, hand, shows_plan_);
+  ui.tell("replay.section", ui.text("operate.panel.inset"), corner);
+}
+
+/// Along the blade, and where it stood beside the operation as it is seen; if there is room.
+bool ReplayScreen::shows_section(const Rect& rect) const {
+  const Rect corner = section_corner(rect);
+  if (corner.x <= rect.mid_x() || corner.bottom() + 60.0F >= rect.bottom()) return false;
+  if (view_ == turned_by_hand) return false;
+  if (view_ != as_seen)
+    return views[static_cast<std::size_t>(view_)] == StandardView::AlongBlade;
+  const SeenView seen = material().seen.at(player_.now_s());
+  return seen.seen == Seen::Recorded && seen.view.layout == simulator::ShownLayout::WithSection;
 }
 
 void ReplayScreen::look_as_seen(const Rect& rect) {
@@ -230,7 +246,8 @@ void ReplayScreen::look_as_seen(const Rect& rect) {
 void ReplayScreen::draw_seen(Ui& ui, const Rect& rect) const {
   const std::string words = seen_text(ui.texts(), material().seen.at(player_.now_s()));
   const float width = ui.width_of(Type::Small, words) + 24.0F;
-  if (width > rect.w - 2.0F * edge || rect.h < 180.0F) return;
+  const float end = shows_section(rect) ? section_corner(rect).x - 8.0F : rect.right() - edge;
+  if (rect.x + edge + width > end || rect.h < 180.0F) return;
   const Rect panel{rect.x + edge, rect.y + edge + segmented_height + 8.0F, width, 28.0F};
   draw_hud_panel(ui.canvas(), ui.theme(), panel, 14.0F);
   ui.canvas().text({panel.x + 12.0F, panel.mid_y()}, {Type::Small, ui.theme().text_secondary},

@@ -56,6 +56,7 @@ class ReplayScreen : public Screen {
   void draw_view(Ui& ui, const Rect& rect, Shell& shell);
   void draw_view_choices(Ui& ui, const Rect& rect);
   /// Shows what was on the screen at this moment, where that is chosen.
+  bool shows_section(const Rect& rect) const;
   void look_as_seen(const Rect& rect);
   void draw_seen(Ui& ui, const Rect& rect) const;
   void draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand) const;

@@ -204,6 +204,28 @@ TEST(Operating, AWindowClosedInTheMiddleLosesNothing) {
   EXPECT_NEAR(kept.magnification, seen_last.magnification, 0.02 * seen_last.magnification);
 }
 
+TEST(Operating, WhetherTheSectionStoodBesideThePictureIsKept) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  const auto has_inset = [&] { return person.driver().has("operate.panel.inset"); };
+  ASSERT_TRUE(person.until(has_inset));
+  // Ten facts a second at most are kept.
+  const auto let_time_pass = [&] {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+    person.until([&] { return std::chrono::steady_clock::now() > end; });
+  };
+  let_time_pass();
+  person.press(Key::V);
+  EXPECT_FALSE(has_inset());
+  let_time_pass();
+  person.close();
+  const auto facts = course.course().trainee("ada").display_facts(course.attempt().id);
+  ASSERT_GE(facts.size(), 2U);
+  EXPECT_EQ(facts.back().layout, simulator::ShownLayout::Whole);
+  EXPECT_EQ(facts[facts.size() - 2].layout, simulator::ShownLayout::WithSection);
+}
+
 TEST(Operating, APauseHoldsTheClockOfTheSawAndThePicture) {
   OperableCourse course("silver");
   Operator person(course, AttemptKind::Practice);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/base/units.h"
@@ -101,6 +102,31 @@ TEST(ReplayScreen, OpensWithTheViewThatWasOnTheScreenAtThatMoment) {
   NotedCamera noted;
   Watcher kim(akin.course, "kim", akin.attempt, 0.6, 1.0F, &noted);
   EXPECT_LT(degree_from(noted.camera, StandardView::Plantar), 0.1) << "for whoever watches it";
+}
+
+bool shows_section(Watcher& watcher) {
+  for (int frame = 0; frame < 400; ++frame) {
+    watcher.driver().frame();
+    const std::vector<ReadOut>& told = watcher.driver().content().read_outs;
+    if (std::ranges::any_of(told, [](const ReadOut& each) { return each.id == "replay.section"; }))
+      return true;
+  }
+  return false;
+}
+
+TEST(ReplayScreen, HasTheSectionBesideItWhereItStoodBesideTheOperation) {
+  SomeCourse course;
+  SomeOperation operation = some_operation();
+  std::vector<simulator::DisplayFact> facts = seen_by_ada();
+  facts.back().layout = simulator::ShownLayout::WithSection;
+  const AttemptId attempt = operated_by(course, "ada", operation, true, facts);
+  Watcher early(course, "ada", attempt, 0.1), late(course, "ada", attempt, 0.6);
+  EXPECT_FALSE(shows_section(early));
+  EXPECT_TRUE(early.driver().sees("As it was on the screen"));
+  EXPECT_FALSE(early.driver().sees("where the section stood beside it"));
+  EXPECT_TRUE(shows_section(late));
+  EXPECT_TRUE(late.driver().sees("where the section stood beside it"));
+  EXPECT_THAT(late.driver().faults(), IsEmpty());
 }
 
 TEST(ReplayScreen, TheViewMovesAsThePersonTurnedIt) {
