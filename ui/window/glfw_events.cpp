@@ -9,6 +9,8 @@
 #include <cstring>
 #include <utility>
 
+#include "ui/window/pointer_grab.h"
+
 namespace hallux::ui {
 namespace {
 
@@ -173,6 +175,7 @@ void hear_focus(GLFWwindow* window, int has_focus) {
 }  // namespace
 
 bool set_captured(GLFWwindow* window, WindowEvents& events, bool is_captured) {
+  if (is_captured && !grab_pointer(window)) return false;
   glfwGetError(nullptr);
   glfwSetInputMode(window, GLFW_CURSOR, is_captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
   const bool is_done = glfwGetError(nullptr) == GLFW_NO_ERROR;

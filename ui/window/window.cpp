@@ -18,12 +18,15 @@
 #include "ui/render/scene_painter.h"
 #include "ui/widgets/ui_map.h"
 #include "ui/window/glfw_events.h"
+#include "ui/window/pointer_grab.h"
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
 namespace {
 
 constexpr double shortest_frame_s = 1.0 / 120.0;
+/// Another program may hold the pointer for a while: how soon the display is asked again.
+constexpr double capture_again_s = 1.0;
 
 std::string last_glfw_fault() {
   const char* text = nullptr;
@@ -78,8 +81,9 @@ struct Window::State {
   std::optional<std::filesystem::path> picture;
   PlaceOnDesktop before_full_screen;
   bool is_full_screen = false;
-  /// Until the display says otherwise.
+  /// Until the display refuses: then it is asked again now and then.
   bool does_capture = true;
+  double asked_to_capture_s = 0.0;
   long frames = 0;
   double map_due_in_s = std::numeric_limits<double>::infinity(), last_frame_s = -1.0;
 
@@ -222,10 +226,16 @@ void Window::draw_frame(Shell& shell) {
 // The pointer as the frame asked for it: caught, or of some shape.
 void Window::settle_pointer(Shell& shell) {
   State& state = *state_;
+  const double now_s = glfwGetTime();
+  if (!state.does_capture && now_s > state.asked_to_capture_s + capture_again_s) {
+    state.asked_to_capture_s = now_s;
+    state.does_capture = can_grab_pointer(state.window);
+  }
   state.ui->set_can_capture(state.does_capture && shell.preferences().captures_pointer);
   const bool is_wanted = !state.ui->captured_by().empty() && state.ui->can_capture();
   if (is_wanted != state.events.is_captured) {
     state.does_capture = set_captured(state.window, state.events, is_wanted);
+    state.asked_to_capture_s = now_s;
     state.shape = PointerShape::Arrow;
     state.events.wants_frame = true;
   }

@@ -1,0 +1,34 @@
+#include "ui/window/pointer_grab.h"
+
+#include <GLFW/glfw3.h>
+#include <X11/Xlib.h>
+
+// Of GLFW/glfw3native.h, which wants the headers of extensions that nobody here needs.
+extern "C" {
+Display* glfwGetX11Display();
+Window glfwGetX11Window(GLFWwindow* window);
+}
+
+namespace hallux::ui {
+
+bool grab_pointer(GLFWwindow* window) noexcept {
+  Display* const display = glfwGetX11Display();
+  if (display == nullptr) return true;
+  if (glfwGetWindowAttrib(window, GLFW_FOCUSED) == GLFW_FALSE) return false;
+  // As GLFW grabs it: from the same program a second grab takes the place of the first.
+  constexpr unsigned int heard = ButtonPressMask | ButtonReleaseMask | PointerMotionMask;
+  const ::Window own = glfwGetX11Window(window);
+  return XGrabPointer(display, own, True, heard, GrabModeAsync, GrabModeAsync, own, None,
+                      CurrentTime) == GrabSuccess;
+}
+
+bool can_grab_pointer(GLFWwindow* window) noexcept {
+  if (!grab_pointer(window)) return false;
+  if (Display* const display = glfwGetX11Display(); display != nullptr) {
+    XUngrabPointer(display, CurrentTime);
+    XFlush(display);
+  }
+  return true;
+}
+
+}  // namespace hallux::ui
