@@ -15,7 +15,7 @@ Theme dark_theme() noexcept {
   theme.good = rgb(0x2DB98F), theme.good_text = rgb(0x4CCBA4);
   theme.warn = rgb(0xE9A820), theme.warn_text = rgb(0xF0B949);
   theme.bad = rgb(0xEC6F33), theme.bad_text = rgb(0xFF9A66);
-  theme.reference = rgb(0xD987B4), theme.reference_text = rgb(0xE29CC2);
+  theme.reference = rgb(0xE763AE), theme.reference_text = rgb(0xE29CC2);
   theme.focus = rgb(0x9AD1FA);
   theme.popup = rgb(0x25303A), theme.popup_border = rgb(0x3A4751),
   theme.popup_raise = rgb(0x313E49);
@@ -44,7 +44,7 @@ Theme light_theme() noexcept {
   theme.good = rgb(0x009E73), theme.good_text = rgb(0x00734F);
   theme.warn = rgb(0xC88400), theme.warn_text = rgb(0x855400);
   theme.bad = rgb(0xD55E00), theme.bad_text = rgb(0xAD4300);
-  theme.reference = rgb(0xB8608F), theme.reference_text = rgb(0x97436F);
+  theme.reference = rgb(0xB03C86), theme.reference_text = rgb(0x97436F);
   theme.focus = rgb(0x0067A8);
   theme.popup = rgb(0xFFFFFF), theme.popup_border = rgb(0xDDE3E8),
   theme.popup_raise = rgb(0xEDF1F4);
