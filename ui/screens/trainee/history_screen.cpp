@@ -98,6 +98,8 @@ std::vector<RowColumn<std::size_t>> columns_of(const Ui& ui, const OperationHist
 
 struct Fact {
   std::string name, value, note = {};
+  /// A moment in place of the note.
+  std::string noted_utc = {};
 };
 
 void draw_fact(Ui& ui, const Rect& rect, const Fact& fact) {
@@ -107,8 +109,13 @@ void draw_fact(Ui& ui, const Rect& rect, const Fact& fact) {
                       true);
   ui.canvas().text_in({rect.x, top + 19.0F, rect.w, 26.0F}, {Type::Section, theme.text},
                       fact.value);
-  ui.canvas().text_in({rect.x, top + 45.0F, rect.w, 18.0F}, {Type::Caption, theme.text_caption},
-                      fact.note, true);
+  const Rect note{rect.x, top + 45.0F, rect.w, 18.0F};
+  const TextStyle style{Type::Caption, theme.text_caption};
+  if (fact.noted_utc.empty()) {
+    ui.canvas().text_in(note, style, fact.note, true);
+  } else {
+    draw_moment_cell(ui, note, fact.noted_utc, style);
+  }
 }
 
 /// Best and last, the median, how many.
@@ -125,13 +132,13 @@ std::array<Fact, 4> facts_of(const Ui& ui, const OperationHistory& history) {
     if (attempt.header.begun.kind == database::AttemptKind::Assessment) ++assessments;
     if (!attempt.score_milli) continue;
     last.value = points_text(*attempt.score_milli);
-    last.note = moment_text(attempt.header.started_utc);
+    last.noted_utc = attempt.header.started_utc;
     if (const double points = history.medians[number].y; !std::isnan(points))
       median.value = points_text(std::llround(points * 1000.0));
     if (*attempt.score_milli <= best_milli) continue;
     best_milli = *attempt.score_milli;
     best.value = last.value;
-    best.note = last.note;
+    best.noted_utc = last.noted_utc;
   }
   const auto count = static_cast<long>(history.counted.size());
   const Fact attempts{std::string(ui.text("history.attempts")), grouped(count),
@@ -278,7 +285,7 @@ void HistoryScreen::draw_chart(Ui& ui, const Rect& rect) {
         ui.texts().say("history.point", {{"points", points_text(*attempt.score_milli)}}),
         ui.texts().say("history.point.context",
                        {{"number", std::to_string(attempt.header.number)},
-                        {"moment", moment_text(attempt.header.started_utc)},
+                        {"moment", full_moment_text(attempt.header.started_utc)},
                         {"kind", std::string(kind_text(ui, attempt.header))}}));
   };
   // The legend stands in the line of the title.

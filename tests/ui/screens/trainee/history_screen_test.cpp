@@ -156,6 +156,17 @@ TEST(HistoryScreen, AGuidedPracticeIsListedAndCopiedAsOne) {
   EXPECT_THAT(csv, HasSubstr(",practice,scripted,soft,"));
 }
 
+TEST(HistoryScreen, APracticeDoesNotCountAndAnAssessmentIsAdvisory) {
+  SomePublished published;
+  published.scored_by("ada", 40000);
+  Looker practised(published, "ada");
+  EXPECT_TRUE(practised.driver().sees("Does not count"));
+  EXPECT_FALSE(practised.driver().sees("Advisory"));
+  published.assessed("ada", 1, 50000);
+  Looker assessed(published, "ada");
+  EXPECT_TRUE(assessed.driver().sees("Advisory"));
+}
+
 TEST(HistoryScreen, TheFactsAreOfWhatCounts) {
   SomePublished published;
   published.scored_by("ada", 40000);  // recorded for five milliseconds
@@ -287,6 +298,15 @@ TEST(HistoryScreen, TimesAreLocalAndTheirOffsetIsToldOnHover) {
   looker.driver().move_to(moment);
   looker.driver().wait(1.0);
   EXPECT_TRUE(looker.driver().sees("3 Mar 2026, 19:47 +05:45"));
+  long without_offset = 0;
+  for (const SeenText& seen : looker.driver().content().texts) {
+    if (seen.text.find("19:47") == std::string::npos || seen.text.ends_with("+05:45")) continue;
+    ++without_offset;
+    EXPECT_THAT(seen.hint, HasSubstr("19:47 +05:45")) << seen.text;
+  }
+  EXPECT_EQ(without_offset, 3) << "the best, the last, and the attempt in its list";
+  looker.driver().move_to(looker.driver().widget("history.chart.0").rect.centre());
+  EXPECT_TRUE(looker.driver().sees("Attempt 1, 3 Mar 2026, 19:47 +05:45, Practice"));
   looker.driver().click("history.copy");
   EXPECT_THAT(looker.driver().clipboard().read(), HasSubstr("2026-03-03T14:02:59.000Z"))
       << "what other programs read stays UTC";
