@@ -35,6 +35,8 @@ void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Re
     pill(ui, at, ui.text("attempts.not_valid"), Meaning::Warn);
   } else if (!attempt.is_counted) {
     pill(ui, at, ui.text("attempts.not_counted"), Meaning::Neutral, false);
+  } else if (attempt.begun.kind == database::AttemptKind::Practice) {
+    pill(ui, at, ui.text("attempts.does_not_count"), Meaning::Neutral);
   } else if (attempt.decision) {
     pill(ui, at, ui.text("attempts.decided"), Meaning::Good);
   } else {

@@ -14,7 +14,7 @@ std::string_view kind_text(const Ui& ui, const database::AttemptHeader& attempt)
 std::string_view why_not_counted(const Ui& ui, const database::AttemptHeader& attempt);
 
 /// A pill from the left of the cell: void, interrupted, recording, not valid, not counted (of an
-/// origin that is not accepted), signed, or advisory.
+/// origin that is not accepted), a practice that does not count, signed, or advisory.
 void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Rect& cell);
 
 /// The decided score where there is one, else the machine's, at the right of the cell; words where

@@ -75,6 +75,16 @@ TEST(AttemptsScreen, ARowLeadsToItsResult) {
   EXPECT_THAT(reader.navigator.asked, ElementsAre("result " + attempt.text));
 }
 
+TEST(AttemptsScreen, APracticeDoesNotCountForTraineesAndInstructors) {
+  database::SomeCourse course;
+  course.scored_by("ada", 76830);
+  for (const char* login : {"ada", "kim"}) {
+    Reader reader(course, login);
+    EXPECT_TRUE(reader.driver().sees("Does not count")) << login;
+    EXPECT_FALSE(reader.driver().sees("Advisory")) << login;
+  }
+}
+
 TEST(AttemptsScreen, EveryStateIsShownAndNothingIsCutOff) {
   database::SomeCourse course;
   course.scored_by("ada", 76830);

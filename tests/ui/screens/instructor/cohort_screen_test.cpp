@@ -439,6 +439,21 @@ TEST(TraineeScreen, ShowsStandingAndAttemptsNewestFirst) {
   EXPECT_THAT(navigator.asked, ElementsAre("result " + newest.text));
 }
 
+TEST(TraineeScreen, SaysWhichAttemptsDoNotCount) {
+  SomePublished published;
+  database::SomeCourse& course = published.course();
+  const auto shown = [&] {
+    SomeNavigator navigator;
+    SomeVisitor visitor(std::make_unique<TraineeScreen>(visit_of(course, "kim"), navigator,
+                                                        course.autumn(), course.id_of("ada")));
+    return std::pair(visitor.driver().sees("Does not count"), visitor.driver().sees("Advisory"));
+  };
+  published.scored_by("ada", 40000);
+  EXPECT_EQ(shown(), std::pair(true, false));
+  published.assessed("ada", 1, 50000);
+  EXPECT_EQ(shown(), std::pair(true, true));
+}
+
 TEST(TraineeScreen, ShowsNobodyOfAnotherCohort) {
   database::SomeCourse course;
   course.scored_by("eve", 61200);
