@@ -14,9 +14,6 @@ using scenarios::HeldCut;
 using scenarios::StepKind;
 using simulator::ToolStatus;
 
-/// Nearer than this the teeth touch.
-constexpr double touching_mm = 0.05;
-
 /// Of the button of such a step, as the id of a text.
 std::string_view verb_of(StepKind kind) noexcept {
   return kind == StepKind::Remove   ? "operate.step.remove"
@@ -80,10 +77,6 @@ void add_steps(OperatingHud& hud, const HudSources& from) {
 
 // -- what is told beside the teeth
 
-std::string way_text(const Texts& texts, std::string_view id, double way_mm) {
-  return texts.say(id, {{"way", decimal_text(way_mm) + " mm"}});
-}
-
 /// Whether the teeth touch bone, as the hand feels it.
 std::string contact_line(const HudSources& from) {
   const std::uint32_t status = from.loop.sample.status;
@@ -95,26 +88,9 @@ std::string contact_line(const HudSources& from) {
 
 std::optional<double> way_to_hinge_mm(const HudSources& from) {
   if (from.cut == nullptr) return std::nullopt;
-  const scenarios::PlannedHinge* hinge = find_hinge(from.prepared_case.plan, from.cut->hinge);
+  const scenarios::PlannedHinge* const hinge = find_hinge(from.prepared_case.plan, from.cut->hinge);
   if (hinge == nullptr) return std::nullopt;
   return hallux::ui::way_to_hinge_mm(*hinge, bone_from_tool(from));
-}
-
-/// In air the way to the bone; in bone the way to the hinge, or to the far side.
-std::string ahead_line(const HudSources& from) {
-  const simulator::BladeAhead& ahead = from.site->ahead;
-  if (!ahead.to_bone_mm) {
-    return ahead.beside_mm > touching_mm
-               ? way_text(from.texts, "operate.tip.beside", ahead.beside_mm)
-               : contact_line(from);
-  }
-  if (*ahead.to_bone_mm > touching_mm)
-    return way_text(from.texts, "operate.tip.bone", *ahead.to_bone_mm);
-  if (const std::optional<double> hinge_mm = way_to_hinge_mm(from)) {
-    return way_text(from.texts, *hinge_mm < 0.0 ? "operate.tip.past_hinge" : "operate.tip.hinge",
-                    std::abs(*hinge_mm));
-  }
-  return way_text(from.texts, "operate.tip.far", ahead.to_far_side_mm.value_or(0.0));
 }
 
 std::string plan_line(const Texts& texts, const PlanReading& reading) {
@@ -124,13 +100,13 @@ std::string plan_line(const Texts& texts, const PlanReading& reading) {
                    {{"offset", offset}, {"end", signed_text(*reading.end_distance_mm) + " mm"}});
 }
 
-/// With the place where a stroke straight on would end.
+/// With the place where a stroke straight on must end.
 PlanReading reading_of(const HudSources& from) {
   PlanReading reading =
       read_against(*from.cut, from.prepared_case.scenario.saw.blade, bone_from_tool(from));
-  if (from.site != nullptr && from.site->ahead.to_far_side_mm) {
-    reading.end_distance_mm = distance_ahead_mm(reading, *from.site->ahead.to_far_side_mm);
-  }
+  if (from.site == nullptr) return reading;
+  if (const auto way_mm = stroke_end_mm(from.site->ahead, way_to_hinge_mm(from)))
+    reading.end_distance_mm = distance_ahead_mm(reading, *way_mm);
   return reading;
 }
 
@@ -142,8 +118,9 @@ void add_plan(OperatingHud& hud, const HudSources& from) {
 }
 
 void add_tip(OperatingHud& hud, const HudSources& from) {
-  const bool is_known = from.session.is_practice() && from.site != nullptr;
-  hud.tip_lines.push_back(is_known ? ahead_line(from) : contact_line(from));
+  if (from.session.is_practice() && from.site != nullptr)
+    hud.way = way_ahead(from.site->ahead, way_to_hinge_mm(from));
+  hud.tip_lines.push_back(hud.way ? words_of(from.texts, *hud.way) : contact_line(from));
   if (hud.plan) hud.tip_lines.push_back(plan_line(from.texts, hud.plan->blade));
 }
 

@@ -23,7 +23,7 @@ struct HudSources {
   const simulator::LoopView& loop;
   /// Null before it is known, and after a hinge was closed.
   const SiteFacts* site = nullptr;
-  /// The planned face that people are shown; null for none.
+  /// The planned face at hand, whether or not it is drawn; null where people are to know none.
   const scenarios::PlannedCut* cut = nullptr;
   /// Axes of the person's view: x right, y up, z to the person.
   Quat world_from_view{1.0, 0.0, 0.0, 0.0};

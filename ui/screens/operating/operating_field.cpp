@@ -148,7 +148,7 @@ void OperatingField::show(Ui& ui, Shell& shell, std::span<const Mark> goals) {
                   .bone = bone,
                   .loop = has_stepped ? &running_->view : nullptr,
                   .world_from_target = session_.saw().world_from_target(),
-                  .cut = shown_cut(),
+                  .cut = panels_.help.is_plane_shown ? known_cut() : nullptr,
                   .is_paused = is_paused,
                   .is_irrigated = session_.saw().is_irrigated(),
                   .site = prepared_.site.get(),
@@ -177,8 +177,8 @@ void OperatingField::sound_the_saw(Shell& shell) {
   running_->player->play(tone);
 }
 
-const scenarios::PlannedCut* OperatingField::shown_cut() const {
-  if (!session_.is_practice() || !panels_.help.is_plane_shown) return nullptr;
+const scenarios::PlannedCut* OperatingField::known_cut() const {
+  if (!session_.is_practice()) return nullptr;
   const scenarios::Plan& plan = prepared_case().plan;
   const std::int32_t kerf = running_ ? running_->view.sample.kerf : -1;
   if (kerf >= 0 && running_->site != nullptr) {
@@ -206,7 +206,7 @@ HudSources OperatingField::sources(const Texts& texts) const {
           .passes = prepared_.passes,
           .loop = running_->view,
           .site = running_->site.get(),
-          .cut = shown_cut(),
+          .cut = known_cut(),
           .world_from_view = viewport_.world_from_view()};
 }
 
@@ -216,7 +216,7 @@ OperatingHud OperatingField::hud(const Ui& ui, Shell& shell) {
   hud.is_left_handed = shell.preferences().is_left_handed;
   hud.tip = viewport_.place_of(transform_from(sample.world_from_tool).translation_mm);
   hud.tool = viewport_.tool_places();
-  hud.inset = inset();
+  hud.inset = inset(hud.way);
   hud.hand = hand(ui);
   hud.health = health(ui, shell);
   hud.is_health_open = panels_.is_health_open;
@@ -239,7 +239,7 @@ HandState OperatingField::hand(const Ui& ui) const {
   return ui.captured_by() == view_area ? HandState::Led : HandState::LedFree;
 }
 
-const BladeSection* OperatingField::inset() {
+const BladeSection* OperatingField::inset(const std::optional<WayAhead>& way) {
   panels_.inset.reset();
   if (!session_.is_practice() || !panels_.help.is_inset_shown) return nullptr;
   const std::shared_ptr<const KerfSection> section = running_->bone.section();
@@ -248,6 +248,7 @@ const BladeSection* OperatingField::inset() {
                                         transform_from(running_->view.sample.world_from_tool);
   panels_.inset = blade_section(*section, bone_from_tool, prepared_case().scenario.saw.blade,
                                 &prepared_case().plan);
+  panels_.inset->way = way;
   return &*panels_.inset;
 }
 

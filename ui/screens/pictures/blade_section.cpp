@@ -8,6 +8,7 @@
 
 #include "simulator/base/units.h"
 #include "simulator/contact/danger_zone.h"
+#include "ui/screens/pictures/section_rows.h"
 #include "ui/screens/pictures/zones_in_scene.h"
 
 namespace hallux::ui {
@@ -20,6 +21,7 @@ constexpr double parallel_rad = 0.09;
 constexpr double beyond_mm = 5.0;
 constexpr double same_plane_mm = 1.2, same_plane_rad = 0.06;
 constexpr int circles = 24, circle_corners = 20;
+constexpr int teeth_asked = 25;
 
 struct Bounds {
   Vec2 low_mm{1.0e9, 1.0e9}, high_mm{-1.0e9, -1.0e9};
@@ -149,6 +151,25 @@ std::vector<ZoneInSection> zones_of(const scenarios::Plan& plan, const RigidTran
   return zones;
 }
 
+Vec2 normal_of(const Vec2& feed) noexcept { return Vec2(-feed.y, feed.x); }
+
+/// With the feed as y, so that a row runs along it.
+std::vector<PlaneLoop> turned(std::vector<PlaneLoop> loops, const Vec2& feed) {
+  const Vec2 across = normal_of(feed);
+  for (PlaneLoop& loop : loops) {
+    for (Vec2& corner : loop) corner = Vec2(glm::dot(across, corner), glm::dot(feed, corner));
+  }
+  return loops;
+}
+
+/// Takes a stretch of standing bone along a tooth's way into account.
+void look_at(simulator::BladeAhead& ahead, double from_mm, double to_mm) {
+  if (to_mm <= 0.0) return;
+  const double first_mm = std::max(0.0, from_mm);
+  ahead.to_bone_mm = std::min(ahead.to_bone_mm.value_or(first_mm), first_mm);
+  ahead.to_far_side_mm = std::max(ahead.to_far_side_mm.value_or(to_mm), to_mm);
+}
+
 }  // namespace
 
 bool is_hole(const PlaneLoop& loop) {
@@ -177,28 +198,19 @@ bool is_in_plane(const RigidTransform& bone_from_plane,
          std::abs(normal.z) > std::cos(same_plane_rad);
 }
 
-std::optional<FarEdge> far_edge_of(const std::vector<PlaneLoop>& bone_mm, const Vec2& from_mm,
-                                   const Vec2& direction) {
-  // Holes are no air: only outlines are left and entered.
-  std::vector<double> crossings_mm;
-  for (const PlaneLoop& loop : bone_mm) {
-    if (is_hole(loop)) continue;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2 a = loop[i] - from_mm, b = loop[(i + 1) % loop.size()] - from_mm;
-      const double side_a = cross(direction, a), side_b = cross(direction, b);
-      if ((side_a > 0.0) == (side_b > 0.0)) continue;
-      const double share = side_a / (side_a - side_b);
-      crossings_mm.push_back(glm::dot(direction, a + share * (b - a)));
-    }
+simulator::BladeAhead ahead_in(const BladeSection& section) {
+  const Vec2 along = section.teeth_to_mm - section.teeth_from_mm, across = normal_of(section.feed);
+  const std::vector<PlaneLoop> bone = turned(section.section.bone_mm, section.feed),
+                               opened = turned(section.section.opened_mm, section.feed);
+  simulator::BladeAhead ahead;
+  for (int tooth = 0; tooth < teeth_asked; ++tooth) {
+    const double share = (static_cast<double>(tooth) + 0.5) / teeth_asked;
+    const Vec2 tooth_mm = section.teeth_from_mm + share * along;
+    const double row_mm = glm::dot(across, tooth_mm), at_mm = glm::dot(section.feed, tooth_mm);
+    for (const RowSpan& stands : without(spans_at(bone, row_mm), spans_at(opened, row_mm)))
+      look_at(ahead, stands.from_mm - at_mm, stands.to_mm - at_mm);
   }
-  std::ranges::sort(crossings_mm);
-  // They go in and out in turns; the first way out that lies ahead is the one.
-  for (std::size_t i = 1; i < crossings_mm.size(); i += 2) {
-    if (crossings_mm[i] > 0.0) {
-      return FarEdge{from_mm + crossings_mm[i] * direction, crossings_mm[i]};
-    }
-  }
-  return std::nullopt;
+  return ahead;
 }
 
 BladeSection blade_section(const KerfSection& section, const RigidTransform& bone_from_tool,
@@ -213,8 +225,6 @@ BladeSection blade_section(const KerfSection& section, const RigidTransform& bon
   const Vec2 feed = in_plane(transform_direction(plane_from_tool, Vec3(1.0, 0.0, 0.0)));
   if (glm::length(feed) > 1.0e-3) made.feed = glm::normalize(feed);
   made.blade_depth_mm = blade.depth_mm;
-  made.far_edge =
-      far_edge_of(section.bone_mm, 0.5 * (made.teeth_from_mm + made.teeth_to_mm), made.feed);
   if (plan == nullptr) return made;
   made.plan = traces_of(*plan, section.bone_from_plane, bounds_of(section.bone_mm));
   made.zones = zones_of(*plan, section.bone_from_plane, bone_from_tool, blade);

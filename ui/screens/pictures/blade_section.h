@@ -3,7 +3,7 @@
 ///
 ///     x  where the saw goes          . . . . . .   planned limit
 ///     |    _______________          /            .
-///     v   /  standing      |=======|  ... way on to the far edge
+///     v   /  standing      |=======|  ... the way ahead
 ///         |____  opened ___|  teeth
 ///     y  along the teeth
 #pragma once
@@ -16,6 +16,7 @@
 #include "simulator/cutting/slice/section.h"
 #include "simulator/tool/saw.h"
 #include "ui/render/scene/site.h"
+#include "ui/screens/pictures/way_ahead.h"
 
 namespace hallux::ui {
 
@@ -62,32 +63,24 @@ struct ZoneInSection {
   bool is_near = false;
 };
 
-/// Where a stroke straight on would leave the bone.
-struct FarEdge {
-  Vec2 place_mm{0.0, 0.0};
-  /// From the tooth line.
-  double way_mm = 0.0;
-};
-
 struct BladeSection {
   KerfSection section;
   /// Ends of the tooth line, and the unit direction of the feed.
   Vec2 teeth_from_mm{0.0, 0.0}, teeth_to_mm{0.0, 0.0}, feed{1.0, 0.0};
   double blade_depth_mm = 20.0;
-  /// On the way of the tooth line's middle; nothing where no bone lies ahead.
-  std::optional<FarEdge> far_edge;
+  /// What lies ahead of the teeth, as whoever shows it knows it; nothing: neither drawn nor told.
+  std::optional<WayAhead> way;
   std::vector<PlanTrace> plan;
   std::vector<ZoneInSection> zones;
 };
 
-/// The section with the blade where it is now, cheap enough for each frame.
+/// The section with the blade where it is now, cheap enough for each frame; without the way ahead.
 /// plan    nullptr where people may not see it: then without limits and zones
 BladeSection blade_section(const KerfSection& section, const RigidTransform& bone_from_tool,
                            const simulator::Blade& blade, const scenarios::Plan* plan);
 
-/// The way from a place along a unit direction to where it leaves the bone for the last time
-/// before air; nothing where it meets none.
-std::optional<FarEdge> far_edge_of(const std::vector<PlaneLoop>& bone_mm, const Vec2& from_mm,
-                                   const Vec2& direction);
+/// What stands ahead of the teeth in the section alone: for who has no more than that. Of the way
+/// beside the bone it knows nothing.
+simulator::BladeAhead ahead_in(const BladeSection& section);
 
 }  // namespace hallux::ui

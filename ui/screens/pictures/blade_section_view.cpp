@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
+
+#include "ui/screens/pictures/section_rows.h"
 
 namespace hallux::ui {
 
@@ -22,7 +23,6 @@ constexpr Color canal_dark{84, 58, 44}, canal_light{176, 140, 112};
 constexpr double approach_mm = 8.0, around_mm = 3.0;
 constexpr float plan_on = 7.0F, plan_off = 4.0F;
 constexpr double zone_on_mm = 0.8, zone_on_off_mm = 1.5;
-constexpr double longest_way_mm = 99.0;
 /// Of the words about the way, at the foot.
 constexpr float way_height = 20.0F;
 
@@ -95,6 +95,11 @@ void dashed(Canvas& canvas, Point from, Point to, Color color) {
   // Dashes along an axis are filled from their lesser end.
   if (from.x > to.x || from.y > to.y) std::swap(from, to);
   canvas.dashes(from, to, color, plan_on, plan_off, 1.5F);
+}
+
+void dashed_way(Canvas& canvas, Point from, Point to, Color color) {
+  if (from.x > to.x || from.y > to.y) std::swap(from, to);
+  canvas.dashes(from, to, color, 2.0F, 3.0F, 1.5F);
 }
 
 /// The loop's edges in short pieces, each told with how far along the loop it lies.
@@ -179,21 +184,24 @@ void draw_blade(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section)
   ui.canvas().line(corners[0], corners[1], ui.theme().text, 3.0F);
 }
 
-void draw_way(Ui& ui, const Rect& rect, const PlaneOnWindow& plane, const BladeSection& section) {
-  if (!section.far_edge || section.far_edge->way_mm > longest_way_mm) return;
-  const Point from = plane.at(0.5 * (section.teeth_from_mm + section.teeth_to_mm));
-  const Point to = plane.at(section.far_edge->place_mm);
+/// Where the tooth line is to go: on by the way, as wide as it is.
+void draw_way(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section) {
+  const WayAhead& way = *section.way;
+  if (way.to == WayEnd::Beside) return;
+  const Vec2 on = (way.to == WayEnd::PastHinge ? -way.way_mm : way.way_mm) * section.feed;
+  const Vec2 middle_mm = 0.5 * (section.teeth_from_mm + section.teeth_to_mm);
   const Color ink = ui.theme().text;
-  ui.canvas().dashes(from, to, ink, 2.0F, 3.0F, 1.5F);
-  ui.canvas().line({to.x - 6.0F, to.y}, {to.x + 6.0F, to.y}, ink, 2.0F);
-  std::array<char, 16> value{};
-  std::snprintf(value.data(), value.size(), "%.1f", section.far_edge->way_mm);
-  const std::string words = ui.texts().say("section.way", {{"distance", value.data()}});
+  dashed_way(ui.canvas(), plane.at(middle_mm), plane.at(middle_mm + on), ink);
+  ui.canvas().line(plane.at(section.teeth_from_mm + on), plane.at(section.teeth_to_mm + on), ink,
+                   1.5F);
+}
+
+/// At the foot, where it covers nothing and stays.
+void draw_words(Ui& ui, const Rect& rect, const std::string& words) {
   const float width = ui.width_of(Type::CaptionMedium, words);
-  // At the foot, where it covers nothing and stays.
   const float x = rect.mid_x() - 0.5F * width, y = rect.bottom() - 9.0F;
   ui.canvas().fill({x - 4.0F, y - 9.0F, width + 8.0F, 18.0F}, ui.theme().hud, radius::step);
-  ui.canvas().text({x, y}, {Type::CaptionMedium, ink}, words);
+  ui.canvas().text({x, y}, {Type::CaptionMedium, ui.theme().text}, words);
 }
 
 void draw_plan(Ui& ui, const PlaneOnWindow& plane, const BladeSection& section) {
@@ -264,37 +272,6 @@ void draw_blade_of_pass(Ui& ui, const PlaneOnWindow& plane, const ShownPart& par
 
 }  // namespace
 
-std::vector<RowSpan> spans_at(std::span<const PlaneLoop> loops, double x_mm) {
-  std::vector<double> crossings_mm;
-  for (const PlaneLoop& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-      if ((a.x > x_mm) == (b.x > x_mm)) continue;
-      crossings_mm.push_back(a.y + (x_mm - a.x) / (b.x - a.x) * (b.y - a.y));
-    }
-  }
-  std::ranges::sort(crossings_mm);
-  std::vector<RowSpan> spans;
-  for (std::size_t i = 0; i + 1 < crossings_mm.size(); i += 2) {
-    spans.push_back({crossings_mm[i], crossings_mm[i + 1]});
-  }
-  return spans;
-}
-
-std::vector<RowSpan> without(std::span<const RowSpan> from, std::span<const RowSpan> taken) {
-  std::vector<RowSpan> left;
-  for (const RowSpan& span : from) {
-    double at_mm = span.from_mm;
-    for (const RowSpan& gone : taken) {
-      if (gone.to_mm <= at_mm || gone.from_mm >= span.to_mm) continue;
-      if (gone.from_mm > at_mm) left.push_back({at_mm, gone.from_mm});
-      at_mm = gone.to_mm;
-    }
-    if (at_mm < span.to_mm) left.push_back({at_mm, span.to_mm});
-  }
-  return left;
-}
-
 void draw_blade_section(Ui& ui, const Rect& rect, const BladeSection& section) {
   if (section.section.bone_mm.empty()) return draw_no_section(ui, rect);
   const ShownPart bounds = shown_part(section);
@@ -305,7 +282,9 @@ void draw_blade_section(Ui& ui, const Rect& rect, const BladeSection& section) {
   draw_zones(ui, plane, section);
   draw_plan(ui, plane, section);
   draw_blade(ui, plane, section);
-  draw_way(ui, rect, plane, section);
+  if (!section.way) return;
+  draw_way(ui, plane, section);
+  draw_words(ui, rect, words_of(ui.texts(), *section.way));
 }
 
 void draw_section_with_passes(Ui& ui, const Rect& rect, const BladeSection& section,

@@ -15,12 +15,39 @@ namespace {
 
 /// Out of its own plane.
 constexpr double same_section_mm = 0.1, same_section_rad = 0.0035;
+/// Of a planned face, for the blade that saws it.
+constexpr double same_cut_mm = 4.0, same_cut_rad = 0.2;
 
 bool is_moved(const RigidTransform& bone_from_plane, const RigidTransform& bone_from_tool) {
   const RigidTransform moved = inverse(bone_from_plane) * bone_from_tool;
   const Vec3 normal = moved.rotation * Vec3(0.0, 0.0, 1.0);
   return std::abs(moved.translation_mm.z) > same_section_mm ||
          glm::length(Vec2(normal.x, normal.y)) > same_section_rad;
+}
+
+/// The hinge of the planned cut that the blade lies in.
+const scenarios::PlannedHinge* hinge_at(const scenarios::Plan& plan,
+                                        const RigidTransform& bone_from_tool) {
+  for (const scenarios::PlannedCut& cut : plan.cuts) {
+    const double off_mm =
+        glm::dot(cut.face.normal, bone_from_tool.translation_mm) - cut.face.offset_mm;
+    const double along = std::abs(glm::dot(cut.face.normal, axis_z(bone_from_tool)));
+    if (std::abs(off_mm) < same_cut_mm && along > std::cos(same_cut_rad))
+      return find_hinge(plan, cut.hinge);
+  }
+  return nullptr;
+}
+
+/// As far as the section tells; nothing beside the bone.
+std::optional<WayAhead> way_in(const BladeSection& section, const scenarios::Plan* plan,
+                               const RigidTransform& bone_from_tool) {
+  const simulator::BladeAhead ahead = ahead_in(section);
+  if (!ahead.to_bone_mm) return std::nullopt;
+  const scenarios::PlannedHinge* const hinge =
+      plan == nullptr ? nullptr : hinge_at(*plan, bone_from_tool);
+  std::optional<double> to_hinge_mm;
+  if (hinge != nullptr) to_hinge_mm = way_to_hinge_mm(*hinge, bone_from_tool);
+  return way_ahead(ahead, to_hinge_mm);
 }
 
 }  // namespace
@@ -69,9 +96,10 @@ void BladeInset::draw(Ui& ui, Shell& shell, const Rect& rect,
   const RigidTransform bone_from_tool = inverse(material->world_from_bone) * hand.world_from_tool;
   renew(*material, bone, bone_from_tool, *tree);
   draw_hud_panel(ui.canvas(), ui.theme(), rect);
-  draw_blade_section(ui, inset(rect, 8.0F),
-                     blade_section(section_, bone_from_tool, material->scenario.saw.blade,
-                                   shows_plan ? &material->plan : nullptr));
+  const scenarios::Plan* const plan = shows_plan ? &material->plan : nullptr;
+  BladeSection shown = blade_section(section_, bone_from_tool, material->scenario.saw.blade, plan);
+  shown.way = way_in(shown, plan, bone_from_tool);
+  draw_blade_section(ui, inset(rect, 8.0F), shown);
 }
 
 }  // namespace hallux::ui

@@ -11,6 +11,7 @@
 #include "ui/screens/pictures/blade_section_view.h"
 #include "ui/screens/pictures/contact_halo.h"
 #include "ui/screens/pictures/planned_frame.h"
+#include "ui/screens/pictures/section_rows.h"
 #include "ui/screens/pictures/sight_along_blade.h"
 #include "ui/screens/pictures/zones_in_scene.h"
 
@@ -57,30 +58,72 @@ TEST(BladeSection, IsTheOutlineOfTheBoneInThePlaneOfTheBlade) {
   EXPECT_TRUE(section.opened_mm.empty());
 }
 
-TEST(BladeSection, TellsTheWayFromTheTeethToTheFarSide) {
+TEST(BladeSection, TellsWhatStandsAheadOfTheTeeth) {
   const Block block;
   const KerfSection section = block.section();
   for (const double above_mm : {5.0, 0.0, -3.0, -11.5}) {
     const BladeSection made = blade_section(section, Block::above(above_mm), block.blade, nullptr);
-    ASSERT_TRUE(made.far_edge) << above_mm;
-    EXPECT_NEAR(made.far_edge->way_mm, 12.0 + above_mm, 1.0e-9);
-    EXPECT_NEAR(made.far_edge->place_mm.x, 12.0, 1.0e-9);
+    const simulator::BladeAhead ahead = ahead_in(made);
+    ASSERT_TRUE(ahead.to_far_side_mm) << above_mm;
+    EXPECT_NEAR(*ahead.to_far_side_mm, 12.0 + above_mm, 1.0e-9);
+    EXPECT_NEAR(*ahead.to_bone_mm, std::max(0.0, above_mm), 1.0e-9);
     EXPECT_NEAR(made.teeth_from_mm.x, -above_mm, 1.0e-9);
     EXPECT_NEAR(glm::distance(made.teeth_from_mm, made.teeth_to_mm), 10.0, 1.0e-9);
   }
-  EXPECT_FALSE(blade_section(section, Block::above(-13.0), block.blade, nullptr).far_edge)
+  EXPECT_FALSE(
+      ahead_in(blade_section(section, Block::above(-13.0), block.blade, nullptr)).to_bone_mm)
       << "nothing lies ahead any more";
 }
 
-TEST(BladeSection, ACanalIsNoFarSide) {
-  const PlaneLoop outline{{0.0, -5.0}, {10.0, -5.0}, {10.0, 5.0}, {0.0, 5.0}};
-  const PlaneLoop canal{{3.0, -2.0}, {3.0, 2.0}, {7.0, 2.0}, {7.0, -2.0}};
-  EXPECT_FALSE(is_hole(outline));
-  EXPECT_TRUE(is_hole(canal));
-  const auto far = far_edge_of({outline, canal}, Vec2(-2.0, 0.0), Vec2(1.0, 0.0));
-  ASSERT_TRUE(far);
-  EXPECT_NEAR(far->way_mm, 12.0, 1.0e-9);
-  EXPECT_FALSE(far_edge_of({outline, canal}, Vec2(-2.0, 6.0), Vec2(1.0, 0.0)));
+TEST(BladeSection, WhatIsOpenedDoesNotStandAndACanalIsNoFarSide) {
+  BladeSection section;
+  section.section.bone_mm = {{{0.0, -5.0}, {10.0, -5.0}, {10.0, 5.0}, {0.0, 5.0}},
+                             {{3.0, -2.0}, {3.0, 2.0}, {7.0, 2.0}, {7.0, -2.0}}};
+  EXPECT_TRUE(is_hole(section.section.bone_mm.back()));
+  section.teeth_from_mm = Vec2(-2.0, -1.0);
+  section.teeth_to_mm = Vec2(-2.0, 1.0);
+  EXPECT_NEAR(*ahead_in(section).to_far_side_mm, 12.0, 1.0e-9);
+  EXPECT_NEAR(*ahead_in(section).to_bone_mm, 2.0, 1.0e-9);
+  section.section.opened_mm = {{{-1.0, -3.0}, {8.0, -3.0}, {8.0, 3.0}, {-1.0, 3.0}}};
+  EXPECT_NEAR(*ahead_in(section).to_bone_mm, 10.0, 1.0e-9);
+  section.section.opened_mm = {{{-1.0, -3.0}, {11.0, -3.0}, {11.0, 0.0}, {-1.0, 0.0}}};
+  EXPECT_NEAR(*ahead_in(section).to_far_side_mm, 12.0, 1.0e-9) << "of the last tooth";
+  section.teeth_from_mm.y = section.teeth_to_mm.y = 6.0;
+  EXPECT_FALSE(ahead_in(section).to_bone_mm);
+}
+
+TEST(BladeSection, TellsWhatTheBladeAheadOfTheSiteTells) {
+  const Block block;
+  const simulator::KerfSet none(block.blade, {});
+  for (const double above_mm : {4.0, -2.0, -8.0}) {
+    const simulator::BladeAhead in_plane =
+        ahead_in(blade_section(block.section(), Block::above(above_mm), block.blade, nullptr));
+    const simulator::BladeAhead of_site =
+        look_ahead(Block::above(above_mm), block.blade, {block.tree, none, {}});
+    EXPECT_NEAR(*in_plane.to_bone_mm, *of_site.to_bone_mm, 0.1) << above_mm;
+    EXPECT_NEAR(*in_plane.to_far_side_mm, *of_site.to_far_side_mm, 0.1) << above_mm;
+  }
+}
+
+TEST(WayAhead, IsToTheBoneThenToTheHingeOrTheFarSide) {
+  simulator::BladeAhead ahead;
+  ahead.beside_mm = 3.0;
+  EXPECT_EQ(way_ahead(ahead, 8.0)->to, WayEnd::Beside);
+  ahead.beside_mm = 0.0;
+  EXPECT_FALSE(way_ahead(ahead, 8.0)) << "they touch, and nothing stands ahead";
+  ahead.to_bone_mm = 2.5;
+  ahead.to_far_side_mm = 12.0;
+  EXPECT_EQ(way_ahead(ahead, 8.0)->to, WayEnd::Bone);
+  EXPECT_EQ(way_ahead(ahead, 8.0)->way_mm, 2.5);
+  ahead.to_bone_mm = 0.0;
+  EXPECT_EQ(way_ahead(ahead, std::nullopt)->to, WayEnd::FarSide);
+  EXPECT_EQ(way_ahead(ahead, std::nullopt)->way_mm, 12.0);
+  EXPECT_EQ(way_ahead(ahead, 8.0)->to, WayEnd::Hinge);
+  EXPECT_EQ(way_ahead(ahead, 8.0)->way_mm, 8.0);
+  EXPECT_EQ(way_ahead(ahead, -0.5)->to, WayEnd::PastHinge);
+  EXPECT_EQ(way_ahead(ahead, -0.5)->way_mm, 0.5);
+  EXPECT_EQ(stroke_end_mm(ahead, 8.0), 8.0);
+  EXPECT_EQ(stroke_end_mm(ahead, std::nullopt), 12.0);
 }
 
 TEST(BladeSection, ABladeBesideTheKerfIsInAnotherPlane) {

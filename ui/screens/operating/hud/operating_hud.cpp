@@ -122,6 +122,8 @@ void draw_inset(Hud& in, float y) {
   const Rect title{rect.x + hud_pad, rect.y + 8.0F, rect.w - 2.0F * hud_pad, 20.0F};
   in.canvas().text_in(title, {Type::Small, in.theme().text_secondary},
                       in.ui.text("operate.panel.inset"), true);
+  if (in.hud.inset->way)
+    in.ui.tell("operate.inset", words_of(in.ui.texts(), *in.hud.inset->way), rect);
   draw_blade_section(in.ui, {rect.x + 8.0F, rect.y + 30.0F, rect.w - 16.0F, rect.h - 38.0F},
                      *in.hud.inset);
 }

@@ -70,7 +70,9 @@ struct OperatingHud {
   /// Of the blade, on the window; and all of the saw.
   std::optional<Point> tip;
   std::vector<ToolPlace> tool;
-  /// Beside the tip: how far to the bone, through it, to the hinge, and off the plan.
+  /// What lies ahead of the teeth, where people are to know it.
+  std::optional<WayAhead> way;
+  /// Beside the tip: what lies ahead, and how far off the plan.
   std::vector<std::string> tip_lines;
   std::optional<HudPlan> plan;
   /// In the blade's plane; null: it is not shown.

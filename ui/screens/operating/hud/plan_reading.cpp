@@ -7,13 +7,6 @@
 
 namespace hallux::ui {
 
-namespace {
-
-/// A feed that leads to the hinge more slowly leads elsewhere.
-constexpr double least_towards_hinge = 0.2;
-
-}  // namespace
-
 PlanReading read_against(const scenarios::PlannedCut& cut, const simulator::Blade& blade,
                          const RigidTransform& bone_from_tool) noexcept {
   const auto in_bone = [&](const Vec3& axis) { return transform_direction(bone_from_tool, axis); };
@@ -44,14 +37,6 @@ PassReading read_passes(const scenarios::PlannedCut& cut, const scenarios::Plann
       [&](double a, double b) { return std::abs(a - along_mm) < std::abs(b - along_mm); });
   return {static_cast<std::size_t>(nearest - passes.middles_mm.begin()), passes.middles_mm.size(),
           along_mm - *nearest, glm::dot(passes.feed_in_bone, from_entry_mm)};
-}
-
-std::optional<double> way_to_hinge_mm(const scenarios::PlannedHinge& hinge,
-                                      const RigidTransform& bone_from_tool) noexcept {
-  const simulator::HingeLine& line = hinge.bridge.line;
-  const double towards = glm::dot(line.outward, axis_x(bone_from_tool));
-  if (towards < least_towards_hinge) return std::nullopt;
-  return glm::dot(line.outward, line.point_in_bone_mm - bone_from_tool.translation_mm) / towards;
 }
 
 }  // namespace hallux::ui

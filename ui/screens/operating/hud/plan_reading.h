@@ -1,4 +1,4 @@
-/// The blade against a planned face: tilt, distance, place along the cut, and the way to the hinge.
+/// The blade against a planned face: tilt, distance, and place along the cut.
 /// Shown in practice and not in an assessment.
 #pragma once
 
@@ -40,10 +40,5 @@ struct PassReading {
 
 PassReading read_passes(const scenarios::PlannedCut& cut, const scenarios::PlannedPasses& passes,
                         const RigidTransform& bone_from_tool) noexcept;
-
-/// From the teeth along the feed to the hinge's line; below 0 beyond it. Nothing where the feed
-/// does not lead there.
-std::optional<double> way_to_hinge_mm(const scenarios::PlannedHinge& hinge,
-                                      const RigidTransform& bone_from_tool) noexcept;
 
 }  // namespace hallux::ui
