@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simulator/record/sample_force.h"
+#include "ui/screens/pictures/way_ahead.h"
 
 namespace hallux::ui {
 

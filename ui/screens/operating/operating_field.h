@@ -106,8 +106,8 @@ class OperatingField {
   void lead(Ui& ui, const AreaResponse& area, const Steered& steered);
   void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
   void sound_the_saw(Shell& shell);
-  /// The cut in which the saw is, else the one that the step at hand asks for; null where people are
-  /// to know nothing of the plan.
+  /// The cut in which the saw is, else the one that the step at hand asks for; null where people
+  /// are to know nothing of the plan.
   const scenarios::PlannedCut* known_cut() const;
   HandState hand(const Ui& ui) const;
   /// Of the section in the blade's plane; null where it is not shown.

@@ -24,6 +24,9 @@ using simulator::ToolStatus;
 /// The blade's line on the bone: a little wider than the teeth, and faintly on.
 constexpr double beside_teeth_mm = 1.0, faint_line_mm = 8.0;
 
+/// A handpiece that is less there lets a panel be read over it.
+constexpr double hiding_presence = 0.5;
+
 /// As it is kept.
 constexpr simulator::ShownStereo shown_stereo(StereoMode mode) noexcept {
   switch (mode) {
@@ -44,6 +47,7 @@ constexpr std::array<const char*, standard_view_count> view_names{
 /// A ball around a part of the saw, on its axis.
 struct BulkOfSaw {
   double x_mm = 0.0, radius_mm = 0.0;
+  bool is_handpiece = false;
 };
 
 /// Blade, hub and grip; beyond, it is a cable.
@@ -53,7 +57,7 @@ std::vector<BulkOfSaw> bulks_of_saw(const simulator::Blade& blade) {
   for (double x_mm = 0.0; x_mm > -blade.depth_mm; x_mm -= 0.5 * blade.width_mm)
     bulks.push_back({x_mm, 0.5 * blade.width_mm});
   for (double along_mm = 0.0; along_mm < grip_length_mm; along_mm += grip_radius_mm)
-    bulks.push_back({pivot_x_mm(blade) - along_mm, grip_radius_mm});
+    bulks.push_back({pivot_x_mm(blade) - along_mm, grip_radius_mm, true});
   return bulks;
 }
 
@@ -200,10 +204,13 @@ Camera OperatingViewport::sight_along_blade() const {
   return seen_along_blade(sight_.camera, drawn_saw_.world_from_tool, hidden_along_blade_);
 }
 
+/// Of what is there to be seen: what is mostly seen through is behind no panel.
 std::vector<ToolPlace> OperatingViewport::tool_places() const {
   std::vector<ToolPlace> places;
   const Vec3 right = sight_.camera.world_from_view * Vec3(1.0, 0.0, 0.0);
+  const bool has_handpiece = drawn_saw_.handpiece_presence >= hiding_presence;
   for (const BulkOfSaw& bulk : bulks_of_saw(drawn_saw_.blade)) {
+    if (bulk.is_handpiece && !has_handpiece) continue;
     const Vec3 middle_mm = transform_point(drawn_saw_.world_from_tool, Vec3(bulk.x_mm, 0.0, 0.0));
     const std::optional<Point> at = place_of(middle_mm),
                                edge = place_of(middle_mm + bulk.radius_mm * right);

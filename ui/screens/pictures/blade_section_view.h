@@ -8,8 +8,8 @@
 
 namespace hallux::ui {
 
-/// Draws it: bone, canal, what is open, the blade, the way that lies ahead in picture and words, the
-/// plan's limits, danger zones. The saw goes downwards.
+/// Draws it: bone, canal, what is open, the blade, the way that lies ahead in picture and words,
+/// the plan's limits, danger zones. The saw goes downwards.
 void draw_blade_section(Ui& ui, const Rect& rect, const BladeSection& section);
 
 /// The same before anything is sawn: a numbered blade before the bone for each pass, and where its

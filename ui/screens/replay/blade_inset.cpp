@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/screens/pictures/blade_section_view.h"
+#include "ui/screens/pictures/way_ahead.h"
 #include "ui/widgets/shapes.h"
 
 namespace hallux::ui {

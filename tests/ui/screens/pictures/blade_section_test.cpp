@@ -256,11 +256,21 @@ TEST(SightAlongBlade, IsHiddenByWhatLiesBesideTheTeeth) {
   EXPECT_EQ(shares[static_cast<std::size_t>(BladeSight::OverHandle)], 0.0);
 }
 
-TEST(SightAlongBlade, OverTheHandleTheHandpieceIsFaint) {
+TEST(SightAlongBlade, TheHandpieceIsFaintOnlyForOneWhoLooksAlongIt) {
   const RigidTransform tool = Block::above(0.0);
-  EXPECT_LT(handpiece_presence_from(tool, Vec3(0.0, 300.0, 0.0)), 0.2);
-  EXPECT_EQ(handpiece_presence_from(tool, Vec3(0.0, 6.0, 300.0)), 1.0);
-  EXPECT_EQ(handpiece_presence_from(tool, Vec3(0.0, -300.0, 0.0)), 1.0);
+  const auto presence_from = [&](double off_feed_deg) {
+    const double off_rad = radian_from_degree(off_feed_deg);
+    return handpiece_presence_from(
+        tool, tool.translation_mm + 300.0 * Vec3(std::sin(off_rad), std::cos(off_rad), 0.0));
+  };
+  for (const double off_deg : {0.0, 3.0, 6.0}) EXPECT_LT(presence_from(off_deg), 0.2) << off_deg;
+  double last = presence_from(6.0);
+  for (double off_deg = 7.0; off_deg < 25.0; off_deg += 1.0) {
+    EXPECT_GE(presence_from(off_deg), last) << off_deg;
+    last = presence_from(off_deg);
+  }
+  for (const double off_deg : {20.0, 25.0, 45.0, 90.0, 180.0})
+    EXPECT_EQ(presence_from(off_deg), 1.0) << off_deg;
 }
 
 TEST(ZonesInScene, AreLitWhereTheBladeIsNear) {

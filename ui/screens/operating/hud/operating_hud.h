@@ -14,6 +14,7 @@
 #include "ui/screens/operating/hud/operating_health.h"
 #include "ui/screens/operating/hud/plan_reading.h"
 #include "ui/screens/pictures/blade_section.h"
+#include "ui/screens/pictures/way_ahead.h"
 #include "ui/widgets/ui.h"
 
 namespace hallux::ui {
