@@ -17,6 +17,8 @@ CLICK_PIXELS = 8
 SHORT_PIXELS, SLOW_STEP_PIXELS, FAST_STEP_PIXELS, STEP_S = 30, 2, 10, "0.02"
 # Until an input is seen, and until it has come to rest.
 SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
+# Of a question: as many keys until its button has the focus, as many clicks until it is heard.
+TABS_AT_MOST, CLICKS_AT_MOST = 8, 5
 # How often a hand slips.
 SLIPS_SHARE = 0.04
 
@@ -87,6 +89,16 @@ class KeyboardHand:
 
     def do(self, hint, _screen):
         self.person.press_slowly(*[chord_of(hint.keys)] * max(1, min(hint.times, AT_ONCE)))
+
+    def choose(self, name, _screen):
+        """A control that keys lead to; True where it has them then."""
+        for _ in range(TABS_AT_MOST):
+            if self.person.focus() == name:
+                self.person.press("Return")
+                return True
+            self.person.press("Tab")
+            time.sleep(LOOK_S)
+        return False
 
     def slip(self, chance):
         self.person.press_slowly(chance.choice(["Left", "Right", "Up", "Down", "Next", "ctrl+Left", "ctrl+Up"]))
@@ -162,8 +174,8 @@ class MouseHand:
 
     def press_button(self, words, screen):
         """The step's button, or the number of a step that can be taken up again; then the hand is put on the saw again."""
-        numbers = sorted(name for name in screen.widgets if re.fullmatch(r"operate\.step\.\d+", name))
-        name = numbers[-1] if "number" in words and numbers else "operate.step"
+        number = re.search(r"number (\d+)", words)
+        name = f"operate.step.{number[1]}" if number else "operate.step"
         if not screen.says_lifted():
             self.person.xdotool("click", "3")
             screen.look_until(screen.says_lifted)
@@ -172,6 +184,15 @@ class MouseHand:
         screen.look_until(lambda: screen.text("operate.hint") != told)
         if not screen.is_asked():
             self.set_down(screen)
+
+    def choose(self, name, screen):
+        """The display may still put the pointer back that had led the saw: whoever sees it stay presses again."""
+        for _ in range(CLICKS_AT_MOST):
+            self.person.click(name)
+            screen.look_until(lambda: name not in screen.widgets)
+            if name not in screen.widgets:
+                return True
+        return False
 
     def set_down(self, screen):
         """A right click over the picture, as the line at the foot says. Where all is done there is none any more."""

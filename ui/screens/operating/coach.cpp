@@ -344,13 +344,23 @@ Hint cut_hint(const CoachView& view, const PlannedCut& cut) {
   return aiming_hint(view, aim);
 }
 
-/// The cut of a removal that still holds; nullptr where all are through.
-const PlannedCut* holding_cut(const CoachView& view) {
-  for (std::size_t cut = 0; cut < view.plan.cuts.size(); ++cut) {
-    if (cut < view.site->cuts.size() && !view.site->cuts[cut].is_through())
-      return &view.plan.cuts[cut];
+/// The first done step whose cut still holds.
+std::optional<std::size_t> step_that_holds(const CoachView& view) {
+  for (std::size_t step = 0; step < view.scenario.steps.size(); ++step) {
+    const scenarios::OperationStep& done = view.scenario.steps[step];
+    if (done.kind != StepKind::Cut || !view.steps.can_reopen(step)) continue;
+    const std::size_t index = index_of_cut(view.plan, done.cut);
+    if (index < view.site->cuts.size() && !view.site->cuts[index].is_through()) return step;
   }
-  return nullptr;
+  return std::nullopt;
+}
+
+Hint take_up_hint(const CoachView& view, std::size_t step) {
+  Hint hint{.text_id = "operate.hint.take_up"};
+  hint.values = {{"number", std::to_string(step + 1)}, {"step", view.scenario.steps[step].title}};
+  hint.move = HandMove::TakeUpStep;
+  hint.read_outs = {"step"};
+  return hint;
 }
 
 /// Nothing where the pieces are known and nothing that holds is seen: why the button is off tells
@@ -358,13 +368,10 @@ const PlannedCut* holding_cut(const CoachView& view) {
 std::optional<Hint> removal_hint(const CoachView& view) {
   if (view.steps.is_ready()) return press_hint("operate.hint.take_out");
   if (view.is_in_kerf) return draw_back_hint("operate.hint.draw_out", 30.0);
-  const bool is_through = holding_cut(view) == nullptr;
-  if (is_through && !view.site->are_pieces_due) return std::nullopt;
-  if (is_through) return Hint{.text_id = "operate.hint.wait"};
-  Hint hint{.text_id = "operate.hint.take_up"};
-  hint.move = HandMove::TakeUpStep;
-  hint.read_outs = {"step"};
-  return hint;
+  if (const std::optional<std::size_t> held = step_that_holds(view))
+    return take_up_hint(view, *held);
+  if (!view.site->are_pieces_due) return std::nullopt;
+  return Hint{.text_id = "operate.hint.wait"};
 }
 
 /// A move in words: by keys, and by the mouse.
@@ -417,6 +424,15 @@ const PlannedCut* cut_of_step(const CoachView& view) {
   return cut_at_step(view.scenario, view.plan, view.steps.step());
 }
 
+std::optional<std::size_t> step_to_take_up(const CoachView& view) {
+  if (view.site != nullptr && view.steps.kind() == StepKind::Remove) {
+    if (const std::optional<std::size_t> held = step_that_holds(view)) return held;
+  }
+  for (std::size_t step = view.steps.step(); step-- > 0;)
+    if (view.steps.can_reopen(step)) return step;
+  return std::nullopt;
+}
+
 std::optional<Hint> next_hint(const CoachView& view) {
   if (view.is_paused) return std::nullopt;
   const std::optional<StepKind> kind = view.steps.kind();
@@ -437,7 +453,7 @@ std::string hint_text(const Texts& texts, const Hint& hint) {
   if (move == move_texts.end() || hint.move == HandMove::Wait) return what;
   return what + " " +
          texts.say("operate.hint.by", {{"keys", keys_text(texts, hint, *move)},
-                                       {"mouse", std::string(texts.text(move->mouse_id))}});
+                                       {"mouse", texts.say(move->mouse_id, hint.values)}});
 }
 
 }  // namespace hallux::ui

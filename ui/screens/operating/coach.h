@@ -77,6 +77,10 @@ struct CoachView {
 /// The cut that is to be sawn in a step; nullptr where there is none.
 const scenarios::PlannedCut* cut_of_step(const CoachView& view);
 
+/// The step that is taken up again: while a part is to come out that of the first cut that is known
+/// to hold, else the last one before. Nothing where none can be.
+std::optional<std::size_t> step_to_take_up(const CoachView& view);
+
 /// Nothing where there is nothing to be done.
 std::optional<Hint> next_hint(const CoachView& view);
 

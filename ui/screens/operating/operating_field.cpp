@@ -70,7 +70,7 @@ void OperatingField::hear_keys(Ui& ui) {
     session_.set_saw_on(!session_.saw().is_on());
   if (heard(Key::I, "operate.key.irrigation"))
     session_.set_irrigated(!session_.saw().is_irrigated());
-  if (heard(Key::Backspace, "operate.key.take_up")) take_up_last_step();
+  if (heard(Key::Backspace, "operate.key.take_up")) take_up_step(ui.texts());
   if (heard(Key::P, "operate.key.pause")) session_.toggle_pause();
   if (heard(Key::Escape, "operate.key.escape")) session_.pause(PausedBy::Person);
 }
@@ -91,10 +91,12 @@ void OperatingField::hear_display_keys(Ui& ui, Preferences& preferences) {
   turn(Key::K, "operate.key.hand", preferences.is_left_handed);
 }
 
-void OperatingField::take_up_last_step() {
-  for (std::size_t step = session_.steps().step(); step-- > 0;) {
-    if (session_.steps().can_reopen(step)) return session_.reopen_step(step);
-  }
+/// Which cut holds is told in practice alone.
+void OperatingField::take_up_step(const Texts& texts) {
+  HudSources known = sources(texts);
+  if (!session_.is_practice()) known.site = nullptr;
+  if (const std::optional<std::size_t> step = step_to_take_up(coach_view(known)))
+    session_.reopen_step(*step);
 }
 
 void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steered) {

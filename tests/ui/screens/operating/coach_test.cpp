@@ -49,6 +49,47 @@ TEST_P(Coach, LeadsOneWhoOnlyObeysToTheEnd) {
   for (const double done : deeds_of(operation)) EXPECT_EQ(done, 1.0) << "as the score asks it";
 }
 
+/// Obeys until it holds, or too much time has gone by.
+template <typename Holds>
+bool obey_until(VirtualOperation& operation, Holds&& holds) {
+  while (!holds() && operation.time_s() < 300.0) {
+    if (const std::optional<Hint> hint = next_hint(coach_view(operation.sources()))) {
+      obey(operation, *hint);
+    } else {
+      operation.advance(ticks_per_look);
+    }
+  }
+  return holds();
+}
+
+/// The first cut of a wedge was ended half sawn, and the second is open.
+TEST(CoachOfAWedge, NamesTheCutThatHoldsAndHasItTakenUp) {
+  VirtualOperation operation("akin");
+  const auto step = [&] { return operation.session().steps().step(); };
+  ASSERT_TRUE(obey_until(operation, [&] {
+    return operation.site() != nullptr && operation.site()->cuts[0].share < 0.6;
+  }));
+  for (int i = 0; i < 4; ++i) obey(operation, draw_back_hint("operate.hint.clear", 8.0));
+  operation.press_step();
+  ASSERT_EQ(operation.session().asked(), Asked::EndUnfinished);
+  operation.session().answer(Decided::Act, operation.time_s());
+  ASSERT_TRUE(obey_until(operation, [&] { return step() == 3; })) << "the second cut is open";
+  ASSERT_TRUE(obey_until(operation, [&] {
+    const std::optional<Hint> hint = next_hint(coach_view(operation.sources()));
+    return hint && hint->move == HandMove::TakeUpStep;
+  }));
+  const std::string words = hint_text(english_texts(), *next_hint(coach_view(operation.sources())));
+  EXPECT_THAT(words, testing::HasSubstr("step 2, First cut"));
+  EXPECT_THAT(words, testing::HasSubstr("press the number 2"));
+  EXPECT_EQ(step_to_take_up(coach_view(operation.sources())), 1U);
+  CoachView blind = coach_view(operation.sources());
+  blind.site = nullptr;
+  EXPECT_EQ(step_to_take_up(blind), 2U) << "who does not know takes up the last";
+  EXPECT_TRUE(obey_until(operation, [&] { return operation.session().asked() == Asked::Finish; }));
+  EXPECT_EQ(count_of(operation, CutEventKind::StepReopened), 1);
+  EXPECT_EQ(deeds_of(operation), (std::vector{1.0, 1.0}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenarios, Coach,
                          testing::Combine(testing::Values(std::string("silver"),
                                                           std::string("akin")),

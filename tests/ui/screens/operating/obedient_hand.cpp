@@ -1,5 +1,7 @@
 #include "tests/ui/screens/operating/obedient_hand.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "ui/screens/operating/hand/start_place.h"
@@ -77,9 +79,9 @@ void obey(VirtualOperation& operation, const Hint& hint) {
     operation.world_from_view = start_camera(operation.prepared_case()).world_from_view;
   if (hint.move == HandMove::PressStep) operation.press_step();
   if (hint.move == HandMove::TakeUpStep) {
-    for (std::size_t step = operation.session().steps().step(); step-- > 0;)
-      if (operation.session().steps().can_reopen(step))
-        return operation.session().reopen_step(step);
+    const auto step = step_to_take_up(coach_view(operation.sources()));
+    ASSERT_TRUE(step.has_value()) << "a hint for what cannot be done";
+    operation.session().reopen_step(*step);
   }
   operation.advance(ticks_per_look, motion_of(hint));
 }

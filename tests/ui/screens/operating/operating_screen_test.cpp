@@ -152,6 +152,51 @@ TEST(Operating, PracticeTellsHowHotTheBoneIs) {
   EXPECT_TRUE(person.driver().sees("Bone ")) << "a dry saw warms it";
 }
 
+TEST(Operating, PlanAndTiltStayWhileTheSawIsInTheCutThatWasDeclaredDone) {
+  OperableCourse course("silver");
+  Operator person(course, AttemptKind::Practice);
+  person.begin();
+  person.press(Key::Enter);
+  saw_into_the_bone(person);
+  person.press(Key::Enter);
+  answer(person, "operate.ask_unfinished.act");
+  ASSERT_TRUE(person.until([&] { return person.driver().has("operate.step.2"); }));
+  EXPECT_TRUE(person.driver().sees("Tilt across")) << "the blade is still in it";
+  EXPECT_EQ(person.scenes.planes, 1U);
+  ASSERT_TRUE(person.until([&] {
+    person.press(Key::PageDown);
+    return !person.driver().sees("Tilt across");
+  })) << "drawn out, the step at hand has no plan";
+  EXPECT_EQ(person.scenes.planes, 0U);
+}
+
+TEST(Operating, NumbersAndBackspaceTakeStepsUpAgain) {
+  OperableCourse course("silver");
+  {
+    Operator person(course, AttemptKind::Assessment);
+    person.begin();
+    const auto is_taken_up = [&] { return !person.driver().has("operate.step.1"); };
+    person.press(Key::Enter);
+    ASSERT_TRUE(person.until([&] { return !is_taken_up(); }));
+    person.click("operate.step.1");
+    EXPECT_TRUE(person.until(is_taken_up));
+    person.click("operate.step");
+    ASSERT_TRUE(person.until([&] { return !is_taken_up(); }));
+    person.press(Key::Backspace);
+    EXPECT_TRUE(person.until(is_taken_up));
+    person.make_frames(20);
+  }
+  std::vector<std::string> told;
+  const database::AttemptId id = course.attempt().id;
+  for (const simulator::CutEvent& event : course.course().trainee("ada").recording(id).events) {
+    if (event.kind == simulator::CutEventKind::StepDone)
+      told.push_back("done " + std::to_string(event.subject));
+    if (event.kind == simulator::CutEventKind::StepReopened)
+      told.push_back("reopened " + std::to_string(event.subject));
+  }
+  EXPECT_THAT(told, ElementsAre("done 0", "reopened 0", "done 0", "reopened 0"));
+}
+
 TEST(Operating, ItCannotBeLeftWhileItIsRecorded) {
   OperableCourse course("silver");
   Operator person(course, AttemptKind::Practice);
