@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A person who never read the guide operates in the command's window under Xvfb: from signing in to the end, by the hints alone,
-with mouse or keyboard. Time on the attempt's clock and wrong turns are printed.
+with mouse or keyboard. Time on the attempt's clock and wrong turns are printed. Of an operation that came to its end the score
+must say that it was done: no gate on a deed is set off.
 
 usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--retell blank|exchanged]
                        [--pictures FOLDER]
@@ -12,16 +13,20 @@ With hints blanked, or two of them exchanged, the person must fail.
 """
 
 import argparse
+import json
 import pathlib
+import subprocess
 import sys
 import time
 
 from novice import KeyboardHand, MouseHand, Novice
-from operate_check import come_in, has_cut
-from window_check import opened_course, wait_until
+from operate_check import LOGIN, PASSWORD, come_in, has_cut
+from window_check import opened_course, rows_of, wait_until
 
 HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
 LIMIT_S, MOST_WRONG_TURNS, PATIENCE_S = 240, 3, 150.0
+# The question at the end, and the gates that say what was not done.
+FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed")
 # So long somebody is misled.
 MISLED_S = 90
 # A machine without a GPU that does much else is slower than the attempt's clock.
@@ -69,6 +74,27 @@ def take_off(person):
     person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
 
 
+def scored(program, place):
+    """The score of the only attempt, as the command tells it."""
+    name = wait_until("a score", lambda: rows_of(place, "SELECT attempt.uuid FROM attempt JOIN score USING (attempt_id)"), PATIENCE_S)[0][0]
+    asked = subprocess.run([program, "--json", "--data", place / "course", "--as", LOGIN, "score", name], input=PASSWORD + "\n",
+                           capture_output=True, text=True, check=False, timeout=PATIENCE_S)
+    if asked.returncode != 0:
+        sys.exit(f"the score cannot be asked: {asked.stdout}{asked.stderr}")
+    return json.loads(asked.stdout)
+
+
+def is_operated(options, course, novice):
+    """Finishes, and reads in the score whether what the operation is for was done."""
+    if not novice.hand.choose(FINISHED, novice.screen):
+        print("novice check: the question at the end was not answered")
+        return False
+    score = scored(options.hallux, course.place)
+    deeds = {gate["name"]: gate["triggered"] for gate in score["gates"] if gate["name"] in DEEDS}
+    print(f"novice check: score {score['score']:.1f}, gates on deeds {deeds}")
+    return bool(deeds) and not any(deeds.values())
+
+
 def attempt(options, seed):
     """(whether it came to its end, seconds on the attempt's clock, wrong turns)"""
     with opened_course(options.hallux, pictures=options.pictures) as course:
@@ -84,7 +110,7 @@ def attempt(options, seed):
                 return "flight.operations" in screen.widgets
             if options.to_first_cut:
                 return has_cut(options.hallux, course.place)
-            return "operate.ask_finish.act" in screen.widgets
+            return FINISHED in screen.widgets
 
         begun = time.monotonic()
         limit_s = MISLED_S if options.retell else LIMIT_S
@@ -93,6 +119,8 @@ def attempt(options, seed):
         course.take_picture(f"{options.hand}-{what}-{seed}")
         print(f"novice check: {what}, {options.hand}, seed {seed}: {'over' if has_ended else 'not over'} after"
               f" {novice.clock_s()} s on the clock ({time.monotonic() - begun:.0f} s), {novice.wrong_turns.count} wrong turns")
+        if has_ended and not (options.flight or options.to_first_cut):
+            has_ended = is_operated(options, course, novice)
         return has_ended and novice.wrong_turns.count <= MOST_WRONG_TURNS
 
 
