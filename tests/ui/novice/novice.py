@@ -16,9 +16,11 @@ CLICK_PIXELS = 8
 # A display gives fast movements of a mouse more pixels than slow ones.
 SHORT_PIXELS, SLOW_STEP_PIXELS, FAST_STEP_PIXELS, STEP_S = 30, 2, 10, "0.02"
 # Until an input is seen, and until it has come to rest.
-SEEN_S, REST_S, STILL_S = 1.5, 1.5, 0.5
+SEEN_S, REST_S, STILL_S = 4.0, 1.5, 0.5
 # Of a question: as many keys until its button has the focus, as many clicks until it is heard.
 TABS_AT_MOST, CLICKS_AT_MOST = 8, 5
+# The button of a pause.
+PAUSED = "operate.go_on"
 # How often a hand slips.
 SLIPS_SHARE = 0.04
 
@@ -90,14 +92,13 @@ class KeyboardHand:
     def do(self, hint, _screen):
         self.person.press_slowly(*[chord_of(hint.keys)] * max(1, min(hint.times, AT_ONCE)))
 
-    def choose(self, name, _screen):
-        """A control that keys lead to; True where it has them then."""
+    def choose(self, name, screen):
+        """A control that keys lead to; True where it was heard."""
         for _ in range(TABS_AT_MOST):
-            if self.person.focus() == name:
-                self.person.press("Return")
+            self.person.press_slowly("Return" if self.person.focus() == name else "Tab")
+            screen.look_until(lambda: name not in screen.widgets or self.person.focus() == name)
+            if name not in screen.widgets:
                 return True
-            self.person.press("Tab")
-            time.sleep(LOOK_S)
         return False
 
     def slip(self, chance):
@@ -239,6 +240,10 @@ class Novice:
         time.sleep(LOOK_S)
         return True
 
+    def go_on(self):
+        """A pause that nobody meant to make: a saw that stands still on a busy machine is stopped."""
+        return PAUSED in self.screen.widgets and self.hand.choose(PAUSED, self.screen)
+
     def watch(self, text):
         """Until what was done is seen and has come to rest; nobody does the next thing before."""
         self.screen.look_until(lambda: self.screen.text("operate.hint") != text)
@@ -264,7 +269,7 @@ class Novice:
                 self.say(f"{self.clock_s():4d} s  {words}")
                 last = words
             self.wrong_turns.seen(hint, self.clock_s())
-            if self.answer_question():
+            if self.answer_question() or self.go_on():
                 continue
             if hint and hint.keys:
                 self.slip_now_and_then()
