@@ -20,7 +20,13 @@ namespace {
 
 using database::Person;
 
-constexpr ListPageSpec page_spec{312.0F, 1.0F, 752.0F, 480.0F, 852.0F};
+/// The card of a person: its place on the page, and its parts.
+namespace person_card {
+constexpr float width = 312.0F, least_height = 320.0F, above = 100.0F;
+constexpr float head = 40.0F, below_head = 12.0F, fact = 28.0F, below_button = 8.0F,
+                below_reason = 12.0F;
+constexpr float fact_count = 6.0F, button_count = 6.0F;
+}  // namespace person_card
 constexpr float search_width = 220.0F, roomy_from = 700.0F;
 
 bool can_administer(const Person& person) noexcept {
@@ -157,7 +163,12 @@ void PeopleScreen::draw_page(Ui& ui, const Rect& content, Shell& shell) {
   const ButtonSpec add{ui.text("people.add"), ButtonLook::Primary, Icon::Add};
   PageHead head = course_head(ui, *signed_in_, ui.text("people.title"), ui.text("people.sentence"));
   head.buttons_width = search_width + 12.0F + button_width(ui, add);
-  const ListPage page(ui, "people", head, content, page_spec);
+  const Listed* const listed = people_.has_value() ? chosen() : nullptr;
+  ListPageSpec spec{person_card::width, 1.0F, person_card::least_height, 480.0F};
+  if (listed != nullptr)
+    spec.side_height = std::max(person_card::least_height, person_height(ui, *listed));
+  spec.least_height = std::max(spec.least_height, person_card::above + spec.side_height);
+  const ListPage page(ui, "people", head, content, spec);
   draw_head_buttons(ui, page.buttons(), add);
   if (!people_.draw_until_ready(ui, "people.failed", page.list(), 8)) {
     card(ui, page.side(), {});
@@ -212,18 +223,46 @@ void PeopleScreen::draw_person(Ui& ui, const Rect& content, Shell& shell) {
   }
   Rect rest = inside;
   const std::string name = shown_name_of(listed->person.login, listed->person.display_name);
-  Rect head = take_top(rest, 40.0F, 12.0F);
+  Rect head = take_top(rest, person_card::head, person_card::below_head);
   person_avatar(ui, {head.x + 20.0F, head.mid_y()}, 20.0F, name, listed->person.id);
   ui.canvas().text_in({head.x + 54.0F, head.y, head.w - 54.0F, head.h},
                       {Type::CardTitle, ui.theme().text}, name, true);
   draw_facts(ui, rest, *listed);
-  take_top(rest, 12.0F);
+  take_top(rest, person_card::below_head);
   draw_rename_button(ui, rest, *listed);
   draw_code_button(ui, rest, *listed);
   draw_role_button(ui, rest, *listed, shell);
   draw_disable_button(ui, rest, *listed, shell);
   draw_export_button(ui, rest, *listed);
   draw_erase_button(ui, rest, *listed);
+}
+
+PeopleScreen::WhyNot PeopleScreen::why_not(const Ui& ui, const Listed& listed) const {
+  const bool is_self = listed.person.id == signed_in_->person().id;
+  const bool is_last = is_last_administrator(listed.person);
+  WhyNot why;
+  if (is_self) why.code = ui.text("people.reset.own");
+  if (is_last) why.role = ui.text("people.last_administrator.role");
+  if (!listed.person.is_disabled && (is_last || is_self))
+    why.disable = ui.text(is_last ? "people.last_administrator" : "people.disable.own");
+  if (is_self) why.erase = ui.text("people.erase.own");
+  return why;
+}
+
+float PeopleScreen::person_height(const Ui& ui, const Listed& listed) const {
+  const float facts =
+      person_card::fact_count + (listed.admission == Admission::Invited ? 1.0F : 0.0F);
+  float height = 2.0F * space::side_card + person_card::head + 2.0F * person_card::below_head +
+                 facts * person_card::fact +
+                 person_card::button_count * (button_height + person_card::below_button);
+  const WhyNot why = why_not(ui, listed);
+  for (const std::string_view words : {why.code, why.role, why.disable, why.erase}) {
+    if (words.empty()) continue;
+    height +=
+        ui.paragraph_height(Type::Small, words, person_card::width - 2.0F * space::side_card) +
+        person_card::below_reason;
+  }
+  return height;
 }
 
 void PeopleScreen::draw_facts(Ui& ui, Rect& rest, const Listed& listed) const {
@@ -247,8 +286,10 @@ namespace {
 bool wide_button(Ui& ui, std::string_view id, Rect& rest, ButtonSpec spec,
                  std::string_view why_not) {
   spec.why_off = why_not;
-  const bool is_pressed = button(ui, id, take_top(rest, button_height, 8.0F), spec);
-  if (!why_not.empty()) text_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, 12.0F);
+  const bool is_pressed =
+      button(ui, id, take_top(rest, button_height, person_card::below_button), spec);
+  if (!why_not.empty())
+    text_line(ui, rest, Type::Small, ui.theme().text_caption, why_not, person_card::below_reason);
   return is_pressed;
 }
 
@@ -262,11 +303,8 @@ void PeopleScreen::draw_rename_button(Ui& ui, Rect& rest, const Listed& listed) 
 }
 
 void PeopleScreen::draw_code_button(Ui& ui, Rect& rest, const Listed& listed) {
-  const bool is_self = listed.person.id == signed_in_->person().id;
-  ButtonSpec spec{ui.text("people.reset"), ButtonLook::Secondary, Icon::Lock};
-  if (!wide_button(ui, "people.reset", rest, spec,
-                   is_self ? ui.text("people.reset.own") : std::string_view()))
-    return;
+  const ButtonSpec spec{ui.text("people.reset"), ButtonLook::Secondary, Icon::Lock};
+  if (!wide_button(ui, "people.reset", rest, spec, why_not(ui, listed).code)) return;
   asked_ = Asked{Asked::Deed::Reset, listed.person.login};
 }
 
@@ -275,10 +313,7 @@ void PeopleScreen::draw_role_button(Ui& ui, Rect& rest, const Listed& listed, Sh
   const bool is_administrator = listed.person.is_administrator;
   const ButtonSpec spec{
       ui.text(is_administrator ? "people.unmake_administrator" : "people.make_administrator")};
-  const std::string_view why_not = is_last_administrator(listed.person)
-                                       ? ui.text("people.last_administrator.role")
-                                       : std::string_view();
-  if (!wide_button(ui, "people.administrator", rest, spec, why_not)) return;
+  if (!wide_button(ui, "people.administrator", rest, spec, why_not(ui, listed).role)) return;
   if (is_administrator) {
     asked_ = Asked{Asked::Deed::TakeRole, login};
     return;
@@ -295,13 +330,8 @@ void PeopleScreen::draw_disable_button(Ui& ui, Rect& rest, const Listed& listed,
              [login](database::AdministratorDesk& desk) { desk.set_disabled(login, false); });
     return;
   }
-  const bool is_self = listed.person.id == signed_in_->person().id;
-  const std::string_view why_not = is_last_administrator(listed.person)
-                                       ? ui.text("people.last_administrator")
-                                   : is_self ? ui.text("people.disable.own")
-                                             : std::string_view();
   if (wide_button(ui, "people.disable", rest, {ui.text("people.disable"), ButtonLook::Danger},
-                  why_not))
+                  why_not(ui, listed).disable))
     asked_ = Asked{Asked::Deed::Disable, login};
 }
 
@@ -322,10 +352,8 @@ void PeopleScreen::draw_export(Ui& ui, Shell& shell) {
 }
 
 void PeopleScreen::draw_erase_button(Ui& ui, Rect& rest, const Listed& listed) {
-  const bool is_self = listed.person.id == signed_in_->person().id;
-  const std::string_view why_not = is_self ? ui.text("people.erase.own") : std::string_view();
   if (!wide_button(ui, "people.erase", rest, {ui.text("people.erase"), ButtonLook::Danger},
-                   why_not))
+                   why_not(ui, listed).erase))
     return;
   erased_.emplace(listed.person.login);
   erasing_.forget_fault();

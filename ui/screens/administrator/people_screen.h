@@ -61,6 +61,13 @@ class PeopleScreen : public Screen {
   std::vector<const Listed*> found() const;
   const Listed* chosen() const;
   bool is_last_administrator(const database::Person& person) const;
+  /// Of what cannot be done with somebody; empty: it can.
+  struct WhyNot {
+    std::string_view code, role, disable, erase;
+  };
+  WhyNot why_not(const Ui& ui, const Listed& listed) const;
+  /// Of the card of whoever is chosen, with the reasons in it.
+  float person_height(const Ui& ui, const Listed& listed) const;
   void draw_page(Ui& ui, const Rect& content, Shell& shell);
   void draw_head_buttons(Ui& ui, Rect buttons, const ButtonSpec& add);
   void draw_list(Ui& ui, const Rect& content);

@@ -326,6 +326,19 @@ TEST(PeopleScreen, ShowsNoListWhileItIsRead) {
   }
 }
 
+TEST(PeopleScreen, ScrollsOnlyForReasonsThatHaveNoRoom) {
+  database::SomeCourse course;
+  Office office(course);
+  EXPECT_FALSE(office.driver().has("people.page"));
+  office.choose("ada");
+  EXPECT_FALSE(office.driver().has("people.page")) << "her card is half as high as the window";
+  office.driver().resize(1280.0F, 720.0F);
+  office.driver().settle();
+  EXPECT_FALSE(office.driver().has("people.page"));
+  office.choose("root");
+  EXPECT_TRUE(office.driver().has("people.page")) << "four reasons stand below the buttons";
+}
+
 TEST(PeopleScreen, NothingIsCutOffAnywhere) {
   database::SomeCourse course;
   course.administrator().add_person_with_code(
