@@ -23,6 +23,7 @@
 
 #include "tests/database/some_database.h"
 #include "tests/ui/app/window/course_window.h"
+#include "ui/window/shell/help.h"
 
 namespace {
 
@@ -232,18 +233,27 @@ class Walker {
     if (window_.shell().is_guide_shown()) seen_.insert("guide");
   }
 
+  /// Half of them of those that the screen has bound, as F1 lists them; the others mean something to
+  /// controls and fields, or nothing.
+  Chord some_chord() {
+    static const std::array keys{
+        Key::Tab,   Key::Tab,    Key::Tab,  Key::Enter, Key::Escape,    Key::Space,
+        Key::Left,  Key::Right,  Key::Up,   Key::Down,  Key::Home,      Key::End,
+        Key::F1,    Key::F9,     Key::G,    Key::N,     Key::P,         Key::Period,
+        Key::F,     Key::C,      Key::S,    Key::B,     Key::Backspace, Key::Delete,
+        Key::Comma, Key::Digit0, Key::Plus, Key::Minus, Key::PageUp,    Key::PageDown};
+    const std::vector<Shortcut>& bound = driver().ui().shortcuts();
+    if (!bound.empty() && one_in(2))
+      return bound[static_cast<std::size_t>(below(static_cast<int>(bound.size())))].chord;
+    return {keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))],
+            {one_in(5), one_in(12), false}};
+  }
+
   void press_keys() {
-    static const std::array<Key, 25> keys{
-        Key::Tab,  Key::Tab,   Key::Tab,    Key::Enter,     Key::Escape, Key::Space,
-        Key::Left, Key::Right, Key::Up,     Key::Down,      Key::Home,   Key::End,
-        Key::F1,   Key::F9,    Key::G,      Key::N,         Key::P,      Key::Period,
-        Key::F,    Key::C,     Key::Delete, Key::Backspace, Key::S,      Key::B};
     for (int count = 1 + below(4); count > 0; --count) {
-      const int which = below(static_cast<int>(keys.size()));
-      const Modifiers modifiers{one_in(5), one_in(12), false};
-      note("key " + std::to_string(which) + (modifiers.shift ? " with Shift" : "") +
-           (modifiers.control ? " with Ctrl" : ""));
-      driver().press(keys[static_cast<std::size_t>(which)], modifiers);
+      const Chord chord = some_chord();
+      note("key " + chord_text(texts_, chord));
+      driver().press(chord.key, chord.modifiers);
     }
   }
 
@@ -327,6 +337,17 @@ class Walker {
            !driver().has("operate.begin");
   }
 
+  /// A key may have hidden what an operation is abandoned with.
+  void bring_panels_back() {
+    constexpr int questions_at_most = 3;
+    for (int count = 0; count < questions_at_most && is_being_saved(); ++count) {
+      driver().press(Key::Escape);
+      if (!driver().has("operate.go_on")) continue;
+      if (!driver().has("operate.abandon")) driver().press(Key::H);
+      return;
+    }
+  }
+
   /// Saving an attempt takes real time.
   void wait_for_the_record() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -342,6 +363,7 @@ class Walker {
   void find_home() {
     note("home");
     for (int count = 0; count < escapes_at_most && !is_home(); ++count) {
+      bring_panels_back();
       wait_for_the_record();
       // Where the saw has the pointer, the pause by Esc frees it.
       const bool is_free = driver().ui().captured_by().empty();
@@ -365,6 +387,7 @@ class Walker {
 
   Walk walk_;
   std::mt19937_64 random_;
+  const Texts texts_ = english_texts();
   CourseWindow window_;
   std::deque<std::string> done_;
   std::set<std::string> seen_;
