@@ -231,7 +231,7 @@ Response Ui::control(Widget widget) {
   response.is_held = widget.is_enabled && left.is_down && left.id == widget.id;
   response.is_hovered = is_under_pointer && (!left.is_down || response.is_held);
   response.has_focus = widget.is_enabled && input_.focus == widget.id;
-  response.shows_ring = response.has_focus && input_.is_ring_shown;
+  response.shows_ring = input_.focus == widget.id && input_.is_ring_shown;
   if (widget.is_enabled && input_.pressed == widget.id) {
     response.pressed_by = input_.pressed_by;
     response.is_double = input_.is_double;

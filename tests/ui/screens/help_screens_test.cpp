@@ -75,7 +75,7 @@ TEST(InboxScreen, AnAnswerIsSentAndCountsNoLonger) {
   Asking asking;
   Inbox inbox(asking);
   inbox.press(row_of(asking, "ada"));
-  EXPECT_FALSE(inbox.driver().widget("inbox.send").is_enabled) << "there is nothing to send";
+  expect_reason_by_keyboard(inbox.driver(), "inbox.send");
   inbox.driver().click("inbox.answer");
   inbox.driver().type("The blade was tilted.");
   inbox.press("inbox.send");

@@ -30,6 +30,18 @@ std::shared_ptr<SignedInSession> visit_of(database::SomeCourse& course, const st
       });
 }
 
+void expect_reason_by_keyboard(Driver& driver, const std::string& id) {
+  for (int presses = 0; presses < 60 && driver.focused() != id; ++presses) driver.press(Key::Tab);
+  ASSERT_EQ(driver.focused(), id) << "Tab does not come to it";
+  const Widget off = driver.widget(id);
+  EXPECT_FALSE(off.is_enabled) << id;
+  EXPECT_TRUE(driver.sees(off.why_off)) << off.why_off;
+  driver.press(Key::Space);
+  driver.press(Key::Enter);
+  EXPECT_TRUE(driver.has(id));
+  EXPECT_EQ(driver.focused(), id);
+}
+
 SomeVisitor::SomeVisitor(std::unique_ptr<Screen> screen, float scale, ScenePainter* painter)
     : driver_(
           texts_,

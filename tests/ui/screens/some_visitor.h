@@ -13,6 +13,9 @@ namespace hallux::ui {
 std::shared_ptr<SignedInSession> visit_of(database::SomeCourse& course, const std::string& login,
                                           const database::OpenOptions& options = {});
 
+/// Tab comes to the control that is off, and shows why it is; neither Space nor Enter presses it.
+void expect_reason_by_keyboard(Driver& driver, const std::string& id);
+
 class SomeVisitor {
  public:
   /// A painter that is given is asked for the pictures.

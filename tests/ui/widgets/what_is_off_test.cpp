@@ -46,11 +46,83 @@ TEST(WhatIsOff, SaysWhyOnHover) {
   EXPECT_THAT(page.faults(), IsEmpty());
 }
 
+TEST(WhatIsOff, SaysWhyToWhoHasNoPointer) {
+  const Texts english = english_texts();
+  Driver page(english, draw_what_is_off);
+  for (const auto& [id, words] :
+       std::array<std::pair<const char*, const char*>, 5>{{{"button", "no words"},
+                                                           {"icon", "Earlier: nothing before"},
+                                                           {"field", "no person"},
+                                                           {"box", "no files"},
+                                                           {"toggle", "no plan"}}}) {
+    EXPECT_FALSE(page.sees(words)) << id;
+    page.press(Key::Tab);
+    EXPECT_EQ(page.focused(), id);
+    EXPECT_TRUE(page.sees(words)) << id;
+    EXPECT_THAT(page.faults(), IsEmpty());
+  }
+}
+
+TEST(WhatIsOff, DoesNothingWhenItIsPressedOrWrittenInto) {
+  const Texts english = english_texts();
+  std::string text;
+  bool is_on = false;
+  int presses = 0, primary = 0;
+  Driver page(english, [&](Ui& ui) {
+    presses += button(ui, "button", {10, 10, 200, 38}, {.label = "Send", .why_off = "no words"});
+    field(ui, "field", {10, 110, 200, 42}, text, {.label = "Name", .why_off = "no person"});
+    toggle(ui, "toggle", {10, 210, 200, 24}, "Plan", is_on, true, "no plan");
+    primary += button(ui, "go", {10, 310, 200, 38}, {"Go on", ButtonLook::Primary});
+  });
+  for (const char* id : {"button", "field", "toggle"}) {
+    page.press(Key::Tab);
+    ASSERT_EQ(page.focused(), id);
+    page.type("ab");
+    page.press(Key::Space);
+    EXPECT_EQ(page.focused(), id);
+  }
+  EXPECT_EQ(presses, 0);
+  EXPECT_EQ(text, "");
+  EXPECT_FALSE(is_on);
+  page.press(Key::Enter);
+  EXPECT_EQ(primary, 0) << "Enter is for what has the ring";
+}
+
+TEST(WhatIsOff, LeavesTheFocusWhereItIsWhenThePointerPressesIt) {
+  const Texts english = english_texts();
+  std::string text;
+  Driver page(english, [&](Ui& ui) {
+    field(ui, "field", {10, 110, 200, 42}, text, {.label = "Name"});
+    button(ui, "button", {10, 210, 200, 38}, {.label = "Send", .why_off = "no words"});
+  });
+  page.click("field");
+  page.send(click_events(page.widget("button").rect.centre()));
+  page.settle();
+  EXPECT_EQ(page.focused(), "field");
+}
+
+TEST(WhatIsOff, KeepsTheFocusOfWhoPressedIt) {
+  const Texts english = english_texts();
+  std::string_view why;
+  Driver page(english, [&](Ui& ui) {
+    ButtonSpec newer{"Newer"};
+    newer.why_off = why;
+    if (button(ui, "newer", {10, 10, 120, 38}, newer)) why = "These are the newest.";
+    button(ui, "older", {210, 10, 120, 38}, {"Older"});
+  });
+  page.press(Key::Tab);
+  page.press(Key::Enter);
+  EXPECT_EQ(page.focused(), "newer");
+  EXPECT_TRUE(page.sees("These are the newest."));
+}
+
 TEST(WhatIsOff, SaysWhyInAMenu) {
   const Texts english = english_texts();
   const std::array<MenuItem, 1> items{{{.label = "Erase", .why_off = "nobody chosen"}}};
   Driver driver(english, [&](Ui& ui) { menu(ui, "menu", {400, 10}, items); });
-  expect_reason_on_hover(driver, "menu.0", "nobody chosen");
+  EXPECT_EQ(driver.focused(), "menu.0");
+  driver.press(Key::Down);
+  EXPECT_TRUE(driver.sees("nobody chosen")) << "where an arrow leads to it";
 }
 
 TEST(WhatIsOff, IsAFaultWithoutAReason) {

@@ -92,7 +92,7 @@ bool button(Ui& ui, std::string_view id, const Rect& rect, const ButtonSpec& spe
                                         .why_off = std::string(why),
                                         .is_primary = spec.look == ButtonLook::Primary});
   draw_button(ui, rect, spec, {response.hover, response.is_held, response.shows_ring});
-  if (!why.empty()) tooltip_when_resting(ui, id, rect, why);
+  if (!why.empty()) tell_why_off(ui, id, rect, why);
   return response.is_pressed();
 }
 
@@ -120,9 +120,11 @@ bool icon_button(Ui& ui, std::string_view id, const Rect& rect, const IconButton
                     : spec.is_on          ? theme.accent
                                           : mixed(theme.text_secondary, theme.text, response.hover);
   canvas.icon(rect.centre(), spec.icon, IconSize::Control, ink);
-  std::string words(spec.label);
-  if (!spec.why_off.empty()) words.append(": ").append(spec.why_off);
-  tooltip_when_resting(ui, id, rect, words);
+  if (spec.why_off.empty()) {
+    tooltip_when_resting(ui, id, rect, spec.label);
+  } else {
+    tell_why_off(ui, id, rect, std::string(spec.label) + ": " + std::string(spec.why_off));
+  }
   return response.is_pressed();
 }
 

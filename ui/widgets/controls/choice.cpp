@@ -49,7 +49,7 @@ bool switch_control(Ui& ui, std::string_view id, const Rect& rect, std::string_v
                          .role = Role::Checkbox,
                          .is_enabled = why_off.empty(),
                          .why_off = std::string(why_off)});
-  if (!why_off.empty()) tooltip_when_resting(ui, id, rect, why_off);
+  if (!why_off.empty()) tell_why_off(ui, id, rect, why_off);
   if (response.is_pressed()) is_on = !is_on;
   return response.is_pressed();
 }

@@ -179,6 +179,9 @@ void draw_box(Ui& ui, const Rect& rect, const FieldSpec& spec, const ControlStat
   const bool is_strong = spec.why_off.empty() && (has_focus || !spec.error.empty());
   canvas.outline(rect, border_of(theme, spec, state, has_focus), radius::control,
                  is_strong ? 2.0F : 1.0F);
+  // One that is on shows by its edge that it is written into.
+  if (state.shows_ring && !spec.why_off.empty())
+    draw_focus_ring(canvas, theme, rect, radius::control);
   const Icon icon = spec.why_off.empty() ? spec.icon : Icon::Lock;
   canvas.icon({rect.x + padding + 6.0F, rect.mid_y()}, icon, IconSize::Control, theme.text_caption);
   draw_message(ui, rect, spec);
@@ -269,7 +272,7 @@ bool field(Ui& ui, std::string_view id, const Rect& rect, std::string& text,
   const TextCursor cursor{shown.to_shown(edit.cursor.caret), shown.to_shown(edit.cursor.anchor)};
   follow_caret(edit, layout, cursor.caret, room, spec.lines > 1);
   draw_content(ui, room, shown.view(), layout, edit, cursor, spec, response.has_focus);
-  if (!spec.why_off.empty()) tooltip_when_resting(ui, id, rect, spec.why_off);
+  if (!spec.why_off.empty()) tell_why_off(ui, id, rect, spec.why_off);
   if (spec.is_secret && spec.why_off.empty() && draw_eye(ui, name, rect, edit.is_revealed)) {
     edit.is_revealed = !edit.is_revealed;
     ui.want_frame_in_s(0.0);

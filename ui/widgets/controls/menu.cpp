@@ -101,9 +101,9 @@ int menu(Ui& ui, std::string_view id, Point corner, std::span<const MenuItem> it
     const std::string name = widget.id;
     const Response response = ui.control(std::move(widget));
     if (number == 0) ui.focus_first(name);
-    draw_row(ui, rows[number], items[number], response.has_focus ? 1.0F : response.hover);
-    if (!items[number].why_off.empty())
-      tooltip_when_resting(ui, name, rows[number], items[number].why_off);
+    draw_row(ui, rows[number], items[number],
+             response.has_focus || response.shows_ring ? 1.0F : response.hover);
+    if (!items[number].why_off.empty()) tell_why_off(ui, name, rows[number], items[number].why_off);
     if (response.is_pressed()) answer = static_cast<int>(number);
   }
   if (ui.shortcut({Key::Escape}, ui.text("menu.close"))) answer = menu_closed;

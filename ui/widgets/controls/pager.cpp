@@ -27,11 +27,7 @@ int pager(Ui& ui, std::string_view id, const Rect& line, const PagerSpec& spec) 
                                    {.label = spec.on, .icon = Icon::Right, .why_off = at_last});
   if (!goes_back && !goes_on) return std::clamp(spec.first, 0, last);
   ui.want_frame_in_s(0.0);
-  const int first = std::clamp(spec.first + (goes_on ? spec.shown : -spec.shown), 0, last);
-  // The arrow that was pressed may lead nowhere now: the focus stays here.
-  if (goes_on && first == last && ui.focused() == prefix + ".on") ui.focus(prefix + ".back");
-  if (goes_back && first == 0 && ui.focused() == prefix + ".back") ui.focus(prefix + ".on");
-  return first;
+  return std::clamp(spec.first + (goes_on ? spec.shown : -spec.shown), 0, last);
 }
 
 }  // namespace hallux::ui

@@ -14,4 +14,7 @@ void tooltip(Ui& ui, Point point, std::string_view value, std::string_view conte
 /// The label of an icon, under the control, once the pointer has rested on it for half a second.
 void tooltip_when_resting(Ui& ui, std::string_view id, const Rect& rect, std::string_view label);
 
+/// Why a control is off: likewise, and at once where the focus ring is on it.
+void tell_why_off(Ui& ui, std::string_view id, const Rect& rect, std::string_view why);
+
 }  // namespace hallux::ui

@@ -62,7 +62,12 @@ const Widget* neighbour(const FrameContent& content, const Widget& from, Key arr
 }  // namespace
 
 bool can_have_focus(const FrameContent& content, const Widget& widget) noexcept {
-  return widget.is_enabled && widget.is_focusable && widget.layer >= reachable_layer(content);
+  return (widget.is_enabled || !widget.why_off.empty()) && widget.is_focusable &&
+         widget.layer >= reachable_layer(content);
+}
+
+bool can_be_pressed(const FrameContent& content, const Widget& widget) noexcept {
+  return widget.is_enabled && can_have_focus(content, widget);
 }
 
 std::string next_in_tab_order(const FrameContent& content, const std::string& focus,

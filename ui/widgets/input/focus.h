@@ -9,8 +9,8 @@
 namespace hallux::ui {
 
 /// The id after (or before) `focus` in Tab order; the first (or last) where `focus` is nowhere, ""
-/// where nothing can have the focus. A group is visited once, at its chosen widget; disabled ones
-/// are left out, and those that come late come behind all others.
+/// where nothing can have the focus. A group is visited once, at its chosen widget; those that come
+/// late come behind all others.
 std::string next_in_tab_order(const FrameContent& content, const std::string& focus,
                               bool is_backwards);
 
@@ -18,7 +18,10 @@ std::string next_in_tab_order(const FrameContent& content, const std::string& fo
 /// `focus` itself where there is none.
 std::string next_by_arrow(const FrameContent& content, const std::string& focus, Key arrow);
 
-/// True where `widget` may have the focus now.
+/// True where `widget` may have the focus now. One that is off may, so that its reason can be read
+/// by keyboard; without a reason there is nothing to read.
 bool can_have_focus(const FrameContent& content, const Widget& widget) noexcept;
+/// True where a press on it does something, by key or pointer.
+bool can_be_pressed(const FrameContent& content, const Widget& widget) noexcept;
 
 }  // namespace hallux::ui

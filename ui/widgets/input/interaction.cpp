@@ -56,7 +56,7 @@ bool meets_what_was_typed(const InputEvent& event) noexcept {
 
 const Widget* primary_of(const FrameContent& content) {
   for (const Widget& widget : content.widgets)
-    if (widget.is_primary && can_have_focus(content, widget)) return &widget;
+    if (widget.is_primary && can_be_pressed(content, widget)) return &widget;
   return nullptr;
 }
 
@@ -147,7 +147,7 @@ bool Interaction::apply(const InputEvent& event) {
     case EventKind::Character: {
       if (std::exchange(is_letter_taken, false)) return false;
       const Widget* field = find_widget(*shown_, focus);
-      if (field != nullptr && field->role == Role::Field)
+      if (field != nullptr && field->role == Role::Field && field->is_enabled)
         edits.push_back({focus, {event.character, {}}});
       return false;
     }
@@ -218,7 +218,7 @@ bool Interaction::press_button(const InputEvent& event) {
   own = {under == nullptr ? std::string() : under->id, true, false, pointer, {}};
   if (under == nullptr || event.button != MouseButton::Left) return false;
   if (under->role == Role::Area) focus.clear();
-  if (can_have_focus(*shown_, *under)) focus = under->id;
+  if (can_be_pressed(*shown_, *under)) focus = under->id;
   if (under->role != Role::Field || !under->is_enabled) return false;
   pressed = under->id;
   pressed_by = PressedBy::Mouse;
@@ -273,7 +273,7 @@ bool Interaction::press_key(Chord chord) {
   const Widget* focused = find_widget(*shown_, focus);
   if (focused != nullptr && !can_have_focus(*shown_, *focused)) focused = nullptr;
   if (move_focus(focused, chord)) return false;
-  if (focused != nullptr && focused->role == Role::Field) {
+  if (focused != nullptr && focused->role == Role::Field && focused->is_enabled) {
     if (edit_key(*focused, chord)) return false;
     if (writes_letter(chord)) return false;
   }
@@ -293,7 +293,8 @@ bool Interaction::edit_key(const Widget& field, Chord chord) {
 bool Interaction::move_focus(const Widget* focused, Chord chord) {
   std::string next = focus;
   const bool is_tab = chord.key == Key::Tab && !chord.modifiers.control && !chord.modifiers.alt;
-  if (is_tab && !chord.modifiers.shift && focused != nullptr && focused->takes_tab) {
+  if (is_tab && !chord.modifiers.shift && focused != nullptr && focused->takes_tab &&
+      focused->is_enabled) {
     edits.push_back({focus, {0, chord}});
     return true;
   }
@@ -313,7 +314,7 @@ bool Interaction::move_focus(const Widget* focused, Chord chord) {
 }
 
 // Space and Enter press what has the ring; in a menu or question also without it. Enter else means
-// the primary.
+// the primary. What is off has the ring to be read: a press on it is heard by nobody.
 bool Interaction::press_by_key(const Widget* focused, Chord chord) {
   if (chord.key != Key::Enter && chord.key != Key::Space) return false;
   const bool steers_focus = is_ring_shown || reachable_layer(*shown_) > Layer::Page;
@@ -321,6 +322,7 @@ bool Interaction::press_by_key(const Widget* focused, Chord chord) {
       focused != nullptr && is_pressable(*focused) && steers_focus ? focused : nullptr;
   if (target == nullptr && chord.key == Key::Enter) target = primary_of(*shown_);
   if (target == nullptr) return false;
+  if (!target->is_enabled) return true;
   pressed = target->id;
   pressed_by = chord.key == Key::Enter ? PressedBy::Enter : PressedBy::Space;
   return true;

@@ -238,7 +238,8 @@ TEST(CohortScreen, OfManyOperationsAllAreReachedByKeyboard) {
   const auto heads =
       heads_seen(teacher, [&] { press_by_keyboard(teacher.visitor, "cohort.operations.on"); });
   EXPECT_EQ(heads.size(), 12U);
-  EXPECT_EQ(teacher.driver().focused(), "cohort.operations.back");
+  EXPECT_EQ(teacher.driver().focused(), "cohort.operations.on")
+      << "and is told that it is the last";
 }
 
 TEST(CohortScreen, ALongNameLeavesRoomForThreeOperationsAndIsSaidWhole) {

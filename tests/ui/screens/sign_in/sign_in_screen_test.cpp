@@ -82,6 +82,13 @@ TEST(SignInScreen, AWeakPasswordIsSaidAndMakesNobody) {
   EXPECT_TRUE(is_without_people(temporary.data()));
 }
 
+TEST(SignInScreen, SaysByKeyboardWhatIsMissing) {
+  database::SomeCourse course;
+  Arrival arrival(course.database().directory());
+  expect_reason_by_keyboard(arrival.driver(), "entry.sign_in");
+  EXPECT_EQ(arrival.signed_in, nullptr);
+}
+
 TEST(SignInScreen, SignsInByKeyboardAlone) {
   database::SomeCourse course;
   Arrival arrival(course.database().directory());

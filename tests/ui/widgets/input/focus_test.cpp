@@ -32,11 +32,21 @@ TEST(Focus, TabVisitsAGroupOnceAtItsChosenWidget) {
   EXPECT_EQ(next_in_tab_order(content, "b", false), "a") << "round";
 }
 
-TEST(Focus, DisabledControlsAndLowerLayersAreLeftOut) {
+TEST(Focus, WhatIsOffIsVisitedForItsReasonAndNotPressed) {
   FrameContent content;
   content.widgets = {control("a"), control("b"), control("c")};
   content.widgets[1].is_enabled = false;
-  EXPECT_EQ(next_in_tab_order(content, "a", false), "c");
+  EXPECT_EQ(next_in_tab_order(content, "a", false), "c") << "it has nothing to say";
+  content.widgets[1].why_off = "Type your login first.";
+  EXPECT_EQ(next_in_tab_order(content, "a", false), "b");
+  EXPECT_TRUE(can_have_focus(content, content.widgets[1]));
+  EXPECT_FALSE(can_be_pressed(content, content.widgets[1]));
+  EXPECT_TRUE(can_be_pressed(content, content.widgets[2]));
+}
+
+TEST(Focus, LowerLayersAreLeftOut) {
+  FrameContent content;
+  content.widgets = {control("a"), control("b"), control("c")};
   Widget answer = control("keep");
   answer.layer = Layer::Modal;
   content.widgets.push_back(answer);
