@@ -8,6 +8,7 @@ import contextlib
 import ctypes
 import pathlib
 import sys
+import time
 
 from hard_times_check import window_of
 from operate_check import PATIENCE_S, begin, come_in
@@ -15,6 +16,7 @@ from window_check import opened_course, wait_until
 
 NOT_CAUGHT = "The mouse is not caught"
 RIGHT_BUTTON = "3"
+STAYS_S = 3.0
 
 
 @contextlib.contextmanager
@@ -78,13 +80,34 @@ def plug_mouse(display_name, is_plugged):
             sys.exit("the mouse cannot be unplugged")
 
 
-def foot(person):
-    return next((each["text"] for each in person.map()["read_outs"] if each["id"] == "operate.foot"), "")
+def foot_and_captured(person):
+    """What the foot says, and what has the pointer, of one frame."""
+    shown = person.map()
+    return next((each["text"] for each in shown["read_outs"] if each["id"] == "operate.foot"), ""), shown["captured"]
+
+
+def is_caught(person):
+    foot, captured = foot_and_captured(person)
+    return foot and NOT_CAUGHT not in foot and captured == "operate.view"
+
+
+def is_not_caught(person):
+    foot, captured = foot_and_captured(person)
+    return NOT_CAUGHT in foot and not captured
 
 
 def wait_caught(person):
-    wait_until("the pointer is caught", lambda: person.map()["captured"] == "operate.view", PATIENCE_S)
-    wait_until("the foot says no more", lambda: foot(person) and NOT_CAUGHT not in foot(person), PATIENCE_S)
+    wait_until("the pointer is caught", lambda: is_caught(person), PATIENCE_S)
+
+
+def wait_not_caught(person):
+    """It stays so while the window asks again now and then."""
+    wait_until("the foot says that it is not caught", lambda: is_not_caught(person), PATIENCE_S)
+    end = time.monotonic() + STAYS_S
+    while time.monotonic() < end:
+        if not is_not_caught(person):
+            sys.exit(f"the window claims a pointer that another program holds: {foot_and_captured(person)}")
+        time.sleep(0.05)
 
 
 def wait_free(person):
@@ -108,13 +131,11 @@ def begin_while_held(course, display):
     held = contextlib.ExitStack()
     with held:
         begin(person, course.take_picture, while_ready=lambda: held.enter_context(pointer_held(display)))
-        wait_until("the foot says so", lambda: NOT_CAUGHT in foot(person), PATIENCE_S)
+        wait_not_caught(person)
         course.take_picture("not-caught")
-        if person.map()["captured"]:
-            sys.exit("the window claims a pointer that another program holds")
         pause_by_escape(person)
         person.press("p")
-        wait_until("the foot says so again", lambda: NOT_CAUGHT in foot(person), PATIENCE_S)
+        wait_not_caught(person)
     wait_caught(person)
 
 

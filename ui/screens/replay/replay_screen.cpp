@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <span>
 
 #include "simulator/base/units.h"
@@ -14,6 +13,7 @@
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/pictures/shown_camera.h"
+#include "ui/screens/replay/hand_panel.h"
 #include "ui/screens/result/result_cards.h"
 #include "ui/widgets/controls/card.h"
 #include "ui/widgets/controls/choice.h"
@@ -44,13 +44,6 @@ constexpr int as_seen = 0, turned_by_hand = -1;
 Rect section_corner(const Rect& picture) {
   return {picture.right() - edge - inset_width, picture.y + 2.0F * edge + segmented_height,
           inset_width, inset_height};
-}
-
-std::string fixed_text(double value, int decimals) {
-  if (!std::isfinite(value)) return "\xE2\x80\x93";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
 }
 
 void draw_event(Ui& ui, const AttemptEvent& event, const Rect& cell) {
@@ -201,8 +194,8 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
   bone_->move_to(tick);
   const std::string state = std::to_string(bone_->revision()) + "/" + std::to_string(tick) +
                             (shows_plan_ ? "/plan" : "") +
-                            (picked_in_bone_mm_ ? fixed_text(picked_in_bone_mm_->x, 6) +
-                                                      fixed_text(picked_in_bone_mm_->y, 6)
+                            (picked_in_bone_mm_ ? std::to_string(picked_in_bone_mm_->x) +
+                                                      std::to_string(picked_in_bone_mm_->y)
                                                 : std::string());
   stage_.set_blade(hand.world_from_tool);
   look_as_seen(rect);
@@ -214,7 +207,7 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
   if (response.was_turned_back) view_ = as_seen;
   draw_pins(ui);
   draw_view_choices(ui, rect);
-  draw_hand(ui, rect, hand);
+  draw_hand_panel(ui, inset(rect, edge), hand);
   if (!shows_section(rect)) return;
   const Rect corner = section_corner(rect);
   inset_.draw(ui, shell, corner, material_.value(), *bone_, hand, shows_plan_);
@@ -226,8 +219,7 @@ bool ReplayScreen::shows_section(const Rect& rect) const {
   const Rect corner = section_corner(rect);
   if (corner.x <= rect.mid_x() || corner.bottom() + 60.0F >= rect.bottom()) return false;
   if (view_ == turned_by_hand) return false;
-  if (view_ != as_seen)
-    return views[static_cast<std::size_t>(view_)] == StandardView::AlongBlade;
+  if (view_ != as_seen) return views[static_cast<std::size_t>(view_)] == StandardView::AlongBlade;
   const SeenView seen = material().seen.at(player_.now_s());
   return seen.seen == Seen::Recorded && seen.view.layout == simulator::ShownLayout::WithSection;
 }
@@ -277,41 +269,6 @@ void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
   const Rect panel{rect.right() - edge - plan_width, rect.y + edge, plan_width, segmented_height};
   draw_hud_panel(ui.canvas(), ui.theme(), panel, radius::control);
   toggle(ui, "replay.plan", inset(panel, 10.0F, 6.0F), plan, shows_plan_);
-}
-
-void ReplayScreen::draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand) const {
-  const std::array<std::pair<std::string_view, std::string>, 4> facts{{
-      {ui.text("replay.force"),
-       ui.texts().say("replay.newton", {{"value", fixed_text(hand.force_newton, 1)}})},
-      {ui.text("replay.to_plan"),
-       ui.texts().say("result.mm", {{"distance", fixed_text(std::abs(hand.to_plan_mm), 1)}})},
-      {ui.text("replay.tilt"),
-       ui.texts().say("replay.degrees",
-                      {{"value", fixed_text(degree_from_radian(hand.tilt_rad), 1)}})},
-      {ui.text("replay.speed"),
-       ui.texts().say("replay.mm_s", {{"value", fixed_text(hand.speed_mm_s, 0)}})},
-  }};
-  std::array<float, facts.size()> widths{};
-  float width = 32.0F;
-  std::size_t count = 0;
-  for (; count < facts.size(); ++count) {
-    // Room for the widest value, so that the panel does not tremble with its digits.
-    widths[count] = ui.width_of(Type::Small, facts[count].first) + 8.0F +
-                    std::max(64.0F, ui.width_of(Type::SmallMedium, facts[count].second)) + 20.0F;
-    if (width + widths[count] > rect.w - 2.0F * edge) break;
-    width += widths[count];
-  }
-  if (count == 0 || rect.h < 120.0F) return;
-  const Rect panel{rect.x + edge, rect.bottom() - edge - 40.0F, width, 40.0F};
-  draw_hud_panel(ui.canvas(), ui.theme(), panel, 20.0F);
-  float x = panel.x + 20.0F;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float name = ui.canvas().text({x, panel.mid_y()},
-                                        {Type::Small, ui.theme().text_secondary}, facts[i].first);
-    ui.canvas().text({x + name + 8.0F, panel.mid_y()}, {Type::SmallMedium, ui.theme().text},
-                     facts[i].second);
-    x += widths[i];
-  }
 }
 
 void ReplayScreen::draw_pins(Ui& ui) {

@@ -59,7 +59,6 @@ class ReplayScreen : public Screen {
   bool shows_section(const Rect& rect) const;
   void look_as_seen(const Rect& rect);
   void draw_seen(Ui& ui, const Rect& rect) const;
-  void draw_hand(Ui& ui, const Rect& rect, const HandAtMoment& hand) const;
   void draw_pins(Ui& ui);
   Scene scene_of(const Ui& ui, const HandAtMoment& hand) const;
   void pick(const SightRay& ray);

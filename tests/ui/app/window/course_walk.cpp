@@ -233,8 +233,8 @@ class Walker {
     if (window_.shell().is_guide_shown()) seen_.insert("guide");
   }
 
-  /// Half of them of those that the screen has bound, as F1 lists them; the others mean something to
-  /// controls and fields, or nothing.
+  /// Half of them of those that the screen has bound, as F1 lists them; the others mean something
+  /// to controls and fields, or nothing.
   Chord some_chord() {
     static const std::array keys{
         Key::Tab,   Key::Tab,    Key::Tab,  Key::Enter, Key::Escape,    Key::Space,

@@ -1,5 +1,5 @@
-// The plan has one colour everywhere: in three dimensions, in sections and charts, in the report. One
-// for each ground, visible as a graphic (WCAG 2.1, 1.4.11) on all that lies beside it.
+// The plan has one colour everywhere: in three dimensions, in sections and charts, in the report.
+// One for each ground, visible as a graphic (WCAG 2.1, 1.4.11) on all that lies beside it.
 #include <gtest/gtest.h>
 
 #include <cstdio>
