@@ -5,8 +5,10 @@
 
 // Of GLFW/glfw3native.h, which wants the headers of extensions that nobody here needs.
 extern "C" {
+// NOLINTBEGIN(readability-identifier-naming): GLFW's own names
 Display* glfwGetX11Display();
 Window glfwGetX11Window(GLFWwindow* window);
+// NOLINTEND(readability-identifier-naming)
 }
 
 namespace hallux::ui {
