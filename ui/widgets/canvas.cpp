@@ -203,6 +203,7 @@ void Canvas::note(std::string_view text, const TextStyle& style, const Drawn& dr
   seen.layer = layer_;
   seen.is_shortened = drawn.is_shortened;
   seen.may_be_shortened = drawn.may_be_shortened;
+  seen.presence = presence_;
   if (drawn.is_shortened) seen.whole = drawn.whole;
   seen.hint = drawn.hint;
   content_->texts.push_back(std::move(seen));

@@ -32,9 +32,7 @@ constexpr double inside_mm = 0.75;
 constexpr double clear_mm = 1.0, slack_at_bone = 1.7;
 /// Out of the bone again: so far before the cut's entry.
 constexpr double out_mm = -2.0;
-/// Pushes that saw and do not force; before a hinge gentler ones, which stop in time.
-constexpr double push_least_newton = 6.0, push_most_newton = 14.0;
-constexpr double gentle_least_newton = 2.5, gentle_most_newton = 5.0;
+/// Before a hinge pushes are gentler, which stop in time.
 constexpr double gentle_from_mm = 3.0, before_hinge_mm = 0.5, done_mm = 0.15;
 /// A strip before the hinge's stop that is not worth a push where the cut holds elsewhere, or
 /// nowhere.
@@ -228,20 +226,20 @@ std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const Plan
 }
 
 /// Keeps the push within its limits; the blade does the rest.
-Hint push_hint(const CoachView& view, double least_newton, double most_newton,
-               const std::string& left) {
+Hint push_hint(const CoachView& view, const PushRange& push, const std::string& left) {
   Hint hint{.text_id = left.empty() ? "operate.hint.saw" : "operate.hint.saw_left"};
   hint.values = {{"force", decimal_text(view.force_newton) + " N"},
-                 {"least", decimal_text(least_newton)},
-                 {"most", decimal_text(most_newton) + " N"},
+                 {"least", decimal_text(push.least_newton)},
+                 {"most", decimal_text(push.most_newton) + " N"},
                  {"left", left}};
+  hint.push = push;
   hint.read_outs = {"force", "ahead"};
-  if (view.force_newton < least_newton) {
+  if (view.force_newton < push.least_newton) {
     hint.move = HandMove::Push;
-    hint.times = std::max(1, static_cast<int>(std::lround(least_newton - view.force_newton)));
-  } else if (view.force_newton > most_newton) {
+    hint.times = std::max(1, static_cast<int>(std::lround(push.least_newton - view.force_newton)));
+  } else if (view.force_newton > push.most_newton) {
     hint.move = HandMove::DrawBack;
-    hint.times = std::max(1, static_cast<int>(std::lround(view.force_newton - most_newton)));
+    hint.times = std::max(1, static_cast<int>(std::lround(view.force_newton - push.most_newton)));
   }
   return hint;
 }
@@ -289,8 +287,8 @@ Hint stroke_hint(const CoachView& view, const Aim& aim) {
   }
   const std::string left = decimal_text(*left_mm) + " mm";
   const bool is_gentle = aim.hinge != nullptr && *left_mm < gentle_from_mm;
-  if (is_gentle) return push_hint(view, gentle_least_newton, gentle_most_newton, left);
-  return push_hint(view, push_least_newton, push_most_newton, left);
+  if (is_gentle) return push_hint(view, gentle_push, left);
+  return push_hint(view, usual_push, left);
 }
 
 Hint saw_on_hint() {
@@ -333,7 +331,7 @@ Hint aiming_hint(const CoachView& view, const Aim& aim) {
     return draw_back_hint("operate.hint.clear", depth_mm - out_mm + 1.0);
   const double way_mm = ahead.to_bone_mm.value_or(-depth_mm);
   if (way_mm > at_bone_mm) return approach_hint(way_mm);
-  return push_hint(view, push_least_newton, push_most_newton, {});
+  return push_hint(view, usual_push, {});
 }
 
 Hint cut_hint(const CoachView& view, const PlannedCut& cut) {

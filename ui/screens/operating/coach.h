@@ -16,6 +16,7 @@
 #include "scenarios/site/planned_passes.h"
 #include "ui/screens/operating/hud/cut_bands.h"
 #include "ui/screens/operating/hud/plan_reading.h"
+#include "ui/screens/operating/hud/push_range.h"
 #include "ui/screens/operating/site/site_survey.h"
 #include "ui/screens/operating/step_progress.h"
 #include "ui/widgets/texts/texts.h"
@@ -54,6 +55,8 @@ struct Hint {
   int times = 1;
   /// A fifth of the way: Shift.
   bool is_fine = false;
+  /// The push that is asked for, where one is.
+  std::optional<PushRange> push = {};
   /// Of the read-outs that are to come nearer to their goals: ids without "operate.".
   std::vector<std::string_view> read_outs = {};
 };

@@ -125,9 +125,12 @@ void add_tip(OperatingHud& hud, const HudSources& from) {
   if (hud.plan) hud.tip_lines.push_back(plan_line(from.texts, hud.plan->blade));
 }
 
-std::string hint_of(const HudSources& from) {
+/// The next thing to do, and the push that goes with it also where the words are hidden.
+void add_hint(OperatingHud& hud, const HudSources& from, bool is_hinted) {
   const std::optional<Hint> hint = next_hint(coach_view(from));
-  return hint ? hint_text(from.texts, *hint) : std::string();
+  if (!hint) return;
+  hud.push = hint->push.value_or(usual_push);
+  if (is_hinted) hud.hint = hint_text(from.texts, *hint);
 }
 
 }  // namespace
@@ -167,7 +170,7 @@ OperatingHud hud_of(const HudSources& from, bool is_hinted) {
   add_tip(hud, from);
   // Like the read-outs of the plan: help while one learns, none in an assessment.
   if (hud.is_practice) hud.bone_celsius = from.loop.hottest_celsius;
-  if (hud.is_practice && is_hinted) hud.hint = hint_of(from);
+  if (hud.is_practice) add_hint(hud, from, is_hinted);
   return hud;
 }
 

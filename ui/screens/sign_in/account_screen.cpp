@@ -18,7 +18,7 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float side_width = 440.0F, person_height = 366.0F, row_height = 44.0F;
+constexpr float side_width = 440.0F, person_height = 412.0F, row_height = 44.0F;
 constexpr std::array<std::int32_t, 5> lock_choices_min{5, 10, 20, 30, 60};
 
 /// The longest that is not longer than what is set: somebody may have set another by hand.
@@ -81,6 +81,18 @@ void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
   }
 }
 
+/// The window's, whoever sits before it.
+void AccountScreen::draw_hand(Ui& ui, Rect& rest, Preferences& preferences) {
+  const std::array<std::string_view, 2> labels{ui.text("account.hand.right"),
+                                               ui.text("account.hand.left")};
+  Rect line = take_top(rest, segmented_height, 10.0F);
+  const Rect track = take_right(line, std::min(segmented_width(ui, labels), 0.7F * line.w));
+  ui.canvas().text_in(line, {Type::Small, ui.theme().text_secondary}, ui.text("account.hand"));
+  int chosen = preferences.is_left_handed ? 1 : 0;
+  if (segmented(ui, "account.hand", track, labels, chosen))
+    preferences.is_left_handed = chosen == 1;
+}
+
 void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
   setting_.change(
       shell, signed_in_,
@@ -106,6 +118,7 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
     fact_line(ui, rest, ui.text("account.times"),
               ui.texts().say("account.times.value", {{"offset", offset_text(now->offset_min)}}));
   draw_lock(ui, rest, shell);
+  draw_hand(ui, rest, shell.preferences());
   const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
   if (button_in_line(ui, "account.export", take_bottom(rest, button_height, 12.0F), take))
     exporting_.open();

@@ -71,6 +71,8 @@ struct SeenText {
   std::string whole = {};
   /// What is told of it while the pointer rests on it, in place of the whole; or "".
   std::string hint = {};
+  /// As it is drawn: 1 is whole, below it shows through.
+  float presence = 1.0F;
 };
 
 /// What a person reads off the screen, or is told to do: a measured value, a reason, a hint.

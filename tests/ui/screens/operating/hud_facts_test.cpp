@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "tests/ui/screens/operating/obedient_hand.h"
@@ -41,11 +40,7 @@ class Stroke {
   double time_s() const { return operation_.time_s(); }
   const OperatingHud& hud() const { return hud_; }
   double far_side_mm() { return operation_.site()->ahead.to_far_side_mm.value_or(0.0); }
-  std::string told(std::string_view id) const {
-    const std::vector<ReadOut>& all = panels_.driver.content().read_outs;
-    const auto found = std::ranges::find(all, id, &ReadOut::id);
-    return found == all.end() ? std::string() : found->text;
-  }
+  std::string told(std::string_view id) const { return panels_.told(id); }
   /// Words and numbers of the section itself, as drawn.
   bool is_drawn(const std::string& words) const { return panels_.driver.sees(words); }
 

@@ -494,12 +494,19 @@ TEST(Operating, StepsAreDeclaredByEnterAndAPieceThatIsNotFreeIsNotTaken) {
 TEST(Operating, NothingIsCutOffAtAnyScale) {
   OperableCourse course("akin");
   for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
-    Operator person(course, AttemptKind::Practice, scale, {1280.0F, 720.0F});
+    // Of one window: the larger the scale, the less room there is.
+    Operator person(course, AttemptKind::Practice, scale, {1280.0F / scale, 720.0F / scale});
     EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
     person.begin();
     person.click("operate.health");
     EXPECT_TRUE(person.driver().sees("Ticks missed"));
     EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
+    person.click("operate.health");
+    person.press(Key::L);
+    person.press(Key::Space);
+    EXPECT_TRUE(person.until([&] { return person.driver().sees("Runs, 12"); })) << scale;
+    EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
+    EXPECT_EQ(person.driver().has("operate.panel.plan"), scale < 1.9F);
     person.press(Key::End);
     EXPECT_THAT(person.driver().faults(), IsEmpty()) << scale;
   }

@@ -15,6 +15,18 @@ struct ShownPanels {
   ShownPanels(const ShownPanels&) = delete;
   ShownPanels& operator=(const ShownPanels&) = delete;
 
+  /// Of a read-out; "" where there is none.
+  std::string told(std::string_view id) const {
+    for (const ReadOut& read_out : driver.content().read_outs)
+      if (read_out.id == id) return read_out.text;
+    return {};
+  }
+  Rect place_told(std::string_view id) const {
+    for (const ReadOut& read_out : driver.content().read_outs)
+      if (read_out.id == id) return read_out.rect;
+    return {};
+  }
+
   OperatingHud hud;
   HudAnswer answer;
   Texts texts = english_texts();

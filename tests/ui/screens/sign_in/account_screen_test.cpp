@@ -157,5 +157,18 @@ TEST(AccountScreen, AnExportIntoAFolderThatHoldsSomethingIsRefusedAndSaid) {
   EXPECT_TRUE(at.driver().has("account.export.act")) << "what was typed stays";
 }
 
+TEST(AccountScreen, TheHandOnTheSawIsChosenThereByMouseAndByKeys) {
+  database::SomeCourse course;
+  AtAccount at(course);
+  const Preferences& preferences = at.visitor.shell().preferences();
+  ASSERT_FALSE(preferences.is_left_handed);
+  at.driver().click("account.hand.1");
+  EXPECT_TRUE(preferences.is_left_handed);
+  at.driver().press(Key::Left);
+  EXPECT_EQ(at.driver().focused(), "account.hand.0");
+  at.driver().press(Key::Space);
+  EXPECT_FALSE(preferences.is_left_handed);
+}
+
 }  // namespace
 }  // namespace hallux::ui

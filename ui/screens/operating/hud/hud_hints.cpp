@@ -1,18 +1,16 @@
-// Lines of words: what to do next and why a button is off, below the steps; what the hand does, at
-// the lower edge.
+// Lines of words: what to do next and why a button is off, below the steps.
 #include "ui/screens/operating/hud/hud_hints.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "ui/screens/operating/hand/gestures.h"
 #include "ui/widgets/controls/marks.h"
 
 namespace hallux::ui {
 
 namespace {
 
-constexpr float line_gap = 8.0F, sign_room = 36.0F, widest_share = 0.62F, foot_line = 18.0F;
+constexpr float line_gap = 8.0F, sign_room = 36.0F, widest_share = 0.62F;
 constexpr float edge_x = 16.0F, edge_y = 7.0F;
 /// So far from the tool the sentences go back to the steps, lest they leap with each stroke.
 constexpr float back_from_low = 60.0F;
@@ -25,8 +23,7 @@ struct Sentence {
 };
 
 /// Below `y`.
-Rect place_of(const Hud& in, const std::string& words, float y) {
-  const float most = widest_share * in.room.w;
+Rect place_of(const Hud& in, const std::string& words, float y, float most) {
   const float width = std::min(most, in.ui.width_of(Type::Small, words) + sign_room + 20.0F);
   const float inner = width - sign_room - edge_x;
   const float height = in.ui.paragraph_height(Type::Small, words, inner) + 2.0F * edge_y;
@@ -56,13 +53,13 @@ struct Sentences {
   }
 };
 
-Sentences sentences_below(const Hud& in, float y) {
+Sentences sentences_below(const Hud& in, float y, float most) {
   Sentences sentences{{}, {}, y};
   for (const Sentence& sentence : {Sentence{"operate.reason", Meaning::Info, in.hud.why_step_off},
                                    Sentence{"operate.hint", Meaning::Neutral, in.hud.hint}}) {
     if (sentence.words.empty()) continue;
     sentences.each.push_back(sentence);
-    sentences.places.push_back(place_of(in, sentence.words, sentences.bottom));
+    sentences.places.push_back(place_of(in, sentence.words, sentences.bottom, most));
     sentences.bottom = sentences.places.back().bottom();
   }
   return sentences;
@@ -71,57 +68,23 @@ Sentences sentences_below(const Hud& in, float y) {
 /// What tells the next thing to do is read: where the tool passes behind it, it stands above the
 /// lower panels, if it can be read there.
 Sentences readable_sentences(Hud& in, const Sentences& high, float y, float lower_end) {
-  const Sentences low = sentences_below(in, y + lower_end - line_gap - high.bottom);
+  // Between the panels that stand above the lower ones.
+  const float most = std::min(widest_share * in.room.w, in.room.w - 2.0F * in.side_width);
+  const float height = sentences_below(in, y, most).bottom - y;
+  const Sentences low = sentences_below(in, lower_end - line_gap - height, most);
   const float around = in.hud.are_hints_low ? back_from_low : 0.0F;
   in.answer.are_hints_low = high.have_tool_behind(in, around) && !low.have_tool_behind(in);
   return in.answer.are_hints_low ? low : high;
 }
 
-std::string usual_gestures(const Hud& in) {
-  std::string words;
-  for (const BoundGesture& bound : bound_gestures) {
-    if (!bound.is_usual) continue;
-    if (!words.empty()) words += "   ·   ";
-    words += in.text(bound.input_text) + ": " + in.text(bound.gesture_text);
-  }
-  return words;
-}
-
-std::string foot_of(const Hud& in) {
-  if (in.hud.hand == HandState::Off) return {};
-  if (in.hud.hand == HandState::Lifted) return in.text("operate.foot.lifted");
-  std::string words = usual_gestures(in);
-  if (in.hud.hand == HandState::LedFree) words = in.text("operate.foot.free") + "   " + words;
-  return words;
-}
-
 }  // namespace
 
 float draw_hud_hints(Hud& in, float y, float lower_end) {
-  const Sentences high = sentences_below(in, y);
+  const Sentences high = sentences_below(in, y, widest_share * in.room.w);
   const Sentences sentences = readable_sentences(in, high, y, lower_end);
   for (std::size_t i = 0; i < sentences.each.size(); ++i)
     draw_sentence(in, sentences.each[i], sentences.places[i]);
   return high.bottom;
-}
-
-void draw_hud_foot(Hud& in) {
-  const char* id = in.hud.is_simulated  ? "operate.simulated"
-                   : in.hud.is_reviewed ? nullptr
-                                        : "operate.not_reviewed";
-  const TextStyle style{Type::Caption, in.theme().text_caption, Align::Centre};
-  const float margin = in.ui.display().bottom() - in.room.bottom();
-  const float height = std::min(foot_line, 0.5F * margin);
-  const float y = in.room.bottom() + std::min(4.0F, margin - 2.0F * height);
-  const std::string foot = foot_of(in);
-  if (!foot.empty()) {
-    const Rect line{in.room.x, y, in.room.w, height};
-    in.canvas().text_in(line, {Type::Caption, in.theme().text_secondary, Align::Centre}, foot,
-                        true);
-    in.ui.tell("operate.foot", foot, line);
-  }
-  if (id == nullptr) return;
-  in.canvas().text_in({in.room.x, y + height, in.room.w, height}, style, in.ui.text(id));
 }
 
 }  // namespace hallux::ui

@@ -1,4 +1,4 @@
-/// Lines of words: the next thing to do, why a button is off, and what the hand does.
+/// Lines of words: the next thing to do, and why a button is off.
 /// Inside this corner only.
 #pragma once
 
@@ -9,7 +9,5 @@ namespace hallux::ui {
 /// Below the bar, beginning at `y`, or ending above `lower_end` where the tool passes behind them;
 /// returns how far down they reach below the bar.
 float draw_hud_hints(Hud& in, float y, float lower_end);
-/// At the lower edge of the window.
-void draw_hud_foot(Hud& in);
 
 }  // namespace hallux::ui

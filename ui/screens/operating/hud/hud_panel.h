@@ -17,6 +17,8 @@ inline constexpr float hud_bar_height = 44.0F, hud_panel_height = 92.0F, hud_gap
                        hud_pad = 20.0F;
 /// Of a panel that the tool passes behind.
 inline constexpr float faded_presence = 0.25F;
+/// The end of the meter of the push.
+inline constexpr double force_scale_newton = 30.0;
 
 /// One drawing of the panels.
 struct Hud {
@@ -27,6 +29,8 @@ struct Hud {
   HudAnswer answer;
   /// Of those drawn so far.
   std::vector<Rect> panels = {};
+  /// What a panel above the lower ones takes at a side.
+  float side_width = 0.0F;
 
   const Theme& theme() const { return ui.theme(); }
   Canvas& canvas() const { return ui.canvas(); }

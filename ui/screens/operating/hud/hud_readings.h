@@ -5,7 +5,8 @@
 
 namespace hallux::ui {
 
-/// As many of the three as the window is wide for, force first.
-void draw_hud_readings(Hud& in);
+/// As many of the three as the window is wide for, force first; the plan in short lines above the
+/// saw where it has no room beside it and they end below `from_y`.
+void draw_hud_readings(Hud& in, float from_y);
 
 }  // namespace hallux::ui

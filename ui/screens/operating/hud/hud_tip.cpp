@@ -8,28 +8,30 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr double high_force_newton = 15.0, force_scale_newton = 30.0;
 constexpr float label_way = 130.0F, label_rise = 60.0F, line_height = 20.0F, label_pad = 12.0F;
 
 /// The push as a bar beside the teeth.
 void draw_force_at_blade(Hud& in) {
   if (in.hud.force_newton < 0.2) return;
   const Point tip = *in.hud.tip;
-  const Rect track{tip.x - 76.0F, tip.y - 40.0F, 8.0F, 80.0F};
+  const float side = in.hud.is_left_handed ? 1.0F : -1.0F;
+  const Rect track{tip.x + side * 72.0F - 4.0F, tip.y - 40.0F, 8.0F, 80.0F};
   if (!in.room.encloses(track)) return;
   Canvas& canvas = in.canvas();
-  canvas.line({track.right() + 4.0F, track.mid_y()}, {tip.x - 14.0F, tip.y},
+  canvas.line({track.mid_x() - side * 8.0F, track.mid_y()}, {tip.x + side * 14.0F, tip.y},
               faded(in.theme().text, 0.5F), 1.5F);
   canvas.fill(inset(track, -3.0F, -3.0F), in.theme().hud, 7.0F);
   canvas.fill(track, in.theme().chip, 4.0F);
   const double share = std::clamp(in.hud.force_newton / force_scale_newton, 0.0, 1.0);
   const float height = std::max(4.0F, track.h * static_cast<float>(share));
-  const bool is_high = in.hud.force_newton > high_force_newton;
+  const bool is_high = in.hud.force_newton > in.hud.push.most_newton;
   canvas.fill({track.x, track.bottom() - height, track.w, height},
               is_high ? in.theme().warn : in.theme().accent, 4.0F);
-  const float mark =
-      track.bottom() - track.h * static_cast<float>(high_force_newton / force_scale_newton);
-  canvas.fill({track.x - 4.0F, mark - 1.0F, 16.0F, 2.0F}, in.theme().text);
+  for (const double newton : {in.hud.push.least_newton, in.hud.push.most_newton}) {
+    const float mark = track.bottom() - track.h * static_cast<float>(newton / force_scale_newton);
+    canvas.fill({track.x - 4.0F, mark - 1.0F, 16.0F, 2.0F}, in.theme().text);
+  }
+  in.ui.tell("operate.force.tip", decimal_text(in.hud.force_newton) + " N", track);
 }
 
 /// Beside the tip, where the label hides neither saw nor panel; nearer to the tip where there is
@@ -37,7 +39,9 @@ void draw_force_at_blade(Hud& in) {
 Rect place_label(const Hud& in, float width, float height) {
   const Point tip = *in.hud.tip;
   for (const float way : {label_way, 0.75F * label_way, 0.5F * label_way}) {
-    for (const float x : {tip.x + way, tip.x - way - width}) {
+    const float right = tip.x + way, left = tip.x - way - width;
+    for (const float x :
+         {in.hud.is_left_handed ? left : right, in.hud.is_left_handed ? right : left}) {
       for (const float y : {tip.y + label_rise - height, tip.y - label_rise}) {
         const Rect place{x, y, width, height};
         if (in.room.encloses(place) && !in.has_tool_behind(place) && !in.has_panel(place))

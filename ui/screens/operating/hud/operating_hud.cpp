@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "ui/screens/operating/hud/hud_bar.h"
+#include "ui/screens/operating/hud/hud_foot.h"
 #include "ui/screens/operating/hud/hud_hints.h"
 #include "ui/screens/operating/hud/hud_lesson.h"
 #include "ui/screens/operating/hud/hud_readings.h"
@@ -22,7 +23,7 @@ namespace {
 
 /// Down to the panels at the side: of the person's name, or of a lesson with one line of hints.
 constexpr float badge_room = 112.0F, lesson_room = 204.0F;
-constexpr float health_width = 280.0F, health_row = 24.0F, health_edge = 12.0F;
+constexpr float health_width = 280.0F;
 constexpr float inset_width = 300.0F, inset_height = 236.0F, inset_least_room = 560.0F;
 
 std::string text_of(const char* format, double value) {
@@ -70,28 +71,67 @@ std::vector<HealthRow> health_rows(const Ui& ui, const OperatingHealth& health) 
   return rows;
 }
 
-/// One column, or as many as the window is too low for.
+/// How the rows of health lie: in low windows smaller, in as many columns as it takes.
+struct HealthLook {
+  Type name_type = Type::Small, value_type = Type::SmallMedium;
+  float row = 24.0F, edge_x = hud_pad, edge_y = 12.0F, gap = 2.0F * hud_pad;
+};
+constexpr HealthLook low_health{Type::Caption, Type::CaptionMedium, 17.0F, 12.0F, 8.0F, 16.0F};
+
+struct HealthColumns {
+  std::size_t rows_each = 1, count = 1;
+  /// Of a column: its widest name and value.
+  float width = 0.0F;
+};
+
+HealthColumns columns_of(const Ui& ui, const std::vector<HealthRow>& rows, const HealthLook& look,
+                         float height) {
+  HealthColumns made;
+  const float room = (height - 2.0F * look.edge_y) / look.row;
+  const auto fitting = static_cast<std::size_t>(std::max(1.0F, room));
+  made.count = (rows.size() + fitting - 1) / fitting;
+  made.rows_each = (rows.size() + made.count - 1) / made.count;
+  for (const HealthRow& row : rows) {
+    made.width = std::max(made.width, ui.width_of(look.name_type, row.name) + 12.0F +
+                                          ui.width_of(look.value_type, row.value));
+  }
+  return made;
+}
+
+float width_of(const HealthColumns& columns, const HealthLook& look) {
+  const auto count = static_cast<float>(columns.count);
+  return count * columns.width + (count - 1.0F) * look.gap + 2.0F * look.edge_x;
+}
+
+void draw_health_row(Hud& in, Rect line, const HealthRow& row, const HealthLook& look) {
+  const float value = in.ui.width_of(look.value_type, row.value) + 1.0F;
+  in.canvas().text_in(take_right(line, value, 8.0F),
+                      {look.value_type, in.theme().text, Align::Right}, row.value);
+  in.canvas().text_in(line, {look.name_type, in.theme().text_secondary}, row.name);
+}
+
 void draw_health(Hud& in, float y) {
   if (!in.hud.is_health_open) return;
   const std::vector<HealthRow> rows = health_rows(in.ui, in.hud.health);
-  const float room = in.room.bottom() - y - 2.0F * health_edge;
-  const auto fitting = static_cast<std::size_t>(std::max(1.0F, room / health_row));
-  const std::size_t column_count = (rows.size() + fitting - 1) / fitting;
-  const std::size_t per_column = (rows.size() + column_count - 1) / column_count;
-  const float width = std::min(in.room.w, health_width * static_cast<float>(column_count));
-  const Rect rect{in.room.right() - width, y, width,
-                  health_row * static_cast<float>(per_column) + 2.0F * health_edge};
+  const float room = in.room.bottom() - y;
+  HealthLook look;
+  HealthColumns made = columns_of(in.ui, rows, look, room);
+  if (width_of(made, look) > in.room.w) {
+    look = low_health;
+    made = columns_of(in.ui, rows, look, room);
+  }
+  const float width =
+      std::clamp(width_of(made, look), std::min(health_width, in.room.w), in.room.w);
+  const float height = look.row * static_cast<float>(made.rows_each) + 2.0F * look.edge_y;
+  const Rect rect = in.sided({in.room.right() - width, y, width, height});
   const HudPanel panel(in, "operate.panel.health", rect);
   const std::vector<Rect> places =
-      columns(inset(rect, hud_pad, health_edge), static_cast<int>(column_count), 2.0F * hud_pad);
+      columns(inset(rect, look.edge_x, look.edge_y), static_cast<int>(made.count), look.gap);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    Rect line = places[i / per_column];
-    line.y += health_row * static_cast<float>(i % per_column);
-    line.h = health_row;
-    const float value = in.ui.width_of(Type::SmallMedium, rows[i].value) + 1.0F;
-    in.canvas().text_in(take_right(line, value, 8.0F),
-                        {Type::SmallMedium, in.theme().text, Align::Right}, rows[i].value);
-    in.canvas().text_in(line, {Type::Small, in.theme().text_secondary}, rows[i].name, true);
+    Rect line = places[i / made.rows_each];
+    line.y += look.row * static_cast<float>(i % made.rows_each);
+    line.h = look.row;
+    draw_health_row(in, line, rows[i], look);
   }
 }
 
@@ -107,7 +147,7 @@ float draw_trouble(Hud& in) {
   const HudPanel panel(in, "operate.panel.trouble", line, 18.0F);
   draw_meaning(in.canvas(), in.theme(), Meaning::Warn, {line.x + 20.0F, line.mid_y()}, 6.0F);
   in.canvas().text_in({line.x + 36.0F, line.y, line.w - 52.0F, line.h},
-                      {Type::Small, in.theme().text}, in.hud.health.trouble, true);
+                      {Type::Small, in.theme().text}, in.hud.health.trouble);
   return y;
 }
 
@@ -121,7 +161,7 @@ void draw_inset(Hud& in, float y) {
   const HudPanel panel(in, "operate.panel.inset", rect);
   const Rect title{rect.x + hud_pad, rect.y + 8.0F, rect.w - 2.0F * hud_pad, 20.0F};
   in.canvas().text_in(title, {Type::Small, in.theme().text_secondary},
-                      in.ui.text("operate.panel.inset"), true);
+                      in.ui.text("operate.panel.inset"));
   if (in.hud.inset->way)
     in.ui.tell("operate.inset", words_of(in.ui.texts(), *in.hud.inset->way), rect);
   draw_blade_section(in.ui, {rect.x + 8.0F, rect.y + 30.0F, rect.w - 16.0F, rect.h - 38.0F},
@@ -140,10 +180,12 @@ std::string signed_text(double value) {
 
 HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const Rect display = ui.display();
-  Hud in{ui, hud, inset(display, hud_inset_share * display.w, hud_inset_share * display.h), {}};
+  const Rect room = inset(display, hud_inset_share * display.w, hud_inset_share * display.h);
+  const HudFoot foot = lay_out_foot(ui, hud, room.w);
+  Hud in{ui, hud, above_foot(room, display, foot), {}};
   draw_tip_force(in);
   const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
-  draw_hud_readings(in);
+  draw_hud_readings(in, std::max(bar_end + 8.0F, in.room.y + badge_room));
   const float hints_end = draw_hud_hints(in, bar_end, draw_trouble(in));
   const float below =
       hud.lesson ? std::max(in.room.y + lesson_room, hints_end + 8.0F) : in.room.y + badge_room;
@@ -152,7 +194,7 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   } else {
     draw_inset(in, below);
   }
-  draw_hud_foot(in);
+  draw_hud_foot(in, foot);
   draw_tip_label(in);
   return in.answer;
 }

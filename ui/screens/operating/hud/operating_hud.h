@@ -1,8 +1,9 @@
 /// The panels over the picture of an operation: mode and time, steps, tool, force, how the blade
 /// stands to the plan, what to do next, health.
 ///
-/// All of it lies within an inset of 6 %, and the middle stays free. What does not fit a small
-/// window goes in this order: the reading of the plan, the tool, the titles of steps. A panel that
+/// All but the foot lies within an inset of 6 %, and the middle stays free. What does not fit a
+/// small window goes in this order: the tracks of the plan, its values, the tool, the titles of
+/// steps. A panel that
 /// the tool passes behind fades while it does. Each value is told to who reads the screen's map.
 #pragma once
 
@@ -13,6 +14,7 @@
 #include "ui/screens/operating/hud/cut_bands.h"
 #include "ui/screens/operating/hud/operating_health.h"
 #include "ui/screens/operating/hud/plan_reading.h"
+#include "ui/screens/operating/hud/push_range.h"
 #include "ui/screens/pictures/blade_section.h"
 #include "ui/screens/pictures/way_ahead.h"
 #include "ui/widgets/ui.h"
@@ -66,6 +68,8 @@ struct OperatingHud {
   simulator::Saw saw;
   bool is_saw_on = false, is_irrigated = false;
   double force_newton = 0.0;
+  /// What the hints ask for now, else what is usual.
+  PushRange push = usual_push;
   /// Of the hottest bone, where it is told while operating.
   std::optional<double> bone_celsius;
   /// Of the blade, on the window; and all of the saw.
