@@ -281,13 +281,13 @@ TEST(ReplayScreen, TheBladeViewShowsWhatLiesInItsPlane) {
   OperatedCourse akin;
   // In the middle of the first cut.
   Watcher watcher(akin.course, "ada", akin.attempt, 0.1);
-  EXPECT_FALSE(watcher.driver().sees("to the far side"));
+  EXPECT_FALSE(watcher.driver().sees(" mm ahead"));
   watcher.driver().click("replay.views.4");
   watcher.finish();
-  EXPECT_TRUE(watcher.driver().sees("to the far side"));
+  EXPECT_TRUE(watcher.driver().sees(" mm ahead"));
   EXPECT_THAT(watcher.driver().faults(), IsEmpty());
   watcher.driver().click("replay.views.1");
-  EXPECT_FALSE(watcher.driver().sees("to the far side"));
+  EXPECT_FALSE(watcher.driver().sees(" mm ahead"));
 }
 
 TEST(ReplayScreen, APrivateNoteIsNeverSeenByTheTrainee) {
