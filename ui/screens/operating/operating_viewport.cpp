@@ -204,7 +204,8 @@ Camera OperatingViewport::sight_along_blade() const {
   return seen_along_blade(sight_.camera, drawn_saw_.world_from_tool, hidden_along_blade_);
 }
 
-/// Of what is there to be seen: what is mostly seen through is behind no panel.
+/// What is mostly seen through is not there. The grip hides behind a panel without loss, but to two
+/// eyes it stands before it.
 std::vector<ToolPlace> OperatingViewport::tool_places() const {
   std::vector<ToolPlace> places;
   const Vec3 right = sight_.camera.world_from_view * Vec3(1.0, 0.0, 0.0);
@@ -215,7 +216,8 @@ std::vector<ToolPlace> OperatingViewport::tool_places() const {
     const std::optional<Point> at = place_of(middle_mm),
                                edge = place_of(middle_mm + bulk.radius_mm * right);
     if (!at || !edge) continue;
-    places.push_back({*at, std::hypot(edge->x - at->x, edge->y - at->y)});
+    places.push_back({*at, std::hypot(edge->x - at->x, edge->y - at->y),
+                      !bulk.is_handpiece || stereo_.mode != StereoMode::Mono});
   }
   return places;
 }

@@ -26,7 +26,7 @@ struct LabelledPanels : ShownPanels {
 TEST(HudTip, KeepsItsLabelOffThePanels) {
   LabelledPanels panels;
   for (const Point tip : {Point{700.0F, 320.0F}, Point{760.0F, 300.0F}, Point{600.0F, 760.0F},
-                          Point{1150.0F, 420.0F}, Point{300.0F, 720.0F}}) {
+                          Point{1150.0F, 420.0F}, Point{770.0F, 330.0F}, Point{300.0F, 720.0F}}) {
     const Rect label = panels.label_with_tip_at(tip);
     ASSERT_FALSE(label.is_empty());
     for (const char* panel : {"operate.panel.inset", "operate.panel.force", "operate.panel.tool",

@@ -77,6 +77,15 @@ TEST(HudFading, EachPanelFadesWhileTheToolIsBehindItAndNoOther) {
   for (const std::string& name : names) EXPECT_THAT(panels.presences(name), Each(1.0F)) << name;
 }
 
+TEST(HudFading, WhatMayHideBehindAPanelFadesNone) {
+  AllPanels panels;
+  for (const std::string& name : lower_panels) {
+    panels.hud.tool = {{panels.driver.widget(name).rect.centre(), 12.0F, false}};
+    panels.driver.frame();
+    EXPECT_THAT(panels.presences(name), Each(1.0F)) << name;
+  }
+}
+
 TEST(HudFading, TheFootIsAlwaysRead) {
   AllPanels panels;
   const Rect foot = panels.place_told("operate.foot");
@@ -198,8 +207,13 @@ TEST_F(ShownHelp, KTurnsThePanelsToTheOtherHandAndIsAPreference) {
   EXPECT_EQ(person_.driver().widget("operate.panel.force").rect, before);
 }
 
-TEST_F(ShownHelp, TheStartShowsAWholeSaw) {
+TEST_F(ShownHelp, TheStartShowsAWholeSawAndEachPanelOfIt) {
   EXPECT_EQ(person_.scenes.saw->handpiece_presence, 1.0);
+  for (const std::string& name : lower_panels) {
+    const Rect& rect = person_.driver().widget(name).rect;
+    for (const SeenText& text : person_.driver().content().texts)
+      EXPECT_TRUE(!rect.encloses(text.rect) || text.presence == 1.0F) << text.text;
+  }
 }
 
 TEST_F(ShownHelp, AHandpieceThatIsSeenThroughFadesNoPanel) {

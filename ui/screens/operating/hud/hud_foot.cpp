@@ -50,8 +50,9 @@ std::string joined(const std::vector<Part>& parts) {
 
 /// What an operation is that nobody may take for more.
 void add_status(std::vector<Part>& parts, const Ui& ui, const OperatingHud& hud) {
-  if (hud.is_simulated) return add_words(parts, ui.text("operate.simulated"));
-  if (!hud.is_reviewed) add_words(parts, ui.text("operate.not_reviewed"));
+  if (hud.is_reviewed && !hud.is_simulated) return;
+  parts.push_back({between_parts, std::string(ui.text(hud.is_simulated ? "operate.simulated"
+                                                                       : "operate.not_reviewed"))});
 }
 
 std::vector<std::string> broken(const Ui& ui, const std::vector<Part>& parts, float width) {

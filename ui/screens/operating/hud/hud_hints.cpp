@@ -48,7 +48,7 @@ struct Sentences {
 
   bool have_tool_behind(const Hud& in, float around = 0.0F) const {
     return std::any_of(places.begin(), places.end(), [&](const Rect& place) {
-      return in.has_tool_behind(inset(place, -around, -around));
+      return in.has_fading_tool_behind(inset(place, -around, -around));
     });
   }
 };

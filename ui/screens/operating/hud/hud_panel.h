@@ -45,9 +45,16 @@ struct Hud {
                        [&](const Rect& panel) { return !intersection(panel, rect).is_empty(); });
   }
   bool has_tool_behind(const Rect& rect) const {
+    return std::any_of(hud.tool.begin(), hud.tool.end(),
+                       [&](const ToolPlace& place) { return is_behind(place, rect); });
+  }
+  bool has_fading_tool_behind(const Rect& rect) const {
     return std::any_of(hud.tool.begin(), hud.tool.end(), [&](const ToolPlace& place) {
-      return inset(rect, -place.radius, -place.radius).contains(place.at);
+      return place.fades_panels && is_behind(place, rect);
     });
+  }
+  static bool is_behind(const ToolPlace& place, const Rect& rect) {
+    return inset(rect, -place.radius, -place.radius).contains(place.at);
   }
 };
 
@@ -64,7 +71,7 @@ class HudPanel {
       : canvas_(in.canvas()) {
     in.ui.area(name, in.ui.text(name), rect);
     in.panels.push_back(rect);
-    if (fading == HudFading::BehindTool && in.has_tool_behind(rect))
+    if (fading == HudFading::BehindTool && in.has_fading_tool_behind(rect))
       canvas_.set_presence(faded_presence);
     draw_hud_panel(canvas_, in.theme(), rect, corner);
   }

@@ -42,7 +42,8 @@ Rect place_label(const Hud& in, float width, float height) {
     const float right = tip.x + way, left = tip.x - way - width;
     for (const float x :
          {in.hud.is_left_handed ? left : right, in.hud.is_left_handed ? right : left}) {
-      for (const float y : {tip.y + label_rise - height, tip.y - label_rise}) {
+      for (const float y : {tip.y + label_rise - height, tip.y - label_rise,
+                            tip.y + 1.8F * label_rise, tip.y - 1.8F * label_rise - height}) {
         const Rect place{x, y, width, height};
         if (in.room.encloses(place) && !in.has_tool_behind(place) && !in.has_panel(place))
           return place;

@@ -40,6 +40,8 @@ struct HudPlan {
 struct ToolPlace {
   Point at;
   float radius = 0.0F;
+  /// A panel over it fades: the end that works, and with two eyes all that may stand before a panel.
+  bool fades_panels = true;
 };
 
 /// How the hand is on the saw.
