@@ -52,7 +52,8 @@ struct AllPanels : ShownPanels {
   std::vector<Rect> panels() const {
     std::vector<Rect> rects;
     for (const Widget& widget : driver.content().widgets)
-      if (widget.id.starts_with("operate.panel.")) rects.push_back(widget.rect);
+      if (widget.id.starts_with("operate.panel.") || widget.id == "operate.hint")
+        rects.push_back(widget.rect);
     return rects;
   }
 
@@ -101,8 +102,13 @@ TEST_P(Layout, NoPanelLiesOverAnother) {
   for (const bool is_left_handed : {false, true}) {
     AllPanels panels(GetParam(), is_left_handed);
     EXPECT_THAT(panels.driver.faults(), IsEmpty());
-    const std::vector<Rect> rects = panels.panels();
-    EXPECT_GE(rects.size(), 7U);
+    panels.hud.tip = Point{0.48F * panels.driver.ui().display().w, 195.0F};
+    panels.hud.tip_lines = {"Far side 10.0 mm ahead", "Plan +0.2 mm, at the end +0.2 mm"};
+    panels.hud.tool = {{*panels.hud.tip, 60.0F}};
+    panels.driver.frame();
+    std::vector<Rect> rects = panels.panels();
+    rects.push_back(panels.place_told("operate.ahead"));
+    EXPECT_GE(rects.size(), 9U);
     for (std::size_t i = 0; i < rects.size(); ++i) {
       EXPECT_TRUE(panels.driver.ui().display().encloses(rects[i]));
       for (std::size_t other = 0; other < i; ++other)

@@ -10,7 +10,7 @@ namespace hallux::ui {
 
 namespace {
 
-constexpr float line_gap = 8.0F, sign_room = 36.0F, widest_share = 0.62F;
+constexpr float line_gap = 8.0F, sign_room = 36.0F;
 constexpr float edge_x = 16.0F, edge_y = 7.0F;
 /// So far from the tool the sentences go back to the steps, lest they leap with each stroke.
 constexpr float back_from_low = 60.0F;
@@ -69,7 +69,7 @@ Sentences sentences_below(const Hud& in, float y, float most) {
 /// lower panels, if it can be read there.
 Sentences readable_sentences(Hud& in, const Sentences& high, float y, float lower_end) {
   // Between the panels that stand above the lower ones.
-  const float most = std::min(widest_share * in.room.w, in.room.w - 2.0F * in.side_width);
+  const float most = std::min(widest_hint_share * in.room.w, in.room.w - 2.0F * in.side_width);
   const float height = sentences_below(in, y, most).bottom - y;
   const Sentences low = sentences_below(in, lower_end - line_gap - height, most);
   const float around = in.hud.are_hints_low ? back_from_low : 0.0F;
@@ -80,7 +80,7 @@ Sentences readable_sentences(Hud& in, const Sentences& high, float y, float lowe
 }  // namespace
 
 float draw_hud_hints(Hud& in, float y, float lower_end) {
-  const Sentences high = sentences_below(in, y, widest_share * in.room.w);
+  const Sentences high = sentences_below(in, y, widest_hint_share * in.room.w);
   const Sentences sentences = readable_sentences(in, high, y, lower_end);
   for (std::size_t i = 0; i < sentences.each.size(); ++i)
     draw_sentence(in, sentences.each[i], sentences.places[i]);

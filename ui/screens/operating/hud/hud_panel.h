@@ -19,6 +19,8 @@ inline constexpr float hud_bar_height = 44.0F, hud_panel_height = 92.0F, hud_gap
 inline constexpr float faded_presence = 0.25F;
 /// The end of the meter of the push.
 inline constexpr double force_scale_newton = 30.0;
+/// Of the room: lines of hints are no wider.
+inline constexpr float widest_hint_share = 0.62F;
 
 /// One drawing of the panels.
 struct Hud {

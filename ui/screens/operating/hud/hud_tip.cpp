@@ -50,11 +50,25 @@ Rect place_label(const Hud& in, float width, float height) {
       }
     }
   }
+  // Rather over the saw than over a panel.
+  for (const float share : {0.5F, 0.75F, 0.25F, 1.0F, 0.0F}) {
+    for (const float y : {tip.y + label_rise, tip.y - label_rise - height}) {
+      const Rect place{tip.x - share * width, y, width, height};
+      if (in.room.encloses(place) && !in.has_panel(place)) return place;
+    }
+  }
   Rect kept{tip.x + label_way, tip.y + label_rise - height, width, height};
   kept.x = std::clamp(kept.x, in.room.x, std::max(in.room.x, in.room.right() - width));
   kept.y = std::clamp(kept.y, in.room.y + hud_bar_height,
                       std::max(in.room.y, in.room.bottom() - hud_panel_height - height - 8.0F));
   return kept;
+}
+
+/// At the label's side; at its upper or lower edge where it lies right below or above the tip.
+Point end_of_leader(Point tip, const Rect& label) {
+  if (tip.x < label.x) return {label.x, label.mid_y()};
+  if (tip.x > label.right()) return {label.right(), label.mid_y()};
+  return {tip.x, tip.y < label.y ? label.y : label.bottom()};
 }
 
 void draw_label(Hud& in) {
@@ -65,8 +79,8 @@ void draw_label(Hud& in) {
   width += 2.0F * label_pad;
   const float height = line_height * static_cast<float>(in.hud.tip_lines.size()) + label_pad;
   const Rect label = place_label(in, width, height);
-  const float edge = label.x > in.hud.tip->x ? label.x : label.right();
-  in.canvas().line(*in.hud.tip, {edge, label.mid_y()}, faded(in.theme().text, 0.5F), 1.5F);
+  in.canvas().line(*in.hud.tip, end_of_leader(*in.hud.tip, label), faded(in.theme().text, 0.5F),
+                   1.5F);
   draw_hud_panel(in.canvas(), in.theme(), label, radius::control);
   float y = label.y + 0.5F * label_pad;
   for (const std::string& line : in.hud.tip_lines) {

@@ -24,7 +24,8 @@ namespace {
 /// Down to the panels at the side: of the person's name, or of a lesson with one line of hints.
 constexpr float badge_room = 112.0F, lesson_room = 204.0F;
 constexpr float health_width = 280.0F;
-constexpr float inset_width = 300.0F, inset_height = 236.0F, inset_least_room = 560.0F;
+constexpr float inset_width = 300.0F, inset_height = 236.0F, inset_least_height = 100.0F,
+                inset_least_room = 560.0F;
 
 std::string text_of(const char* format, double value) {
   std::array<char, 32> letters{};
@@ -151,12 +152,17 @@ float draw_trouble(Hud& in) {
   return y;
 }
 
+/// The hints, in the middle and as wide as they may be, reach below the panels at the side.
+bool is_hint_at_side(const Hud& in) {
+  return 0.5F * (1.0F - widest_hint_share) * in.room.w < inset_width + 8.0F;
+}
+
 /// The section in the blade's plane, beside the picture.
 void draw_inset(Hud& in, float y) {
   if (in.hud.inset == nullptr || in.room.w < inset_least_room) return;
   const float height =
       std::min(inset_height, in.room.bottom() - hud_panel_height - 2.0F * hud_gap - y);
-  if (height < 0.5F * inset_height) return;
+  if (height < inset_least_height) return;
   const Rect rect = in.sided({in.room.right() - inset_width, y, inset_width, height});
   const HudPanel panel(in, "operate.panel.inset", rect);
   const Rect title{rect.x + hud_pad, rect.y + 8.0F, rect.w - 2.0F * hud_pad, 20.0F};
@@ -187,8 +193,8 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
   draw_hud_readings(in, std::max(bar_end + 8.0F, in.room.y + badge_room));
   const float hints_end = draw_hud_hints(in, bar_end, draw_trouble(in));
-  const float below =
-      hud.lesson ? std::max(in.room.y + lesson_room, hints_end + 8.0F) : in.room.y + badge_room;
+  const float below = std::max(in.room.y + (hud.lesson ? lesson_room : badge_room),
+                               hud.lesson || is_hint_at_side(in) ? hints_end + 8.0F : 0.0F);
   if (hud.is_health_open) {
     draw_health(in, below);
   } else {
