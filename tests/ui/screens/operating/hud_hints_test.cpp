@@ -53,6 +53,8 @@ TEST(HudHints, StayBelowTheStepsWhereTheToolIsBehindBothPlaces) {
   panels.hud.are_hints_low = panels.answer.are_hints_low;
   panels.driver.frame();
   EXPECT_EQ(panels.driver.widget(hint).rect, high);
+  for (const SeenText& text : panels.driver.content().texts)
+    EXPECT_TRUE(!high.encloses(text.rect) || text.presence == 1.0F) << "read all the same";
 }
 
 TEST(HudHints, StandClearOfTheOtherPanelsAtEveryScale) {

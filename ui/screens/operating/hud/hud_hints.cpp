@@ -31,8 +31,7 @@ Rect place_of(const Hud& in, const std::string& words, float y, float most) {
 }
 
 void draw_sentence(Hud& in, const Sentence& sentence, const Rect& rect) {
-  const HudPanel panel(in, sentence.id, rect, std::min(18.0F, 0.5F * rect.h),
-                       in.hud.lesson ? HudFading::Never : HudFading::BehindTool);
+  const HudPanel panel(in, sentence.id, rect, std::min(18.0F, 0.5F * rect.h), HudFading::Never);
   draw_meaning(in.canvas(), in.theme(), sentence.meaning, {rect.x + 20.0F, rect.y + 17.0F}, 6.0F);
   in.canvas().paragraph(
       {rect.x + sign_room, rect.y + edge_y, rect.w - sign_room - edge_x, rect.h - 2.0F * edge_y},

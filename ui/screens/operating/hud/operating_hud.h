@@ -40,7 +40,7 @@ struct HudPlan {
 struct ToolPlace {
   Point at;
   float radius = 0.0F;
-  /// A panel over it fades: the end that works, and with two eyes all that may stand before a panel.
+  /// A panel over it fades: the end that works, and to two eyes all that stands before a panel.
   bool fades_panels = true;
 };
 
