@@ -78,7 +78,7 @@ TEST_F(Site, APlaneThatTurnsToItsEdgeFadesToTheLineThatItCuts) {
         line_of(with_plane.planes.front(),
                 view_of(under(angle_deg), Viewer{}, Eye::Middle, 16.0 / 9.0).eye_in_world_mm)};
     scene_.planes.clear();
-    const Pixels picture = draw(under(angle_deg));
+    Pixels picture = draw(under(angle_deg));
     scene_ = with_plane;
     return picture;
   };

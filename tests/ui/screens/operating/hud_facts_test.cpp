@@ -13,7 +13,6 @@
 namespace hallux::ui {
 namespace {
 
-using testing::AllOf;
 using testing::StartsWith;
 
 /// The first stroke of an operation, led by hints, with its panels.
