@@ -3,18 +3,29 @@
 #include <GLFW/glfw3.h>
 #include <X11/Xlib.h>
 
-// Of GLFW/glfw3native.h, which wants the headers of extensions that nobody here needs.
+// Of GLFW/glfw3native.h, which wants the headers of extensions that nobody here needs; a GLFW made
+// for Wayland alone has neither.
 extern "C" {
 // NOLINTBEGIN(readability-identifier-naming): GLFW's own names
-Display* glfwGetX11Display();
-Window glfwGetX11Window(GLFWwindow* window);
+[[gnu::weak]] Display* glfwGetX11Display();
+[[gnu::weak]] Window glfwGetX11Window(GLFWwindow* window);
 // NOLINTEND(readability-identifier-naming)
 }
 
 namespace hallux::ui {
 
+namespace {
+
+/// Null where the window is not one of X.
+Display* display_of_x() noexcept {
+  return glfwGetX11Display == nullptr || glfwGetX11Window == nullptr ? nullptr
+                                                                     : glfwGetX11Display();
+}
+
+}  // namespace
+
 bool grab_pointer(GLFWwindow* window) noexcept {
-  Display* const display = glfwGetX11Display();
+  Display* const display = display_of_x();
   if (display == nullptr) return true;
   if (glfwGetWindowAttrib(window, GLFW_FOCUSED) == GLFW_FALSE) return false;
   // As GLFW grabs it: from the same program a second grab takes the place of the first.
@@ -26,7 +37,7 @@ bool grab_pointer(GLFWwindow* window) noexcept {
 
 bool can_grab_pointer(GLFWwindow* window) noexcept {
   if (!grab_pointer(window)) return false;
-  if (Display* const display = glfwGetX11Display(); display != nullptr) {
+  if (Display* const display = display_of_x(); display != nullptr) {
     XUngrabPointer(display, CurrentTime);
     XFlush(display);
   }

@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "ui/widgets/texts/number_text.h"
 
 namespace hallux::ui {
 
@@ -43,9 +44,8 @@ std::string words_of(const Texts& texts, const WayAhead& way) {
   constexpr std::array<const char*, 5> ids{"operate.tip.bone", "operate.tip.beside",
                                            "operate.tip.far", "operate.tip.hinge",
                                            "operate.tip.past_hinge"};
-  std::array<char, 32> value{};
-  static_cast<void>(std::snprintf(value.data(), value.size(), "%.1f mm", way.way_mm));
-  return texts.say(ids[static_cast<std::size_t>(way.to)], {{"way", value.data()}});
+  return texts.say(ids[static_cast<std::size_t>(way.to)],
+                   {{"way", fixed_text(way.way_mm, 1) + " mm"}});
 }
 
 }  // namespace hallux::ui

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scenarios/site/kerf_of_cut.h"
 #include "ui/screens/pictures/blade_section_view.h"
 #include "ui/screens/pictures/way_ahead.h"
 #include "ui/widgets/shapes.h"
@@ -16,8 +17,8 @@ namespace {
 
 /// Out of its own plane.
 constexpr double same_section_mm = 0.1, same_section_rad = 0.0035;
-/// Of a planned face, for the blade that saws it.
-constexpr double same_cut_mm = 4.0, same_cut_rad = 0.2;
+/// Of a blade that saws a planned face: further off it is on its way.
+constexpr double same_cut_misfit = 12.0;
 
 bool is_moved(const RigidTransform& bone_from_plane, const RigidTransform& bone_from_tool) {
   const RigidTransform moved = inverse(bone_from_plane) * bone_from_tool;
@@ -28,24 +29,20 @@ bool is_moved(const RigidTransform& bone_from_plane, const RigidTransform& bone_
 
 /// The hinge of the planned cut that the blade lies in.
 const scenarios::PlannedHinge* hinge_at(const scenarios::Plan& plan,
-                                        const RigidTransform& bone_from_tool) {
-  for (const scenarios::PlannedCut& cut : plan.cuts) {
-    const double off_mm =
-        glm::dot(cut.face.normal, bone_from_tool.translation_mm) - cut.face.offset_mm;
-    const double along = std::abs(glm::dot(cut.face.normal, axis_z(bone_from_tool)));
-    if (std::abs(off_mm) < same_cut_mm && along > std::cos(same_cut_rad))
-      return find_hinge(plan, cut.hinge);
-  }
-  return nullptr;
+                                        const RigidTransform& bone_from_tool, double kerf_mm) {
+  if (plan.cuts.empty()) return nullptr;
+  const simulator::KerfPlane plane{bone_from_tool, kerf_mm};
+  const scenarios::PlannedCut& cut = plan.cuts[nearest_cut(plane, plan)];
+  return misfit(plane, cut) < same_cut_misfit ? find_hinge(plan, cut.hinge) : nullptr;
 }
 
 /// As far as the section tells; nothing beside the bone.
 std::optional<WayAhead> way_in(const BladeSection& section, const scenarios::Plan* plan,
-                               const RigidTransform& bone_from_tool) {
+                               const RigidTransform& bone_from_tool, double kerf_mm) {
   const simulator::BladeAhead ahead = ahead_in(section);
   if (!ahead.to_bone_mm) return std::nullopt;
   const scenarios::PlannedHinge* const hinge =
-      plan == nullptr ? nullptr : hinge_at(*plan, bone_from_tool);
+      plan == nullptr ? nullptr : hinge_at(*plan, bone_from_tool, kerf_mm);
   std::optional<double> to_hinge_mm;
   if (hinge != nullptr) to_hinge_mm = way_to_hinge_mm(*hinge, bone_from_tool);
   return way_ahead(ahead, to_hinge_mm);
@@ -99,7 +96,7 @@ void BladeInset::draw(Ui& ui, Shell& shell, const Rect& rect,
   draw_hud_panel(ui.canvas(), ui.theme(), rect);
   const scenarios::Plan* const plan = shows_plan ? &material->plan : nullptr;
   BladeSection shown = blade_section(section_, bone_from_tool, material->scenario.saw.blade, plan);
-  shown.way = way_in(shown, plan, bone_from_tool);
+  shown.way = way_in(shown, plan, bone_from_tool, material->scenario.saw.blade.kerf_mm);
   draw_blade_section(ui, inset(rect, 8.0F), shown);
 }
 

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "simulator/base/units.h"
 #include "ui/widgets/shapes.h"
+#include "ui/widgets/texts/number_text.h"
 
 namespace hallux::ui {
 
@@ -15,13 +15,6 @@ namespace {
 
 /// Lower pictures have no room for it.
 constexpr float least_height = 80.0F;
-
-std::string fixed_text(double value, int decimals) {
-  if (!std::isfinite(value)) return "\xE2\x80\x93";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
 
 }  // namespace
 

@@ -6,10 +6,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "simulator/base/units.h"
+#include "ui/widgets/texts/number_text.h"
 
 namespace hallux::ui {
 
@@ -47,12 +47,6 @@ struct Level {
   Track track;
 };
 
-std::string number_text(double value) {
-  std::array<char, 32> letters{};
-  static_cast<void>(std::snprintf(letters.data(), letters.size(), "%.3g", value));
-  return letters.data();
-}
-
 Meaning meaning_of(BandState state) {
   return state == BandState::Full      ? Meaning::Good
          : state == BandState::Partial ? Meaning::Warn
@@ -67,7 +61,7 @@ const char* words_of(BandState state) {
 
 std::string band_text(const Hud& in, const LiveBand& band, const char* unit) {
   return in.ui.texts().say(
-      "operate.band", {{"full", number_text(band.full)}, {"zero", number_text(band.zero) + unit}});
+      "operate.band", {{"full", short_text(band.full)}, {"zero", short_text(band.zero) + unit}});
 }
 
 void set_band(Level& level, const std::optional<LiveBand>& band, double value) {

@@ -2,14 +2,13 @@
 #include "ui/screens/operating/hud/hud_readings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "simulator/contact/heat_law.h"
 #include "ui/screens/operating/hud/hud_plan.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/marks.h"
+#include "ui/widgets/texts/number_text.h"
 
 namespace hallux::ui {
 
@@ -17,19 +16,13 @@ namespace {
 
 constexpr float tool_panel_width = 284.0F, force_panel_width = 240.0F, widest_plan = 700.0F;
 
-std::string text_of(const char* format, double value) {
-  std::array<char, 32> letters{};
-  static_cast<void>(std::snprintf(letters.data(), letters.size(), format, value));
-  return letters.data();
-}
-
 /// The hottest bone at the right of the line, with a sign from where bone suffers. Returns the
 /// width that it takes.
 float draw_heat(Hud& in, const Rect& line) {
   if (!in.hud.bone_celsius) return 0.0F;
   const bool is_hot = *in.hud.bone_celsius > simulator::hot_celsius;
   const std::string words =
-      in.ui.texts().say("operate.bone_heat", {{"celsius", text_of("%.0f", *in.hud.bone_celsius)}});
+      in.ui.texts().say("operate.bone_heat", {{"celsius", fixed_text(*in.hud.bone_celsius, 0)}});
   const float words_w = in.ui.width_of(Type::Small, words);
   in.canvas().text({line.right() - words_w, line.mid_y()},
                    {Type::Small, is_hot ? in.theme().warn_text : in.theme().text_secondary}, words);
@@ -63,8 +56,8 @@ void draw_tool(Hud& in, const Rect& rect) {
   canvas.text_in({inner.x, rect.y + 12.0F, inner.w - saw_w, 22.0F},
                  {Type::BodyStrong, in.theme().text}, in.ui.text("operate.saw"));
   const std::string blade = in.ui.texts().say(
-      "operate.blade", {{"width", text_of("%.4g", in.hud.saw.blade.width_mm)},
-                        {"thickness", text_of("%.2f", in.hud.saw.blade.thickness_mm)}});
+      "operate.blade", {{"width", short_text(in.hud.saw.blade.width_mm)},
+                        {"thickness", fixed_text(in.hud.saw.blade.thickness_mm, 2)}});
   const float heat_w = draw_heat(in, {inner.x, rect.y + 35.0F, inner.w, 20.0F});
   canvas.text_in({inner.x, rect.y + 35.0F, inner.w - heat_w, 20.0F},
                  {Type::Small, in.theme().text_secondary}, blade);
@@ -100,8 +93,8 @@ void draw_push_track(Hud& in, const Rect& track, Color ink) {
     const float x = track.x + place_of(track, newton);
     in.canvas().fill({x - 1.0F, track.y - 5.0F, 2.0F, 18.0F}, in.theme().text);
   }
-  const std::string most = text_of("%.3g", in.hud.push.most_newton);
-  const std::string least = text_of("%.3g", in.hud.push.least_newton);
+  const std::string most = short_text(in.hud.push.most_newton);
+  const std::string least = short_text(in.hud.push.least_newton);
   const float most_x = track.x + place_of(track, in.hud.push.most_newton);
   const float least_x = track.x + place_of(track, in.hud.push.least_newton);
   in.canvas().text_in({most_x - 14.0F, caption_y, 28.0F, 18.0F}, caption, most);
@@ -109,7 +102,7 @@ void draw_push_track(Hud& in, const Rect& track, Color ink) {
     in.canvas().text_in({least_x - 14.0F, caption_y, 28.0F, 18.0F}, caption, least);
   in.canvas().text_in({track.right() - 44.0F, caption_y, 44.0F, 18.0F},
                       {Type::Caption, in.theme().text_caption, Align::Right},
-                      text_of("%.0f N", force_scale_newton));
+                      fixed_text(force_scale_newton, 0) + " N");
 }
 
 void draw_force(Hud& in, const Rect& rect) {
@@ -118,8 +111,8 @@ void draw_force(Hud& in, const Rect& rect) {
   const Rect inner = inset(rect, hud_pad, 0.0F);
   const bool is_high = in.hud.force_newton > in.hud.push.most_newton;
   const std::string range =
-      in.ui.texts().say("operate.force.keep", {{"least", text_of("%.3g", in.hud.push.least_newton)},
-                                               {"most", text_of("%.3g", in.hud.push.most_newton)}});
+      in.ui.texts().say("operate.force.keep", {{"least", short_text(in.hud.push.least_newton)},
+                                               {"most", short_text(in.hud.push.most_newton)}});
   Rect head{inner.x, rect.y + 12.0F, inner.w, 22.0F};
   canvas.text_in(take_right(head, in.ui.width_of(Type::Small, range) + 1.0F, 8.0F),
                  {Type::Small, is_high ? in.theme().warn_text : in.theme().text, Align::Right},

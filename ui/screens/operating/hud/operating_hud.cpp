@@ -5,9 +5,7 @@
 #include "ui/screens/operating/hud/operating_hud.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "ui/screens/operating/hud/hud_bar.h"
 #include "ui/screens/operating/hud/hud_foot.h"
@@ -16,6 +14,7 @@
 #include "ui/screens/operating/hud/hud_readings.h"
 #include "ui/screens/operating/hud/hud_tip.h"
 #include "ui/screens/pictures/blade_section_view.h"
+#include "ui/widgets/texts/number_text.h"
 
 namespace hallux::ui {
 
@@ -26,12 +25,6 @@ constexpr float badge_room = 112.0F, lesson_room = 204.0F;
 constexpr float health_width = 280.0F;
 constexpr float inset_width = 300.0F, inset_height = 236.0F, inset_least_height = 100.0F,
                 inset_least_room = 560.0F;
-
-std::string text_of(const char* format, double value) {
-  std::array<char, 32> letters{};
-  static_cast<void>(std::snprintf(letters.data(), letters.size(), format, value));
-  return letters.data();
-}
 
 constexpr double bytes_per_megabyte = 1e6;
 
@@ -176,12 +169,12 @@ void draw_inset(Hud& in, float y) {
 
 }  // namespace
 
-std::string decimal_text(double value) { return text_of("%.1f", value); }
+std::string decimal_text(double value) { return fixed_text(value, 1); }
 
 std::string signed_text(double value) {
   const double rounded = std::round(10.0 * value) / 10.0;
   if (rounded == 0.0) return "0.0";
-  return (rounded < 0.0 ? "−" : "+") + text_of("%.1f", std::abs(rounded));
+  return (rounded < 0.0 ? "−" : "+") + fixed_text(std::abs(rounded), 1);
 }
 
 HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
