@@ -5,14 +5,17 @@
 
 Prints SOURCE=NUMBER for each, ';' between them: the group that it belongs to. BEFORE is what was printed the last time, or
 empty: who can stays where it was, so that a new name or a new line moves few files. Files whose private names would meet stay
-apart: no name that one file declares for itself alone occurs in another of its group, so that each means the same as if it
-were compiled alone. Private is what stands in an unnamed namespace, and each `static`, constant, `using` and alias of a
+apart: no name that one file declares for itself alone occurs in another of its group, nor is declared by a header that only
+the other reads, so that each means the same as if it were compiled alone. Private is what stands in an unnamed namespace, and each `static`, constant, `using` and alias of a
 source; the same `using` may be said again. A group begins with at most LINES lines: a change compiles little anew.
 """
+import functools
 import pathlib
 import re
 import sys
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+INCLUDED = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 TOKEN = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\''
     r'|\#[^\n]*(?:\\\n[^\n]*)*|(?P<word>[A-Za-z_]\w*)|\d[\w.\']*|::|->|(?P<mark2>\S)', re.S)
@@ -90,6 +93,26 @@ def private_names(tokens):
     return names
 
 
+@functools.cache
+def read_header(name):
+    """Names that a header of ours declares, and the headers that it includes itself; of a generated one, nothing."""
+    path = ROOT / name
+    text = path.read_text() if path.is_file() else ''
+    statements = [statement for statement, _ in statements_of(tokens_of(text)) if statement]
+    return set().union(*map(declared_names, statements)), INCLUDED.findall(text)
+
+
+def headers_read(text):
+    """Headers that a file includes, and those that they include in their turn."""
+    found, waiting = set(), INCLUDED.findall(text)
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += read_header(name)[1]
+    return found
+
+
 class Source:
     def __init__(self, path):
         text = pathlib.Path(path).read_text()
@@ -98,14 +121,16 @@ class Source:
         self.lines = text.count('\n')
         self.private = private_names(tokens)
         self.used = used_words(tokens)
+        self.headers = headers_read(text)
         self.opened = set(re.findall(r'using namespace [\w:]+', text))
         # The headers of X define macros of everyday words; who replaces `new` does it for the program, not for these lines.
         self.alone = bool(re.search(r'^\s*#\s*(define|undef|if|include <X11/)|^void\*? operator (new|delete)', text, re.M))
 
     def hides(self, other):
-        """Whether a private name of this file could be taken for a name that the other uses."""
+        """Whether a private name of this file could be taken for a name that the other, or a header of it, uses."""
         return any(name in other.used and (said is None or other.private.get(name) != said)
-                   for name, said in self.private.items())
+                   for name, said in self.private.items()) or any(
+                       not read_header(name)[0].isdisjoint(self.private) for name in other.headers - self.headers)
 
     def meets(self, other):
         return self.opened != other.opened or self.hides(other) or other.hides(self)

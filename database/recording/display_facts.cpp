@@ -6,14 +6,14 @@ namespace hallux::database {
 
 namespace {
 
-using Columns = std::array<std::int64_t, simulator::display_columns>;
+using FactValues = std::array<std::int64_t, simulator::display_columns>;
 
 simulator::DisplayFact fact_in(SQLite::Statement& row) {
-  Columns columns{};
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    columns[i] = row.getColumn(static_cast<int>(i)).getInt64();
+  FactValues values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = row.getColumn(static_cast<int>(i)).getInt64();
   }
-  return simulator::display_fact_from(columns);
+  return simulator::display_fact_from(values);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ void store_display_facts(Database& database, std::int64_t attempt_number,
                "magnification_milli, target_depth_um, width_over_height_milli, stereo, "
                "layout, lost_before) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const simulator::DisplayFact& fact : facts) {
-    std::apply([&](const auto&... columns) { run_again(insert, attempt_number, columns...); },
+    std::apply([&](const auto&... values) { run_again(insert, attempt_number, values...); },
                columns_of(fact));
   }
 }

@@ -2,6 +2,7 @@
 """Groups of sources (cmake/group_sources.py): files whose private names would meet are never compiled as one."""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,12 +22,14 @@ class Groups(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="hallux-groups-")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        (self.folder / "cmake").mkdir()
+        self.script = shutil.copy(SCRIPT, self.folder / "cmake")
 
     def groups_of(self, *texts, lines=1500, before=""):
         """The number of each text's group."""
         for number, text in enumerate(texts):
             (self.folder / f"{number}.cpp").write_text(text)
-        said = subprocess.run([sys.executable, SCRIPT, str(lines), before, *(f"{n}.cpp" for n in range(len(texts)))],
+        said = subprocess.run([sys.executable, self.script, str(lines), before, *(f"{n}.cpp" for n in range(len(texts)))],
                               cwd=self.folder, check=True, capture_output=True, text=True).stdout.strip()
         rows = dict(row.split("=") for row in said.split(";"))
         return [int(rows[f"{number}.cpp"]) for number in range(len(texts))]
@@ -52,6 +55,15 @@ class Groups(unittest.TestCase):
                             "int other() {\n  return 1;\n}\nint spot = 3;"):
             with self.subTest(declaration=declaration):
                 self.assert_apart("namespace {\n" + declaration + "\n}\n", use)
+
+    def test_a_private_name_that_a_header_of_another_declares_keeps_them_apart(self):
+        (self.folder / "room").mkdir()
+        (self.folder / "room/values.h").write_text("namespace hallux {\nclass length_mm {};\n}\n")
+        (self.folder / "room/rows.h").write_text('#include "room/values.h"\n')
+        reads_it = '#include "room/rows.h"\nnamespace hallux {\nint fifth();\n}\n'
+        self.assert_apart(ALONE, reads_it)
+        self.assert_together('#include "room/values.h"\n' + ALONE, reads_it)
+        self.assert_together(ALONE, '#include "room/generated.h"\nint sixth();\n')
 
     def test_the_same_using_may_be_said_again_and_another_may_not(self):
         use = "using database::Action;\nAction f();\n"
