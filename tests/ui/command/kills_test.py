@@ -149,7 +149,8 @@ class KilledInADirectory(Killed):
         cls.addClassCleanup(shelf.cleanup)
         cls.shelf = pathlib.Path(shelf.name)
         later = coarse_silver()
-        later["version"] = 2
+        later["version"] += 1
+        cls.later_version = str(later["version"])
         for number, scenario in enumerate([coarse_silver()] * (ATTEMPTS - 1) + [later]):
             file = cls.shelf / "scenario.json"
             file.write_text(json.dumps(scenario))
@@ -161,7 +162,7 @@ class KilledInADirectory(Killed):
         shutil.copytree(self.shelf / "data", self.original)
 
     def test_each_attempt_has_its_old_score_and_perhaps_the_new_one(self):
-        arguments = ["rescore", "silver", "--with-version", "2"]
+        arguments = ["rescore", "silver", "--with-version", self.later_version]
 
         def check():
             self.expect_whole()
