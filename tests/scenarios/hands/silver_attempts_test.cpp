@@ -9,7 +9,9 @@
 namespace hallux::tests {
 namespace {
 
-// One test, because each test runs in a process of its own and the attempts take minutes.
+// One test, because each test runs in a process of its own and the attempts take minutes. Of the
+// expert's seed 3 the face runs along the shaft: a piece of the shaft's side comes free after the
+// eminence.
 TEST(SilverAttempts, TellAnExpertFromANoviceAndReplayIdentically) {
   const AttemptTable table = run_attempts("silver");
   expect_told_apart(table);
