@@ -1,12 +1,9 @@
 #include "tests/database/some_database.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <span>
-#include <stdexcept>
 #include <thread>
 
 #include "database/content/assets.h"
@@ -15,27 +12,6 @@
 #include "simulator/base/random.h"
 
 namespace hallux::database {
-
-namespace {
-
-std::filesystem::path place_on(Medium medium) {
-  const std::filesystem::path memory{"/dev/shm"};
-  const bool is_there = medium == Medium::Memory && ::access(memory.c_str(), W_OK) == 0;
-  return is_there ? memory : std::filesystem::temp_directory_path();
-}
-
-}  // namespace
-
-TemporaryDirectory::TemporaryDirectory(Medium medium) {
-  std::string pattern = (place_on(medium) / "hallux-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error{"no temporary directory"};
-  path_ = pattern;
-}
-
-TemporaryDirectory::~TemporaryDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 SecretText secret(std::string text) { return SecretText::take(text); }
 

@@ -13,28 +13,12 @@
 #include "database/recording/recorder.h"
 #include "database/store/connection.h"
 #include "simulator/record/channels.h"
+#include "tests/support/temporary_directory.h"
 
 namespace hallux::database {
 
-enum class Medium {
-  /// Where there is such a place: most tests are not about how fast a disk syncs.
-  Memory,
-  Disk
-};
-
-/// A directory of its own; gone with it.
-class TemporaryDirectory {
- public:
-  explicit TemporaryDirectory(Medium medium = Medium::Memory);
-  ~TemporaryDirectory();
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-  /// A data directory inside that does not exist yet.
-  std::filesystem::path data() const { return path_ / "data"; }
-
- private:
-  std::filesystem::path path_;
-};
+using tests::Medium;
+using tests::TemporaryDirectory;
 
 /// The cheapest Argon2id there is: for tests that are not about its cost.
 inline constexpr PasswordCost cheap{1, 8192};
