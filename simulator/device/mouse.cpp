@@ -1,18 +1,6 @@
 #include "simulator/device/mouse.h"
 
-#include <algorithm>
-
-#include "simulator/base/units.h"
-
 namespace hallux::simulator {
-
-namespace {
-
-constexpr double mm_per_m = 1000.0;
-/// A device that was not asked for longer goes on from where it was.
-constexpr std::int64_t ticks_at_most = 3;
-
-}  // namespace
 
 RigidTransform steered(const RigidTransform& world_from_target, const Quat& world_from_view,
                        const PointerMotion& motion) {
@@ -40,10 +28,8 @@ RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& 
   return kept;
 }
 
-MouseDevice::MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling)
-    : coupling_(coupling),
-      target_({{world_from_start, 0, {}}, 0}),
-      world_from_hand_(world_from_start) {}
+MouseDevice::MouseDevice(const RigidTransform& world_from_start, const HandCoupling& coupling)
+    : hand_(world_from_start, coupling), target_({{world_from_start, 0, {}}, 0}) {}
 
 void MouseDevice::aim(const Aim& aim) noexcept { target_.write({aim, ++aims_}); }
 
@@ -52,32 +38,13 @@ bool MouseDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   const auto& [aim, number] = target_.read();
   if (number != heard_) heard_tick_ = tick;
   heard_ = number;
-  const std::int64_t ticks =
-      tick_ < 0 ? 1 : std::clamp<std::int64_t>(tick - tick_, 1, ticks_at_most);
+  const std::int64_t ticks = ticks_to_follow(tick, tick_);
   tick_ = tick;
-  for (std::int64_t i = 0; i < ticks; ++i) pull_towards(aim, force_in_world_newton);
-  state = {world_from_hand_, tick - heard_tick_ > silence_ticks ? 0U : aim.switches};
-  return true;
-}
-
-/// Semi-implicit Euler: the velocity first, then the way with the new velocity.
-void MouseDevice::pull_towards(const Aim& aim, const Vec3& force_newton) noexcept {
-  const RigidTransform& world_from_target = aim.world_from_target;
-  const Vec3 ahead_mm = world_from_target.translation_mm - world_from_hand_.translation_mm;
-  const Vec3 sum_newton = coupling_.stiffness_newton_per_mm * ahead_mm -
-                          coupling_.damping_newton_s_per_mm * velocity_mm_s_ + force_newton;
-  velocity_mm_s_ += step_s * mm_per_m / coupling_.mass_kg * sum_newton;
-  const double speed_mm_s = length_of(velocity_mm_s_);
-  if (speed_mm_s > coupling_.speed_limit_mm_s) {
-    velocity_mm_s_ *= coupling_.speed_limit_mm_s / speed_mm_s;
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    hand_.follow(aim.world_from_target, aim.unyielding_in_world, force_in_world_newton);
   }
-  world_from_hand_.translation_mm += step_s * velocity_mm_s_;
-  const Vec3& along = aim.unyielding_in_world;
-  const Vec3 off_mm = world_from_target.translation_mm - world_from_hand_.translation_mm;
-  world_from_hand_.translation_mm += glm::dot(along, off_mm) * along;
-  velocity_mm_s_ -= glm::dot(along, velocity_mm_s_) * along;
-  world_from_hand_.rotation =
-      interpolate(world_from_hand_, world_from_target, step_s / coupling_.turn_s).rotation;
+  state = {hand_.world_from_hand(), tick - heard_tick_ > silence_ticks ? 0U : aim.switches};
+  return true;
 }
 
 }  // namespace hallux::simulator

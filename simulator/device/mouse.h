@@ -3,30 +3,18 @@
 ///
 ///     window: pointer, wheel, right drag --> target
 ///                                              | latest value
-///     haptic:                                target --spring, damper--> hand of 0.15 kg
-///                                                                        ^ simulated force
+///     haptic:                                target --> coupled hand --> saw
 ///
-/// A mouse pushes nobody back. The hand in the middle does feel the force, so bone stops it and the
-/// pointer runs ahead: how far it is ahead is how hard one pushes. Where no target comes any more,
+/// A mouse pushes nobody back: the hand in the middle (coupled_hand.h) feels the force. Where no target comes any more,
 /// because the window hangs or is minimised, nobody holds the saw: it stops. On a rail (rail.h) the
 /// hand gives way in the rail's plane only.
 #pragma once
 
+#include "simulator/device/coupled_hand.h"
 #include "simulator/device/steered_device.h"
 #include "simulator/record/latest.h"
 
 namespace hallux::simulator {
-
-/// source  docs/haptics.md, The mouse
-struct MouseCoupling {
-  double stiffness_newton_per_mm = 1.0;
-  double mass_kg = 0.15;
-  /// Critical: 2 sqrt(stiffness x mass).
-  double damping_newton_s_per_mm = 0.0245;
-  double speed_limit_mm_s = 800.0;
-  /// In which a turn of the target is followed to 63 %.
-  double turn_s = 0.03;
-};
 
 /// What the person did with the pointer since the frame before.
 struct PointerMotion {
@@ -55,7 +43,7 @@ RigidTransform kept_within(const RigidTransform& world_from_target, const Vec3& 
 
 class MouseDevice final : public SteeredDevice {
  public:
-  explicit MouseDevice(const RigidTransform& world_from_start, const MouseCoupling& coupling = {});
+  explicit MouseDevice(const RigidTransform& world_from_start, const HandCoupling& coupling = {});
 
   void aim(const Aim& aim) noexcept override;
 
@@ -64,23 +52,19 @@ class MouseDevice final : public SteeredDevice {
                 RawDeviceState& state) noexcept override;
 
  private:
-  void pull_towards(const Aim& aim, const Vec3& force_newton) noexcept;
-
   struct Target {
     Aim aim;
     /// Counts the calls of aim().
     std::uint64_t number = 0;
   };
 
-  MouseCoupling coupling_;
+  CoupledHand hand_;
   Latest<Target> target_;
   /// The window's.
   std::uint64_t aims_ = 0;
   /// The number that was heard last.
   std::uint64_t heard_ = 0;
   std::int64_t heard_tick_ = 0;
-  RigidTransform world_from_hand_;
-  Vec3 velocity_mm_s_{0.0, 0.0, 0.0};
   /// Of the last exchange.
   std::int64_t tick_ = -1;
 };

@@ -103,7 +103,7 @@ TEST(KickFelt, ByAMouseIsAThrowAsideAndBack) {
   ASSERT_EQ(run.events(CutEventKind::Kick).size(), 1U);
   EXPECT_GT(thrown_mm, 0.5);
   // The impulse upon the damping alone: what nothing else holds goes so far.
-  EXPECT_LT(thrown_mm, kick_impulse_newton_s / MouseCoupling{}.damping_newton_s_per_mm);
+  EXPECT_LT(thrown_mm, kick_impulse_newton_s / HandCoupling{}.damping_newton_s_per_mm);
   EXPECT_LT(at_end_mm, 0.5);
 }
 
