@@ -18,6 +18,8 @@ struct DevicePulse {
   std::int64_t flicker_ticks = 0;
   /// RawDeviceState::packet grows with each packet that came.
   bool numbers_packets = false;
+  /// In which a packet comes, where it numbers them; at least 1.
+  std::int64_t period_ticks = 1;
 };
 
 struct DeviceDescription {

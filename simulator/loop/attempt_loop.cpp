@@ -15,7 +15,7 @@
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
-#include "simulator/loop/time_spread.h"
+#include "simulator/base/time_spread.h"
 
 namespace hallux::simulator {
 

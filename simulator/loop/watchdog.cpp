@@ -14,9 +14,10 @@ constexpr double jump_limit_mm = 20.0, jump_limit_rad = 0.3;
 constexpr std::int64_t believed_ticks = 20;
 /// A quaternion of another length is no rotation that was rounded or not normalised.
 constexpr double least_length = 0.5, greatest_length = 2.0;
-/// So many ticks may pass without a new packet. With the tick until the next exchange and two of
-/// transport, the motors are without force 5 ms after the first packet that did not come.
-constexpr std::int64_t late_ticks = 2;
+/// So many of its periods may pass without a new packet. Of one that speaks each tick: with the tick
+/// until the next exchange and two of transport, the motors are without force 5 ms after the first
+/// packet that did not come.
+constexpr std::int64_t late_periods = 2;
 
 /// No part that is no number gets through: its comparison is false.
 bool is_rotation(const Quat& rotation) noexcept {
@@ -74,7 +75,7 @@ bool DeviceWatchdog::is_late(const RawDeviceState& raw, std::int64_t ticks) noex
   const bool is_new = !newest_packet_ || raw.packet > *newest_packet_;
   packet_ticks_ = is_new ? 0 : packet_ticks_ + ticks;
   if (is_new) newest_packet_ = raw.packet;
-  return pulse_.numbers_packets && packet_ticks_ > late_ticks;
+  return pulse_.numbers_packets && packet_ticks_ > late_periods * pulse_.period_ticks;
 }
 
 bool DeviceWatchdog::is_frozen(const RawDeviceState& raw, std::int64_t ticks) noexcept {

@@ -6,7 +6,7 @@
 /// | Lost | the driver says that the device is gone | at once |
 /// | NotFinite | NaN or infinity in the pose, or a quaternion's length outside 0.5 to 2 | at once |
 /// | Jumped | farther than a hand moves or turns in the ticks of the line | at once |
-/// | Late | a device that numbers its packets brought no newer one | 3 ticks |
+/// | Late | a device that numbers its packets brought no newer one | more than 2 of its periods |
 /// | Frozen | the same to the last bit for longer than the device says it is | the device's word |
 ///
 /// Where a device jumped to is believed once it was there for 20 ticks, moving from word to word as

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <span>
 
-#include "simulator/base/vector.h"
+#include "simulator/device/port/device_driver.h"
 
 namespace hallux::simulator {
 
@@ -40,11 +40,7 @@ enum class SpaceMouseNews { None, Motion, Buttons, Garbled };
 /// errors  none: total, allocates nothing
 SpaceMouseNews take_report(SpaceMouseState& state, std::span<const std::uint8_t> report) noexcept;
 
-/// How far the cap is deflected, each part in [-1, 1] of the device's greatest. Axes as of every
-/// device here: x right, y up, z to the person.
-struct Deflection {
-  Vec3 pushed{0.0, 0.0, 0.0}, turned{0.0, 0.0, 0.0};
-};
+/// How far the cap is deflected.
 /// needs   axis_limit > 0
 Deflection deflection_of(const SpaceMouseState& state, std::int32_t axis_limit) noexcept;
 

@@ -1,4 +1,4 @@
-#include "simulator/loop/time_spread.h"
+#include "simulator/base/time_spread.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "simulator/base/random.h"
 
-namespace hallux::simulator {
+namespace hallux {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -56,4 +56,4 @@ TEST(TimeSpread, TakesTimesThatNoLoopHas) {
 }
 
 }  // namespace
-}  // namespace hallux::simulator
+}  // namespace hallux

@@ -1,9 +1,9 @@
-#include "simulator/loop/time_spread.h"
+#include "simulator/base/time_spread.h"
 
 #include <algorithm>
 #include <bit>
 
-namespace hallux::simulator {
+namespace hallux {
 
 namespace {
 
@@ -61,4 +61,4 @@ double TimeSpread::greatest_us() const noexcept {
   return 1.0e-3 * static_cast<double>(greatest_ns_);
 }
 
-}  // namespace hallux::simulator
+}  // namespace hallux

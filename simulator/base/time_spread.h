@@ -1,4 +1,4 @@
-/// Percentiles of as many times as come, in memory of a fixed size. Inside this corner only.
+/// Percentiles of as many times as come, in memory of a fixed size.
 ///
 /// Times are counted in classes: up to half a microsecond of one nanosecond each, beyond that 256
 /// of the same width for each doubling. So a percentile is off by at most a five-hundredth.
@@ -10,7 +10,7 @@
 
 #include "simulator/base/fixed_array.h"
 
-namespace hallux::simulator {
+namespace hallux {
 
 class TimeSpread {
  public:
@@ -31,4 +31,4 @@ class TimeSpread {
   std::uint64_t greatest_ns_ = 0;
 };
 
-}  // namespace hallux::simulator
+}  // namespace hallux

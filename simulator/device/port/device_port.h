@@ -1,0 +1,76 @@
+/// A port: the thread of its own that talks to a device, so that nothing the device or its library
+/// does can hold the loop.
+///
+///     loop --force--> | slot |  --> port's thread --> driver --> library --> device
+///          <--state-- | slot |  <--               <--        <--         <--
+///
+/// Saying and reading are an exchange of slots: no system call, no lock, no memory. The port is a
+/// dead man's switch too (dead_man_switch.h). One borrower at a time says forces and reads states.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "simulator/device/port/port_cycle.h"
+#include "simulator/record/latest.h"
+
+namespace hallux::simulator {
+
+/// What a port has seen so far, in figures.
+struct PortFigures {
+  std::uint64_t exchanges = 0, packets = 0, bad_packets = 0, late_packets = 0;
+  /// Forces of zero since the device's fault, or since nobody says one any more.
+  std::uint64_t zeros = 0;
+  double greatest_force_newton = 0.0;
+  double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
+};
+
+class DevicePort {
+ public:
+  /// Opens it on the port's own thread, which goes on until the device is gone or the port is.
+  explicit DevicePort(std::unique_ptr<DeviceDriver> driver);
+  /// Zero force is said to the device.
+  ~DevicePort();
+  DevicePort(const DevicePort&) = delete;
+  DevicePort& operator=(const DevicePort&) = delete;
+
+  /// thread  the borrower's; takes no memory, makes no system call
+  void say(const Vec3& force_in_device_newton) noexcept;
+  /// What the device said last.
+  /// thread  the borrower's; likewise
+  const PortState& newest() noexcept { return state_.read(); }
+
+  /// thread  any
+  PortPhase phase() const noexcept { return phase_.load(std::memory_order_acquire); }
+  /// Why it ended; none while it has not.
+  TroubleReport trouble() const;
+  /// Of the opened device; before, what is known of its kind.
+  DeviceDescription description() const;
+  PortFigures figures() const;
+
+ private:
+  void run(const std::stop_token& stop) noexcept;
+  TroubleReport open(const std::stop_token& stop);
+  void talk(const std::stop_token& stop);
+  void publish(const PortState& state) noexcept;
+  void note(const PortStatistics& statistics);
+  void end(const TroubleReport& report) noexcept;
+
+  std::unique_ptr<DeviceDriver> driver_;
+  /// Counts what the borrower said.
+  std::uint64_t number_ = 0;
+  Latest<SaidForce> said_;
+  Latest<PortState> state_;
+  std::atomic<PortPhase> phase_{PortPhase::Opening};
+  mutable std::mutex mutex_;
+  /// Under the mutex, with what follows.
+  DeviceDescription description_;
+  TroubleReport trouble_;
+  PortFigures figures_;
+  /// Last: joined before the rest goes.
+  std::jthread thread_;
+};
+
+}  // namespace hallux::simulator
