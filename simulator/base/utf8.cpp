@@ -47,4 +47,33 @@ bool has_hidden_letters(std::string_view text) noexcept {
   return false;
 }
 
+void append_utf8(std::string& text, std::uint32_t character) {
+  const auto put = [&](std::uint32_t lead, unsigned continuations) {
+    text += static_cast<char>(lead | character >> (6U * continuations));
+    for (unsigned i = continuations; i > 0; --i) {
+      text += static_cast<char>(0x80U | (character >> (6U * (i - 1)) & 0x3FU));
+    }
+  };
+  if (character < 0x80) return put(0, 0);
+  if (character < 0x800) return put(0xC0, 1);
+  const bool is_surrogate = character >= 0xD800 && character <= 0xDFFF;
+  if (is_surrogate || character > 0x10FFFF) return;
+  character < 0x10000 ? put(0xE0, 2) : put(0xF0, 3);
+}
+
+std::string visible_text(std::string_view text) {
+  std::string visible;
+  while (!text.empty()) {
+    const Character next = first_character(text);
+    if (next.byte_count == 0) {
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::string_view bytes = text.substr(0, next.byte_count);
+    if (!is_control(next.value) && !turns_direction(next.value)) visible += bytes;
+    text.remove_prefix(next.byte_count);
+  }
+  return visible;
+}
+
 }  // namespace hallux

@@ -23,5 +23,24 @@ TEST(Utf8, LettersThatNobodySeesAreFound) {
   EXPECT_TRUE(has_hidden_letters("a\xC2\x9Bz"));  // U+009B
 }
 
+TEST(Utf8, ACharacterIsWrittenAsItIsRead) {
+  for (const std::uint32_t value :
+       {0x41U, 0x7FU, 0x80U, 0x7FFU, 0x800U, 0xFFFDU, 0x10000U, 0x10FFFFU}) {
+    std::string text;
+    append_utf8(text, value);
+    EXPECT_EQ(first_character(text).value, value);
+    EXPECT_EQ(first_character(text).byte_count, text.size());
+  }
+  std::string none;
+  append_utf8(none, 0xD800U);
+  append_utf8(none, 0x110000U);
+  EXPECT_EQ(none, "");
+}
+
+TEST(Utf8, OfATextFromOutsideWhatIsSeenIsKept) {
+  EXPECT_EQ(visible_text("Space\x1B[2JMouse\n\xFF \xE2\x80\xAEM\xC3\xBCller"),
+            "Space[2JMouse M\xC3\xBCller");
+}
+
 }  // namespace
 }  // namespace hallux
