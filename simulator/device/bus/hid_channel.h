@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "simulator/device/bus/bus_answer.h"
+#include "simulator/device/port/device_trouble.h"
 
 namespace hallux::simulator {
 
@@ -17,6 +19,12 @@ class HidChannel {
   virtual BusAnswer write(std::span<const std::uint8_t> report) noexcept = 0;
   /// One input report, however long; waits for it so long.
   virtual BusRead read(std::span<std::uint8_t> report, std::chrono::milliseconds wait) noexcept = 0;
+};
+
+struct OpenedHid {
+  /// None where there was a trouble.
+  std::unique_ptr<HidChannel> channel;
+  TroubleReport trouble;
 };
 
 }  // namespace hallux::simulator

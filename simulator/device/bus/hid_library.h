@@ -3,14 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "simulator/device/bus/hid_channel.h"
 #include "simulator/device/bus/hid_descriptor.h"
-#include "simulator/device/port/device_trouble.h"
 
 namespace hallux::simulator {
 
@@ -19,12 +17,6 @@ struct PluggedHid {
   HidUsage usage;
   /// Of the axes X to Rz; none where it has none.
   std::optional<std::int32_t> axis_limit;
-};
-
-struct OpenedHid {
-  /// None where there was a trouble.
-  std::unique_ptr<HidChannel> channel;
-  TroubleReport trouble;
 };
 
 class HidLibrary {

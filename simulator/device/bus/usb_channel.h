@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "simulator/device/bus/bus_answer.h"
+#include "simulator/device/port/device_trouble.h"
 
 namespace hallux::simulator {
 
@@ -25,6 +27,12 @@ class UsbChannel {
   /// One packet as it came, however long; waits for it so long.
   virtual BusRead read(std::span<std::uint8_t, usb_packet_bytes> packet,
                        std::chrono::milliseconds wait) noexcept = 0;
+};
+
+struct OpenedUsb {
+  /// None where there was a trouble.
+  std::unique_ptr<UsbChannel> channel;
+  TroubleReport trouble;
 };
 
 }  // namespace hallux::simulator

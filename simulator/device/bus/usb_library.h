@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "simulator/device/bus/usb_channel.h"
-#include "simulator/device/port/device_trouble.h"
 
 struct libusb_context;
 
 namespace hallux::simulator {
-
-struct OpenedUsb {
-  /// None where there was a trouble.
-  std::unique_ptr<UsbChannel> channel;
-  TroubleReport trouble;
-};
 
 class UsbLibrary {
  public:
