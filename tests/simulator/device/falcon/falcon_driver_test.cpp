@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "tests/support/served_bus/played_usb.h"
+#include "tests/support/served_bus/played_channels.h"
 #include "tests/support/temporary_directory.h"
 
 namespace hallux::simulator {

@@ -1,10 +1,12 @@
-/// A USB channel to a modelled device, without a bus.
+/// Channels to modelled devices, without a bus.
 #pragma once
 
 #include <algorithm>
 
+#include "simulator/device/bus/hid_channel.h"
 #include "simulator/device/bus/usb_channel.h"
 #include "tests/support/served_bus/falcon_model.h"
+#include "tests/support/served_bus/hid_models.h"
 
 namespace hallux::tests {
 
@@ -34,6 +36,29 @@ class PlayedUsb final : public simulator::UsbChannel {
 
  private:
   FalconModel& model_;
+  const bool& is_gone_;
+};
+
+class PlayedHid final : public simulator::HidChannel {
+ public:
+  PlayedHid(HidModel& model, const bool& is_gone) : model_(model), is_gone_(is_gone) {}
+
+  simulator::BusAnswer write(std::span<const std::uint8_t> report) noexcept override {
+    if (is_gone_) return simulator::BusAnswer::Gone;
+    return model_.receive(report) ? simulator::BusAnswer::Done : simulator::BusAnswer::Refused;
+  }
+  simulator::BusRead read(std::span<std::uint8_t> report,
+                          std::chrono::milliseconds) noexcept override {
+    if (is_gone_) return {simulator::BusAnswer::Gone, 0};
+    if (!model_.has_news()) return {simulator::BusAnswer::Nothing, 0};
+    const std::vector<std::uint8_t> bytes = model_.take();
+    const std::size_t count = std::min(bytes.size(), report.size());
+    std::copy_n(bytes.begin(), count, report.begin());
+    return {simulator::BusAnswer::Done, count};
+  }
+
+ private:
+  HidModel& model_;
   const bool& is_gone_;
 };
 
