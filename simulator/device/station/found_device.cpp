@@ -1,0 +1,109 @@
+#include "simulator/device/station/found_device.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "simulator/device/falcon/falcon_firmware.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+/// What of a serial can be typed.
+std::string typed(const std::string& serial) {
+  std::string letters;
+  for (const char letter : serial) {
+    const bool is_plain = (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+                          (letter >= 'A' && letter <= 'Z') || letter == '.' || letter == '_';
+    if (is_plain) letters += letter;
+  }
+  return letters;
+}
+
+FoundDevice found(const KindFacts& kind, const PluggedDevice& plugged) {
+  FoundDevice device;
+  device.kind = kind.kind;
+  device.name = plugged.product_name.empty() ? std::string(kind.name) : plugged.product_name;
+  device.address = plugged.node;
+  device.serial = typed(plugged.serial);
+  device.bus_path = plugged.bus_path;
+  device.vendor = plugged.vendor;
+  device.product = plugged.product;
+  return device;
+}
+
+std::size_t count_like(const std::vector<FoundDevice>& devices, const FoundDevice& like,
+                       bool with_serial) {
+  return static_cast<std::size_t>(
+      std::count_if(devices.begin(), devices.end(), [&](const FoundDevice& each) {
+        return each.kind == like.kind && (!with_serial || each.serial == like.serial);
+      }));
+}
+
+/// A closed protocol cannot be helped, a right can: the first that is true is told.
+TroubleReport trouble_of(const FoundDevice& device, const DeviceSettings& settings) {
+  if (facts_of(device.kind).device_class.empty())
+    return {DeviceTrouble::ClosedProtocol, device.address, {}};
+  if (TroubleReport trouble = trouble_with_node(device.address)) return trouble;
+  return trouble_with_settings(device.kind, settings);
+}
+
+}  // namespace
+
+DeviceSettings StationSettings::of(const std::string& id, const std::string& kind) const {
+  const auto own = devices.find(id);
+  if (own != devices.end()) return own->second;
+  const auto shared = devices.find(kind);
+  return shared == devices.end() ? DeviceSettings{} : shared->second;
+}
+
+TroubleReport trouble_with_settings(DeviceKind kind, const DeviceSettings& settings) {
+  if (kind == DeviceKind::Falcon) {
+    if (settings.firmware.empty()) return {DeviceTrouble::NoFirmware, {}, {}};
+    const FalconFirmware firmware = read_falcon_firmware(settings.firmware);
+    if (!firmware.fault) return {};
+    return {DeviceTrouble::BadFirmware, settings.firmware.string(),
+            "byte " + std::to_string(firmware.fault->byte) + ": " + firmware.fault->what};
+  }
+  if (kind == DeviceKind::RawHidArm && !settings.geometry_fault.empty())
+    return {DeviceTrouble::BadRecord, settings.geometry_file.string(), settings.geometry_fault};
+  return {};
+}
+
+void name_apart(std::vector<FoundDevice>& devices) {
+  for (FoundDevice& device : devices) {
+    device.id = facts_of(device.kind).id;
+    if (count_like(devices, device, false) == 1) continue;
+    if (!device.serial.empty()) device.id += '-' + device.serial;
+    if (count_like(devices, device, true) > 1) device.id += '@' + device.bus_path;
+  }
+}
+
+std::vector<FoundDevice> find_devices(HidLibrary& hid, const UsbLibrary& usb,
+                                      const StationSettings& settings) {
+  std::vector<FoundDevice> devices;
+  for (const std::uint16_t vendor : usb_vendors())
+    for (const PluggedDevice& each : usb.plugged(vendor))
+      if (const KindFacts* kind = usb_kind(each.vendor, each.product))
+        devices.push_back(found(*kind, each));
+  for (const PluggedHid& each : hid.plugged()) {
+    const KindFacts* kind = hid_kind(each.device.vendor, each.device.product, each.usage);
+    if (kind == nullptr) continue;
+    devices.push_back(found(*kind, each.device));
+    devices.back().axis_limit = each.axis_limit;
+  }
+  // The same order whatever the buses answer first.
+  std::stable_sort(devices.begin(), devices.end(), [](const FoundDevice& a, const FoundDevice& b) {
+    return std::tie(a.kind, a.serial, a.bus_path) < std::tie(b.kind, b.serial, b.bus_path);
+  });
+  name_apart(devices);
+  for (FoundDevice& each : devices)
+    each.trouble = trouble_of(each, settings.of(each.id, std::string(facts_of(each.kind).id)));
+  FoundDevice mouse;
+  mouse.id = facts_of(DeviceKind::Mouse).id;
+  mouse.name = facts_of(DeviceKind::Mouse).name;
+  devices.insert(devices.begin(), std::move(mouse));
+  return devices;
+}
+
+}  // namespace hallux::simulator

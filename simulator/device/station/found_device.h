@@ -1,0 +1,42 @@
+/// The devices that are plugged in, each with why it can be used or not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulator/device/bus/hid_library.h"
+#include "simulator/device/bus/usb_library.h"
+#include "simulator/device/station/device_kind.h"
+#include "simulator/device/station/station_settings.h"
+
+namespace hallux::simulator {
+
+struct FoundDevice {
+  /// The kind's; with the serial where there are several, with the socket where that is the same.
+  std::string id;
+  DeviceKind kind = DeviceKind::Mouse;
+  /// As the device names itself, or its kind.
+  std::string name;
+  /// Of the system's file, or of the service.
+  std::string address;
+  std::string serial, bus_path;
+  /// As far as it is known without opening it; none: it can be used.
+  TroubleReport trouble;
+  /// Of a HID device's axes.
+  std::optional<std::int32_t> axis_limit;
+  std::uint16_t vendor = 0, product = 0;
+
+  bool is_usable() const noexcept { return !trouble; }
+};
+
+/// What the buses know; the mouse is always there, and first.
+std::vector<FoundDevice> find_devices(HidLibrary& hid, const UsbLibrary& usb,
+                                      const StationSettings& settings);
+
+/// Gives each its id; kinds and serials are set.
+void name_apart(std::vector<FoundDevice>& devices);
+
+/// What must be set before a device of that kind can be used.
+TroubleReport trouble_with_settings(DeviceKind kind, const DeviceSettings& settings);
+
+}  // namespace hallux::simulator
