@@ -138,6 +138,7 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_scenario_verb(app, context);
   add_user_verb(app, context);
   add_verify_verbs(app, context);
+  add_devices_verb(app, context);
   add_backup_verb(app, context);
   add_restore_verb(app, context);
   add_retention_verb(app, context);

@@ -87,6 +87,7 @@ void DevicePort::note(const PortStatistics& statistics) {
   figures_.bad_packets = statistics.bad_packets;
   figures_.late_packets = statistics.late_packets;
   figures_.zeros = statistics.zeros;
+  figures_.pushes_unanswered = statistics.pushes_unanswered;
   figures_.greatest_force_newton = statistics.greatest_force_newton;
   figures_.round_trip_max_us = statistics.round_trips.greatest_us();
   if (statistics.exchanges % exchanges_per_look != 0) return;

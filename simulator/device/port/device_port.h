@@ -23,6 +23,8 @@ struct PortFigures {
   std::uint64_t exchanges = 0, packets = 0, bad_packets = 0, late_packets = 0;
   /// Forces of zero since the device's fault, or since nobody says one any more.
   std::uint64_t zeros = 0;
+  /// Forces above zero that the device was given since it answered last.
+  std::uint64_t pushes_unanswered = 0;
   double greatest_force_newton = 0.0;
   double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
 };

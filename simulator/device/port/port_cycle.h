@@ -35,6 +35,8 @@ struct PortStatistics {
   std::uint64_t exchanges = 0, packets = 0, bad_packets = 0, late_packets = 0;
   /// Forces of zero since the device's fault, or since nobody says one any more.
   std::uint64_t zeros = 0;
+  /// Forces above zero that it was given since it answered last.
+  std::uint64_t pushes_unanswered = 0;
   double greatest_force_newton = 0.0;
   /// Of what the device answered.
   TimeSpread round_trips;
@@ -53,6 +55,11 @@ class PortCycle {
     const Time before = read_clock();
     const Vec3 force_newton = force_for(newest, before);
     const DriverExchange exchange = driver_.exchange(force_newton);
+    const bool is_pushed = force_newton != Vec3(0.0, 0.0, 0.0);
+    if (exchange.answer == DriverAnswer::Said)
+      statistics_.pushes_unanswered = 0;
+    else
+      statistics_.pushes_unanswered += is_pushed ? 1 : 0;
     judge(exchange, before, read_clock());
   }
 

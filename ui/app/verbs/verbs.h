@@ -47,6 +47,10 @@ void add_sql_verb(CLI::App& app, VerbContext& context);
 /// in were made.
 void add_exchange_verbs(CLI::App& app, VerbContext& context);
 
+/// `hallux devices [rules | set ID KEY VALUE | test ID]`: what is plugged in, why it can be used or
+/// not, and how to mend it.
+void add_devices_verb(CLI::App& app, VerbContext& context);
+
 /// `hallux demo`: a simulated course in an empty data directory, marked as such.
 void add_demo_verb(CLI::App& app, VerbContext& context);
 

@@ -1,0 +1,18 @@
+/// Why a device cannot be used, as a sentence, and the line that mends it: the same on the terminal
+/// and on the screen.
+#pragma once
+
+#include <string>
+
+#include "simulator/device/port/device_trouble.h"
+#include "simulator/device/station/device_kind.h"
+
+namespace hallux::ui {
+
+/// Empty where there is no trouble.
+std::string sentence_of(const simulator::TroubleReport& trouble, const simulator::KindFacts& kind);
+/// What to do or to paste; empty where nothing can be done.
+std::string mend_of(const simulator::TroubleReport& trouble, const simulator::KindFacts& kind,
+                    const std::string& id);
+
+}  // namespace hallux::ui

@@ -1,0 +1,102 @@
+#include "ui/jobs/devices/device_test.h"
+
+#include <chrono>
+#include <thread>
+
+#include "simulator/base/units.h"
+#include "simulator/device/force_output.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using simulator::DevicePort;
+using simulator::PortPhase;
+using Clock = std::chrono::steady_clock;
+
+/// For somebody to take the grip and bring it home.
+constexpr std::chrono::seconds homed_within{60};
+constexpr std::chrono::milliseconds tick{1};
+
+/// What a wall of that stiffness makes felt, within what the device bears.
+class Wall {
+ public:
+  Wall(const simulator::DeviceLimits& limits, double newton_per_mm, const Vec3& grip_mm)
+      : newton_per_mm_(newton_per_mm),
+        depth_mm_(grip_mm.z),
+        settings_(simulator::force_output_settings(limits, newton_per_mm, 1)) {
+    settings_.scale = 1.0;
+    settings_.passivity.spring_newton_per_mm = newton_per_mm;
+  }
+
+  Vec3 force_newton(const Vec3& grip_mm) noexcept {
+    const Vec3 pushed{0.0, 0.0, -newton_per_mm_ * (grip_mm.z - depth_mm_)};
+    return output_force(state_, settings_, {pushed, grip_mm}).force_in_world_newton;
+  }
+
+ private:
+  double newton_per_mm_, depth_mm_;
+  simulator::ForceOutputSettings settings_;
+  simulator::ForceOutputState state_;
+};
+
+/// False where it did not come home in time.
+bool is_brought_home(DevicePort& port, const Progress& progress) {
+  const auto end = Clock::now() + homed_within;
+  while (port.phase() != PortPhase::Running && port.phase() != PortPhase::Ended) {
+    if (Clock::now() > end) return false;
+    report(progress, 0.0);
+    std::this_thread::sleep_for(tick);
+  }
+  return port.phase() == PortPhase::Running;
+}
+
+/// Every millisecond for so long, or until the device is gone.
+void exchange(DevicePort& port, const DeviceTest& wanted, const Progress& progress) {
+  std::optional<Wall> wall;
+  const auto limits = port.description().limits;
+  if (wanted.wall_newton_per_mm && limits) {
+    wall.emplace(*limits, *wanted.wall_newton_per_mm,
+                 port.newest().said.device_from_handle.translation_mm);
+  }
+  const auto begun = Clock::now();
+  const std::chrono::duration<double> whole(wanted.seconds);
+  auto next = begun;
+  for (auto now = begun; now - begun < whole && port.phase() != PortPhase::Ended;
+       now = Clock::now()) {
+    const Vec3 grip_mm = port.newest().said.device_from_handle.translation_mm;
+    if (wall) port.say(wall->force_newton(grip_mm));
+    report(progress, (now - begun) / whole);
+    next += tick;
+    std::this_thread::sleep_until(next);
+  }
+}
+
+}  // namespace
+
+DeviceTestResult test_device(simulator::Station& station, const std::string& id,
+                             const DeviceTest& wanted, const Progress& progress) {
+  DeviceTestResult result;
+  const std::shared_ptr<DevicePort> port = station.open(id);
+  if (!port) {
+    result.fault = {simulator::DeviceTrouble::Unplugged, {}, {}};
+    return result;
+  }
+  result.is_homed = is_brought_home(*port, progress);
+  if (result.is_homed) {
+    const std::uint64_t before = port->figures().packets;
+    const auto begun = Clock::now();
+    exchange(*port, wanted, progress);
+    const std::chrono::duration<double> took = Clock::now() - begun;
+    result.rate_hz = static_cast<double>(port->figures().packets - before) / took.count();
+  } else if (port->phase() != PortPhase::Ended) {
+    result.fault = {simulator::DeviceTrouble::NotHomed, {}, {}};
+  }
+  if (!result.fault) result.fault = port->trouble();
+  result.figures = port->figures();
+  result.zero_after_packets = result.figures.pushes_unanswered;
+  station.close(id);
+  return result;
+}
+
+}  // namespace hallux::ui
