@@ -17,6 +17,7 @@ class HidModel {
   virtual bool receive(std::span<const std::uint8_t> report) = 0;
 
   bool has_news() const noexcept { return !reports_.empty(); }
+  std::size_t waiting() const noexcept { return reports_.size(); }
   std::vector<std::uint8_t> take() {
     std::vector<std::uint8_t> report = std::move(reports_.front());
     reports_.pop_front();
