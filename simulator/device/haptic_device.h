@@ -29,6 +29,8 @@ struct DeviceDescription {
   /// Of what pushes a hand; none where nothing does: it is told the simulated force as it is.
   std::optional<DeviceLimits> limits = std::nullopt;
   DevicePulse pulse = {};
+  /// World millimetres for one of the hand; above 0. What is rendered is felt by that much stiffer.
+  double motion_scale = 1.0;
 };
 
 /// What the device said; not yet rounded, not yet trusted.

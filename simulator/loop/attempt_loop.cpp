@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "simulator/base/progress.h"
+#include "simulator/base/time_spread.h"
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
-#include "simulator/base/time_spread.h"
 
 namespace hallux::simulator {
 
@@ -24,6 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds tick_time{1};
 constexpr std::int64_t ticks_per_progress = 512;
+/// A device that was gone for longer pauses the attempt until it is there again.
+constexpr std::int64_t lost_ticks_at_most = 200;
 /// While it waits for room, each of them a tick long.
 constexpr std::int64_t rests_per_progress = 100;
 /// How long the worst lateness is shown.
@@ -63,7 +65,7 @@ class AttemptRun {
   LoopStatistics run() {
     std::optional<RealTimePriority> priority;
     std::optional<LockedMemory> memory;
-    if (setup_.pacing == Pacing::RealTime && setup_.watch != nullptr) {
+    if (setup_.pacing == Pacing::RealTime && (setup_.watch != nullptr || device_.has_motors())) {
       memory.emplace();
       priority.emplace();
     }
@@ -230,6 +232,7 @@ class AttemptRun {
     line.tick = tick_;
     line.ticks = static_cast<std::uint8_t>(ticks);
     line.device = device_.read(tick_ + ticks - 1, ticks);
+    note_loss(line.device, ticks);
     std::array<JobResult*, commands_per_tick> results{};
     add_commands(line, results);
 
@@ -251,14 +254,23 @@ class AttemptRun {
     if (setup_.watch != nullptr) show(output);
   }
 
+  /// Of a device that is gone, so long that nobody operates any more.
+  void note_loss(const DeviceState& device, std::int64_t ticks) noexcept {
+    const bool was_lost = lost_ticks_ > lost_ticks_at_most;
+    lost_ticks_ = has(device.faults, DeviceFault::Lost) ? lost_ticks_ + ticks : 0;
+    if (!was_lost && lost_ticks_ > lost_ticks_at_most) ++statistics_.pauses;
+  }
+
   void add_commands(TapeLine& line, std::array<JobResult*, commands_per_tick>& results) noexcept {
     const auto add = [&](const Command& command, JobResult* result) {
       results[line.command_count] = result;
       line.commands[line.command_count++] = command;
     };
-    if (is_resumed_due_) add({CommandKind::Resume, paused_by_loop, 0}, nullptr);
-    is_resumed_due_ = is_gap_;
-    if (is_gap_) add({CommandKind::Pause, paused_by_loop, 0}, nullptr);
+    const bool is_held = is_gap_ || lost_ticks_ > lost_ticks_at_most;
+    if (is_held != is_paused_) {
+      add({is_held ? CommandKind::Pause : CommandKind::Resume, paused_by_loop, 0}, nullptr);
+    }
+    is_paused_ = is_held;
     is_gap_ = false;
     while (line.command_count < commands_per_tick && next_command_ < setup_.commands.size() &&
            setup_.commands[next_command_].tick < line.tick + line.ticks) {
@@ -309,8 +321,11 @@ class AttemptRun {
   ClockWatch clocks_;
   std::int64_t tick_ = 0;
   std::size_t next_command_ = 0;
+  /// Since the device was there last.
+  std::int64_t lost_ticks_ = 0;
   bool is_gap_ = false;
-  bool is_resumed_due_ = false;
+  /// Held by the loop.
+  bool is_paused_ = false;
 };
 
 }  // namespace

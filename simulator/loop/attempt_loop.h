@@ -54,7 +54,8 @@ struct LoopStatistics {
   std::int64_t ticks = 0;
   /// RealTime: ticks that came in one line with the next.
   std::int64_t missed_ticks = 0;
-  /// RealTime: gaps beyond three ticks, a full ring or disk.
+  /// RealTime: gaps beyond three ticks, a full ring or disk; in any pacing: a device that was gone
+  /// for longer than 200 ticks.
   std::int64_t pauses = 0;
   /// RealTime: how long they took, waiting for a full disk left out.
   std::int64_t unsampled_us = 0;
@@ -67,7 +68,7 @@ struct LoopStatistics {
   double step_p50_us = 0.0, step_p99_us = 0.0, step_max_us = 0.0;
   /// RealTime.
   double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;
-  /// The system ran the loop before all else; asked for where it is watched.
+  /// The system ran the loop before all else; asked for where it is watched, or pushes a hand.
   bool has_priority = false;
   /// The system kept its memory in place; asked for likewise.
   bool has_locked_memory = false;

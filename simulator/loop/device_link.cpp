@@ -27,13 +27,15 @@ double vibration_scale_on(const DeviceDescription& device) {
 std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
                                                 double contact_newton_per_mm) {
   if (!device.limits) return std::nullopt;
-  return force_output_settings(*device.limits, contact_newton_per_mm, exchanges_until_sent);
+  return force_output_settings(*device.limits, device.motion_scale * contact_newton_per_mm,
+                               exchanges_until_sent);
 }
 
 }  // namespace
 
 DeviceLink::DeviceLink(HapticDevice& device, const SimulationSetup& simulated, ForceLaw law)
     : device_(device),
+      motion_scale_(device.description().motion_scale),
       saw_(simulated.saw),
       bone_quality_(simulated.contact.bone_quality),
       law_(law),
@@ -68,8 +70,8 @@ void DeviceLink::set_force(const StepOutput& output, std::int64_t ticks) noexcep
   const double push_newton = length_of(simulated_newton);
   force_ = output_force(
       output_, *settings_,
-      {felt_newton, watchdog_.last_good().translation_mm,
-       vibration_newton(output, push_newton, duration_s, is_live), duration_s, is_live});
+      {felt_newton, handle_in_hand_mm(), vibration_newton(output, push_newton, duration_s, is_live),
+       duration_s, is_live});
 }
 
 Vec3 DeviceLink::vibration_newton(const StepOutput& output, double push_newton, double duration_s,
@@ -95,8 +97,8 @@ Vec3 DeviceLink::thesis_law_newton(const Vec3& simulated_newton, bool is_touchin
   std::optional<Vec3> normal;
   if (is_touching && touch_newton > least_touch_newton) normal = simulated_newton / touch_newton;
   const ThesisLawSettings settings{.force_limit_newton = settings_->force_newton};
-  const Vec3 handle_mm = watchdog_.last_good().translation_mm;
-  return thesis_law_force(thesis_law_, settings, handle_mm, normal, ticks) / settings_->scale;
+  return thesis_law_force(thesis_law_, settings, handle_in_hand_mm(), normal, ticks) /
+         settings_->scale;
 }
 
 void DeviceLink::release() noexcept {

@@ -52,6 +52,8 @@ class DeviceLink {
   const Vec3& force_newton() const noexcept { return force_.force_in_world_newton; }
   /// Bits of ForceLimit.
   std::uint32_t limits() const noexcept { return force_.limits; }
+  /// It pushes a hand.
+  bool has_motors() const noexcept { return settings_.has_value(); }
   /// Device newtons per simulated newton; 1 without limits.
   double scale() const noexcept { return settings_ ? settings_->scale : 1.0; }
 
@@ -66,7 +68,13 @@ class DeviceLink {
   Vec3 vibration_newton(const StepOutput& output, double push_newton, double duration_s,
                         bool is_live) noexcept;
 
+  /// Where the handle is, in the millimetres of the hand: stiffness, speed and energy are felt there.
+  Vec3 handle_in_hand_mm() const noexcept {
+    return watchdog_.last_good().translation_mm / motion_scale_;
+  }
+
   HapticDevice& device_;
+  double motion_scale_;
   Saw saw_;
   double bone_quality_;
   ForceLaw law_;

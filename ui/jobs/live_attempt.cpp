@@ -42,8 +42,9 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
   if (!description.limits) return std::nullopt;
   return force_scale_on(
       *description.limits,
-      simulation_setup(prepared_case.scenario, prepared_case.bone, prepared_case.plan, guidance)
-          .contact.coupling_newton_per_mm);
+      description.motion_scale *
+          simulation_setup(prepared_case.scenario, prepared_case.bone, prepared_case.plan, guidance)
+              .contact.coupling_newton_per_mm);
 }
 
 LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,

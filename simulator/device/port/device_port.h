@@ -13,7 +13,7 @@
 #include <mutex>
 #include <thread>
 
-#include "simulator/device/port/port_cycle.h"
+#include "simulator/device/port/port.h"
 #include "simulator/record/latest.h"
 
 namespace hallux::simulator {
@@ -29,27 +29,23 @@ struct PortFigures {
   double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
 };
 
-class DevicePort {
+class DevicePort final : public Port {
  public:
   /// Opens it on the port's own thread, which goes on until the device is gone or the port is.
   explicit DevicePort(std::unique_ptr<DeviceDriver> driver);
   /// Zero force is said to the device.
-  ~DevicePort();
+  ~DevicePort() override;
   DevicePort(const DevicePort&) = delete;
   DevicePort& operator=(const DevicePort&) = delete;
 
-  /// thread  the borrower's; takes no memory, makes no system call
-  void say(const Vec3& force_in_device_newton) noexcept;
-  /// What the device said last.
-  /// thread  the borrower's; likewise
-  const PortState& newest() noexcept { return state_.read(); }
+  void say(const Vec3& force_in_device_newton) noexcept override;
+  const PortState& newest() noexcept override { return state_.read(); }
 
   /// thread  any
   PortPhase phase() const noexcept { return phase_.load(std::memory_order_acquire); }
   /// Why it ended; none while it has not.
   TroubleReport trouble() const;
-  /// Of the opened device; before, what is known of its kind.
-  DeviceDescription description() const;
+  DeviceDescription description() const override;
   PortFigures figures() const;
 
  private:

@@ -1,0 +1,34 @@
+/// Switches that several hold: the grip's buttons and the keys. Any of them turns the saw on, and
+/// any turns it off.
+#pragma once
+
+#include <cstdint>
+
+#include "simulator/record/record.h"
+
+namespace hallux::simulator {
+
+/// Which buttons of a grip do what, as bits of the device's buttons.
+struct ButtonMap {
+  std::uint32_t saw = 1, irrigation = 2;
+};
+
+class SwitchBoard {
+ public:
+  explicit SwitchBoard(const ButtonMap& map) : map_(map) {}
+
+  /// Bits of Switch for what is held now. A button of the grip turns over what it stands for when
+  /// it is pressed; the keys say what they want on, and turn it over when they say otherwise.
+  std::uint32_t combined(std::uint32_t buttons, std::uint32_t keys) noexcept;
+  /// All off, until something is turned over.
+  void release() noexcept { is_on_ = 0; }
+
+ private:
+  ButtonMap map_;
+  /// As they were at the call before.
+  std::uint32_t buttons_ = 0, keys_ = 0;
+  /// Bits of Switch.
+  std::uint32_t is_on_ = 0;
+};
+
+}  // namespace hallux::simulator
