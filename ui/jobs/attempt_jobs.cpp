@@ -34,7 +34,8 @@ void put_bone(database::Database& database, const simulator::Bone& bone,
 namespace {
 
 database::NewAttempt describe(database::Database& database, const ScriptedAttempt& attempt,
-                              const simulator::Bone& bone) {
+                              const simulator::Bone& bone,
+                              const simulator::DeviceDescription& device) {
   const scenarios::Scenario& scenario = attempt.scenario;
   database::NewAttempt begun;
   begun.scenario = put_scenario_version(
@@ -42,7 +43,7 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   begun.hand = attempt.hand;
   begun.seed = attempt.seed;
   begun.guidance = attempt.guidance;
-  if (attempt.arm_law) begun.device_class = "arm";
+  begun.device_class = device.device_class;
   begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
   put_bone(database, bone, begun);
   return begun;
@@ -53,6 +54,13 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
                                                   const simulator::Bone& bone,
                                                   const scenarios::Plan& plan,
                                                   simulator::AttemptSetup& setup) {
+  if (attempt.held) {
+    setup.last_tick = attempt.held->last_tick;
+    setup.force_law = attempt.held->force_law;
+    setup.commands = {{0, {simulator::CommandKind::Start, 0, 0}},
+                      {setup.last_tick, {simulator::CommandKind::Finish, 0, 0}}};
+    return attempt.held->lend(bone, plan);
+  }
   if (attempt.motion) {
     setup.commands = attempt.motion->commands;
     setup.last_tick = attempt.motion->last_tick() + 1;
@@ -93,8 +101,9 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   AttemptOutcome outcome;
   simulator::AttemptChannels channels;
   database::HouseDesk desk(database);
-  database::Recorder recorder(database, desk.begin_attempt(describe(database, attempt, bone)),
-                              channels);
+  database::Recorder recorder(
+      database, desk.begin_attempt(describe(database, attempt, bone, set_up.hand->description())),
+      channels);
   outcome.attempt = recorder.attempt();
   const auto operating = progress("Operating");
   outcome.loop = run_attempt(set_up.setup, *set_up.hand, channels, operating);
@@ -106,6 +115,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   // A hand that is done early, or between two reports, is done.
   if (operating) operating(1.0);
   outcome.quality = quality_of(outcome.loop, outcome.recorder);
+  if (attempt.held) outcome.quality.device = attempt.held->facts();
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
   outcome.card =
       score_attempt(load_attempt(database, desk, outcome.attempt, database::RecordingPart::Outputs),

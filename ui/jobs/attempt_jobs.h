@@ -23,6 +23,18 @@ namespace hallux::ui {
 /// Gives the progress function of one stage of a job ("Building the bone"); see progress_on.
 using StageProgress = std::function<Progress(const std::string& stage)>;
 
+/// Somebody's hand on a device, in place of a scripted one.
+struct HeldHand {
+  /// The device for this bone and plan; outlived by what it borrows.
+  std::function<std::unique_ptr<simulator::HapticDevice>(const simulator::Bone& bone,
+                                                         const scenarios::Plan& plan)>
+      lend;
+  /// Asked when the attempt is over.
+  std::function<simulator::DeviceFacts()> facts;
+  std::int64_t last_tick = 0;
+  simulator::ForceLaw force_law = simulator::ForceLaw::Simulated;
+};
+
 struct ScriptedAttempt {
   scenarios::Scenario scenario;
   /// Expert, novice, or what a file is called in the record.
@@ -35,6 +47,8 @@ struct ScriptedAttempt {
   /// What a modelled arm that the motion leads is made to feel; none: the hand leads the saw
   /// itself, and nothing pushes it.
   std::optional<simulator::ForceLaw> arm_law;
+  /// Nobody scripted: whoever holds the device; in real time.
+  std::optional<HeldHand> held = std::nullopt;
 };
 
 /// The patient of a scenario.

@@ -43,6 +43,43 @@ std::uint32_t limits_from_names(const std::vector<std::string>& found) {
   return bits;
 }
 
+nlohmann::ordered_json json_of(const simulator::DeviceFacts& device) {
+  const simulator::PortFigures& figures = device.figures;
+  return {{"kind", device.kind},
+          {"model", device.model},
+          {"class", device.device_class},
+          {"library", device.library},
+          {"motion_scale", device.motion_scale},
+          {"packets", figures.packets},
+          {"late_packets", figures.late_packets},
+          {"bad_packets", figures.bad_packets},
+          {"greatest_force_newton", figures.greatest_force_newton},
+          {"round_trip_us",
+           {{"p50", figures.round_trip_p50_us},
+            {"p99", figures.round_trip_p99_us},
+            {"max", figures.round_trip_max_us}}}};
+}
+
+/// errors  nlohmann::json::exception
+simulator::DeviceFacts device_from(const nlohmann::json& json) {
+  simulator::DeviceFacts device;
+  json.at("kind").get_to(device.kind);
+  json.at("model").get_to(device.model);
+  json.at("class").get_to(device.device_class);
+  json.at("library").get_to(device.library);
+  json.at("motion_scale").get_to(device.motion_scale);
+  simulator::PortFigures& figures = device.figures;
+  json.at("packets").get_to(figures.packets);
+  json.at("late_packets").get_to(figures.late_packets);
+  json.at("bad_packets").get_to(figures.bad_packets);
+  json.at("greatest_force_newton").get_to(figures.greatest_force_newton);
+  const nlohmann::json& round_trip = json.at("round_trip_us");
+  round_trip.at("p50").get_to(figures.round_trip_p50_us);
+  round_trip.at("p99").get_to(figures.round_trip_p99_us);
+  round_trip.at("max").get_to(figures.round_trip_max_us);
+  return device;
+}
+
 }  // namespace
 
 Quality quality_of(const simulator::LoopStatistics& loop,
@@ -86,6 +123,7 @@ std::string quality_json(const Quality& quality) {
   json["force_scale"] = quality.force_scale;
   json["force_limits"] = names_of_limits(quality.force_limits);
   json["force_law"] = name_of(quality.force_law);
+  if (quality.device) json["device"] = json_of(*quality.device);
   return json.dump();
 }
 
@@ -101,6 +139,7 @@ std::optional<Quality> quality_from_json(const std::string& json) {
     const auto law = force_law_from(found.value("force_law", name_of(quality.force_law)));
     if (!law) return std::nullopt;
     quality.force_law = *law;
+    if (found.contains("device")) quality.device = device_from(found["device"]);
     return quality;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;  // a number where a word was expected: no object of ours

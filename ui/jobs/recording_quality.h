@@ -8,6 +8,7 @@
 
 #include "database/recording/recorder.h"
 #include "database/records/certificate.h"
+#include "simulator/device/station/lent_device.h"
 #include "simulator/loop/attempt_loop.h"
 
 namespace hallux::ui {
@@ -21,6 +22,8 @@ struct Quality {
   std::uint32_t force_limits = 0;
   /// What the arm was made to feel.
   simulator::ForceLaw force_law = simulator::ForceLaw::Simulated;
+  /// With what it was operated; none: a mouse, a script or a modelled arm.
+  std::optional<simulator::DeviceFacts> device = std::nullopt;
 };
 
 Quality quality_of(const simulator::LoopStatistics& loop,

@@ -27,6 +27,8 @@ struct PortFigures {
   std::uint64_t pushes_unanswered = 0;
   double greatest_force_newton = 0.0;
   double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
+
+  friend bool operator==(const PortFigures&, const PortFigures&) = default;
 };
 
 class DevicePort final : public Port {

@@ -18,10 +18,14 @@
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
+#include "ui/app/verbs/station_access.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/course/scenario_jobs.h"
+#include "ui/jobs/devices/device_sentences.h"
+#include "ui/jobs/devices/device_test.h"
 #include "ui/jobs/files/read_small_file.h"
 #include "ui/report/score_sheet.h"
+#include "ui/sight/start_place.h"
 
 namespace hallux::ui {
 
@@ -35,9 +39,16 @@ struct AttemptOptions {
   std::string scenario, hand = "expert", pacing = "virtual", guidance = "none";
   std::string device = "scripted", force_law = "simulated";
   std::uint64_t seed = 1;
+  /// Of somebody's hand on a device.
+  double seconds = 0.0;
 };
 
 bool is_feeling(const std::string& hand) { return hand == "expert" || hand == "novice"; }
+
+/// Neither of the two that are always there: the id of one that is plugged in.
+bool is_plugged(const AttemptOptions& options) {
+  return options.device != "scripted" && options.device != "arm";
+}
 
 /// errors  VerbError: WrongUsage
 void check_device(const AttemptOptions& options) {
@@ -46,7 +57,16 @@ void check_device(const AttemptOptions& options) {
                                               options.hand +
                                               " leads the saw itself; give --hand FILE");
   }
-  if (options.device != "arm" && options.force_law == "historic") {
+  if (is_plugged(options) && !(options.seconds > 0.0)) {
+    throw VerbError(ExitCode::WrongUsage,
+                    "--device " + terminal_text(options.device) +
+                        " is held by somebody: say for how long, with --seconds");
+  }
+  if (!is_plugged(options) && options.seconds > 0.0) {
+    throw VerbError(ExitCode::WrongUsage,
+                    "--seconds is for a device that somebody holds; add --device ID");
+  }
+  if (options.device == "scripted" && options.force_law == "historic") {
     throw VerbError(ExitCode::WrongUsage,
                     "--force-law historic is felt by an arm alone; add --device arm");
   }
@@ -115,8 +135,47 @@ ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& 
   return answer;
 }
 
+/// Whoever moves the device leads the saw, from where the operation begins and as it is seen there.
+/// errors  VerbError: NoDisplay where the device cannot be used, or nobody brought it home
+HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
+                   simulator::Station& station, const scenarios::Scenario& scenario) {
+  const simulator::FoundDevice found = usable_device(station, options.device);
+  const std::shared_ptr<simulator::DevicePort> port = station.open(found.id);
+  if (!port || !is_brought_home(*port, progress_on(context, "Homing " + found.id))) {
+    simulator::TroubleReport trouble = port ? port->trouble() : simulator::TroubleReport{};
+    if (!trouble) trouble.trouble = simulator::DeviceTrouble::NotHomed;
+    const simulator::KindFacts& kind = facts_of(found.kind);
+    throw VerbError(ExitCode::NoDisplay, terminal_text(sentence_of(trouble, kind) + "; " +
+                                                       mend_of(trouble, kind, found.id)));
+  }
+  HeldHand held;
+  held.last_tick = static_cast<std::int64_t>(options.seconds / step_s);
+  held.force_law = *force_law_from(options.force_law);
+  auto lent = std::make_shared<simulator::LentDevice*>(nullptr);
+  held.lend = [&station, &scenario, found, lent](
+                  const simulator::Bone& bone,
+                  const scenarios::Plan& plan) -> std::unique_ptr<simulator::HapticDevice> {
+    auto device = lend(station, found.id,
+                       setup_of(station, found, start_pose(scenario, bone, plan),
+                                start_camera(scenario, bone, plan).world_from_view));
+    if (!device)
+      throw VerbError(ExitCode::NoDisplay, found.id + ": was unplugged; plug it in again");
+    *lent = device.get();
+    return device;
+  };
+  held.facts = [lent] { return (*lent)->facts(); };
+  return held;
+}
+
 ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
-  const ScriptedAttempt attempt = attempt_from(options);
+  ScriptedAttempt attempt = attempt_from(options);
+  std::unique_ptr<simulator::Station> station;
+  if (is_plugged(options)) {
+    station = open_station(context);
+    attempt.held = held_hand(context, options, *station, attempt.scenario);
+    attempt.hand = "held";
+    attempt.pacing = simulator::Pacing::RealTime;
+  }
   database::Database database = open_to_record(context);
   // The attempt is the robot's all the same; but nobody is told that another's name was good.
   if (!context.login.empty()) sign_in_as(context, database);
@@ -215,9 +274,11 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
   attempt
       ->add_option(
           "--device", options->device,
-          "scripted (nothing pushes the hand), or arm: a modelled one, led by the motion of a file")
-      ->check(CLI::IsMember({"scripted", "arm"}))
+          "scripted (nothing pushes the hand), arm (a modelled one, led by the motion of a "
+          "file), or one that `hallux devices` lists: whoever moves it operates")
       ->capture_default_str();
+  attempt->add_option("--seconds", options->seconds, "how long somebody operates with a device")
+      ->check(CLI::Range(0.1, 3600.0));
   attempt
       ->add_option(
           "--force-law", options->force_law,

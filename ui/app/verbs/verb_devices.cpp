@@ -3,7 +3,6 @@
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iomanip>
 #include <memory>
 #include <ostream>
@@ -11,6 +10,7 @@
 #include "simulator/base/embedded.h"
 #include "simulator/device/station/station.h"
 #include "ui/app/terminal/terminal_text.h"
+#include "ui/app/verbs/station_access.h"
 #include "ui/jobs/devices/device_sentences.h"
 #include "ui/jobs/devices/device_test.h"
 #include "ui/jobs/devices/devices_file.h"
@@ -110,24 +110,10 @@ ordered_json test_json(const std::string& id, const DeviceTestResult& result) {
 
 ExitCode test_device_on(const VerbContext& context, const std::string& id,
                         const DeviceTest& wanted) {
-  simulator::Station station(read_devices(context.data_directory));
-  const std::vector<FoundDevice> devices = station.look();
-  const auto found = std::find_if(devices.begin(), devices.end(),
-                                  [&](const FoundDevice& each) { return each.id == id; });
-  if (found == devices.end()) {
-    throw VerbError(ExitCode::NoDisplay,
-                    terminal_text(id) + ": is not plugged in; `hallux devices` lists what is");
-  }
-  const simulator::KindFacts& kind = facts_of(found->kind);
-  if (found->kind == simulator::DeviceKind::Mouse) {
-    throw VerbError(ExitCode::WrongUsage, "the mouse is the window's: open it to try it");
-  }
-  if (!found->is_usable()) {
-    throw VerbError(ExitCode::NoDisplay,
-                    sentence_of(found->trouble, kind) + "; " + mend_of(found->trouble, kind, id));
-  }
+  const std::unique_ptr<simulator::Station> station = open_station(context);
+  const simulator::KindFacts& kind = facts_of(usable_device(*station, id).kind);
   const DeviceTestResult result =
-      test_device(station, id, wanted, progress_on(context, "Testing " + id));
+      test_device(*station, id, wanted, progress_on(context, "Testing " + id));
   answer(context, test_json(id, result), [&](std::ostream& out) {
     const simulator::PortFigures& figures = result.figures;
     out << id << ": " << figures.exchanges << " exchanges, " << figures.bad_packets

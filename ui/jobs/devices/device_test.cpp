@@ -40,17 +40,6 @@ class Wall {
   simulator::ForceOutputState state_;
 };
 
-/// False where it did not come home in time.
-bool is_brought_home(DevicePort& port, const Progress& progress) {
-  const auto end = Clock::now() + homed_within;
-  while (port.phase() != PortPhase::Running && port.phase() != PortPhase::Ended) {
-    if (Clock::now() > end) return false;
-    report(progress, 0.0);
-    std::this_thread::sleep_for(tick);
-  }
-  return port.phase() == PortPhase::Running;
-}
-
 /// Every millisecond for so long, or until the device is gone.
 void exchange(DevicePort& port, const DeviceTest& wanted, const Progress& progress) {
   std::optional<Wall> wall;
@@ -73,6 +62,16 @@ void exchange(DevicePort& port, const DeviceTest& wanted, const Progress& progre
 }
 
 }  // namespace
+
+bool is_brought_home(DevicePort& port, const Progress& progress) {
+  const auto end = Clock::now() + homed_within;
+  while (port.phase() != PortPhase::Running && port.phase() != PortPhase::Ended) {
+    if (Clock::now() > end) return false;
+    report(progress, 0.0);
+    std::this_thread::sleep_for(tick);
+  }
+  return port.phase() == PortPhase::Running;
+}
 
 DeviceTestResult test_device(simulator::Station& station, const std::string& id,
                              const DeviceTest& wanted, const Progress& progress) {

@@ -28,6 +28,11 @@ struct DeviceTestResult {
   std::uint64_t zero_after_packets = 0;
 };
 
+/// Waits until a device that is being opened runs: somebody takes its grip and brings it home.
+/// False where that takes too long, or it is gone.
+/// errors  Cancelled
+bool is_brought_home(simulator::DevicePort& port, const Progress& progress);
+
 /// needs   the station lists the device as usable
 /// errors  Cancelled
 DeviceTestResult test_device(simulator::Station& station, const std::string& id,

@@ -1,0 +1,34 @@
+#include "ui/app/verbs/station_access.h"
+
+#include <algorithm>
+
+#include "ui/app/terminal/terminal_text.h"
+#include "ui/jobs/devices/device_sentences.h"
+#include "ui/jobs/devices/devices_file.h"
+
+namespace hallux::ui {
+
+std::unique_ptr<simulator::Station> open_station(const VerbContext& context) {
+  return std::make_unique<simulator::Station>(read_devices(context.data_directory));
+}
+
+simulator::FoundDevice usable_device(simulator::Station& station, const std::string& id) {
+  const std::vector<simulator::FoundDevice> devices = station.look();
+  const auto found =
+      std::find_if(devices.begin(), devices.end(),
+                   [&](const simulator::FoundDevice& each) { return each.id == id; });
+  if (found == devices.end()) {
+    throw VerbError(ExitCode::NoDisplay,
+                    terminal_text(id) + ": is not plugged in; `hallux devices` lists what is");
+  }
+  if (found->kind == simulator::DeviceKind::Mouse)
+    throw VerbError(ExitCode::WrongUsage, "the mouse is the window's: open the window to use it");
+  if (!found->is_usable()) {
+    const simulator::KindFacts& kind = facts_of(found->kind);
+    throw VerbError(ExitCode::NoDisplay, terminal_text(sentence_of(found->trouble, kind) + "; " +
+                                                       mend_of(found->trouble, kind, id)));
+  }
+  return *found;
+}
+
+}  // namespace hallux::ui
