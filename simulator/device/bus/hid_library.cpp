@@ -42,11 +42,14 @@ std::vector<std::uint8_t> descriptor_of(const std::string& node) {
   return bytes;
 }
 
-/// The folder of the socket, where the system has one.
+/// `1-2.3`, the socket that the system has it in; of one that is in none, its own name there.
 std::string bus_path_of(const std::string& node) {
   std::error_code ignored;
   const std::filesystem::path real = std::filesystem::canonical(system_folder(node), ignored);
-  return ignored ? std::string() : real.parent_path().filename().string();
+  if (ignored) return {};
+  const std::string socket = real.parent_path().filename().string();
+  const bool is_socket = !socket.empty() && socket.front() >= '0' && socket.front() <= '9';
+  return is_socket ? socket.substr(0, socket.find(':')) : real.filename().string();
 }
 
 BusAnswer answer_after(int failed_with) noexcept {
