@@ -1,4 +1,4 @@
-/// Percentiles of as many times as come, in memory of a fixed size.
+/// Percentiles of as many times as come, in memory of a fixed size. Inside this room only.
 ///
 /// Times are counted in classes: up to half a microsecond of one nanosecond each, beyond that 256
 /// of the same width for each doubling. So a percentile is off by at most a five-hundredth.

@@ -1,5 +1,6 @@
 /// A hand of some mass that follows a target through a spring and a damper, and feels the simulated
 /// force: what stands between a device that pushes nobody back and the saw.
+/// Inside this corner only.
 ///
 ///     target --spring, damper--> hand of 0.15 kg
 ///                                 ^ simulated force

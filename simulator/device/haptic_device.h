@@ -6,6 +6,7 @@
 #include <string>
 
 #include "simulator/base/transform.h"
+#include "simulator/device/device_facts.h"
 #include "simulator/device/device_limits.h"
 
 namespace hallux::simulator {
@@ -47,6 +48,9 @@ class HapticDevice {
   virtual ~HapticDevice() = default;
 
   virtual DeviceDescription description() const = 0;
+  /// For the certificate; nothing where no device of its own is behind it.
+  /// thread  any
+  virtual std::optional<DeviceFacts> facts() const { return std::nullopt; }
   /// Sends the force [N, world frame; the device's own newtons where it has limits] and takes the
   /// newest state for simulated tick `tick`. False where the device is gone. Never waits longer
   /// than one period.

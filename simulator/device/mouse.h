@@ -5,9 +5,9 @@
 ///                                              | latest value
 ///     haptic:                                target --> coupled hand --> saw
 ///
-/// A mouse pushes nobody back: the hand in the middle (coupled_hand.h) feels the force. Where no target comes any more,
-/// because the window hangs or is minimised, nobody holds the saw: it stops. On a rail (rail.h) the
-/// hand gives way in the rail's plane only.
+/// A mouse pushes nobody back: the hand in the middle (coupled_hand.h) feels the force. Where no
+/// target comes any more, because the window hangs or is minimised, nobody holds the saw: it stops.
+/// On a rail (rail.h) the hand gives way in the rail's plane only.
 #pragma once
 
 #include "simulator/device/coupled_hand.h"

@@ -1,12 +1,12 @@
-/// Devices of a port as the loop has them: an arm whose grip is the saw's, and a 3D mouse that leads
-/// a hand.
+/// Devices of a port as the loop has them: an arm whose grip is the saw's, and a 3D mouse that
+/// leads a hand. Inside this corner only.
 ///
 ///     port --place of the grip--> placing --> saw        arm: force back, turned into its frame
 ///          --deflection--> rate control --> coupled hand --> saw        3D mouse: nobody is pushed
 ///     window --target: how it is turned, switches--> both
 ///
-/// Both take over where the saw is: nothing jumps when they begin, after a loss, or when the hand was
-/// lifted.
+/// Both take over where the saw is: nothing jumps when they begin, after a loss, or when the hand
+/// was lifted.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
 /// What a device that is deflected and springs back makes of the hand: the further its cap is
-/// pushed, the faster the hand goes.
+/// pushed, the faster the hand goes. Inside this corner only.
 #pragma once
 
 #include "simulator/base/transform.h"

@@ -1,5 +1,5 @@
 /// Switches that several hold: the grip's buttons and the keys. Any of them turns the saw on, and
-/// any turns it off.
+/// any turns it off. Inside this corner only.
 #pragma once
 
 #include <cstdint>

@@ -68,7 +68,8 @@ class DeviceLink {
   Vec3 vibration_newton(const StepOutput& output, double push_newton, double duration_s,
                         bool is_live) noexcept;
 
-  /// Where the handle is, in the millimetres of the hand: stiffness, speed and energy are felt there.
+  /// Where the handle is, in the millimetres of the hand: stiffness, speed and energy are felt
+  /// there.
   Vec3 handle_in_hand_mm() const noexcept {
     return watchdog_.last_good().translation_mm / motion_scale_;
   }

@@ -14,9 +14,9 @@ constexpr double jump_limit_mm = 20.0, jump_limit_rad = 0.3;
 constexpr std::int64_t believed_ticks = 20;
 /// A quaternion of another length is no rotation that was rounded or not normalised.
 constexpr double least_length = 0.5, greatest_length = 2.0;
-/// So many of its periods may pass without a new packet. Of one that speaks each tick: with the tick
-/// until the next exchange and two of transport, the motors are without force 5 ms after the first
-/// packet that did not come.
+/// So many of its periods may pass without a new packet. Of one that speaks each tick: with the
+/// tick until the next exchange and two of transport, the motors are without force 5 ms after the
+/// first packet that did not come.
 constexpr std::int64_t late_periods = 2;
 
 /// No part that is no number gets through: its comparison is false.

@@ -115,7 +115,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   // A hand that is done early, or between two reports, is done.
   if (operating) operating(1.0);
   outcome.quality = quality_of(outcome.loop, outcome.recorder);
-  if (attempt.held) outcome.quality.device = attempt.held->facts();
+  outcome.quality.device = set_up.hand->facts();
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
   outcome.card =
       score_attempt(load_attempt(database, desk, outcome.attempt, database::RecordingPart::Outputs),

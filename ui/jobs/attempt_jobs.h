@@ -29,8 +29,6 @@ struct HeldHand {
   std::function<std::unique_ptr<simulator::HapticDevice>(const simulator::Bone& bone,
                                                          const scenarios::Plan& plan)>
       lend;
-  /// Asked when the attempt is over.
-  std::function<simulator::DeviceFacts()> facts;
   std::int64_t last_tick = 0;
   simulator::ForceLaw force_law = simulator::ForceLaw::Simulated;
 };

@@ -142,7 +142,9 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
     return;
   }
   if (!is_finished) return;
-  end_.recorder = recorder.finish(quality_json(quality_of(end_.loop, end_.recorder)));
+  Quality quality = quality_of(end_.loop, end_.recorder);
+  quality.device = device_->facts();
+  end_.recorder = recorder.finish(quality_json(quality));
   end_.is_sealed = true;
 }
 

@@ -8,7 +8,7 @@
 
 #include "database/recording/recorder.h"
 #include "database/records/certificate.h"
-#include "simulator/device/station/lent_device.h"
+#include "simulator/device/device_facts.h"
 #include "simulator/loop/attempt_loop.h"
 
 namespace hallux::ui {

@@ -1,5 +1,5 @@
 /// HID devices through hidapi's hidraw backend: what is plugged in, and opening one. The library is
-/// named in the source of this header only.
+/// named in the source of this header only. Inside this corner only.
 #pragma once
 
 #include <cstdint>

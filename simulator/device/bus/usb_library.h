@@ -1,5 +1,5 @@
 /// USB devices through libusb: what is plugged in, and opening one. The library is named in the
-/// source of this header only.
+/// source of this header only. Inside this corner only.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 /// A Falcon's firmware, read from a file that the person names: it has none of its own when it is
-/// switched on, and its maker's licence lets nobody else hand it on. Inside this corner only.
+/// switched on, and its maker's licence lets nobody else hand it on.
 ///
 /// An image is a boot stream of Texas Instruments' C28x, eight bits wide:
 ///

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 #include "simulator/base/elementary.h"
 #include "simulator/base/units.h"
@@ -69,10 +67,20 @@ std::optional<double> crank_angle(const InLeg& at) noexcept {
   return elementary::atan2(c, b) - elementary::atan2(std::sqrt(room), a);
 }
 
-glm::dmat3 as_columns(const CrankRates& rates) noexcept { return {rates[0], rates[1], rates[2]}; }
-
 /// Less: the legs are stretched or folded.
-constexpr double least_determinant = 1e-9;
+constexpr double least_volume = 1e-9;
+
+double volume_of(const CrankRates& rates) noexcept {
+  return glm::dot(rates[0], glm::cross(rates[1], rates[2]));
+}
+
+/// The way on which each crank turns by its part of `turn_rad`.
+Vec3 way_for(const CrankRates& rates, const Vec3& turn_rad) noexcept {
+  const Vec3 way = turn_rad.x * glm::cross(rates[1], rates[2]) +
+                   turn_rad.y * glm::cross(rates[2], rates[0]) +
+                   turn_rad.z * glm::cross(rates[0], rates[1]);
+  return way / volume_of(rates);
+}
 
 }  // namespace
 
@@ -129,9 +137,9 @@ std::optional<Vec3> grip_place(const CrankAngles& angles, const Vec3& near_mm) n
     const std::optional<CrankAngles> here = crank_angles(grip_mm);
     if (!here) return std::nullopt;
     const Vec3 missing_rad{angles[0] - (*here)[0], angles[1] - (*here)[1], angles[2] - (*here)[2]};
-    const glm::dmat3 rows = glm::transpose(as_columns(crank_rates(grip_mm, *here)));
-    if (!(std::abs(glm::determinant(rows)) > least_determinant)) return std::nullopt;
-    const Vec3 way_mm = shortened(glm::inverse(rows) * missing_rad, step_mm);
+    const CrankRates rates = crank_rates(grip_mm, *here);
+    if (!(std::abs(volume_of(rates)) > least_volume)) return std::nullopt;
+    const Vec3 way_mm = shortened(way_for(rates, missing_rad), step_mm);
     grip_mm += way_mm;
     if (!is_finite(grip_mm)) return std::nullopt;
     if (length_of(way_mm) < found_mm) return grip_mm;
@@ -141,9 +149,12 @@ std::optional<Vec3> grip_place(const CrankAngles& angles, const Vec3& near_mm) n
 
 /// Work done is the same at grip and cranks: force . way = torques . (rates . way).
 Vec3 crank_torques(const CrankRates& rates, const Vec3& force_newton) noexcept {
-  const glm::dmat3 columns = as_columns(rates);
-  if (!(std::abs(glm::determinant(columns)) > least_determinant)) return {0.0, 0.0, 0.0};
-  return glm::inverse(columns) * force_newton;
+  const double volume = volume_of(rates);
+  if (!(std::abs(volume) > least_volume)) return {0.0, 0.0, 0.0};
+  return Vec3(glm::dot(force_newton, glm::cross(rates[1], rates[2])),
+              glm::dot(force_newton, glm::cross(rates[2], rates[0])),
+              glm::dot(force_newton, glm::cross(rates[0], rates[1]))) /
+         volume;
 }
 
 }  // namespace hallux::simulator

@@ -1,5 +1,5 @@
 /// What a driver of a device is to its port: opened, exchanged with, closed, all on the port's
-/// thread, where it may wait for the bus.
+/// thread, where it may wait for the bus. Inside this corner only.
 ///
 /// A driver is a state machine over a channel (simulator/device/bus): it names no library, so that
 /// each of its faults can be played to it in virtual time.

@@ -1,5 +1,5 @@
 /// A port: the thread of its own that talks to a device, so that nothing the device or its library
-/// does can hold the loop.
+/// does can hold the loop. Inside this corner only.
 ///
 ///     loop --force--> | slot |  --> port's thread --> driver --> library --> device
 ///          <--state-- | slot |  <--               <--        <--         <--
@@ -13,23 +13,11 @@
 #include <mutex>
 #include <thread>
 
+#include "simulator/device/device_facts.h"
 #include "simulator/device/port/port.h"
 #include "simulator/record/latest.h"
 
 namespace hallux::simulator {
-
-/// What a port has seen so far, in figures.
-struct PortFigures {
-  std::uint64_t exchanges = 0, packets = 0, bad_packets = 0, late_packets = 0;
-  /// Forces of zero since the device's fault, or since nobody says one any more.
-  std::uint64_t zeros = 0;
-  /// Forces above zero that the device was given since it answered last.
-  std::uint64_t pushes_unanswered = 0;
-  double greatest_force_newton = 0.0;
-  double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
-
-  friend bool operator==(const PortFigures&, const PortFigures&) = default;
-};
 
 class DevicePort final : public Port {
  public:

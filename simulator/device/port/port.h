@@ -1,4 +1,4 @@
-/// What the loop has of a port: a force to say, the newest state to read.
+/// What the loop has of a port: a force to say, the newest state to read. Inside this corner only.
 #pragma once
 
 #include "simulator/device/port/port_cycle.h"

@@ -1,5 +1,5 @@
-/// The driver of the open serial arm: reports in strict turn, calibrated by whoever holds it. Inside
-/// this corner only.
+/// The driver of the open serial arm: reports in strict turn, calibrated by whoever holds it.
+/// Inside this corner only.
 ///
 /// Its encoders count from where they are when it is switched on. The arm is put into its stand and
 /// its button held for half a second: then they are set to what the record says of that place.

@@ -1,7 +1,7 @@
 /// The open serial arm (WoodenHaptics, Polhem) as its maker's record describes it, and where its
-/// grip is: three joints with motors, three of a gimbal without. Inside this corner only.
+/// grip is: three joints with motors, three of a gimbal without.
 ///
-///     base --A turns about the vertical--> B lifts the first link --> C bears the second --> gimbal
+///     base --A turns about the upright--> B lifts the first link --> C bears the second --> gimbal
 ///
 /// Frame of the device: x right, y up, z to the person, as of every device here; its origin where
 /// the record puts it.

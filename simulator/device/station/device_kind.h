@@ -1,6 +1,5 @@
 /// The kinds of device that Hallux knows, those included that nobody may speak with: their makers
-/// keep the protocol closed, and whoever has one wants to know why it does nothing. Inside this
-/// corner only.
+/// keep the protocol closed, and whoever has one wants to know why it does nothing.
 #pragma once
 
 #include <cstdint>

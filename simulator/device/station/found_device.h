@@ -1,4 +1,4 @@
-/// The devices that are plugged in, each with why it can be used or not.
+/// The devices that are plugged in, each with why it can be used or not. Inside this corner only.
 #pragma once
 
 #include <string>

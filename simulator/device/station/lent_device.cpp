@@ -45,7 +45,7 @@ void LentDevice::look(const Quat& world_from_view) noexcept {
   if (rate_) rate_->look(world_from_view);
 }
 
-DeviceFacts LentDevice::facts() const {
+std::optional<DeviceFacts> LentDevice::facts() const {
   const KindFacts& kind = facts_of(found_.kind);
   const DeviceDescription description = held_->description();
   DeviceFacts facts{std::string(kind.id),     found_.name,

@@ -13,16 +13,6 @@
 
 namespace hallux::simulator {
 
-/// What an attempt's certificate says of the device that it was operated with.
-struct DeviceFacts {
-  /// The kind's id, the device's own name, its class, and through which library it was reached.
-  std::string kind, model, device_class, library;
-  double motion_scale = 1.0;
-  PortFigures figures;
-
-  friend bool operator==(const DeviceFacts&, const DeviceFacts&) = default;
-};
-
 class LentDevice final : public SteeredDevice {
  public:
   /// Borrows the station. The port is running.
@@ -45,8 +35,7 @@ class LentDevice final : public SteeredDevice {
     return held_->exchange(force_in_world_newton, tick, state);
   }
 
-  /// thread  any
-  DeviceFacts facts() const;
+  std::optional<DeviceFacts> facts() const override;
 
  private:
   void watch(const std::stop_token& stop);

@@ -1,4 +1,5 @@
 /// A device of this station for a verb that needs one, or the sentence that says why not.
+/// Inside this corner only.
 #pragma once
 
 #include <memory>

@@ -15,6 +15,7 @@
 #include "simulator/base/digest.h"
 #include "simulator/base/units.h"
 #include "simulator/base/utf8.h"
+#include "simulator/device/station/lent_device.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
@@ -151,8 +152,7 @@ HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
   HeldHand held;
   held.last_tick = static_cast<std::int64_t>(options.seconds / step_s);
   held.force_law = *force_law_from(options.force_law);
-  auto lent = std::make_shared<simulator::LentDevice*>(nullptr);
-  held.lend = [&station, &scenario, found, lent](
+  held.lend = [&station, &scenario, found](
                   const simulator::Bone& bone,
                   const scenarios::Plan& plan) -> std::unique_ptr<simulator::HapticDevice> {
     auto device = lend(station, found.id,
@@ -160,10 +160,8 @@ HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
                                 start_camera(scenario, bone, plan).world_from_view));
     if (!device)
       throw VerbError(ExitCode::NoDisplay, found.id + ": was unplugged; plug it in again");
-    *lent = device.get();
     return device;
   };
-  held.facts = [lent] { return (*lent)->facts(); };
   return held;
 }
 

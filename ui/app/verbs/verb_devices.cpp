@@ -1,5 +1,5 @@
-/// devices, with rules, set and test: what is plugged in, why it can be used or not, and how to mend
-/// it. It needs no database: settings lie beside it.
+/// devices, with rules, set and test: what is plugged in, why it can be used or not, and how to
+/// mend it. It needs no database: settings lie beside it.
 #include "ui/app/verbs/verbs.h"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
 /// The record of an open serial arm: what its maker says of its links, encoders and motors.
+/// Inside this corner only.
 #pragma once
 
 #include <filesystem>
