@@ -65,7 +65,7 @@ void LentDevice::watch(const std::stop_token& stop) {
       newest = ports_.back();
     }
     if (newest->phase() != PortPhase::Ended) continue;
-    std::shared_ptr<DevicePort> again = station_.open(found_.id);
+    std::shared_ptr<DevicePort> again = station_.port_of(found_.id);
     if (again && again != newest) go_on_with(std::move(again));
   }
 }

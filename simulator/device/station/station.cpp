@@ -105,6 +105,12 @@ std::shared_ptr<DevicePort> Station::open(const std::string& id) {
   return port;
 }
 
+std::shared_ptr<DevicePort> Station::port_of(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  const auto wanted = wanted_.find(id);
+  return wanted == wanted_.end() ? nullptr : wanted->second;
+}
+
 void Station::close(const std::string& id) {
   std::shared_ptr<DevicePort> port;
   const std::lock_guard lock(mutex_);

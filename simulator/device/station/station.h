@@ -42,6 +42,8 @@ class Station {
   /// The port of that device, opened where it was not; nullptr where it is not there, is no
   /// device of a port, or cannot be used (the list says why).
   std::shared_ptr<DevicePort> open(const std::string& id);
+  /// The port of one that was opened, as the station has it now; nullptr while the device is away.
+  std::shared_ptr<DevicePort> port_of(const std::string& id) const;
   /// Nobody wants it any more; whoever still has its port keeps it.
   void close(const std::string& id);
 

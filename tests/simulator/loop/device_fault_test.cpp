@@ -57,6 +57,28 @@ void expect_safe(const FaultyAttempt& attempt, DeviceFault fault) {
             (std::array<std::int32_t, 3>{0, 0, 0}));
 }
 
+/// The first line with that command of the loop; -1: none.
+std::int64_t tick_of(const Recording& recording, CommandKind kind) {
+  for (const TapeLine& line : recording.tape) {
+    for (std::size_t i = 0; i < line.command_count; ++i) {
+      const Command& command = line.commands[i];
+      if (command.kind == kind && command.argument == paused_by_loop) return line.tick;
+    }
+  }
+  return -1;
+}
+
+TEST(LoopDevice, ADeviceThatIsGoneForLongerPausesTheAttemptUntilItIsThere) {
+  const auto gone = [](RawDeviceState&, const RawDeviceState&) { return false; };
+  const FaultyAttempt briefly(gone, 200);
+  EXPECT_EQ(tick_of(briefly.recording, CommandKind::Pause), -1);
+  const FaultyAttempt longer(gone, 250);
+  EXPECT_EQ(tick_of(longer.recording, CommandKind::Pause), fault_tick + 200);
+  EXPECT_EQ(tick_of(longer.recording, CommandKind::Resume), fault_tick + 250);
+  EXPECT_FALSE(has(longer.sample(fault_tick + 240).status, ToolStatus::Running));
+  EXPECT_TRUE(has(longer.sample(fault_tick + 251).status, ToolStatus::Running));
+}
+
 TEST(LoopDevice, ALostDeviceIsAFaultWithTheLastGoodPose) {
   expect_safe(FaultyAttempt([](RawDeviceState&, const RawDeviceState&) { return false; }),
               DeviceFault::Lost);

@@ -44,6 +44,13 @@ TEST(Watchdog, APacketMayBeTwoTicksLateAndNotThree) {
   EXPECT_EQ(watchdog.judge(true, at_x(1.0, 11), 1).faults, 0U) << "and it goes on with the next";
 }
 
+TEST(Watchdog, OneThatSpeaksEveryEighthTickMayBeTwoOfItsPeriodsLate) {
+  DeviceWatchdog watchdog({.numbers_packets = true, .period_ticks = 8});
+  EXPECT_EQ(watchdog.judge(true, at_x(0.9, 1), 1).faults, 0U);
+  for (int tick = 0; tick < 16; ++tick) EXPECT_EQ(watchdog.judge(true, at_x(0.9, 1), 1).faults, 0U);
+  EXPECT_EQ(watchdog.judge(true, at_x(0.9, 1), 1).faults, bit(DeviceFault::Late));
+}
+
 TEST(Watchdog, TicksThatALineCoversCountAsTicks) {
   DeviceWatchdog watchdog = watching(living);
   EXPECT_EQ(watchdog.judge(true, at_x(0.9, 10), 2).faults, 0U);
