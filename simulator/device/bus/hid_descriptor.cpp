@@ -26,7 +26,7 @@ struct Item {
   }
 };
 
-/// Calls `each` with every item; true from it ends.
+/// Calls `each` with every item.
 template <typename Each>
 void read_items(std::span<const std::uint8_t> bytes, Each&& each) noexcept {
   while (!bytes.empty()) {
@@ -41,7 +41,7 @@ void read_items(std::span<const std::uint8_t> bytes, Each&& each) noexcept {
     for (std::size_t i = 0; i < item.data_bytes; ++i) {
       item.bits |= static_cast<std::uint32_t>(bytes[1 + i]) << (8U * i);
     }
-    if (each(item)) return;
+    each(item);
     bytes = bytes.subspan(1 + item.data_bytes);
   }
 }
@@ -49,18 +49,6 @@ void read_items(std::span<const std::uint8_t> bytes, Each&& each) noexcept {
 bool is_axis(std::uint32_t value) noexcept { return value >= axis_x && value <= axis_rz; }
 
 }  // namespace
-
-std::optional<HidUsage> usage_in(std::span<const std::uint8_t> descriptor) noexcept {
-  HidUsage said;
-  std::optional<HidUsage> found;
-  read_items(descriptor, [&](const Item& item) {
-    if (item.tag == usage_page) said.page = static_cast<std::uint16_t>(item.bits);
-    if (item.tag == usage) said.usage = static_cast<std::uint16_t>(item.bits);
-    if (item.tag == collection) found = said;
-    return found.has_value();
-  });
-  return found;
-}
 
 std::optional<std::int32_t> axis_limit_in(std::span<const std::uint8_t> descriptor) noexcept {
   std::uint16_t page = 0;
@@ -75,7 +63,6 @@ std::optional<std::int32_t> axis_limit_in(std::span<const std::uint8_t> descript
     if (item.tag == input && has_axis && limit > 0) least = std::min(least.value_or(limit), limit);
     // A usage speaks of the next part only.
     if (item.tag == input || item.tag == collection) has_axis = false;
-    return false;
   });
   return least;
 }

@@ -17,13 +17,9 @@ struct HidUsage {
 /// Generic desktop, multi-axis controller.
 inline constexpr HidUsage multi_axis_controller{0x01, 0x08};
 
-/// Of its first collection; nothing where it has none.
-/// errors  none: total; a descriptor that breaks off says what came before
-std::optional<HidUsage> usage_in(std::span<const std::uint8_t> descriptor) noexcept;
-
 /// The greatest value of its axes X to Rz; the least of them, where they differ. Nothing where it
 /// has no axis.
-/// errors  none: total
+/// errors  none: total; a descriptor that breaks off says what came before
 std::optional<std::int32_t> axis_limit_in(std::span<const std::uint8_t> descriptor) noexcept;
 
 }  // namespace hallux::simulator

@@ -92,15 +92,6 @@ CrankAngles crank_angles_at(const FalconCounts& counts) noexcept {
   return angles;
 }
 
-FalconCounts counts_at(const CrankAngles& angles) noexcept {
-  FalconCounts counts{};
-  for (std::size_t leg = 0; leg < falcon_legs; ++leg) {
-    counts[leg] =
-        static_cast<std::int32_t>(std::lround((angles[leg] - rad_at_zero) / rad_per_count));
-  }
-  return counts;
-}
-
 std::optional<CrankAngles> crank_angles(const Vec3& grip_mm) noexcept {
   CrankAngles angles{};
   for (std::size_t leg = 0; leg < falcon_legs; ++leg) {

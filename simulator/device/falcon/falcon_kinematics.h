@@ -26,8 +26,6 @@ using FalconCounts = std::array<std::int32_t, falcon_legs>;
 using CrankAngles = std::array<double, falcon_legs>;
 
 CrankAngles crank_angles_at(const FalconCounts& counts) noexcept;
-/// The nearest.
-FalconCounts counts_at(const CrankAngles& angles) noexcept;
 
 /// The cranks' angles where the grip is there; nothing where it cannot be.
 /// frame   the device's [mm]

@@ -36,8 +36,6 @@ bool is_arm(std::uint16_t vendor, std::uint16_t product, const HidUsage& usage) 
 
 }  // namespace
 
-std::span<const KindFacts> all_kinds() noexcept { return kinds; }
-
 const KindFacts& facts_of(DeviceKind kind) noexcept {
   return kinds[static_cast<std::size_t>(kind)];
 }

@@ -35,8 +35,6 @@ struct KindFacts {
   std::string_view library;
 };
 
-/// In the order in which they are listed.
-std::span<const KindFacts> all_kinds() noexcept;
 const KindFacts& facts_of(DeviceKind kind) noexcept;
 /// Nullptr where none has that id.
 const KindFacts* kind_named(std::string_view id) noexcept;

@@ -22,7 +22,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "simulator/device/falcon/falcon_kinematics.h"
+#include "tests/support/served_bus/falcon_counts.h"
 #include "tests/support/served_bus/served_falcon.h"
 #include "tests/support/served_bus/served_hid.h"
 
@@ -113,7 +113,7 @@ class PluggedFalcon final : public Plugged {
     const auto phase = static_cast<double>(falcon.packets() % turn);
     const Vec3 grip_mm = simulator::falcon_middle_mm +
                          Vec3(0.0, 0.0, 0.05 * (phase < 100.0 ? phase : 200.0 - phase));
-    falcon.encoders = simulator::counts_at(simulator::crank_angles(grip_mm).value());
+    falcon.encoders = falcon_counts_at(grip_mm);
   }
 
   FalconModel model_;

@@ -274,6 +274,7 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
           "--device", options->device,
           "scripted (nothing pushes the hand), arm (a modelled one, led by the motion of a "
           "file), or one that `hallux devices` lists: whoever moves it operates")
+      ->type_name("DEVICE")
       ->capture_default_str();
   attempt->add_option("--seconds", options->seconds, "how long somebody operates with a device")
       ->check(CLI::Range(0.1, 3600.0));

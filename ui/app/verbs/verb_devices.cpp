@@ -127,6 +127,17 @@ ExitCode test_device_on(const VerbContext& context, const std::string& id,
   return result.fault ? ExitCode::CheckFailed : ExitCode::Done;
 }
 
+/// "firmware (of falcon: the file ...), ...".
+std::string words_of_keys() {
+  std::string words;
+  for (const DeviceKey& key : device_keys()) {
+    words += (words.empty() ? "" : "; ") + std::string(key.name) + ": ";
+    if (!key.kind.empty()) words += "of " + std::string(key.kind) + ", ";
+    words += key.what;
+  }
+  return words;
+}
+
 void add_test(CLI::App& devices, VerbContext& context) {
   auto id = std::make_shared<std::string>();
   auto wanted = std::make_shared<DeviceTest>();
@@ -159,9 +170,7 @@ void add_devices_verb(CLI::App& app, VerbContext& context) {
   CLI::App* set =
       devices->add_subcommand("set", "set a value for a device, or for all of its kind");
   set->add_option("id", options->id, "a device or a kind")->required();
-  set->add_option("key", options->key,
-                  "firmware, counts_per_newton_metre, geometry, motion_scale or force_share")
-      ->required();
+  set->add_option("key", options->key, words_of_keys())->required();
   set->add_option("value", options->value, "empty: not set any more")->required();
   choose(*set, context, [options, &context] { return set_device_on(context, *options); });
   add_test(*devices, context);

@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "tests/support/served_bus/falcon_counts.h"
 #include "tests/support/served_bus/played_channels.h"
 #include "tests/support/temporary_directory.h"
 
@@ -35,7 +36,7 @@ class PlayedFalcon : public testing::Test {
 
   /// A grip that lies there, homed.
   void put(const Vec3& place_mm) {
-    const FalconCounts counts = counts_at(crank_angles(falcon_middle_mm + place_mm).value());
+    const FalconCounts counts = tests::falcon_counts_at(falcon_middle_mm + place_mm);
     std::copy(counts.begin(), counts.end(), model_.encoders.begin());
     model_.is_homed = true;
   }

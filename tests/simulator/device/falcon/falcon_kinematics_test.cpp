@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "simulator/base/units.h"
+#include "tests/support/served_bus/falcon_counts.h"
 
 namespace hallux::simulator {
 namespace {
@@ -45,7 +46,7 @@ TEST(FalconKinematics, CranksStandAsTheReferenceSays) {
     for (std::size_t leg = 0; leg < falcon_legs; ++leg) {
       EXPECT_NEAR(degree_from_radian((*angles)[leg]), each.angles_deg[leg], 6e-5);
     }
-    EXPECT_EQ(counts_at(*angles), each.counts);
+    EXPECT_EQ(tests::falcon_counts_at(each.grip_mm), each.counts);
   }
 }
 

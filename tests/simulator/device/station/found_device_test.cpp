@@ -44,9 +44,11 @@ TEST(FoundDevice, KindsAreToldByNumberAndUse) {
 }
 
 TEST(FoundDevice, IdsOfKindsAreKnown) {
-  for (const KindFacts& each : all_kinds()) {
-    EXPECT_EQ(kind_named(each.id), &each);
-    EXPECT_EQ(&facts_of(each.kind), &each);
+  for (const DeviceKind kind : {DeviceKind::Mouse, DeviceKind::Falcon, DeviceKind::RawHidArm,
+                                DeviceKind::Inverse3, DeviceKind::SpaceMouse, DeviceKind::Touch,
+                                DeviceKind::ForceDimension, DeviceKind::FireWireOmni}) {
+    EXPECT_EQ(facts_of(kind).kind, kind);
+    EXPECT_EQ(kind_named(facts_of(kind).id), &facts_of(kind));
   }
   EXPECT_EQ(kind_named("falcons"), nullptr);
 }
