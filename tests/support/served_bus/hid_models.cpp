@@ -46,6 +46,7 @@ bool ArmModel::receive(std::span<const std::uint8_t> report) {
   } else {
     std::copy_n(words.begin(), 3, currents_ma.begin());
   }
+  if (on_report) on_report(*this);
   if (is_silent) return true;
   std::vector<std::uint8_t> answer;
   for (std::size_t i = 0; i < encoders.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,8 @@ class ArmModel final : public HidModel {
   /// Of its answers; another is none of its own.
   std::size_t report_bytes = 64;
   std::uint64_t reports = 0;
+  /// Before each answer.
+  std::function<void(ArmModel&)> on_report;
 };
 
 }  // namespace hallux::tests
