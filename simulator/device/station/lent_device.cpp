@@ -22,7 +22,7 @@ ButtonMap buttons_of(DeviceKind kind) noexcept {
 
 }  // namespace
 
-LentDevice::LentDevice(Station& station, FoundDevice found, std::shared_ptr<DevicePort> port,
+LentDevice::LentDevice(Station& station, FoundDevice found, const std::shared_ptr<DevicePort>& port,
                        const PortDeviceSetup& setup)
     : station_(station), found_(std::move(found)), ports_{port} {
   if (port->description().device_class == "rate") {
@@ -88,7 +88,7 @@ std::unique_ptr<LentDevice> lend(Station& station, const std::string& id,
   if (found == devices.end()) return nullptr;
   std::shared_ptr<DevicePort> port = station.open(id);
   if (!port || port->phase() != PortPhase::Running) return nullptr;
-  return std::make_unique<LentDevice>(station, *found, std::move(port), setup);
+  return std::make_unique<LentDevice>(station, *found, port, setup);
 }
 
 PortDeviceSetup setup_of(const Station& station, const FoundDevice& device,

@@ -16,7 +16,7 @@ namespace hallux::simulator {
 class LentDevice final : public SteeredDevice {
  public:
   /// Borrows the station. The port is running.
-  LentDevice(Station& station, FoundDevice found, std::shared_ptr<DevicePort> port,
+  LentDevice(Station& station, FoundDevice found, const std::shared_ptr<DevicePort>& port,
              const PortDeviceSetup& setup);
   /// The device is given nothing; the station keeps it.
   ~LentDevice() override;

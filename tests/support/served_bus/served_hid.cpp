@@ -97,8 +97,8 @@ void ServedHid::announce() {
   while (announced_ < waiting && ::write(master_, "x", 1) == 1) ++announced_;
 }
 
-gboolean ServedHid::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self_) {
-  ServedHid& self = *static_cast<ServedHid*>(self_);
+gboolean ServedHid::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer served) {
+  ServedHid& self = *static_cast<ServedHid*>(served);
   const std::lock_guard lock(self.mutex_);
   const gulong request = umockdev_ioctl_client_get_request(client);
   UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
@@ -128,8 +128,8 @@ gboolean ServedHid::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gp
   return TRUE;
 }
 
-gboolean ServedHid::on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self_) {
-  ServedHid& self = *static_cast<ServedHid*>(self_);
+gboolean ServedHid::on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer served) {
+  ServedHid& self = *static_cast<ServedHid*>(served);
   const std::lock_guard lock(self.mutex_);
   if (self.is_gone_) {
     umockdev_ioctl_client_complete(client, -1, EIO);
@@ -150,8 +150,8 @@ gboolean ServedHid::on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpo
   return TRUE;
 }
 
-gboolean ServedHid::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self_) {
-  ServedHid& self = *static_cast<ServedHid*>(self_);
+gboolean ServedHid::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer served) {
+  ServedHid& self = *static_cast<ServedHid*>(served);
   const std::lock_guard lock(self.mutex_);
   if (self.is_gone_) {
     umockdev_ioctl_client_complete(client, -1, ENODEV);

@@ -16,6 +16,7 @@ FoundDevice device(DeviceKind kind, std::string serial = {}, std::string bus_pat
 std::vector<std::string> ids_of(std::vector<FoundDevice> devices) {
   name_apart(devices);
   std::vector<std::string> ids;
+  ids.reserve(devices.size());
   for (const FoundDevice& each : devices) ids.push_back(each.id);
   return ids;
 }
