@@ -70,6 +70,12 @@ TroubleReport trouble_with_settings(DeviceKind kind, const DeviceSettings& setti
   return {};
 }
 
+const FoundDevice* device_with(const std::vector<FoundDevice>& devices, const std::string& id) {
+  const auto found = std::find_if(devices.begin(), devices.end(),
+                                  [&](const FoundDevice& each) { return each.id == id; });
+  return found == devices.end() ? nullptr : &*found;
+}
+
 void name_apart(std::vector<FoundDevice>& devices) {
   for (FoundDevice& device : devices) {
     device.id = facts_of(device.kind).id;

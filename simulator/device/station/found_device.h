@@ -33,6 +33,9 @@ struct FoundDevice {
 std::vector<FoundDevice> find_devices(HidLibrary& hid, const UsbLibrary& usb,
                                       const StationSettings& settings);
 
+/// The one with that id; nullptr where there is none.
+const FoundDevice* device_with(const std::vector<FoundDevice>& devices, const std::string& id);
+
 /// Gives each its id; kinds and serials are set.
 void name_apart(std::vector<FoundDevice>& devices);
 

@@ -1,6 +1,5 @@
 #include "simulator/device/station/lent_device.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -83,9 +82,8 @@ void LentDevice::go_on_with(std::shared_ptr<DevicePort> port) {
 std::unique_ptr<LentDevice> lend(Station& station, const std::string& id,
                                  const PortDeviceSetup& setup) {
   const std::vector<FoundDevice> devices = station.devices();
-  const auto found = std::find_if(devices.begin(), devices.end(),
-                                  [&](const FoundDevice& each) { return each.id == id; });
-  if (found == devices.end()) return nullptr;
+  const FoundDevice* found = device_with(devices, id);
+  if (found == nullptr) return nullptr;
   std::shared_ptr<DevicePort> port = station.open(id);
   if (!port || port->phase() != PortPhase::Running) return nullptr;
   return std::make_unique<LentDevice>(station, *found, port, setup);

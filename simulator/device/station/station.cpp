@@ -1,6 +1,5 @@
 #include "simulator/device/station/station.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -14,12 +13,6 @@ namespace {
 
 /// The libraries tell of no plug that is put in, so the buses are asked.
 constexpr std::chrono::seconds between_looks{1};
-
-const FoundDevice* device_of(const std::vector<FoundDevice>& devices, const std::string& id) {
-  const auto found = std::find_if(devices.begin(), devices.end(),
-                                  [&](const FoundDevice& each) { return each.id == id; });
-  return found == devices.end() ? nullptr : &*found;
-}
 
 std::unique_ptr<DeviceDriver> falcon_driver(const FoundDevice& device,
                                             const DeviceSettings& settings) {
@@ -83,7 +76,7 @@ void Station::open_again() {
   const std::lock_guard lock(mutex_);
   for (auto& [id, port] : wanted_) {
     if (port && port->phase() == PortPhase::Ended) port.reset();
-    const FoundDevice* device = device_of(devices_, id);
+    const FoundDevice* device = device_with(devices_, id);
     if (!port && device != nullptr && device->is_usable()) port = open_port(*device);
   }
 }
@@ -97,7 +90,7 @@ std::shared_ptr<DevicePort> Station::open_port(const FoundDevice& device) {
 std::shared_ptr<DevicePort> Station::open(const std::string& id) {
   const std::vector<FoundDevice> found = look();
   const std::lock_guard lock(mutex_);
-  const FoundDevice* device = device_of(found, id);
+  const FoundDevice* device = device_with(found, id);
   if (device == nullptr || !device->is_usable()) return nullptr;
   std::shared_ptr<DevicePort>& port = wanted_[id];
   if (port && port->phase() == PortPhase::Ended) port.reset();

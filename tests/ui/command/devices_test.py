@@ -124,6 +124,7 @@ class Settings(CommandTest):
         kept = json.loads((self.data / "devices.json").read_text())
         self.assertEqual(kept, {"devices": {"falcon": {"motion_scale": 1.5}}})
         self.assertEqual((self.data / "devices.json").stat().st_mode & 0o777, 0o600)
+        self.assertEqual(self.data.stat().st_mode & 0o777, 0o700, "people's data will lie there")
         self.ask("devices", "set", "falcon", "motion_scale", "")
         self.assertEqual(json.loads((self.data / "devices.json").read_text()), {"devices": {}})
 

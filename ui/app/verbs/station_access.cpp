@@ -1,7 +1,5 @@
 #include "ui/app/verbs/station_access.h"
 
-#include <algorithm>
-
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/jobs/devices/device_sentences.h"
 #include "ui/jobs/devices/devices_file.h"
@@ -14,10 +12,8 @@ std::unique_ptr<simulator::Station> open_station(const VerbContext& context) {
 
 simulator::FoundDevice usable_device(simulator::Station& station, const std::string& id) {
   const std::vector<simulator::FoundDevice> devices = station.look();
-  const auto found =
-      std::find_if(devices.begin(), devices.end(),
-                   [&](const simulator::FoundDevice& each) { return each.id == id; });
-  if (found == devices.end()) {
+  const simulator::FoundDevice* found = device_with(devices, id);
+  if (found == nullptr) {
     throw VerbError(ExitCode::NoDisplay,
                     terminal_text(id) + ": is not plugged in; `hallux devices` lists what is");
   }

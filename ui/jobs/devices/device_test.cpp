@@ -92,6 +92,8 @@ DeviceTestResult test_device(simulator::Station& station, const std::string& id,
     result.fault = {simulator::DeviceTrouble::NotHomed, {}, {}};
   }
   if (!result.fault) result.fault = port->trouble();
+  // One that answers too late for a force goes on without one: that is no end, but a fault.
+  if (!result.fault) result.fault = {port->newest().trouble, {}, {}};
   result.figures = port->figures();
   result.zero_after_packets = result.figures.pushes_unanswered;
   station.close(id);

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "database/store/files.h"
 #include "scenarios/json_node.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/device/falcon/falcon_firmware.h"
@@ -171,7 +172,7 @@ void set_device(const fs::path& data_directory, const std::string& id, const std
     own[key] = is_path(known.name) ? path_from(id, key, value) : number_from(id, key, value);
   }
   if (own.empty()) kept["devices"].erase(id);
-  fs::create_directories(data_directory);
+  database::make_private_directory(data_directory);
   replace_own_file(data_directory / file_name, kept.dump(1) + "\n");
 }
 

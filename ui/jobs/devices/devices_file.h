@@ -27,7 +27,8 @@ simulator::StationSettings read_devices(const std::filesystem::path& data_direct
 /// Sets one value for a device or a kind and keeps it; an empty value unsets it. The directory is
 /// made where it is missing.
 /// errors  scenarios::ScenarioError naming key and value: no such kind, no such key, out of bounds,
-///         a file that is no firmware or no record; OutputError
+///         a file that is no firmware or no record; OutputError; database::DatabaseError where no
+///         directory can be made
 void set_device(const std::filesystem::path& data_directory, const std::string& id,
                 const std::string& key, const std::string& value);
 
