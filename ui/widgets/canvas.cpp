@@ -204,6 +204,7 @@ void Canvas::note(std::string_view text, const TextStyle& style, const Drawn& dr
   seen.is_shortened = drawn.is_shortened;
   seen.may_be_shortened = drawn.may_be_shortened;
   seen.presence = presence_;
+  seen.gives_way = gives_way_;
   if (drawn.is_shortened) seen.whole = drawn.whole;
   seen.hint = drawn.hint;
   content_->texts.push_back(std::move(seen));

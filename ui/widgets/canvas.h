@@ -81,6 +81,8 @@ class Canvas {
   // -- where drawing goes
   /// What is drawn from now on shows through: 1 is as it is, towards 0 it goes. Texts stay noted.
   void set_presence(float share) noexcept { presence_ = share; }
+  /// From here on texts give way to messages, see SeenText; until it is set back.
+  void set_giving_way(bool gives_way) noexcept { gives_way_ = gives_way; }
 
   void push_clip(const Rect& rect);
   void pop_clip();
@@ -125,6 +127,7 @@ class Canvas {
   Layer layer_ = Layer::Page;
   bool is_noting_ = true;
   float presence_ = 1.0F;
+  bool gives_way_ = false;
   std::vector<Rect> clips_, rooms_;
 };
 

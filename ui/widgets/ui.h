@@ -105,6 +105,10 @@ class Ui {
   double next_frame_in_s() const noexcept;
   /// What the last finished frame showed.
   const FrameContent& shown() const noexcept { return shown_; }
+  /// Where this frame's messages will stand over what the screen draws: what follows something that
+  /// moves gives way to them.
+  void set_messages_at(std::vector<Rect> places) noexcept { messages_at_ = std::move(places); }
+  const std::vector<Rect>& messages_at() const noexcept { return messages_at_; }
   /// What this frame has drawn so far.
   const FrameContent& drawn() const noexcept { return building_; }
   /// Counts the font pictures made; the painter takes a new one where it changed.
@@ -246,6 +250,7 @@ class Ui {
   Rect display_;
   double time_s_ = 0.0, last_time_s_ = 0.0, due_in_s_ = 0.0;
   FrameContent shown_, building_;
+  std::vector<Rect> messages_at_;
   std::vector<Shortcut> shown_shortcuts_, building_shortcuts_;
   std::vector<MouseGesture> shown_gestures_, building_gestures_;
 

@@ -73,6 +73,8 @@ struct SeenText {
   std::string hint = {};
   /// As it is drawn: 1 is whole, below it shows through.
   float presence = 1.0F;
+  /// It follows what moves and gives way to messages; they do not flee from it.
+  bool gives_way = false;
 };
 
 /// What a person reads off the screen, or is told to do: a measured value, a reason, a hint.

@@ -31,7 +31,8 @@ Obstacles obstacles_in(const FrameContent& shown, const Rect& display) {
     if (counts) found.controls.push_back(widget.visible);
   }
   for (const SeenText& seen : shown.texts)
-    if (seen.layer >= lowest && seen.layer < Layer::Toast) found.texts.push_back(seen.visible);
+    if (seen.layer >= lowest && seen.layer < Layer::Toast && !seen.gives_way)
+      found.texts.push_back(seen.visible);
   return found;
 }
 

@@ -86,7 +86,12 @@ float Messages::plan(Ui& ui, const Background& background, const MessageRoom& ro
   if (!room.page.is_empty()) strip = plan_on_page(ui, room);
   if (room.page.is_empty() || covers_what_lies_above(ui)) plan_freely(ui);
   const Obstacles seen = obstacles_in(ui.shown(), ui.display());
-  for (Told& told : told_) told.covered = covered_by(told.rect, seen);
+  std::vector<Rect> places;
+  for (Told& told : told_) {
+    told.covered = covered_by(told.rect, seen);
+    if (!told.rect.is_empty()) places.push_back(told.rect);
+  }
+  ui.set_messages_at(std::move(places));
   return strip;
 }
 

@@ -37,5 +37,23 @@ TEST(HudTip, KeepsItsLabelOffThePanels) {
   }
 }
 
+// Messages stand; a label that follows the saw goes elsewhere, be they all around the teeth.
+TEST(HudTip, GivesWayToMessages) {
+  LabelledPanels panels;
+  const Point tip{700.0F, 420.0F};
+  const Rect before = panels.label_with_tip_at(tip);
+  for (const Rect& message :
+       {inset(before, -20.0F), Rect{tip.x - 300.0F, tip.y - 240.0F, 600.0F, 480.0F}}) {
+    panels.driver.ui().set_messages_at({message});
+    const Rect label = panels.label_with_tip_at(tip);
+    ASSERT_FALSE(label.is_empty());
+    EXPECT_TRUE(intersection(label, message).is_empty());
+    for (const char* panel : {"operate.panel.inset", "operate.panel.tool", "operate.panel.mode"})
+      EXPECT_TRUE(intersection(label, panels.driver.widget(panel).rect).is_empty()) << panel;
+  }
+  panels.driver.ui().set_messages_at({});
+  EXPECT_EQ(panels.label_with_tip_at(tip).x, before.x) << "and comes back";
+}
+
 }  // namespace
 }  // namespace hallux::ui

@@ -29,7 +29,7 @@ struct Hud {
   /// Inside the inset.
   Rect room;
   HudAnswer answer;
-  /// Of those drawn so far.
+  /// Of those drawn so far, and the messages over them.
   std::vector<Rect> panels = {};
   /// What a panel above the lower ones takes at a side.
   float side_width = 0.0F;

@@ -3,12 +3,15 @@
 #include "ui/screens/operating/hud/hud_tip.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace hallux::ui {
 
 namespace {
 
 constexpr float label_way = 130.0F, label_rise = 60.0F, line_height = 20.0F, label_pad = 12.0F;
+constexpr float place_step = 16.0F;
 
 /// The push as a bar beside the teeth.
 void draw_force_at_blade(Hud& in) {
@@ -34,6 +37,25 @@ void draw_force_at_blade(Hud& in) {
   in.ui.tell("operate.force.tip", decimal_text(in.hud.force_newton) + " N", track);
 }
 
+/// Where nothing else stands, as near as may be; where there is no such place, as near as may be.
+Rect nearest_free_place(const Hud& in, Rect wanted) {
+  const float right = std::max(in.room.x, in.room.right() - wanted.w);
+  const float top = in.room.y + hud_bar_height;
+  const float bottom = std::max(in.room.y, in.room.bottom() - hud_panel_height - wanted.h - 8.0F);
+  wanted.x = std::clamp(wanted.x, in.room.x, right);
+  wanted.y = std::clamp(wanted.y, std::min(top, bottom), bottom);
+  Rect best = wanted;
+  float least = std::numeric_limits<float>::infinity();
+  for (float x = in.room.x; x <= right; x += place_step) {
+    for (float y = std::min(top, bottom); y <= in.room.bottom() - wanted.h; y += place_step) {
+      const Rect place{x, y, wanted.w, wanted.h};
+      const float way = std::hypot(x - wanted.x, y - wanted.y);
+      if (way < least && !in.has_panel(place)) least = way, best = place;
+    }
+  }
+  return best;
+}
+
 /// Beside the tip, where the label hides neither saw nor panel; nearer to the tip where there is
 /// little room.
 Rect place_label(const Hud& in, float width, float height) {
@@ -57,11 +79,7 @@ Rect place_label(const Hud& in, float width, float height) {
       if (in.room.encloses(place) && !in.has_panel(place)) return place;
     }
   }
-  Rect kept{tip.x + label_way, tip.y + label_rise - height, width, height};
-  kept.x = std::clamp(kept.x, in.room.x, std::max(in.room.x, in.room.right() - width));
-  kept.y = std::clamp(kept.y, in.room.y + hud_bar_height,
-                      std::max(in.room.y, in.room.bottom() - hud_panel_height - height - 8.0F));
-  return kept;
+  return nearest_free_place(in, {tip.x + label_way, tip.y + label_rise - height, width, height});
 }
 
 /// At the label's side; at its upper or lower edge where it lies right below or above the tip.
@@ -82,12 +100,14 @@ void draw_label(Hud& in) {
   in.canvas().line(*in.hud.tip, end_of_leader(*in.hud.tip, label), faded(in.theme().text, 0.5F),
                    1.5F);
   draw_hud_panel(in.canvas(), in.theme(), label, radius::control);
+  in.canvas().set_giving_way(true);
   float y = label.y + 0.5F * label_pad;
   for (const std::string& line : in.hud.tip_lines) {
     in.canvas().text_in({label.x + label_pad, y, width - 2.0F * label_pad + 1.0F, line_height},
                         {Type::SmallMedium, in.theme().text}, line);
     y += line_height;
   }
+  in.canvas().set_giving_way(false);
   std::string told;
   for (const std::string& line : in.hud.tip_lines) told += (told.empty() ? "" : ". ") + line;
   in.ui.tell("operate.ahead", told, label);

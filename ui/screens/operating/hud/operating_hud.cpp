@@ -181,7 +181,7 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const Rect display = ui.display();
   const Rect room = inset(display, hud_inset_share * display.w, hud_inset_share * display.h);
   const HudFoot foot = lay_out_foot(ui, hud, room.w);
-  Hud in{ui, hud, above_foot(room, display, foot), {}};
+  Hud in{ui, hud, above_foot(room, display, foot), {}, ui.messages_at()};
   draw_tip_force(in);
   const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
   draw_hud_readings(in, std::max(bar_end + 8.0F, in.room.y + badge_room));
